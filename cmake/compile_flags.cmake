@@ -1,0 +1,61 @@
+# Every flag that decides what our sources mean, in one place. jostle_library() and jostle_program() apply them.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+find_program(JOSTLE_CCACHE ccache)
+if(JOSTLE_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${JOSTLE_CCACHE})
+endif()
+
+add_library(jostle_flags INTERFACE)
+
+# Floating point: the same bits from every compiler, optimisation level and CPU. Contraction would fuse a*b+c on some
+# targets only; fast-math would reorder sums. errno from sqrt is never read, and leaving it out lets sqrt be one instruction.
+target_compile_options(jostle_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno)
+
+target_compile_options(jostle_flags INTERFACE
+    -Wall -Wextra -Werror -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+    -Woverloaded-virtual -Wunused -Wcast-align -Wdouble-promotion)
+# The eight-wide vector type is passed between our own inline functions only, so its calling convention does not matter.
+target_compile_options(jostle_flags INTERFACE -Wno-psabi)
+
+if(JOSTLE_ASSERT)
+    target_compile_definitions(jostle_flags INTERFACE JOSTLE_ASSERT=1)
+endif()
+
+if(JOSTLE_SANITIZE)
+    set(sanitize -fsanitize=${JOSTLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_compile_options(${sanitize})
+    add_link_options(${sanitize})
+endif()
+
+# A static library of ours: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...])
+function(jostle_library name)
+    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;INCLUDE" ${ARGN})
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC ${arg_INCLUDE})
+    target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jostle_flags>)
+endfunction()
+
+# A program of ours: jostle_program(NAME SOURCES main.cpp ... LINK libs...)
+function(jostle_program name)
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    add_executable(${name} ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE ${arg_LINK} jostle_flags)
+endfunction()
+
+# A GoogleTest program that ctest runs whole: jostle_test(NAME SOURCES a_test.cpp ... LINK libs... [LABELS l...] [TIMEOUT s])
+function(jostle_test name)
+    cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+    jostle_program(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main GTest::gmock)
+    target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    add_test(NAME ${name} COMMAND ${name})
+    if(NOT arg_TIMEOUT)
+        set(arg_TIMEOUT 120)
+    endif()
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()

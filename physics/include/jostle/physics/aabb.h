@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Aabb: an axis-aligned box given by its two extreme corners, in metres.
+#pragma once
+
+#include "jostle/physics/vec3.h"
+
+namespace jostle::physics {
+
+struct Aabb {
+    Vec3 low, high;
+
+    bool operator==(const Aabb&) const = default;
+};
+
+inline bool overlap(const Aabb& a, const Aabb& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
+           b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+inline bool contains(const Aabb& outer, const Aabb& inner) {
+    return outer.low.x <= inner.low.x && inner.high.x <= outer.high.x &&
+           outer.low.y <= inner.low.y && inner.high.y <= outer.high.y &&
+           outer.low.z <= inner.low.z && inner.high.z <= outer.high.z;
+}
+inline Aabb unite(const Aabb& a, const Aabb& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
+inline Aabb grow(const Aabb& a, double margin) {
+    const Vec3 m{margin, margin, margin};
+    return {a.low - m, a.high + m};
+}
+// Half the surface: the cost measure of the dynamic tree.
+inline double half_area(const Aabb& a) {
+    const Vec3 d = a.high - a.low;
+    return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
+// The fraction of origin..origin+motion at which the segment enters the box: 0 when it starts inside, 2 when it misses
+// within [0, limit]. Slab test; a zero component of the motion is handled by the comparison, not by dividing by zero.
+inline double ray_enters(const Aabb& box, Vec3 origin, Vec3 motion, double limit) {
+    double enter = 0, leave = limit;
+    for (int k = 0; k < 3; k++) {
+        const double o = origin[k], d = motion[k];
+        if (d == 0) {
+            if (o < box.low[k] || box.high[k] < o) return 2;
+            continue;
+        }
+        const double s = 1 / d, t1 = (box.low[k] - o) * s, t2 = (box.high[k] - o) * s;
+        enter = maximum(enter, minimum(t1, t2));
+        leave = minimum(leave, maximum(t1, t2));
+    }
+    return enter <= leave ? enter : 2;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Handles. An id stays valid until its object is destroyed; the generation tells a later object that reuses the index
+// from the one that was meant. Indices are handed out lowest-free-first, so the same calls give the same ids.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace jostle::physics {
+
+struct BodyId {
+    std::uint32_t index = 0xffffffff;
+    std::uint32_t generation = 0;
+
+    auto operator<=>(const BodyId&) const = default;
+};
+
+struct ShapeId {
+    std::uint32_t index = 0xffffffff;
+    std::uint32_t generation = 0;
+
+    auto operator<=>(const ShapeId&) const = default;
+};
+
+inline bool is_null(BodyId id) { return id.index == 0xffffffff; }
+inline bool is_null(ShapeId id) { return id.index == 0xffffffff; }
+
+}  // namespace jostle::physics

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// The whole public face of the solver library.
+#pragma once
+
+#include "jostle/physics/aabb.h"
+#include "jostle/physics/defs.h"
+#include "jostle/physics/events.h"
+#include "jostle/physics/geometry.h"
+#include "jostle/physics/ids.h"
+#include "jostle/physics/mat3.h"
+#include "jostle/physics/profile.h"
+#include "jostle/physics/quat.h"
+#include "jostle/physics/queries.h"
+#include "jostle/physics/result.h"
+#include "jostle/physics/scalar.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/physics/transform.h"
+#include "jostle/physics/tuning.h"
+#include "jostle/physics/vec3.h"
+#include "jostle/physics/world.h"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// What the last step cost and did. Times are wall-clock and so differ from run to run; counters are exact.
+#pragma once
+
+#include <array>
+
+namespace jostle::physics {
+
+enum class Stage {
+    update_pairs,
+    update_contacts,
+    link_islands,
+    solve_constraints,
+    integrate_free,
+    finalize,
+    quarantine,
+    update_sleep,
+    publish_events,
+};
+inline constexpr int stage_count = 9;
+
+// The stage's name as in the enumeration.
+const char* stage_name(Stage stage);
+
+struct StepProfile {
+    std::array<double, stage_count> stage_ms{};  // 0 when the stage had nothing to do
+    double step_ms = 0;
+    int bodies_awake = 0;      // dynamic and kinematic bodies that the step walked
+    int bodies_in_solver = 0;  // of those, the ones with a manifold; the others fly free
+    int pairs = 0;             // shapes whose fat boxes overlap
+    int pairs_checked = 0;     // narrow phase calls
+    int manifolds = 0;         // awake manifolds in the solver
+    int touching = 0;          // of those, the ones that press
+    int islands_awake = 0;
+};
+
+}  // namespace jostle::physics

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// World: rigid bodies that move, collide and rest. The library's one entry.
+//
+// Thread rule: one thread at a time may call non-const functions; const functions may be called by many threads at once
+// between steps. step() may use threads of its own (WorldDef::threads); its result has the same bits for any number.
+//
+// Error rule: every call checks its arguments; one that returns an Error has changed nothing. The message names the
+// argument, its value and its range.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "jostle/physics/aabb.h"
+#include "jostle/physics/defs.h"
+#include "jostle/physics/events.h"
+#include "jostle/physics/ids.h"
+#include "jostle/physics/profile.h"
+#include "jostle/physics/queries.h"
+#include "jostle/physics/result.h"
+
+namespace jostle::physics {
+
+struct WorldState;
+
+// What a body is doing now.
+struct BodyState {
+    BodyId id;
+    BodyType type = BodyType::dynamic;
+    Transform pose;         // of the body's origin
+    Vec3 center;            // of mass, m, world
+    Vec3 linear_velocity;   // m/s, of the centre of mass
+    Vec3 angular_velocity;  // rad/s, world axes
+    double mass = 0;        // kg; 0 for fixed and kinematic bodies
+    Mat3 inertia;           // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic bodies
+    bool awake = false;     // false for fixed bodies
+    std::uint64_t user_data = 0;
+};
+
+struct ShapeState {
+    ShapeId id;
+    BodyId body;
+    Geometry geometry;
+    Transform pose;  // of the shape in its body
+    Material material;
+    double density = 0;
+};
+
+// Sums over the world, for reports and tests.
+struct WorldSummary {
+    int bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
+    int contacts = 0;                // touching manifolds, awake and asleep
+    double kinetic_energy = 0;       // J
+    double potential_energy = 0;     // J, zero at the origin
+    Vec3 linear_momentum;            // kg m/s
+    Vec3 angular_momentum;           // kg m^2/s about the origin
+    double max_penetration = 0;      // m, deepest overlap of any two shapes now
+};
+
+class World {
+public:
+    static Result<World> create(const WorldDef& def = {});
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    // --- bodies and shapes ---
+    Result<BodyId> create_body(const BodyDef& def);
+    // A body with one shape: the common case.
+    Result<BodyId> create_body(const BodyDef& def, const ShapeDef& shape);
+    Result<ShapeId> create_shape(BodyId body, const ShapeDef& def);
+    Status destroy_body(BodyId body);
+    Status destroy_shape(ShapeId shape);
+
+    bool contains(BodyId body) const;
+    bool contains(ShapeId shape) const;
+    Result<BodyState> body(BodyId body) const;
+    Result<ShapeState> shape(ShapeId shape) const;
+    std::vector<ShapeId> shapes_of(BodyId body) const;  // in order of creation; empty for an unknown id
+    // Every body in order of index. Reuses `out`, so a caller that keeps it allocates nothing.
+    void copy_bodies(std::vector<BodyState>& out) const;
+    std::vector<BodyId> bodies() const;
+
+    // --- pushing bodies about; each wakes the body ---
+    Status set_pose(BodyId body, const Transform& pose);
+    Status set_velocity(BodyId body, Vec3 linear, Vec3 angular);
+    Status apply_impulse(BodyId body, Vec3 impulse, Vec3 point);   // N s at a world point, at once
+    Status apply_angular_impulse(BodyId body, Vec3 impulse);       // N m s, at once
+    Status apply_force(BodyId body, Vec3 force, Vec3 point);       // N at a world point, during the next step
+    Status apply_torque(BodyId body, Vec3 torque);                 // N m, during the next step
+    Status wake(BodyId body);
+
+    // --- time ---
+    // Advances by dt seconds, 1e-5 to 0.25.
+    Status step(double dt);
+    std::uint64_t step_count() const;
+    Vec3 gravity() const;
+    int substeps() const;
+    Status set_threads(int threads);  // not part of the state: changes nothing but the time a step takes
+
+    // --- reading ---
+    Events events() const;
+    const StepProfile& profile() const;
+    WorldSummary summary() const;
+
+    // --- queries, between steps ---
+    // The first shape along the ray; nothing when it meets none.
+    Result<std::optional<RayHit>> cast_ray(const Ray& ray) const;
+    // Shapes whose bounds overlap the box, by id. Exact for the bounds, not for the shapes.
+    Result<std::vector<ShapeId>> overlap_box(const Aabb& box) const;
+    // Shapes that a convex shape in that pose touches, by id.
+    Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry, const Transform& pose) const;
+
+    // For the library's own files (snapshot, tests): the stores behind this world.
+    const WorldState& state() const { return *state_; }
+    WorldState& state() { return *state_; }
+
+private:
+    friend Result<World> load(std::span<const std::byte> bytes);
+    explicit World(std::unique_ptr<WorldState> state);
+
+    std::unique_ptr<WorldState> state_;
+};
+
+}  // namespace jostle::physics

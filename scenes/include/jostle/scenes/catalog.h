@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes by name: the list every program shows.
+#pragma once
+
+#include "jostle/scenes/scene.h"
+
+namespace jostle::scenes {
+
+struct CatalogEntry {
+    std::string_view name;
+    std::string_view description;
+};
+
+std::span<const CatalogEntry> catalog();
+
+// Nothing when the catalogue has no such name.
+std::optional<SceneDescription> find_scene(std::string_view name);
+
+}  // namespace jostle::scenes

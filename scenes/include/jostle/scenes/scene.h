@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// SceneDescription: a world as plain data, before it is built. The catalogue makes them by name, a scene file is read
+// into one, and tests, benchmarks, server and viewer all build their worlds from one. Plain C++ types: no protobuf here.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jostle/physics/world.h"
+
+namespace jostle::scenes {
+
+struct SceneBody {
+    std::string name;
+    physics::BodyDef body;
+    std::vector<physics::ShapeDef> shapes;
+    std::optional<std::uint32_t> color;  // 0xRRGGBB
+};
+
+struct SceneDescription {
+    std::string name;
+    std::string description;
+    physics::WorldDef world;
+    double hz = 60;  // steps per second
+    std::vector<SceneBody> bodies;
+};
+
+struct BuiltScene {
+    physics::World world;
+    std::vector<physics::BodyId> bodies;  // bodies[i] was made from description.bodies[i]
+};
+
+// Makes the world. An error names the body ("bodies[3] 'ramp'") and what is wrong with it.
+physics::Result<BuiltScene> build_scene(const SceneDescription& description);
+
+}  // namespace jostle::scenes

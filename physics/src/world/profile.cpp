@@ -5,15 +5,24 @@ namespace jostle::physics {
 
 const char* stage_name(Stage stage) {
     switch (stage) {
-        case Stage::update_pairs: return "update_pairs";
-        case Stage::update_contacts: return "update_contacts";
-        case Stage::link_islands: return "link_islands";
-        case Stage::solve_constraints: return "solve_constraints";
-        case Stage::integrate_free: return "integrate_free";
-        case Stage::finalize: return "finalize";
-        case Stage::quarantine: return "quarantine";
-        case Stage::update_sleep: return "update_sleep";
-        case Stage::publish_events: return "publish_events";
+        case Stage::update_pairs:
+            return "update_pairs";
+        case Stage::update_contacts:
+            return "update_contacts";
+        case Stage::link_islands:
+            return "link_islands";
+        case Stage::solve_constraints:
+            return "solve_constraints";
+        case Stage::integrate_free:
+            return "integrate_free";
+        case Stage::finalize:
+            return "finalize";
+        case Stage::quarantine:
+            return "quarantine";
+        case Stage::update_sleep:
+            return "update_sleep";
+        case Stage::publish_events:
+            return "publish_events";
     }
     return "unknown";
 }

@@ -22,7 +22,9 @@ inline bool contains(const Aabb& outer, const Aabb& inner) {
            outer.low.y <= inner.low.y && inner.high.y <= outer.high.y &&
            outer.low.z <= inner.low.z && inner.high.z <= outer.high.z;
 }
-inline Aabb unite(const Aabb& a, const Aabb& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
+inline Aabb unite(const Aabb& a, const Aabb& b) {
+    return {min(a.low, b.low), max(a.high, b.high)};
+}
 inline Aabb grow(const Aabb& a, double margin) {
     const Vec3 m{margin, margin, margin};
     return {a.low - m, a.high + m};
@@ -33,8 +35,9 @@ inline double half_area(const Aabb& a) {
     return d.x * d.y + d.y * d.z + d.z * d.x;
 }
 
-// The fraction of origin..origin+motion at which the segment enters the box: 0 when it starts inside, 2 when it misses
-// within [0, limit]. Slab test; a zero component of the motion is handled by the comparison, not by dividing by zero.
+// The fraction of origin..origin+motion at which the segment enters the box: 0 when it starts
+// inside, 2 when it misses within [0, limit]. Slab test; a zero component of the motion is handled
+// by the comparison, not by dividing by zero.
 inline double ray_enters(const Aabb& box, Vec3 origin, Vec3 motion, double limit) {
     double enter = 0, leave = limit;
     for (int k = 0; k < 3; k++) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What to create, with defaults that work. SI units: metres, kilograms, seconds, radians. A Def is a constant
-// description; the world copies what it needs and keeps no pointer to it.
+// What to create, with defaults that work. SI units: metres, kilograms, seconds, radians. A Def is
+// a constant description; the world copies what it needs and keeps no pointer to it.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,8 @@ struct ShapeDef {
     Geometry geometry = Box{};
     Transform pose;  // of the shape in its body
     Material material;
-    double density = 1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
+    double density =
+        1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
 };
 
 struct BodyDef {

@@ -9,7 +9,8 @@
 
 namespace jostle::physics {
 
-// Every length of a shape lies in this range; beyond it masses overflow single precision in the contact kernel.
+// Every length of a shape lies in this range; beyond it masses overflow single precision in the
+// contact kernel.
 inline constexpr double min_shape_size = 1e-3;  // m
 inline constexpr double max_shape_size = 1e4;   // m
 

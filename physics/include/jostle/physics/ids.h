@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Handles. An id stays valid until its object is destroyed; the generation tells a later object that reuses the index
-// from the one that was meant. Indices are handed out lowest-free-first, so the same calls give the same ids.
+// Handles. An id stays valid until its object is destroyed; the generation tells a later object
+// that reuses the index from the one that was meant. Indices are handed out lowest-free-first, so
+// the same calls give the same ids.
 #pragma once
 
 #include <compare>
@@ -23,7 +24,11 @@ struct ShapeId {
     auto operator<=>(const ShapeId&) const = default;
 };
 
-inline bool is_null(BodyId id) { return id.index == 0xffffffff; }
-inline bool is_null(ShapeId id) { return id.index == 0xffffffff; }
+inline bool is_null(BodyId id) {
+    return id.index == 0xffffffff;
+}
+inline bool is_null(ShapeId id) {
+    return id.index == 0xffffffff;
+}
 
 }  // namespace jostle::physics

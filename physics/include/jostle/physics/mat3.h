@@ -13,12 +13,24 @@ struct Mat3 {
     bool operator==(const Mat3&) const = default;
 };
 
-inline Mat3 diagonal(Vec3 d) { return {{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}; }
-inline Mat3 operator+(const Mat3& a, const Mat3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Mat3 operator-(const Mat3& a, const Mat3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Mat3 operator*(const Mat3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Vec3 operator*(const Mat3& m, Vec3 v) { return m.x * v.x + m.y * v.y + m.z * v.z; }
-inline Mat3 operator*(const Mat3& a, const Mat3& b) { return {a * b.x, a * b.y, a * b.z}; }
+inline Mat3 diagonal(Vec3 d) {
+    return {{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}};
+}
+inline Mat3 operator+(const Mat3& a, const Mat3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Mat3 operator-(const Mat3& a, const Mat3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Mat3 operator*(const Mat3& a, double s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+inline Vec3 operator*(const Mat3& m, Vec3 v) {
+    return m.x * v.x + m.y * v.y + m.z * v.z;
+}
+inline Mat3 operator*(const Mat3& a, const Mat3& b) {
+    return {a * b.x, a * b.y, a * b.z};
+}
 inline Mat3 transpose(const Mat3& m) {
     return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
 }
@@ -26,7 +38,9 @@ inline Mat3 transpose(const Mat3& m) {
 inline Vec3 transposed_times(const Mat3& m, Vec3 v) {
     return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
-inline double determinant(const Mat3& m) { return dot(m.x, cross(m.y, m.z)); }
+inline double determinant(const Mat3& m) {
+    return dot(m.x, cross(m.y, m.z));
+}
 
 // Inverse by cofactors; the zero matrix when m is singular (a body that cannot turn).
 inline Mat3 inverse(const Mat3& m) {
@@ -37,6 +51,8 @@ inline Mat3 inverse(const Mat3& m) {
 }
 
 // The matrix of v -> a x v.
-inline Mat3 skew(Vec3 a) { return {{0, a.z, -a.y}, {-a.z, 0, a.x}, {a.y, -a.x, 0}}; }
+inline Mat3 skew(Vec3 a) {
+    return {{0, a.z, -a.y}, {-a.z, 0, a.x}, {a.y, -a.x, 0}};
+}
 
 }  // namespace jostle::physics

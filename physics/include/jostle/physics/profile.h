@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the last step cost and did. Times are wall-clock and so differ from run to run; counters are exact.
+// What the last step cost and did. Times are wall-clock and so differ from run to run; counters are
+// exact.
 #pragma once
 
 #include <array>

@@ -19,9 +19,15 @@ inline Quat operator*(Quat a, Quat b) {
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
             a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
-inline Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
-inline double norm_squared(Quat q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
-inline bool is_finite(Quat q) { return is_finite(norm_squared(q)); }
+inline Quat conjugate(Quat q) {
+    return {-q.x, -q.y, -q.z, q.w};
+}
+inline double norm_squared(Quat q) {
+    return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+}
+inline bool is_finite(Quat q) {
+    return is_finite(norm_squared(q));
+}
 inline Quat normalized(Quat q) {
     const double s = 1 / square_root(norm_squared(q));
     return {q.x * s, q.y * s, q.z * s, q.w * s};
@@ -31,7 +37,9 @@ inline Vec3 rotate(Quat q, Vec3 v) {
     const Vec3 u{q.x, q.y, q.z}, t = cross(u, v) * 2;
     return v + t * q.w + cross(u, t);
 }
-inline Vec3 inverse_rotate(Quat q, Vec3 v) { return rotate(conjugate(q), v); }
+inline Vec3 inverse_rotate(Quat q, Vec3 v) {
+    return rotate(conjugate(q), v);
+}
 
 // The rotation's matrix: its columns are the rotated axes.
 inline Mat3 to_matrix(Quat q) {
@@ -48,15 +56,15 @@ inline Quat from_axis_angle(Vec3 axis, double angle) {
     return {v.x, v.y, v.z, h.cos};
 }
 
-// A turn by the rotation vector r: |r| radians about r. Exact to rounding for any r; the exponential map of SO(3).
+// A turn by the rotation vector r: |r| radians about r. Exact to rounding for any r; the
+// exponential map of SO(3).
 inline Quat from_rotation_vector(Vec3 r) {
     const double angle2 = length_squared(r);
     if (angle2 < 0.01) {
         // Half-angle series: no division by a small angle, error below 1e-15 here.
         const double s =
             0.5 - angle2 * (1.0 / 48 - angle2 * (1.0 / 3840 - angle2 * (1.0 / 645120)));
-        const double c =
-            1 - angle2 * (1.0 / 8 - angle2 * (1.0 / 384 - angle2 * (1.0 / 46080)));
+        const double c = 1 - angle2 * (1.0 / 8 - angle2 * (1.0 / 384 - angle2 * (1.0 / 46080)));
         return normalized(Quat{r.x * s, r.y * s, r.z * s, c});
     }
     return from_axis_angle(r, square_root(angle2));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Result<T>: a value, or an Error that says what was wrong, where, and what to do. Status: success, or an Error.
-// No exceptions cross the library's border; a call that returns an Error has changed nothing.
+// Result<T>: a value, or an Error that says what was wrong, where, and what to do. Status: success,
+// or an Error. No exceptions cross the library's border; a call that returns an Error has changed
+// nothing.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The only mathematics beyond + - * / that the engine uses. The C library's sin, cos and atan2 differ from machine to
-// machine in the last bit, which would end "same state + same inputs = same bits"; these are polynomials of our own and
-// give the same bits everywhere. sqrt is exact by IEEE 754, so the C library's may be used.
+// The only mathematics beyond + - * / that the engine uses. The C library's sin, cos and atan2
+// differ from machine to machine in the last bit, which would end "same state + same inputs = same
+// bits"; these are polynomials of our own and give the same bits everywhere. sqrt is exact by IEEE
+// 754, so the C library's may be used.
 #pragma once
 
 #include <cmath>
@@ -11,22 +12,33 @@ namespace jostle::physics {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-inline double square_root(double x) { return std::sqrt(x); }
-inline double absolute(double x) { return x < 0 ? -x : x; }
-inline double minimum(double a, double b) { return b < a ? b : a; }
-inline double maximum(double a, double b) { return a < b ? b : a; }
+inline double square_root(double x) {
+    return std::sqrt(x);
+}
+inline double absolute(double x) {
+    return x < 0 ? -x : x;
+}
+inline double minimum(double a, double b) {
+    return b < a ? b : a;
+}
+inline double maximum(double a, double b) {
+    return a < b ? b : a;
+}
 inline double clamp(double x, double low, double high) {
     return x < low ? low : (high < x ? high : x);
 }
 // False for NaN and both infinities.
-inline bool is_finite(double x) { return x - x == 0; }
+inline bool is_finite(double x) {
+    return x - x == 0;
+}
 
 struct SinCos {
     double sin, cos;
 };
 
-// Sine and cosine of any finite angle in radians, error below 1e-14 for |angle| < 1e6. Range reduction by pi/2 in two
-// parts, then Taylor polynomials on [-pi/4, pi/4] (Muller, "Elementary Functions", chapter 11).
+// Sine and cosine of any finite angle in radians, error below 1e-14 for |angle| < 1e6. Range
+// reduction by pi/2 in two parts, then Taylor polynomials on [-pi/4, pi/4] (Muller, "Elementary
+// Functions", chapter 11).
 inline SinCos sin_cos(double angle) {
     const double turns = angle * (2 / pi);
     const double whole = std::floor(turns + 0.5);
@@ -34,20 +46,18 @@ inline SinCos sin_cos(double angle) {
     constexpr double high = 1.57079632673412561417e+00, low = 6.07710050650619224932e-11;
     const double x = (angle - whole * high) - whole * low, x2 = x * x;
     const double s =
-        x +
-        x * x2 *
-            (-1.0 / 6 +
-             x2 * (1.0 / 120 +
-                   x2 * (-1.0 / 5040 +
-                         x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800.0))))));
+        x + x * x2 *
+                (-1.0 / 6 +
+                 x2 * (1.0 / 120 + x2 * (-1.0 / 5040 +
+                                         x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 +
+                                                                    x2 * (1.0 / 6227020800.0))))));
     const double c =
-        1 +
-        x2 * (-0.5 +
-              x2 * (1.0 / 24 +
-                    x2 * (-1.0 / 720 +
-                          x2 * (1.0 / 40320 +
-                                x2 * (-1.0 / 3628800 +
-                                      x2 * (1.0 / 479001600 - x2 * (1.0 / 87178291200.0)))))));
+        1 + x2 * (-0.5 +
+                  x2 * (1.0 / 24 +
+                        x2 * (-1.0 / 720 +
+                              x2 * (1.0 / 40320 +
+                                    x2 * (-1.0 / 3628800 +
+                                          x2 * (1.0 / 479001600 - x2 * (1.0 / 87178291200.0)))))));
     const double quarter = whole - 4 * std::floor(whole * 0.25);
     if (quarter == 0) return {s, c};
     if (quarter == 1) return {c, -s};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Transform: where a frame is in its parent. Positions are double, so a world may be millions of metres wide.
+// Transform: where a frame is in its parent. Positions are double, so a world may be millions of
+// metres wide.
 #pragma once
 
 #include "jostle/physics/quat.h"
@@ -14,7 +15,9 @@ struct Transform {
     bool operator==(const Transform&) const = default;
 };
 
-inline Vec3 apply(const Transform& t, Vec3 p) { return t.position + rotate(t.rotation, p); }
+inline Vec3 apply(const Transform& t, Vec3 p) {
+    return t.position + rotate(t.rotation, p);
+}
 inline Vec3 apply_inverse(const Transform& t, Vec3 p) {
     return inverse_rotate(t.rotation, p - t.position);
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Every numeric constant of the solver, with its unit and its reason. SI throughout the library: metres, kilograms,
-// seconds, radians. docs/performance.md and the tests say what each was measured to do.
+// Every numeric constant of the solver, with its unit and its reason. SI throughout the library:
+// metres, kilograms, seconds, radians. docs/performance.md and the tests say what each was measured
+// to do.
 #pragma once
 
 namespace jostle::physics::tuning {
 
 // --- broad phase ---
-// A fat box is this much larger on each side than its shape, so that small motion needs no tree update.
+// A fat box is this much larger on each side than its shape, so that small motion needs no tree
+// update.
 inline constexpr double fat_margin = 0.04;  // m
 // ... and stretched by this many steps of velocity in the direction of motion.
 inline constexpr double fat_steps_ahead = 3;
@@ -15,29 +17,36 @@ inline constexpr double fat_steps_ahead = 3;
 // --- narrow phase ---
 // Contacts begin this far before the surfaces meet, plus the way the pair moves in one step.
 inline constexpr double speculative_margin = 0.02;  // m
-// Points closer than this fraction of the body's size (and at most the length below) are the same point after a rebuild.
+// Points closer than this fraction of the body's size (and at most the length below) are the same
+// point after a rebuild.
 inline constexpr double match_fraction = 0.1;
 inline constexpr double match_distance = 0.05;  // m
-// A manifold is rebuilt after this much relative motion; until then its gaps are moved with the bodies. Reuse saves the
-// narrow phase and is part of the stability of tall stacks.
+// A manifold is rebuilt after this much relative motion; until then its gaps are moved with the
+// bodies. Reuse saves the narrow phase and is part of the stability of tall stacks.
 inline constexpr double reuse_distance = 0.004;  // m
 
-// --- contact solver (soft contacts after Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024) ---
-// Contact frequency as a fraction of the sub-step rate. 0.125 is the quietest, 0.25 makes brick walls buzz.
+// --- contact solver (soft contacts after Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024)
+// --- Contact frequency as a fraction of the sub-step rate. 0.125 is the quietest, 0.25 makes brick
+// walls buzz.
 inline constexpr double contact_stiffness = 0.18;
 inline constexpr double contact_damping_ratio = 10;
-inline constexpr double push_out_speed = 3;   // m/s, how fast overlap is undone at most
-inline constexpr double contact_slop = 5e-5;  // m of overlap aimed at, so that resting contacts stay in touch
-// A soft contact gives up only what its impulse deviates from the slow mean over this time: stacks do not sag.
+inline constexpr double push_out_speed = 3;  // m/s, how fast overlap is undone at most
+inline constexpr double contact_slop =
+    5e-5;  // m of overlap aimed at, so that resting contacts stay in touch
+// A soft contact gives up only what its impulse deviates from the slow mean over this time: stacks
+// do not sag.
 inline constexpr double steady_time = 2.0;  // s
-inline constexpr int manifold_sweeps = 2;   // Gauss-Seidel sweeps over the points of one manifold per pass
-// Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it a bounce is noise.
+inline constexpr int manifold_sweeps =
+    2;  // Gauss-Seidel sweeps over the points of one manifold per pass
+// Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it
+// a bounce is noise.
 inline constexpr double restitution_speed = 0.3;  // m/s
 // A contact that pressed counts as touching until its gap exceeds this.
 inline constexpr double touch_gap = 0.002;  // m
 
 // --- sleep ---
-// An island sleeps when none of its bodies moved faster than this for that long. Speed of the fastest point.
+// An island sleeps when none of its bodies moved faster than this for that long. Speed of the
+// fastest point.
 inline constexpr double sleep_speed = 0.05;  // m/s
 inline constexpr double sleep_time = 0.5;    // s
 

@@ -15,30 +15,58 @@ struct Vec3 {
     bool operator==(const Vec3&) const = default;
 };
 
-inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-inline Vec3 operator*(Vec3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Vec3 operator*(double s, Vec3 a) { return a * s; }
-inline Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-inline Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-inline Vec3& operator-=(Vec3& a, Vec3 b) { return a = a - b; }
-inline Vec3& operator*=(Vec3& a, double s) { return a = a * s; }
+inline Vec3 operator+(Vec3 a, Vec3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3 operator-(Vec3 a, Vec3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator-(Vec3 a) {
+    return {-a.x, -a.y, -a.z};
+}
+inline Vec3 operator*(Vec3 a, double s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+inline Vec3 operator*(double s, Vec3 a) {
+    return a * s;
+}
+inline Vec3 operator/(Vec3 a, double s) {
+    return {a.x / s, a.y / s, a.z / s};
+}
+inline Vec3& operator+=(Vec3& a, Vec3 b) {
+    return a = a + b;
+}
+inline Vec3& operator-=(Vec3& a, Vec3 b) {
+    return a = a - b;
+}
+inline Vec3& operator*=(Vec3& a, double s) {
+    return a = a * s;
+}
 
-inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double dot(Vec3 a, Vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double length_squared(Vec3 a) { return dot(a, a); }
-inline double length(Vec3 a) { return square_root(dot(a, a)); }
-inline Vec3 abs(Vec3 a) { return {absolute(a.x), absolute(a.y), absolute(a.z)}; }
+inline double length_squared(Vec3 a) {
+    return dot(a, a);
+}
+inline double length(Vec3 a) {
+    return square_root(dot(a, a));
+}
+inline Vec3 abs(Vec3 a) {
+    return {absolute(a.x), absolute(a.y), absolute(a.z)};
+}
 inline Vec3 min(Vec3 a, Vec3 b) {
     return {minimum(a.x, b.x), minimum(a.y, b.y), minimum(a.z, b.z)};
 }
 inline Vec3 max(Vec3 a, Vec3 b) {
     return {maximum(a.x, b.x), maximum(a.y, b.y), maximum(a.z, b.z)};
 }
-inline bool is_finite(Vec3 a) { return is_finite(a.x) && is_finite(a.y) && is_finite(a.z); }
+inline bool is_finite(Vec3 a) {
+    return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
+}
 
 // The unit vector along a, or `fallback` when a is too short to have a direction.
 inline Vec3 normalized(Vec3 a, Vec3 fallback = {0, 1, 0}) {

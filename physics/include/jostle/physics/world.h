@@ -2,11 +2,12 @@
 //
 // World: rigid bodies that move, collide and rest. The library's one entry.
 //
-// Thread rule: one thread at a time may call non-const functions; const functions may be called by many threads at once
-// between steps. step() may use threads of its own (WorldDef::threads); its result has the same bits for any number.
+// Thread rule: one thread at a time may call non-const functions; const functions may be called by
+// many threads at once between steps. step() may use threads of its own (WorldDef::threads); its
+// result has the same bits for any number.
 //
-// Error rule: every call checks its arguments; one that returns an Error has changed nothing. The message names the
-// argument, its value and its range.
+// Error rule: every call checks its arguments; one that returns an Error has changed nothing. The
+// message names the argument, its value and its range.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +38,9 @@ struct BodyState {
     Vec3 linear_velocity;   // m/s, of the centre of mass
     Vec3 angular_velocity;  // rad/s, world axes
     double mass = 0;        // kg; 0 for fixed and kinematic bodies
-    Mat3 inertia;           // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic bodies
-    bool awake = false;     // false for fixed bodies
+    Mat3 inertia;  // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic
+                   // bodies
+    bool awake = false;  // false for fixed bodies
     std::uint64_t user_data = 0;
 };
 
@@ -54,12 +56,12 @@ struct ShapeState {
 // Sums over the world, for reports and tests.
 struct WorldSummary {
     int bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
-    int contacts = 0;                // touching manifolds, awake and asleep
-    double kinetic_energy = 0;       // J
-    double potential_energy = 0;     // J, zero at the origin
-    Vec3 linear_momentum;            // kg m/s
-    Vec3 angular_momentum;           // kg m^2/s about the origin
-    double max_penetration = 0;      // m, deepest overlap of any two shapes now
+    int contacts = 0;             // touching manifolds, awake and asleep
+    double kinetic_energy = 0;    // J
+    double potential_energy = 0;  // J, zero at the origin
+    Vec3 linear_momentum;         // kg m/s
+    Vec3 angular_momentum;        // kg m^2/s about the origin
+    double max_penetration = 0;   // m, deepest overlap of any two shapes now
 };
 
 class World {
@@ -81,7 +83,8 @@ public:
     bool contains(ShapeId shape) const;
     Result<BodyState> body(BodyId body) const;
     Result<ShapeState> shape(ShapeId shape) const;
-    std::vector<ShapeId> shapes_of(BodyId body) const;  // in order of creation; empty for an unknown id
+    std::vector<ShapeId> shapes_of(
+        BodyId body) const;  // in order of creation; empty for an unknown id
     // Every body in order of index. Reuses `out`, so a caller that keeps it allocates nothing.
     void copy_bodies(std::vector<BodyState>& out) const;
     std::vector<BodyId> bodies() const;
@@ -89,10 +92,11 @@ public:
     // --- pushing bodies about; each wakes the body ---
     Status set_pose(BodyId body, const Transform& pose);
     Status set_velocity(BodyId body, Vec3 linear, Vec3 angular);
-    Status apply_impulse(BodyId body, Vec3 impulse, Vec3 point);   // N s at a world point, at once
-    Status apply_angular_impulse(BodyId body, Vec3 impulse);       // N m s, at once
-    Status apply_force(BodyId body, Vec3 force, Vec3 point);       // N at a world point, during the next step
-    Status apply_torque(BodyId body, Vec3 torque);                 // N m, during the next step
+    Status apply_impulse(BodyId body, Vec3 impulse, Vec3 point);  // N s at a world point, at once
+    Status apply_angular_impulse(BodyId body, Vec3 impulse);      // N m s, at once
+    Status apply_force(BodyId body, Vec3 force,
+                       Vec3 point);                 // N at a world point, during the next step
+    Status apply_torque(BodyId body, Vec3 torque);  // N m, during the next step
     Status wake(BodyId body);
 
     // --- time ---
@@ -101,7 +105,8 @@ public:
     std::uint64_t step_count() const;
     Vec3 gravity() const;
     int substeps() const;
-    Status set_threads(int threads);  // not part of the state: changes nothing but the time a step takes
+    Status set_threads(
+        int threads);  // not part of the state: changes nothing but the time a step takes
 
     // --- reading ---
     Events events() const;
@@ -114,7 +119,8 @@ public:
     // Shapes whose bounds overlap the box, by id. Exact for the bounds, not for the shapes.
     Result<std::vector<ShapeId>> overlap_box(const Aabb& box) const;
     // Shapes that a convex shape in that pose touches, by id.
-    Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry, const Transform& pose) const;
+    Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry,
+                                               const Transform& pose) const;
 
     // For the library's own files (snapshot, tests): the stores behind this world.
     const WorldState& state() const { return *state_; }

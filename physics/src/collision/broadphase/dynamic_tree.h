@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// A binary tree of fat boxes (after Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019): insert
+// by least added surface, rotate on the way up. A leaf carries a caller's number; the tree knows
+// nothing of bodies.
+//
+// The shape of the tree depends on the order of inserts. Callers that need an order sort what they
+// get: then a loaded world, whose tree is built anew, answers the same.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "jostle/physics/aabb.h"
+
+namespace jostle::physics {
+
+class DynamicTree {
+public:
+    static constexpr std::int32_t null_node = -1;
+
+    // Returns the leaf's handle.
+    std::int32_t insert(const Aabb& box, std::uint32_t item);
+    void remove(std::int32_t leaf);
+    void move(std::int32_t leaf, const Aabb& box);  // handle stays
+    void clear();
+
+    const Aabb& box(std::int32_t leaf) const { return nodes_[static_cast<std::size_t>(leaf)].box; }
+    int height() const { return root_ == null_node ? 0 : node(root_).height; }
+    int leaf_count() const { return leaf_count_; }
+
+    // Calls visit(item) for every leaf whose box overlaps.
+    template <class Visit>
+    void query(const Aabb& box, Visit&& visit) const {
+        if (root_ == null_node) return;
+        Stack stack;
+        stack.push(root_);
+        while (!stack.empty()) {
+            const Node& n = node(stack.pop());
+            if (!overlap(n.box, box)) continue;
+            if (n.left == null_node) {
+                visit(n.item);
+            } else {
+                stack.push(n.left);
+                stack.push(n.right);
+            }
+        }
+    }
+
+    // Calls visit(item, limit) for every leaf that the segment meets within [0, limit]; visit
+    // returns the new limit (the fraction of its best hit so far, or the old limit).
+    template <class Visit>
+    void cast_ray(Vec3 origin, Vec3 motion, Visit&& visit) const {
+        if (root_ == null_node) return;
+        double limit = 1;
+        Stack stack;
+        stack.push(root_);
+        while (!stack.empty()) {
+            const Node& n = node(stack.pop());
+            if (ray_enters(n.box, origin, motion, limit) > limit) continue;
+            if (n.left == null_node) {
+                limit = visit(n.item, limit);
+            } else {
+                stack.push(n.left);
+                stack.push(n.right);
+            }
+        }
+    }
+
+private:
+    struct Node {
+        Aabb box;
+        std::int32_t parent = null_node;  // next free node when on the free list
+        std::int32_t left = null_node, right = null_node;
+        std::int32_t height = 0;  // leaf 0
+        std::uint32_t item = 0;
+    };
+
+    // Depth-first order needs at most height + 1 entries; the array is enough for any tree of a
+    // real scene, the vector takes what a degenerate one would add.
+    class Stack {
+    public:
+        void push(std::int32_t node) {
+            if (count_ < capacity)
+                small_[count_] = node;
+            else
+                more_.push_back(node);
+            count_++;
+        }
+        std::int32_t pop() {
+            count_--;
+            if (count_ < capacity) return small_[count_];
+            const std::int32_t node = more_.back();
+            more_.pop_back();
+            return node;
+        }
+        bool empty() const { return count_ == 0; }
+
+    private:
+        static constexpr int capacity = 128;
+        std::int32_t small_[capacity];
+        int count_ = 0;
+        std::vector<std::int32_t> more_;
+    };
+
+    Node& node(std::int32_t i) { return nodes_[static_cast<std::size_t>(i)]; }
+    const Node& node(std::int32_t i) const { return nodes_[static_cast<std::size_t>(i)]; }
+    std::int32_t allocate();
+    void release(std::int32_t i);
+    std::int32_t best_sibling(const Aabb& box) const;
+    void link(std::int32_t leaf);
+    void unlink(std::int32_t leaf);
+    void refit_up(std::int32_t i);
+    void update(std::int32_t i);
+    void rotate(std::int32_t i);
+    void replace_child(std::int32_t parent, std::int32_t old_child, std::int32_t new_child);
+
+    std::vector<Node> nodes_;
+    std::int32_t root_ = null_node;
+    std::int32_t free_ = null_node;
+    int leaf_count_ = 0;
+};
+
+}  // namespace jostle::physics

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+//
+// Box against box: separating axes, then the incident face clipped against the reference face
+// (Gottschalk 1996 for the fifteen axes; Sutherland and Hodgman 1974 for the clipping).
+#pragma once
+
+#include "collision/narrowphase/collide.h"
+
+namespace jostle::physics {
+
+Manifold collide_boxes(const Placed& a, const Placed& b, double margin, AxisCache& axis);
+
+}  // namespace jostle::physics

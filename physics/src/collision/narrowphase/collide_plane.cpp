@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/collide_plane.h"
+
+namespace jostle::physics {
+namespace {
+
+Vec3 world_normal(const Placed& plane) {
+    return plane.axes * std::get<Plane>(*plane.geometry).normal;
+}
+
+// Adds the lowest point of a ball (or corner, r = 0) when it is near enough.
+void add_point(Manifold& m, const Placed& plane, Vec3 center, double r, double margin) {
+    const double gap = dot(center - plane.position, m.normal) - r;
+    m.distance = m.count == 0 ? minimum(m.distance, gap) : m.distance;
+    if (gap > margin) return;
+    m.gap[m.count] = gap;
+    m.point[m.count] = center - m.normal * (r + 0.5 * gap);
+    m.count++;
+}
+
+}  // namespace
+
+Manifold collide_plane_sphere(const Placed& a, const Placed& b, double margin) {
+    Manifold m{.normal = world_normal(a), .distance = 1e300};
+    add_point(m, a, b.position, std::get<Sphere>(*b.geometry).radius, margin);
+    return m;
+}
+
+Manifold collide_plane_capsule(const Placed& a, const Placed& b, double margin) {
+    const Capsule& capsule = std::get<Capsule>(*b.geometry);
+    const Vec3 half = b.axes.y * capsule.half_length;
+    Manifold m{.normal = world_normal(a), .distance = 1e300};
+    add_point(m, a, b.position - half, capsule.radius, margin);
+    add_point(m, a, b.position + half, capsule.radius, margin);
+    return m;
+}
+
+// The four corners of the face that looks most against the plane's normal.
+Manifold collide_plane_box(const Placed& a, const Placed& b, double margin) {
+    Manifold m{.normal = world_normal(a), .distance = 1e300};
+    const Vec3 h = std::get<Box>(*b.geometry).half_extents;
+    const Vec3 n = transposed_times(b.axes, m.normal);
+    int face = 0;
+    for (int k = 1; k < 3; k++)
+        if (absolute(n[k]) > absolute(n[face])) face = k;
+    const int u = (face + 1) % 3, v = (face + 2) % 3;
+    Vec3 corner;
+    corner[face] = n[face] > 0 ? -h[face] : h[face];
+    static constexpr int sign_u[4] = {1, -1, -1, 1}, sign_v[4] = {1, 1, -1, -1};
+    for (int k = 0; k < 4; k++) {
+        corner[u] = sign_u[k] * h[u];
+        corner[v] = sign_v[k] * h[v];
+        add_point(m, a, b.position + b.axes * corner, 0, margin);
+    }
+    return m;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// A half space against each convex kind: closed forms. a is the plane.
+#pragma once
+
+#include "collision/narrowphase/manifold.h"
+#include "geometry/placed.h"
+
+namespace jostle::physics {
+
+Manifold collide_plane_sphere(const Placed& a, const Placed& b, double margin);
+Manifold collide_plane_capsule(const Placed& a, const Placed& b, double margin);
+Manifold collide_plane_box(const Placed& a, const Placed& b, double margin);
+
+}  // namespace jostle::physics

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/collide_round.h"
+
+#include <algorithm>
+
+namespace jostle::physics {
+namespace {
+
+// Two balls, where `fallback` is the normal of concentric ones.
+Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double margin,
+                       Vec3 fallback = {0, 1, 0}) {
+    const Vec3 d = b - a;
+    const double l = length(d), gap = l - radius_a - radius_b;
+    Manifold m{.distance = gap};
+    if (gap > margin) return m;
+    m.normal = l > 1e-12 ? d * (1 / l) : fallback;
+    m.count = 1;
+    m.gap[0] = gap;
+    m.point[0] = a + m.normal * (radius_a + 0.5 * gap);
+    return m;
+}
+
+struct SegmentPair {
+    double s, t;  // where on a and b, -half..half
+};
+
+// Closest points of a + s u, |s| <= ha, and b + t v, |t| <= hb, u and v unit (Ericson, "Real-Time
+// Collision Detection", 5.1.9). Parallel segments take the middle of their common part, so that the
+// answer does not hang on rounding.
+SegmentPair closest_on_segments(Vec3 a, Vec3 u, double ha, Vec3 b, Vec3 v, double hb) {
+    const Vec3 r = b - a;
+    const double c = dot(u, v), ru = dot(r, u), rv = dot(r, v), det = 1 - c * c;
+    double s;
+    if (det > 1e-8) {
+        s = clamp((ru - c * rv) / det, -ha, ha);
+    } else {
+        const double reach = hb, low = maximum(-ha, ru - reach), high = minimum(ha, ru + reach);
+        s = clamp(0.5 * (low + high), -ha, ha);
+    }
+    double t = c * s - rv;
+    if (t < -hb || hb < t) {
+        t = clamp(t, -hb, hb);
+        s = clamp(ru + c * t, -ha, ha);
+    }
+    return {s, t};
+}
+
+// ---- box against segment, in the box's frame ----
+
+struct BoxSegment {
+    double t;          // where on the segment, -half..half
+    double distance2;  // from the box, 0: inside or touching
+};
+
+double outside(double x, double h) {
+    return x > h ? x - h : (x < -h ? x + h : 0);
+}
+
+// Closest point of the segment p + t d, |t| <= half, to the box. The squared distance is convex and
+// piecewise quadratic in t with breaks where a coordinate crosses a face: walk the at most seven
+// pieces to the one where the slope turns.
+BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
+    const auto slope = [&](double t) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++) sum += d[k] * outside(p[k] + t * d[k], h[k]);
+        return sum;
+    };
+    const auto distance2 = [&](double t) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++) {
+            const double o = outside(p[k] + t * d[k], h[k]);
+            sum += o * o;
+        }
+        return sum;
+    };
+    double breaks[8];
+    int count = 0;
+    breaks[count++] = -half;
+    for (int k = 0; k < 3; k++) {
+        if (absolute(d[k]) < 1e-12) continue;
+        for (const double side : {-h[k], h[k]}) {
+            const double t = (side - p[k]) / d[k];
+            if (-half < t && t < half) breaks[count++] = t;
+        }
+    }
+    breaks[count++] = half;
+    std::sort(breaks + 1, breaks + count - 1);
+    if (slope(-half) >= 0) return {-half, distance2(-half)};
+    if (slope(half) <= 0) return {half, distance2(half)};
+    for (int k = 1; k < count; k++) {
+        const double right = slope(breaks[k]);
+        if (right < 0) continue;
+        const double left = slope(breaks[k - 1]);
+        const double width = breaks[k] - breaks[k - 1];
+        const double t = right == left ? breaks[k] : breaks[k - 1] - left * width / (right - left);
+        return {t, distance2(t)};
+    }
+    return {half, distance2(half)};
+}
+
+struct AxisDepth {
+    Vec3 normal;           // in the box's frame, out of the box towards the segment
+    double depth = 1e300;  // of the segment below the box's surface along it
+};
+
+// The direction in which a segment that pierces the box gets out soonest: three faces and three
+// edge crossings.
+AxisDepth shallowest_exit(Vec3 p, Vec3 d, double half, Vec3 h) {
+    AxisDepth best;
+    const auto consider = [&](Vec3 n) {
+        if (dot(n, p) < 0) n = -n;
+        const double box = absolute(n.x) * h.x + absolute(n.y) * h.y + absolute(n.z) * h.z;
+        const double depth = box - (dot(n, p) - half * absolute(dot(n, d)));
+        if (depth < best.depth - 1e-9) best = {n, depth};
+    };
+    consider({1, 0, 0});
+    consider({0, 1, 0});
+    consider({0, 0, 1});
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Vec3 n = cross(axis, d);
+        const double l = length(n);
+        if (l > 1e-3) consider(n * (1 / l));
+    }
+    return best;
+}
+
+struct Span {
+    double low, high;
+};
+
+// The part of the segment over the face `axis` of the box, grown by nothing: where it can rest on
+// that face.
+Span over_face(Vec3 p, Vec3 d, double half, Vec3 h, int axis) {
+    Span s{-half, half};
+    for (int k = 0; k < 3; k++) {
+        if (k == axis) continue;
+        if (absolute(d[k]) < 1e-12) {
+            if (absolute(p[k]) > h[k]) return {1, -1};
+            continue;
+        }
+        const double t1 = (-h[k] - p[k]) / d[k], t2 = (h[k] - p[k]) / d[k];
+        s.low = maximum(s.low, minimum(t1, t2));
+        s.high = minimum(s.high, maximum(t1, t2));
+    }
+    return s;
+}
+
+}  // namespace
+
+Manifold collide_spheres(const Placed& a, const Placed& b, double margin) {
+    return collide_balls(a.position, std::get<Sphere>(*a.geometry).radius, b.position,
+                         std::get<Sphere>(*b.geometry).radius, margin);
+}
+
+Manifold collide_sphere_capsule(const Placed& a, const Placed& b, double margin) {
+    const Capsule& capsule = std::get<Capsule>(*b.geometry);
+    const double t =
+        clamp(dot(a.position - b.position, b.axes.y), -capsule.half_length, capsule.half_length);
+    return collide_balls(a.position, std::get<Sphere>(*a.geometry).radius,
+                         b.position + b.axes.y * t, capsule.radius, margin, b.axes.x);
+}
+
+Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
+    const Capsule& ca = std::get<Capsule>(*a.geometry);
+    const Capsule& cb = std::get<Capsule>(*b.geometry);
+    const Vec3 u = a.axes.y, v = b.axes.y;
+    const SegmentPair at =
+        closest_on_segments(a.position, u, ca.half_length, b.position, v, cb.half_length);
+    const Vec3 across = normalized(cross(u, v), a.axes.x);
+    Manifold m = collide_balls(a.position + u * at.s, ca.radius, b.position + v * at.t, cb.radius,
+                               margin, across);
+    // Nearly parallel capsules that lie side by side touch along a line: two points at its ends.
+    const double c = dot(u, v);
+    if (m.count == 0 || c * c < 0.99 || absolute(dot(m.normal, u)) > 0.1) return m;
+    const double sign = c < 0 ? -1 : 1, r = dot(b.position - a.position, u);
+    const double low = maximum(-ca.half_length, r - cb.half_length);
+    const double high = minimum(ca.half_length, r + cb.half_length);
+    if (high - low < 0.1 * minimum(ca.radius, cb.radius)) return m;
+    Manifold line{.normal = m.normal, .distance = m.distance};
+    for (const double s : {low, high}) {
+        const double t = clamp(sign * (s - r), -cb.half_length, cb.half_length);
+        const Vec3 pa = a.position + u * s, pb = b.position + v * t;
+        const double gap = dot(pb - pa, m.normal) - ca.radius - cb.radius;
+        if (gap > margin) continue;
+        line.gap[line.count] = gap;
+        line.point[line.count] = pa + m.normal * (ca.radius + 0.5 * gap);
+        line.count++;
+    }
+    return line.count == 2 ? line : m;
+}
+
+Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {
+    const Vec3 h = std::get<Box>(*a.geometry).half_extents;
+    const double r = std::get<Sphere>(*b.geometry).radius;
+    const Vec3 l = transposed_times(a.axes, b.position - a.position);
+    const Vec3 out{outside(l.x, h.x), outside(l.y, h.y), outside(l.z, h.z)};
+    const double out2 = length_squared(out);
+    Vec3 n;
+    double distance;
+    if (out2 > 1e-20) {
+        distance = square_root(out2);
+        n = out * (1 / distance);
+    } else {
+        // The centre is inside: leave through the nearest face.
+        int face = 0;
+        for (int k = 1; k < 3; k++)
+            if (absolute(l[k]) - h[k] > absolute(l[face]) - h[face]) face = k;
+        distance = absolute(l[face]) - h[face];
+        n[face] = l[face] < 0 ? -1 : 1;
+    }
+    Manifold m{.distance = distance - r};
+    if (m.distance > margin) return m;
+    m.normal = a.axes * n;
+    m.count = 1;
+    m.gap[0] = m.distance;
+    m.point[0] = b.position - m.normal * (r + 0.5 * m.distance);
+    return m;
+}
+
+Manifold collide_box_capsule(const Placed& a, const Placed& b, double margin) {
+    const Vec3 h = std::get<Box>(*a.geometry).half_extents;
+    const Capsule& capsule = std::get<Capsule>(*b.geometry);
+    const double r = capsule.radius, half = capsule.half_length;
+    const Vec3 p = transposed_times(a.axes, b.position - a.position);
+    const Vec3 d = transposed_times(a.axes, b.axes.y);
+
+    const BoxSegment near = closest_on_segment_to_box(p, d, half, h);
+    Vec3 n;
+    double gap, t = near.t;
+    if (near.distance2 > 1e-20) {
+        const Vec3 q = p + d * t;
+        const Vec3 out{outside(q.x, h.x), outside(q.y, h.y), outside(q.z, h.z)};
+        const double distance = square_root(near.distance2);
+        n = out * (1 / distance);
+        gap = distance - r;
+    } else {
+        const AxisDepth exit = shallowest_exit(p, d, half, h);
+        n = exit.normal;
+        gap = -exit.depth - r;
+        t = dot(n, d) > 0 ? -half : half;  // the deepest end
+    }
+    Manifold m{.distance = gap};
+    if (gap > margin) return m;
+    m.normal = a.axes * n;
+
+    const auto add = [&](double at, double point_gap) {
+        m.gap[m.count] = point_gap;
+        m.point[m.count] = b.position + b.axes.y * at - m.normal * (r + 0.5 * point_gap);
+        m.count++;
+    };
+    // Lying on a face: two points, at the ends of what is over it.
+    for (int k = 0; k < 3; k++) {
+        if (absolute(n[k]) < 0.99 || absolute(d[k]) > 0.2) continue;
+        const Span over = over_face(p, d, half, h, k);
+        if (over.high - over.low < 0.1 * r) break;
+        const double sign = n[k] < 0 ? -1 : 1;
+        for (const double at : {over.low, over.high}) {
+            const double point_gap = sign * (p[k] + at * d[k]) - h[k] - r;
+            if (point_gap <= margin) add(at, point_gap);
+        }
+        if (m.count > 0) return m;
+    }
+    // An edge that pierced crosses the segment where the two lines are closest; otherwise the
+    // closest or deepest point.
+    if (near.distance2 <= 1e-20 && absolute(dot(n, d)) < 1e-3) {
+        t = near.t;
+        double best = 1e300;
+        for (int k = 0; k < 3; k++) {
+            const Vec3 edge{k == 0 ? 0.0 : (n.x > 0 ? h.x : -h.x),
+                            k == 1 ? 0.0 : (n.y > 0 ? h.y : -h.y),
+                            k == 2 ? 0.0 : (n.z > 0 ? h.z : -h.z)};
+            Vec3 along;
+            along[k] = 1;
+            const SegmentPair at = closest_on_segments(edge, along, h[k], p, d, half);
+            const Vec3 gap_vector = (p + d * at.t) - (edge + along * at.s);
+            const Vec3 off = gap_vector - n * dot(gap_vector, n);
+            if (length_squared(off) < best) {
+                best = length_squared(off);
+                t = at.t;
+            }
+        }
+    }
+    add(t, gap);
+    return m;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Spheres and capsules against each other and against boxes: closed forms.
+#pragma once
+
+#include "collision/narrowphase/manifold.h"
+#include "geometry/placed.h"
+
+namespace jostle::physics {
+
+Manifold collide_spheres(const Placed& a, const Placed& b, double margin);
+Manifold collide_sphere_capsule(const Placed& a, const Placed& b, double margin);
+Manifold collide_capsules(const Placed& a, const Placed& b, double margin);
+Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin);
+Manifold collide_box_capsule(const Placed& a, const Placed& b, double margin);
+
+}  // namespace jostle::physics

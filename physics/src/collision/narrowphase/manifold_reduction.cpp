@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// The small constants decide ties: of points that are equally good up to rounding the first wins,
+// so a resting manifold keeps its points from step to step.
+#include "collision/narrowphase/manifold_reduction.h"
+
+#include <algorithm>
+
+namespace jostle::physics {
+
+int reduce_to_four(FacePoint* points, int count) {
+    if (count <= 4) return count;
+    int deepest = 0;
+    for (int k = 1; k < count; k++)
+        if (points[k].gap < points[deepest].gap - 1e-5) deepest = k;
+    const FacePoint p0 = points[deepest];
+
+    int furthest = 0;
+    double most = -1;
+    for (int k = 0; k < count; k++) {
+        const double u = points[k].u - p0.u, v = points[k].v - p0.v, d2 = u * u + v * v;
+        if (d2 > most + 1e-6) {
+            most = d2;
+            furthest = k;
+        }
+    }
+    const FacePoint p1 = points[furthest];
+
+    int left = -1, right = -1;
+    double most_left = 1e-9, most_right = -1e-9;
+    for (int k = 0; k < count; k++) {
+        const double area =
+            (p1.u - p0.u) * (points[k].v - p0.v) - (p1.v - p0.v) * (points[k].u - p0.u);
+        if (area > most_left) {
+            most_left = area;
+            left = k;
+        }
+        if (area < most_right) {
+            most_right = area;
+            right = k;
+        }
+    }
+    FacePoint kept[4];
+    int made = 0;
+    kept[made++] = p0;
+    kept[made++] = p1;
+    if (left >= 0) kept[made++] = points[left];
+    if (right >= 0) kept[made++] = points[right];
+    std::copy(kept, kept + made, points);
+    return made;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// Hands out indices, always the lowest free one, with a generation per index that tells a reused
+// index from its earlier life. Same calls, same ids: that is why replays and saved worlds agree.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "foundation/check.h"
+
+namespace jostle::physics {
+
+class IdPool {
+public:
+    std::uint32_t take() {
+        if (free_.empty()) {
+            generation_.push_back(1);
+            alive_.push_back(1);
+            return static_cast<std::uint32_t>(alive_.size() - 1);
+        }
+        std::pop_heap(free_.begin(), free_.end(), std::greater<>{});
+        const std::uint32_t index = free_.back();
+        free_.pop_back();
+        alive_[index] = 1;
+        return index;
+    }
+
+    void give_back(std::uint32_t index) {
+        ASSERT(alive(index));
+        alive_[index] = 0;
+        generation_[index]++;
+        free_.push_back(index);
+        std::push_heap(free_.begin(), free_.end(), std::greater<>{});
+    }
+
+    bool alive(std::uint32_t index) const { return index < alive_.size() && alive_[index] != 0; }
+    bool matches(std::uint32_t index, std::uint32_t generation) const {
+        return alive(index) && generation_[index] == generation;
+    }
+    std::uint32_t generation(std::uint32_t index) const { return generation_[index]; }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(alive_.size()); }
+    std::uint32_t alive_count() const { return size() - static_cast<std::uint32_t>(free_.size()); }
+
+    // For the field list: the two arrays are the whole state; the heap of free indices follows from
+    // them.
+    std::vector<std::uint32_t>& generations() { return generation_; }
+    std::vector<std::uint8_t>& alive_flags() { return alive_; }
+    void rebuild_free_list() {
+        free_.clear();
+        for (std::uint32_t i = 0; i < alive_.size(); i++)
+            if (alive_[i] == 0) free_.push_back(i);  // rising order is a valid min-heap
+    }
+
+private:
+    std::vector<std::uint32_t> generation_;
+    std::vector<std::uint8_t> alive_;
+    std::vector<std::uint32_t> free_;  // min-heap
+};
+
+}  // namespace jostle::physics

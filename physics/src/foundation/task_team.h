@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Threads that share one range at a time. Each thread first takes grains from its own part of the
+// range, so that the records it worked on in the last pass are still in its cache, then helps the
+// others. Which thread runs which grain is a race; what a grain computes must not depend on it.
+//
+// Used by the one thread that steps a world. Workers spin briefly between ranges, then sleep until
+// the next step.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace jostle::physics {
+
+class TaskTeam {
+public:
+    explicit TaskTeam(int threads);
+    ~TaskTeam();
+    TaskTeam(const TaskTeam&) = delete;
+    TaskTeam& operator=(const TaskTeam&) = delete;
+
+    int size() const { return count_; }
+
+    // Calls fn(begin, end) over [0, total) in grains, on all threads, and returns when all are
+    // done. Short ranges stay on the calling thread: a hand-over costs more than they do.
+    template <class F>
+    void run(int total, int grain, F&& fn) {
+        if (total <= 0) return;
+        if (count_ == 1 || total < 4 * grain) {
+            fn(0, total);
+            return;
+        }
+        using Fn = std::remove_reference_t<F>;
+        share_out(
+            total, grain,
+            [](void* context, int begin, int end) { (*static_cast<Fn*>(context))(begin, end); },
+            const_cast<void*>(static_cast<const void*>(&fn)));
+    }
+
+private:
+    using Call = void (*)(void* context, int begin, int end);
+    struct alignas(64) Cursor {
+        std::atomic<int> next{0};
+        int end = 0;
+    };
+
+    void share_out(int total, int grain, Call call, void* context);
+    void take_grains(int self);
+    void work(int self);
+
+    int count_;
+    std::vector<Cursor> cursors_;
+    std::vector<std::thread> workers_;
+    alignas(64) std::atomic<std::uint32_t> epoch_{0};  // counts ranges; a change wakes the workers
+    alignas(64) std::atomic<int> busy_{0};             // workers still in the present range
+    std::atomic<bool> quit_{false};
+    Call call_ = nullptr;
+    void* context_ = nullptr;
+    int grain_ = 1;
+};
+
+}  // namespace jostle::physics

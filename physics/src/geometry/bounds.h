@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// How much room a shape takes.
+#pragma once
+
+#include "geometry/placed.h"
+#include "jostle/physics/aabb.h"
+
+namespace jostle::physics {
+
+// The tightest axis-aligned box. A plane has none (it is infinite): not to be asked.
+Aabb bounds_of(const Placed& shape);
+
+// The distance of the shape's furthest point from its origin. Not for planes.
+double radius_of(const Geometry& geometry);
+
+}  // namespace jostle::physics

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/mass_properties.h"
+
+namespace jostle::physics {
+namespace {
+
+MassProperties mass_of_sphere(const Sphere& s, double density) {
+    const double m = density * 4 / 3 * pi * s.radius * s.radius * s.radius;
+    const double i = 0.4 * m * s.radius * s.radius;
+    return {m, {}, diagonal({i, i, i})};
+}
+
+// A cylinder and two half balls. The half balls' centres of mass are 3/8 r beyond the ends of the
+// segment.
+MassProperties mass_of_capsule(const Capsule& c, double density) {
+    const double r = c.radius, h = c.half_length;
+    const double cylinder = density * pi * r * r * 2 * h;
+    const double ball = density * 4 / 3 * pi * r * r * r;
+    const double along = cylinder * 0.5 * r * r + ball * 0.4 * r * r;
+    const double across =
+        cylinder * (0.25 * r * r + h * h / 3) + ball * (0.4 * r * r + h * h + 0.75 * h * r);
+    return {cylinder + ball, {}, diagonal({across, along, across})};
+}
+
+MassProperties mass_of_box(const Box& b, double density) {
+    const Vec3 h = b.half_extents;
+    const double m = density * 8 * h.x * h.y * h.z, third = m / 3;
+    return {m,
+            {},
+            diagonal({third * (h.y * h.y + h.z * h.z), third * (h.x * h.x + h.z * h.z),
+                      third * (h.x * h.x + h.y * h.y)})};
+}
+
+// What a mass m at offset d adds to the inertia: m (|d|^2 1 - d d^T).
+Mat3 offset_inertia(double m, Vec3 d) {
+    const double d2 = length_squared(d);
+    return Mat3{{d2 - d.x * d.x, -d.x * d.y, -d.x * d.z},
+                {-d.y * d.x, d2 - d.y * d.y, -d.y * d.z},
+                {-d.z * d.x, -d.z * d.y, d2 - d.z * d.z}} *
+           m;
+}
+
+}  // namespace
+
+MassProperties mass_of(const Geometry& geometry, double density) {
+    switch (kind_of(geometry)) {
+        case ShapeKind::sphere:
+            return mass_of_sphere(std::get<Sphere>(geometry), density);
+        case ShapeKind::capsule:
+            return mass_of_capsule(std::get<Capsule>(geometry), density);
+        case ShapeKind::box:
+            return mass_of_box(std::get<Box>(geometry), density);
+        case ShapeKind::plane:
+            break;
+    }
+    return {};
+}
+
+MassProperties moved(const MassProperties& properties, const Transform& pose) {
+    // No rotation: keep the exact zeros off the diagonal, so that a cube stays isotropic.
+    if (pose.rotation == Quat{})
+        return {properties.mass, pose.position + properties.center, properties.inertia};
+    const Mat3 r = to_matrix(pose.rotation);
+    return {properties.mass, apply(pose, properties.center), r * properties.inertia * transpose(r)};
+}
+
+MassProperties combined(const MassProperties& a, const MassProperties& b) {
+    if (a.mass == 0) return b;
+    if (b.mass == 0) return a;
+    const double mass = a.mass + b.mass;
+    const Vec3 center = (a.center * a.mass + b.center * b.mass) / mass;
+    return {mass, center,
+            a.inertia + b.inertia + offset_inertia(a.mass, a.center - center) +
+                offset_inertia(b.mass, b.center - center)};
+}
+
+}  // namespace jostle::physics

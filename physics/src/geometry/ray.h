@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Ray against each shape kind.
+#pragma once
+
+#include <optional>
+
+#include "geometry/placed.h"
+
+namespace jostle::physics {
+
+struct ShapeRayHit {
+    double fraction = 0;  // 0..1 of the motion
+    Vec3 normal;          // unit, out of the shape
+};
+
+// The first point of origin..origin+motion that the shape holds. An origin inside answers fraction
+// 0 and a normal against the motion.
+std::optional<ShapeRayHit> cast_ray(const Placed& shape, Vec3 origin, Vec3 motion);
+
+}  // namespace jostle::physics

@@ -41,6 +41,8 @@ inline constexpr int manifold_sweeps =
 // Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it
 // a bounce is noise.
 inline constexpr double restitution_speed = 0.3;  // m/s
+// An awake body wakes a sleeping one when it will come this near within the step.
+inline constexpr double wake_gap = 0.001;  // m
 // A contact that pressed counts as touching until its gap exceeds this.
 inline constexpr double touch_gap = 0.002;  // m
 
@@ -49,6 +51,11 @@ inline constexpr double touch_gap = 0.002;  // m
 // fastest point.
 inline constexpr double sleep_speed = 0.05;  // m/s
 inline constexpr double sleep_time = 0.5;    // s
+
+// --- quarantine ---
+// Beyond these a state is no longer physics but a number that ran away.
+inline constexpr double quarantine_speed = 1e6;       // m/s or rad/s
+inline constexpr double quarantine_coordinate = 1e8;  // m
 
 // --- limits of what callers may ask ---
 inline constexpr double max_coordinate = 1e7;  // m

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+//
+// The passes over one block of eight manifolds. Templates, so that each combination of second body,
+// inertia and pass is straight code. Lane k of every value is manifold k; nothing crosses lanes.
+// Bodies of a block are distinct (within a colour, too), so they are loaded, changed and stored
+// without regard to other blocks.
+#pragma once
+
+#include "constraints/contact_settings.h"
+#include "math/wide.h"
+#include "state/manifold_store.h"
+#include "state/solver_body.h"
+
+namespace jostle::physics {
+
+struct WideSide {
+    const float* rows[8];
+    Wide state[8];    // row 0
+    Wide inertia[8];  // row 2
+    Wide3 v, w;
+};
+
+JOSTLE_INLINE Wide3 load3(const float (*rows)[8]) {
+    return {load(rows[0]), load(rows[1]), load(rows[2])};
+}
+
+template <bool kTurning>
+JOSTLE_INLINE void load_side(WideSide& s, const HotBody* bodies, const std::int32_t* index) {
+    for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
+    load_rows(s.rows, s.state);
+    s.v = {s.state[0], s.state[1], s.state[2]};
+    s.w = {s.state[3], s.state[4], s.state[5]};
+    if constexpr (kTurning) {
+        const float* rows[8];
+        for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 16;
+        load_rows(rows, s.inertia);
+    }
+}
+
+JOSTLE_INLINE void load_motion(const WideSide& s, Wide3& dp, Wide3& dr) {
+    const float* rows[8];
+    Wide t[8];
+    for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 8;
+    load_rows(rows, t);
+    dp = {t[0], t[1], t[2]};
+    dr = {t[3], t[4], t[5]};
+}
+
+JOSTLE_INLINE void store_side(WideSide& s) {
+    s.state[0] = s.v.x, s.state[1] = s.v.y, s.state[2] = s.v.z;
+    s.state[3] = s.w.x, s.state[4] = s.w.y, s.state[5] = s.w.z;
+    store_rows(const_cast<float* const*>(s.rows), s.state);
+}
+
+// Change of spin by the angular impulse l.
+template <bool kTurning>
+JOSTLE_INLINE Wide3 spin(const WideSide& s, Wide3 l) {
+    if constexpr (!kTurning) return l * s.state[7];
+    const Wide* i = s.inertia;
+    return {i[0] * l.x + i[3] * l.y + i[4] * l.z, i[3] * l.x + i[1] * l.y + i[5] * l.z,
+            i[4] * l.x + i[5] * l.y + i[2] * l.z};
+}
+
+// The two bodies of a block and where their manifolds are.
+template <Second kSecond, bool kTurning>
+struct BlockBodies {
+    WideSide a, b;
+    Wide3 n, t1, t2, arm_a, arm_b;
+
+    JOSTLE_INLINE BlockBodies(const ManifoldBlock& m, const HotBody* bodies) {
+        load_side<kTurning>(a, bodies, m.a);
+        if constexpr (kSecond != Second::fixed) load_side<false>(b, bodies, m.b);
+        if constexpr (kSecond == Second::moving && kTurning) {
+            const float* rows[8];
+            for (int k = 0; k < 8; k++) rows[k] = b.rows[k] + 16;
+            load_rows(rows, b.inertia);
+        }
+        n = load3(m.normal);
+        t1 = load3(m.tangent);
+        t2 = cross(n, t1);
+        arm_a = load3(m.arm_a);
+        arm_b = load3(m.arm_b);
+    }
+
+    // Velocity (or motion) of b against a at the centre of the manifold.
+    JOSTLE_INLINE Wide3 relative(Wide3 va, Wide3 wa, Wide3 vb, Wide3 wb) const {
+        if constexpr (kSecond == Second::fixed) return -(va + cross(wa, arm_a));
+        return (vb + cross(wb, arm_b)) - (va + cross(wa, arm_a));
+    }
+    JOSTLE_INLINE Wide3 relative_velocity() const { return relative(a.v, a.w, b.v, b.w); }
+    JOSTLE_INLINE Wide3 relative_spin() const {
+        if constexpr (kSecond == Second::fixed) return -a.w;
+        return b.w - a.w;
+    }
+
+    // Impulse p at the centre and angular impulse l, against a and for b.
+    JOSTLE_INLINE void apply(Wide3 p, Wide3 l) {
+        a.v = a.v - p * a.state[6];
+        a.w = a.w - spin<kTurning>(a, cross(arm_a, p) + l);
+        if constexpr (kSecond == Second::moving) {
+            b.v = b.v + p * b.state[6];
+            b.w = b.w + spin<kTurning>(b, cross(arm_b, p) + l);
+        }
+    }
+    JOSTLE_INLINE void store() {
+        store_side(a);
+        if constexpr (kSecond == Second::moving) store_side(b);
+    }
+};
+
+// Sum of the point impulses and their two moments.
+struct WideImpulse {
+    Wide total = splat(0), m1 = splat(0), m2 = splat(0);
+
+    JOSTLE_INLINE void add(Wide x, Wide y, Wide impulse) {
+        total += impulse;
+        m1 += y * impulse;
+        m2 -= x * impulse;
+    }
+};
+
+// G (1, y, -x): what a unit impulse at a point does to (approach, tilt 1, tilt 2).
+struct PointResponse {
+    Wide r0, r1, r2, k;
+
+    JOSTLE_INLINE PointResponse(const ManifoldBlock& m, Wide x, Wide y) {
+        const Wide g01 = load(m.g[1]), g02 = load(m.g[2]), g12 = load(m.g[4]);
+        r0 = load(m.g[0]) + y * g01 - x * g02;
+        r1 = g01 + y * load(m.g[3]) - x * g12;
+        r2 = g02 + y * g12 - x * load(m.g[5]);
+        k = r0 + y * r1 - x * r2;
+    }
+};
+
+template <Second kSecond, bool kTurning>
+void warm_start_block(ManifoldBlock& m, HotBody* bodies) {
+    BlockBodies<kSecond, kTurning> pair(m, bodies);
+    WideImpulse sum;
+    for (int i = 0; i < 4; i++) sum.add(load(m.x[i]), load(m.y[i]), load(m.lambda[i]));
+    pair.apply(pair.n * sum.total + pair.t1 * load(m.friction[0]) + pair.t2 * load(m.friction[1]),
+               pair.t1 * sum.m1 + pair.t2 * sum.m2 + pair.n * load(m.twist));
+    pair.store();
+}
+
+// Cone at the centre, then twist. The limit is the normal impulse that the pass before found.
+template <Second kSecond, bool kTurning>
+JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockBodies<kSecond, kTurning>& pair) {
+    const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
+    const Wide limit = load(m.mu) * ((load(m.lambda[0]) + load(m.lambda[1])) +
+                                     (load(m.lambda[2]) + load(m.lambda[3])));
+    const Wide u1 = dot(pair.t1, u), u2 = dot(pair.t2, u);
+    const Wide m00 = load(m.friction_mass[0]), m01 = load(m.friction_mass[1]),
+               m11 = load(m.friction_mass[2]);
+    const Wide old1 = load(m.friction[0]), old2 = load(m.friction[1]), old_twist = load(m.twist);
+    Wide f1 = old1 - (m00 * u1 + m01 * u2);
+    Wide f2 = old2 - (m01 * u1 + m11 * u2);
+    const Wide length2 = f1 * f1 + f2 * f2;
+    const Wide scale =
+        select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
+    f1 = f1 * scale;
+    f2 = f2 * scale;
+    const Wide twist_limit = limit * load(m.lever);
+    const Wide twist =
+        max(-twist_limit, min(old_twist - load(m.twist_mass) * dot(pair.n, w), twist_limit));
+    store(m.friction[0], f1);
+    store(m.friction[1], f2);
+    store(m.twist, twist);
+    pair.apply(pair.t1 * (f1 - old1) + pair.t2 * (f2 - old2), pair.n * (twist - old_twist));
+}
+
+struct BlockReport {
+    unsigned aged = 0, touching = 0;  // lanes
+};
+
+// kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
+// moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
+// press.
+template <Second kSecond, bool kTurning, bool kRelax, bool kLast>
+BlockReport solve_block(ManifoldBlock& m, BlockSide& side, HotBody* bodies,
+                        const ContactSettings& set, int sweeps) {
+    BlockBodies<kSecond, kTurning> pair(m, bodies);
+    const Wide zero = splat(0);
+    if constexpr (kRelax) solve_friction<kSecond, kTurning>(m, pair);
+
+    Wide3 dp_a, dr_a, dp_b{}, dr_b{};
+    load_motion(pair.a, dp_a, dr_a);
+    if constexpr (kSecond != Second::fixed) load_motion(pair.b, dp_b, dr_b);
+    const Wide3 moved = pair.relative(dp_a, dr_a, dp_b, dr_b);
+    Wide3 turned = -dr_a;
+    if constexpr (kSecond != Second::fixed) turned = dr_b - dr_a;
+    const Wide s0 = dot(pair.n, moved), s1 = dot(pair.t1, turned), s2 = dot(pair.t2, turned);
+
+    const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
+    Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
+    WideImpulse sum;
+    Wide nearest = splat(no_point);
+    for (int sweep = 0; sweep < sweeps; sweep++)
+        for (int i = 0; i < 4; i++) {
+            const Wide x = load(m.x[i]), y = load(m.y[i]);
+            const Wide gap = load(m.gap[i]) + s0 + y * s1 - x * s2;
+            const PointResponse r(m, x, y);
+            const Wide vn = u0 + y * u1 - x * u2;
+            const WideMask apart = gap > zero;
+            const Wide old = load(m.lambda[i]);
+            // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
+            // out.
+            Wide now;
+            if constexpr (kRelax) {
+                const Wide bias = select(apart, gap * splat(set.inverse_h), zero);
+                now = old - (vn + bias) / r.k;
+            } else {
+                const Wide soft =
+                    max((gap + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
+                const Wide bias = select(apart, gap * splat(set.inverse_h), soft);
+                const Wide scale = select(apart, splat(1), splat(set.mass_scale));
+                const Wide leak = select(apart, zero, splat(set.leak));
+                now = old - scale * (vn + bias) / r.k - leak * (old - load(m.steady));
+            }
+            now = max(now, zero);
+            const Wide d = now - old;
+            store(m.lambda[i], now);
+            u0 += r.r0 * d;
+            u1 += r.r1 * d;
+            u2 += r.r2 * d;
+            sum.add(x, y, d);
+            if constexpr (kLast)
+                if (sweep + 1 == sweeps) {
+                    store(m.gap[i], gap);
+                    nearest = min(nearest, gap);
+                }
+        }
+    pair.apply(pair.n * sum.total, pair.t1 * sum.m1 + pair.t2 * sum.m2);
+    pair.store();
+
+    BlockReport report;
+    if constexpr (kLast) {
+        // Only the total force of the manifold is remembered, not its moments: remembering those
+        // lets tall stacks sway with growing amplitude.
+        const Wide total =
+            (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+        Wide points = zero;
+        for (int i = 0; i < 4; i++)
+            points += select(load(m.gap[i]) < splat(0.5f * no_point), splat(1), zero);
+        const Wide steady = load(m.steady);
+        store(m.steady, steady + splat(set.forget) * (total / max(points, splat(1)) - steady));
+        // Slip, relative turn and a third of the common turn (the normal does not follow it) all
+        // age the manifold.
+        const Wide age = load(side.moved) + root(dot(moved, moved)) +
+                         load(m.lever) * root(dot(turned, turned)) +
+                         splat(0.3f) * root(dot(dr_a, dr_a));
+        store(side.moved, age);
+        report.aged = lane_bits(age > splat(set.reuse));
+        // Presses now, or pressed a step ago and has hardly parted.
+        report.touching =
+            lane_bits(total > zero) | (side.touching & lane_bits(nearest < splat(set.touch_gap)));
+    }
+    return report;
+}
+
+// Notes the approach speed of each point at the start of the step.
+template <Second kSecond, bool kTurning>
+void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bodies) {
+    const BlockBodies<kSecond, kTurning> pair(m, bodies);
+    const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
+    const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
+    for (int i = 0; i < 4; i++) {
+        store(bounce.approach[i], u0 + load(m.y[i]) * u1 - load(m.x[i]) * u2);
+        store(bounce.peak[i], splat(0));
+    }
+}
+
+// After each sub-step: a point that pressed in any of them was hit.
+inline void note_peaks(const ManifoldBlock& m, BlockBounce& bounce) {
+    for (int i = 0; i < 4; i++) store(bounce.peak[i], max(load(bounce.peak[i]), load(m.lambda[i])));
+}
+
+// At the end of the step, points that were hit leave with restitution times their approach
+// (Newton's hypothesis). A bouncing manifold carries no impulse into the next step: it is about to
+// part.
+template <Second kSecond, bool kTurning>
+void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restitution,
+                HotBody* bodies, const ContactSettings& set) {
+    BlockBodies<kSecond, kTurning> pair(m, bodies);
+    const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
+    Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
+    WideImpulse sum;
+    const Wide zero = splat(0);
+    Wide given[4] = {zero, zero, zero, zero};
+    Wide left_with = zero;
+    // Several sweeps: the points of one face share the bounce.
+    for (int sweep = 0; sweep < 4; sweep++)
+        for (int i = 0; i < 4; i++) {
+            const Wide x = load(m.x[i]), y = load(m.y[i]);
+            const PointResponse r(m, x, y);
+            const Wide approach = load(bounce.approach[i]);
+            const Wide vn = u0 + y * u1 - x * u2;
+            const WideMask hit = (load(bounce.peak[i]) > zero) &
+                                 (approach < splat(-set.restitution_speed)) &
+                                 (load(restitution) > zero);
+            const Wide wanted = -load(restitution) * approach;
+            const Wide now = max(given[i] + (wanted - vn) / r.k, zero);
+            const Wide d = select(hit, now - given[i], zero);
+            given[i] = given[i] + d;
+            left_with = max(left_with, given[i]);
+            u0 += r.r0 * d;
+            u1 += r.r1 * d;
+            u2 += r.r2 * d;
+            sum.add(x, y, d);
+        }
+    pair.apply(pair.n * sum.total, pair.t1 * sum.m1 + pair.t2 * sum.m2);
+    pair.store();
+    const WideMask bounced = left_with > zero;
+    for (auto& lambda : m.lambda) store(lambda, select(bounced, zero, load(lambda)));
+    for (auto& friction : m.friction) store(friction, select(bounced, zero, load(friction)));
+    store(m.twist, select(bounced, zero, load(m.twist)));
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/contact_passes.h"
+
+#include "constraints/contact_kernel.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+namespace {
+
+// Blocks below four times this many stay on the calling thread.
+constexpr int grain = 16;
+
+// Calls pass(colour, block, second, turning) for every block, the latter two as compile-time
+// constants.
+template <class Pass>
+void for_each_block(ManifoldStore& store, TaskTeam& team, Pass&& pass) {
+    const auto with_inertia = [&](Colour& colour, int begin, int end, auto second) {
+        for (int k = begin; k < end; k++) {
+            const auto block = static_cast<std::size_t>(k);
+            if (colour.sides[block].turning != 0)
+                pass(colour, block, second, std::true_type{});
+            else
+                pass(colour, block, second, std::false_type{});
+        }
+    };
+    for (const int c : solve_order) {
+        Colour& colour = store.colours[static_cast<std::size_t>(c)];
+        if (colour.blocks.empty()) continue;
+        const auto blocks = static_cast<int>(colour.blocks.size());
+        const auto run = [&](auto second) {
+            if (is_overflow(c))
+                with_inertia(colour, 0, blocks, second);  // these share bodies: one after the other
+            else
+                team.run(blocks, grain,
+                         [&](int begin, int end) { with_inertia(colour, begin, end, second); });
+        };
+        switch (second_of(c)) {
+            case Second::moving:
+                run(std::integral_constant<Second, Second::moving>{});
+                break;
+            case Second::driven:
+                run(std::integral_constant<Second, Second::driven>{});
+                break;
+            case Second::fixed:
+                run(std::integral_constant<Second, Second::fixed>{});
+                break;
+        }
+    }
+}
+
+template <bool kRelax, bool kLast>
+void solve_all(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+               TaskTeam& team) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+        BlockSide& side = colour.sides[k];
+        const BlockReport report = solve_block<second(), turning(), kRelax, kLast>(
+            colour.blocks[k], side, bodies.data(), set, tuning::manifold_sweeps);
+        if constexpr (kLast) {
+            side.aged = static_cast<std::uint8_t>(report.aged);
+            side.pressing = static_cast<std::uint8_t>(report.touching);
+        }
+    });
+}
+
+bool any_bouncy(const ManifoldStore& store) {
+    for (const Colour& colour : store.colours)
+        for (const BlockSide& side : colour.sides)
+            if (side.bouncy != 0) return true;
+    return false;
+}
+
+}  // namespace
+
+void warm_start(ManifoldStore& store, std::span<HotBody> bodies, TaskTeam& team) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+        warm_start_block<second(), turning()>(colour.blocks[k], bodies.data());
+    });
+}
+
+void solve(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+           TaskTeam& team) {
+    solve_all<false, false>(store, bodies, set, team);
+}
+
+void relax(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set, bool last,
+           TaskTeam& team) {
+    if (last)
+        solve_all<true, true>(store, bodies, set, team);
+    else
+        solve_all<true, false>(store, bodies, set, team);
+}
+
+bool begin_bounces(ManifoldStore& store, std::span<const HotBody> bodies, TaskTeam& team) {
+    if (!any_bouncy(store)) return false;
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+        if (colour.sides[k].bouncy != 0)
+            begin_bounce<second(), turning()>(colour.blocks[k], colour.bounces[k], bodies.data());
+    });
+    return true;
+}
+
+void note_bounce_peaks(ManifoldStore& store, TaskTeam& team) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto, auto) {
+        if (colour.sides[k].bouncy != 0) note_peaks(colour.blocks[k], colour.bounces[k]);
+    });
+}
+
+void end_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+                 TaskTeam& team) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+        if (colour.sides[k].bouncy != 0)
+            end_bounce<second(), turning()>(colour.blocks[k], colour.bounces[k],
+                                            colour.sides[k].restitution, bodies.data(), set);
+    });
+}
+
+}  // namespace jostle::physics

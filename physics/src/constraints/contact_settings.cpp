@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/contact_settings.h"
+
+#include "jostle/physics/scalar.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+
+// An implicit spring of angular frequency omega and damping ratio zeta over a sub-step h acts on
+// the velocity as
+//     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - leak lambda,
+// with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
+// leak = 1 / (1 + a2).
+ContactSettings contact_settings(double dt, int substeps) {
+    const double h = dt / substeps, omega = 2 * pi * tuning::contact_stiffness / h;
+    const double a1 = 2 * tuning::contact_damping_ratio + h * omega, a2 = h * omega * a1;
+    const auto f = [](double x) { return static_cast<float>(x); };
+    return {.substeps = substeps,
+            .h = f(h),
+            .inverse_h = f(1 / h),
+            .bias_rate = f(omega / a1),
+            .mass_scale = f(a2 / (1 + a2)),
+            .leak = f(1 / (1 + a2)),
+            .push_speed = f(tuning::push_out_speed),
+            .slop = f(tuning::contact_slop),
+            .forget = f(minimum(1, dt / tuning::steady_time)),
+            .reuse = f(tuning::reuse_distance),
+            .touch_gap = f(tuning::touch_gap),
+            .restitution_speed = f(tuning::restitution_speed)};
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// The numbers of one step that every contact shares.
+#pragma once
+
+namespace jostle::physics {
+
+struct ContactSettings {
+    int substeps = 0;
+    float h = 0, inverse_h = 0;  // sub-step, s
+    float bias_rate = 0;         // 1/s: how fast overlap is pushed out
+    float mass_scale = 0;        // 1 is rigid
+    float leak = 0;  // fraction of its deviation from the steady impulse that a soft contact gives
+                     // up per sub-step
+    float push_speed = 0;  // m/s
+    float slop = 0;        // m of overlap aimed at
+    float forget = 0;      // share of the steady impulse that follows the present one per step
+    float reuse = 0;       // m of relative motion after which a manifold is rebuilt
+    float touch_gap = 0;   // m
+    float restitution_speed = 0;  // m/s
+};
+
+// Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step
+// rate, so that more sub-steps are stiffer and more exact.
+ContactSettings contact_settings(double dt, int substeps);
+
+}  // namespace jostle::physics

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/write_manifold.h"
+
+#include "jostle/physics/tuning.h"
+#include "state/lanes.h"
+
+namespace jostle::physics {
+namespace {
+
+// One side of the pair as effective masses see it: all zero for what contacts cannot push.
+struct Side {
+    Vec3 center;
+    double inverse_mass = 0;
+    Mat3 inverse_inertia = diagonal({0, 0, 0});
+};
+
+Side side_of(const WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    const BodyWarm& warm = warm_of(world, body);
+    if (cold.inverse_mass == 0) return {.center = warm.center};
+    return {warm.center, cold.inverse_mass, world_inverse_inertia(warm, cold)};
+}
+
+float as_float(double x) {
+    return static_cast<float>(x);
+}
+
+void put(float (*rows)[8], int lane, Vec3 v) {
+    rows[0][lane] = as_float(v.x);
+    rows[1][lane] = as_float(v.y);
+    rows[2][lane] = as_float(v.z);
+}
+Vec3 get(const float (*rows)[8], int lane) {
+    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
+}
+
+// What a manifold carried before it was rebuilt, in world axes.
+struct Carried {
+    int count = 0;
+    Vec3 point[4];  // from a's centre of mass
+    double lambda[4] = {};
+    Vec3 friction;
+};
+
+Carried carried(const ManifoldBlock& block, int lane) {
+    Carried c;
+    const Vec3 n = get(block.normal, lane), t1 = get(block.tangent, lane), t2 = cross(n, t1);
+    const Vec3 arm = get(block.arm_a, lane);
+    c.friction = t1 * double{block.friction[0][lane]} + t2 * double{block.friction[1][lane]};
+    for (int i = 0; i < 4; i++) {
+        if (block.gap[i][lane] > 0.5f * no_point) continue;
+        c.point[c.count] = arm + t1 * double{block.x[i][lane]} + t2 * double{block.y[i][lane]};
+        c.lambda[c.count++] = double{block.lambda[i][lane]};
+    }
+    return c;
+}
+
+// The impulse of the nearest old point that nobody has claimed yet; 0 when none is near.
+double match(const Carried& old, bool taken[4], Vec3 point, double reach) {
+    double nearest = reach * reach;
+    int best = -1;
+    for (int j = 0; j < old.count; j++) {
+        const double d2 = length_squared(old.point[j] - point);
+        if (!taken[j] && d2 < nearest) {
+            nearest = d2;
+            best = j;
+        }
+    }
+    if (best < 0) return 0;
+    taken[best] = true;
+    return old.lambda[best];
+}
+
+void write_masses(ManifoldBlock& block, int lane, const Side& a, const Side& b, Vec3 n, Vec3 t1,
+                  Vec3 t2, Vec3 arm_a, Vec3 arm_b) {
+    const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
+        return dot(ja, a.inverse_inertia * ka) + dot(jb, b.inverse_inertia * kb);
+    };
+    const double mass = a.inverse_mass + b.inverse_mass;
+    // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of twist: n.
+    const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
+    block.g[0][lane] = as_float(mass + both(na, nb, na, nb));
+    block.g[1][lane] = as_float(both(na, nb, t1, t1));
+    block.g[2][lane] = as_float(both(na, nb, t2, t2));
+    block.g[3][lane] = as_float(both(t1, t1, t1, t1));
+    block.g[4][lane] = as_float(both(t1, t1, t2, t2));
+    block.g[5][lane] = as_float(both(t2, t2, t2, t2));
+    const Vec3 pa = cross(arm_a, t1), pb = cross(arm_b, t1);
+    const Vec3 qa = cross(arm_a, t2), qb = cross(arm_b, t2);
+    const double f00 = mass + both(pa, pb, pa, pb), f01 = both(pa, pb, qa, qb);
+    const double f11 = mass + both(qa, qb, qa, qb), det = f00 * f11 - f01 * f01;
+    block.friction_mass[0][lane] = as_float(f11 / det);
+    block.friction_mass[1][lane] = as_float(-f01 / det);
+    block.friction_mass[2][lane] = as_float(f00 / det);
+    const double k = both(n, n, n, n);
+    block.twist_mass[lane] = k > 0 ? as_float(1 / k) : 0;
+}
+
+}  // namespace
+
+void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
+    const LanePlace place = place_of(world, contact);
+    ManifoldBlock& block = *place.block;
+    const int lane = place.lane;
+    const Carried old = fresh ? Carried{} : carried(block, lane);
+    const Side a = side_of(world, contact.body_a), b = side_of(world, contact.body_b);
+
+    Vec3 centre;
+    for (int i = 0; i < m.count; i++) centre += m.point[i] * (1.0 / m.count);
+    const Vec3 n = m.normal;
+    const Vec3 t1 = normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+    const Vec3 t2 = cross(n, t1), arm_a = centre - a.center, arm_b = centre - b.center;
+    put(block.normal, lane, n);
+    put(block.tangent, lane, t1);
+    put(block.arm_a, lane, arm_a);
+    put(block.arm_b, lane, arm_b);
+
+    const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
+    const double smaller = cb.type == BodyType::dynamic ? minimum(ca.radius, cb.radius) : ca.radius;
+    const double reach = minimum(tuning::match_distance, tuning::match_fraction * smaller);
+    double lever = 0;
+    bool taken[4] = {};
+    for (int i = 0; i < 4; i++) {
+        const bool used = i < m.count;
+        const Vec3 r = used ? m.point[i] - centre : Vec3{};
+        const double x = dot(r, t1), y = dot(r, t2);
+        block.x[i][lane] = as_float(x);
+        block.y[i][lane] = as_float(y);
+        block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
+        block.lambda[i][lane] =
+            used ? as_float(match(old, taken, m.point[i] - a.center, reach)) : 0;
+        if (used) lever += square_root(x * x + y * y) / m.count;
+    }
+    block.lever[lane] = as_float(lever);
+    block.friction[0][lane] = as_float(dot(old.friction, t1));
+    block.friction[1][lane] = as_float(dot(old.friction, t2));
+    if (fresh) block.twist[lane] = block.steady[lane] = 0;
+    write_masses(block, lane, a, b, n, t1, t2, arm_a, arm_b);
+
+    const Material& ma = world.shapes.shapes[contact.shape_a].material;
+    const Material& mb = world.shapes.shapes[contact.shape_b].material;
+    block.mu[lane] = as_float(square_root(ma.friction * mb.friction));
+    place.side->restitution[lane] = as_float(maximum(ma.restitution, mb.restitution));
+    place.side->moved[lane] = 0;
+}
+
+void finish_manifold(WorldState& world, const Contact& contact) {
+    const LanePlace place = place_of(world, contact);
+    const auto bit = static_cast<std::uint8_t>(1u << place.lane);
+    if (place.side->restitution[place.lane] > 0)
+        place.side->bouncy |= bit;
+    else
+        place.side->bouncy &= static_cast<std::uint8_t>(~bit);
+    place.side->aged &= static_cast<std::uint8_t>(~bit);
+}
+
+}  // namespace jostle::physics

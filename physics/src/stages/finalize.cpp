@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "stages/finalize.h"
+
+#include "stages/settle_body.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+Vec3 vec(const float* f) {
+    return {double{f[0]}, double{f[1]}, double{f[2]}};
+}
+
+FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm) {
+    return {vec(hot.dp), normalized(from_rotation_vector(vec(hot.dr)) * warm.rotation), vec(hot.v),
+            vec(hot.w)};
+}
+
+}  // namespace
+
+void finalize(StepContext& step) {
+    WorldState& world = step.world;
+    StepScratch& scratch = world.scratch;
+    step.team.run(static_cast<int>(scratch.in_solver.size()), 256, [&](int begin, int end) {
+        for (int k = begin; k < end; k++) {
+            const std::uint32_t i = scratch.in_solver[static_cast<std::size_t>(k)];
+            const BodyWarm& warm = world.bodies.awake[i];
+            // Kinematic bodies were settled with the free ones: contacts do not move them.
+            if (world.bodies.cold[warm.body].type == BodyType::dynamic)
+                settle_body(step, i, motion_of(scratch.hot[i + 1], warm));
+        }
+    });
+    // Trees are changed serially, in order of the awake set.
+    for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
+        if (scratch.left_fat_box[i] == 0) continue;
+        const BodyWarm& warm = world.bodies.awake[i];
+        for (std::uint32_t s = world.bodies.cold[warm.body].first_shape; s != none;
+             s = world.shapes.shapes[s].next)
+            refatten(world, s, warm, step.dt);
+    }
+}
+
+}  // namespace jostle::physics

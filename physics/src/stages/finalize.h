@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// Hot results back to the double records; travel, rest time and bounds of every awake body.
+#pragma once
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+void finalize(StepContext& step);
+
+}  // namespace jostle::physics

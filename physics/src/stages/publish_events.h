@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// Sorted, ready to read.
+#pragma once
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+void publish_events(StepContext& step);
+
+}  // namespace jostle::physics

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "stages/quarantine.h"
+
+#include "state/lanes.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+// Impulses that may be as unsound as the body's state are forgotten; the manifold is rebuilt in the
+// next step.
+void forget_impulses(WorldState& world, const Contact& c) {
+    const LanePlace place = place_of(world, c);
+    const int lane = place.lane;
+    for (auto& lambda : place.block->lambda) lambda[lane] = 0;
+    for (auto& friction : place.block->friction) friction[lane] = 0;
+    place.block->twist[lane] = place.block->steady[lane] = 0;
+    place.side->moved[lane] = 0;
+    place.side->aged |= static_cast<std::uint8_t>(1u << lane);
+}
+
+}  // namespace
+
+void quarantine(StepContext& step) {
+    WorldState& world = step.world;
+    for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
+        if (world.scratch.not_finite[i] == 0) continue;
+        const std::uint32_t body = world.bodies.awake[i].body;
+        world.events.quarantined.push_back(body_id(world, body));
+        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            if (c.colour >= 0) forget_impulses(world, c);
+        });
+        look_ahead(world, body, step.dt);
+    }
+}
+
+}  // namespace jostle::physics

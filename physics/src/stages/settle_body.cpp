@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "stages/settle_body.h"
+
+#include "geometry/bounds.h"
+#include "jostle/physics/tuning.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+bool is_sound(const FreeMotion& motion, Vec3 center) {
+    const double fastest = maximum(length_squared(motion.v), length_squared(motion.w));
+    const Vec3 reach = abs(center);
+    // Written so that NaN fails.
+    return fastest < tuning::quarantine_speed * tuning::quarantine_speed &&
+           maximum(reach.x, maximum(reach.y, reach.z)) < tuning::quarantine_coordinate &&
+           is_finite(center) && is_finite(motion.rotation);
+}
+
+bool left_fat_box(const WorldState& world, const BodyWarm& warm, const BodyCold& cold) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
+        const ShapeRecord& shape = world.shapes.shapes[s];
+        if (is_plane(shape)) continue;
+        // A quarter of the margin early: manifolds begin before surfaces meet.
+        const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
+        if (!contains(shape.fat, box)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void begin_settling(WorldState& world) {
+    world.scratch.left_fat_box.assign(world.bodies.awake.size(), 0);
+    world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
+}
+
+void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
+    WorldState& world = step.world;
+    BodyWarm& warm = world.bodies.awake[awake_index];
+    const BodyCold& cold = world.bodies.cold[warm.body];
+    warm.force = warm.torque = {};
+    const Vec3 center = warm.center + motion.displacement;
+    if (!is_sound(motion, center)) {
+        warm.v = warm.w = {};
+        warm.quiet = 0;
+        world.scratch.not_finite[awake_index] = 1;
+        return;
+    }
+    if (cold.type == BodyType::kinematic && motion.v == Vec3{} && motion.w == Vec3{}) return;
+
+    // The turn of this step from the two rotations: |2 vec(q1 q0*)| is the sine bound of the half
+    // angle, doubled.
+    const Quat turn = motion.rotation * conjugate(warm.rotation);
+    const double angle = 2.2 * square_root(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+    const double way =
+        length(motion.displacement) + maximum(angle, length(motion.w) * step.dt) * cold.radius;
+    warm.center = center;
+    warm.rotation = motion.rotation;
+    warm.axes = to_matrix(warm.rotation);
+    warm.v = motion.v;
+    warm.w = motion.w;
+    world.bodies.reach[warm.body].travel += way;
+    look_ahead(world, warm.body, step.dt);
+    const bool rests = cold.may_sleep && way < tuning::sleep_speed * step.dt;
+    warm.quiet = rests ? warm.quiet + step.dt : 0;
+    world.scratch.left_fat_box[awake_index] = left_fat_box(world, warm, cold) ? 1 : 0;
+}
+
+}  // namespace jostle::physics

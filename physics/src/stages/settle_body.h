@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// The end of a step for one body: new pose and velocity into its warm record, travel, rest time,
+// and whether it left its fat boxes. Touches this body only, so bodies may be settled on many
+// threads.
+#pragma once
+
+#include "constraints/free_motion.h"
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+// Makes room for one flag per awake body; serially, before the first settle_body of a step.
+void begin_settling(WorldState& world);
+
+// A state that is not finite is not taken over: the body stays where it was, at rest, and is
+// flagged for quarantine.
+void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion);
+
+}  // namespace jostle::physics

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solve_constraints.h"
+
+#include "constraints/contact_passes.h"
+#include "constraints/free_motion.h"
+
+namespace jostle::physics {
+namespace {
+
+float as_float(double x) {
+    return static_cast<float>(x);
+}
+
+void put(float* row, Vec3 linear, Vec3 angular) {
+    row[0] = as_float(linear.x), row[1] = as_float(linear.y), row[2] = as_float(linear.z);
+    row[3] = as_float(angular.x), row[4] = as_float(angular.y), row[5] = as_float(angular.z);
+}
+
+void sort_out_bodies(WorldState& world) {
+    StepScratch& scratch = world.scratch;
+    scratch.in_solver.clear();
+    scratch.free.clear();
+    for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
+        const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
+        // Kinematic bodies fly free; the solver reads them when something may touch them.
+        if (cold.lanes > 0 || (cold.type == BodyType::kinematic && cold.first_edge != none))
+            scratch.in_solver.push_back(i);
+        if (cold.lanes == 0) scratch.free.push_back(i);
+    }
+    world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size());
+    world.profile.bodies_in_solver =
+        static_cast<int>(world.bodies.awake.size() - scratch.free.size());
+}
+
+// The hot record and the drive of one body at the start of the step.
+void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, BodyDrive& drive) {
+    const WorldState& world = step.world;
+    const BodyWarm& warm = world.bodies.awake[index];
+    const BodyCold& cold = world.bodies.cold[warm.body];
+    hot = {};
+    drive = {};
+    for (float& keep : drive.keep) keep = 1;
+    put(hot.v, warm.v, warm.w);
+    if (cold.type == BodyType::kinematic) return;
+    hot.inverse_mass = as_float(cold.inverse_mass);
+    hot.inverse_spin = as_float(cold.inverse_inertia.x.x);
+    const Mat3 inertia = world_inverse_inertia(warm, cold);
+    hot.inertia[0] = as_float(inertia.x.x);
+    hot.inertia[1] = as_float(inertia.y.y);
+    hot.inertia[2] = as_float(inertia.z.z);
+    hot.inertia[3] = as_float(inertia.x.y);
+    hot.inertia[4] = as_float(inertia.x.z);
+    hot.inertia[5] = as_float(inertia.y.z);
+
+    const double h = step.dt / step.contacts.substeps;
+    const double linear = damping_factor(cold.linear_damping, h);
+    const double angular = damping_factor(cold.angular_damping, h);
+    for (int k = 0; k < 3; k++) {
+        drive.keep[k] = as_float(linear);
+        drive.keep[k + 3] = as_float(angular);
+    }
+    // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
+    // does.
+    const Vec3 spin_up = (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
+    put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
+}
+
+// One 8-wide operation moves a whole body.
+void accelerate(HotBody& hot, const BodyDrive& drive, bool first) {
+    const Wide now = load(hot.v), before = load(hot.free);
+    const Wide free = now * load(drive.keep) + load(drive.push);
+    store(hot.free, free);
+    Wide warm = free;
+    if (!first) {
+        Wide pushed = now - before;  // what contacts did in the last sub-step
+        pushed[6] = pushed[7] = 0;
+        warm = free + pushed;
+    }
+    store(hot.v, warm);
+}
+
+void advance(HotBody& hot, Wide pace) {
+    store(hot.dp, load(hot.dp) + load(hot.v) * pace);
+}
+
+}  // namespace
+
+void solve_constraints(StepContext& step) {
+    WorldState& world = step.world;
+    StepScratch& scratch = world.scratch;
+    sort_out_bodies(world);
+    if (scratch.in_solver.empty()) return;
+    scratch.hot.resize(world.bodies.awake.size() + 1);
+    scratch.drive.resize(world.bodies.awake.size() + 1);
+    scratch.hot[0] = {};
+    const auto each_body = [&](auto&& work) {
+        step.team.run(static_cast<int>(scratch.in_solver.size()), 256, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) work(scratch.in_solver[static_cast<std::size_t>(k)]);
+        });
+    };
+    each_body(
+        [&](std::uint32_t i) { prepare_body(step, i, scratch.hot[i + 1], scratch.drive[i + 1]); });
+
+    ManifoldStore& manifolds = world.manifolds;
+    const std::span<HotBody> bodies = scratch.hot;
+    const bool bouncy = begin_bounces(manifolds, bodies, step.team);
+    Wide pace = splat(step.contacts.h);
+    pace[6] = pace[7] = 0;
+    for (int n = 0; n < step.contacts.substeps; n++) {
+        const bool first = n == 0, last = n + 1 == step.contacts.substeps;
+        each_body(
+            [&](std::uint32_t i) { accelerate(scratch.hot[i + 1], scratch.drive[i + 1], first); });
+        // Later sub-steps are warm started by accelerate().
+        if (first) warm_start(manifolds, bodies, step.team);
+        solve(manifolds, bodies, step.contacts, step.team);
+        each_body([&](std::uint32_t i) { advance(scratch.hot[i + 1], pace); });
+        relax(manifolds, bodies, step.contacts, last, step.team);
+        if (bouncy) note_bounce_peaks(manifolds, step.team);
+    }
+    if (bouncy) end_bounces(manifolds, bodies, step.contacts, step.team);
+}
+
+}  // namespace jostle::physics

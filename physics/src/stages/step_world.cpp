@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "stages/step_world.h"
+
+#include "foundation/fp_mode.h"
+#include "foundation/timer.h"
+#include "stages/finalize.h"
+#include "stages/integrate_free.h"
+#include "stages/link_islands.h"
+#include "stages/publish_events.h"
+#include "stages/quarantine.h"
+#include "stages/solve_constraints.h"
+#include "stages/update_contacts.h"
+#include "stages/update_pairs.h"
+#include "stages/update_sleep.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+StepContext begin_step(WorldState& world, double dt) {
+    world.events.begin_step();
+    world.profile = {};
+    if (dt != world.last_dt)
+        for (const BodyWarm& warm : world.bodies.awake) look_ahead(world, warm.body, dt);
+    world.last_dt = dt;
+    return {world, *world.team, dt, contact_settings(dt, world.def.substeps)};
+}
+
+// Puts the time of one stage into the profile.
+template <void (*kStage)(StepContext&)>
+void run(StepContext& step, Stage name) {
+    Timer timer;
+    kStage(step);
+    step.world.profile.stage_ms[static_cast<std::size_t>(name)] = timer.lap_ms();
+}
+
+}  // namespace
+
+// One step, in the order in which it happens. Each stage is one file of this folder.
+void step_world(WorldState& world, double dt) {
+    const FpModeScope fp_mode;
+    Timer timer;
+    StepContext step = begin_step(world, dt);
+    run<update_pairs>(step, Stage::update_pairs);            // which shapes may touch
+    run<update_contacts>(step, Stage::update_contacts);      // where they touch
+    run<solve_constraints>(step, Stage::solve_constraints);  // sub-steps of all that touches
+    run<link_islands>(step, Stage::link_islands);            // what hangs together
+    run<integrate_free>(step, Stage::integrate_free);        // all that touches nothing
+    run<finalize>(step, Stage::finalize);                    // poses, bounds, rest time
+    run<quarantine>(step, Stage::quarantine);                // nothing that is not a number leaves
+    run<update_sleep>(step, Stage::update_sleep);            // resting islands leave the awake set
+    run<publish_events>(step, Stage::publish_events);        // sorted, ready to read
+    world.steps++;
+    world.profile.step_ms = timer.lap_ms();
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "stages/update_pairs.h"
+
+#include <algorithm>
+
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+void add_pair(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t body_a = world.shapes.shapes[a].body, body_b = world.shapes.shapes[b].body;
+    if (body_a == body_b) return;
+    if (world.bodies.cold[body_a].type != BodyType::dynamic &&
+        world.bodies.cold[body_b].type != BodyType::dynamic)
+        return;
+    if (world.contacts.by_pair.contains(pair_key(a, b))) return;
+    world.scratch.new_pairs.emplace_back(std::min(a, b), std::max(a, b));
+}
+
+void find_neighbours(WorldState& world, std::uint32_t index) {
+    const ShapeStore& store = world.shapes;
+    const ShapeRecord& shape = store.shapes[index];
+    const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+    if (is_plane(shape)) {
+        for (std::uint32_t other = 0; other < store.ids.size(); other++)
+            if (store.ids.alive(other) && !is_plane(store.shapes[other]) &&
+                reaches_plane(world, shape, store.shapes[other].fat))
+                add_pair(world, index, other);
+        return;
+    }
+    const auto add = [&](std::uint32_t other) { add_pair(world, index, other); };
+    store.moving_tree.query(shape.fat, add);
+    if (fixed) return;
+    store.fixed_tree.query(shape.fat, add);
+    for (const std::uint32_t plane : store.planes)
+        if (reaches_plane(world, store.shapes[plane], shape.fat)) add(plane);
+}
+
+// A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
+void wake_if_all_asleep(WorldState& world, const Contact& c) {
+    for (const std::uint32_t body : {c.body_a, c.body_b})
+        if (world.bodies.cold[body].set == BodySet::awake) return;
+    wake_island(world, world.bodies.cold[c.body_a].island, world.events.woke);
+}
+
+}  // namespace
+
+void update_pairs(StepContext& step) {
+    WorldState& world = step.world;
+    std::vector<std::uint32_t>& moved = world.shapes.moved;
+    if (!moved.empty()) {
+        auto& pairs = world.scratch.new_pairs;
+        pairs.clear();
+        for (const std::uint32_t shape : moved) find_neighbours(world, shape);
+        for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
+        moved.clear();
+        // Sorted: contact indices must not depend on the shape of a tree.
+        std::sort(pairs.begin(), pairs.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+        for (const auto& [a, b] : pairs) {
+            const std::uint32_t contact = create_contact(world, a, b);
+            wake_if_all_asleep(world, world.contacts.contacts[contact]);
+        }
+    }
+    world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
+}
+
+}  // namespace jostle::physics

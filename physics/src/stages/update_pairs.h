@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// Broad phase: which shapes may touch. Shapes that left their fat box look for new neighbours.
+#pragma once
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+void update_pairs(StepContext& step);
+
+}  // namespace jostle::physics

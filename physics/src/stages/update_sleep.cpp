@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "stages/update_sleep.h"
+
+#include "jostle/physics/tuning.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+// What touches a moving kinematic body is not at rest, however slowly that moves.
+void keep_carried_awake(WorldState& world) {
+    for (int c = 0; c < colour_count; c++) {
+        if (second_of(c) != Second::driven) continue;
+        for (const BlockSide& side : world.manifolds.colours[static_cast<std::size_t>(c)].sides)
+            for (int lane = 0; lane < 8; lane++) {
+                if ((side.touching >> lane & 1) == 0) continue;
+                const Contact& contact = world.contacts.contacts[side.contact[lane]];
+                const BodyWarm& driver = warm_of(world, contact.body_b);
+                if (driver.v != Vec3{} || driver.w != Vec3{})
+                    warm_of(world, contact.body_a).quiet = 0;
+            }
+    }
+}
+
+// The rest time of each awake island's most restless and most restful body.
+void measure_rest(WorldState& world) {
+    StepScratch& scratch = world.scratch;
+    scratch.island_quiet.assign(world.islands.ids.size(), 1e300);
+    scratch.island_most_quiet.assign(world.islands.ids.size(), 0);
+    for (const BodyWarm& warm : world.bodies.awake) {
+        const std::uint32_t island = world.bodies.cold[warm.body].island;
+        if (island == none) continue;  // kinematic
+        scratch.island_quiet[island] = minimum(scratch.island_quiet[island], warm.quiet);
+        scratch.island_most_quiet[island] = maximum(scratch.island_most_quiet[island], warm.quiet);
+    }
+}
+
+// Everything that hangs together with `seed` joins `island`. Bodies not yet reached have no island.
+void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
+    std::vector<std::uint32_t>& stack = world.scratch.stack;
+    stack.assign(1, seed);
+    add_to_island(world, island, seed);
+    while (!stack.empty()) {
+        const std::uint32_t body = stack.back();
+        stack.pop_back();
+        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            if (!c.touching) return;
+            const std::uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+            const BodyCold& cold = world.bodies.cold[other];
+            if (cold.type != BodyType::dynamic || cold.island != none) return;
+            add_to_island(world, island, other);
+            stack.push_back(other);
+        });
+    }
+}
+
+// Cuts an island into what still hangs together. The part of its first body keeps the island's
+// index.
+void split_island(WorldState& world, std::uint32_t island) {
+    std::vector<std::uint32_t> bodies;
+    for (std::uint32_t b = world.islands.islands[island].first; b != none;
+         b = world.bodies.cold[b].island_next)
+        bodies.push_back(b);
+    world.islands.islands[island] = Island{};
+    for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
+    bool first = true;
+    for (const std::uint32_t body : bodies) {
+        if (world.bodies.cold[body].island != none) continue;
+        flood(world, first ? island : create_island(world), body);
+        first = false;
+    }
+}
+
+void report_asleep(WorldState& world, std::uint32_t island) {
+    for (const BodyWarm& warm : world.islands.islands[island].sleepers)
+        world.events.fell_asleep.push_back(body_id(world, warm.body));
+}
+
+}  // namespace
+
+void update_sleep(StepContext& step) {
+    WorldState& world = step.world;
+    if (!world.def.sleeping || world.bodies.awake.empty()) return;
+    keep_carried_awake(world);
+    measure_rest(world);
+    const StepScratch& scratch = world.scratch;
+    // Splitting adds islands at the end or in holes; those wait for the next step's measure.
+    const std::uint32_t count = world.islands.ids.size();
+    std::uint32_t sleepiest = none;
+    int awake = 0;
+    for (std::uint32_t i = 0; i < count; i++) {
+        if (!world.islands.ids.alive(i) || world.islands.islands[i].asleep) continue;
+        awake++;
+        if (scratch.island_most_quiet[i] < tuning::sleep_time) continue;
+        const bool all_rest = scratch.island_quiet[i] >= tuning::sleep_time;
+        if (all_rest && !world.islands.islands[i].may_be_split) {
+            put_island_to_sleep(world, i);
+            report_asleep(world, i);
+            awake--;
+        } else if (world.islands.islands[i].may_be_split &&
+                   (sleepiest == none ||
+                    scratch.island_most_quiet[sleepiest] < scratch.island_most_quiet[i])) {
+            sleepiest = i;
+        }
+    }
+    // One split a step is enough: a part that rests can wait a step, and a pile in motion would be
+    // split in vain.
+    if (sleepiest != none) split_island(world, sleepiest);
+    world.profile.islands_awake = awake;
+}
+
+}  // namespace jostle::physics

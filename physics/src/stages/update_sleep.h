@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// Resting islands leave the awake set.
+#pragma once
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+void update_sleep(StepContext& step);
+
+}  // namespace jostle::physics

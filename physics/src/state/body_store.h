@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Bodies. A body is three records: cold (what the user set and what links to it; at a fixed place),
+// warm (pose and velocity in double; in the array of its set) and hot (what the contact kernel
+// touches, made anew each step; in constraints/solver_body.h). Sets are contiguous, so the awake
+// set is all that a step walks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "foundation/id_pool.h"
+#include "jostle/physics/defs.h"
+#include "jostle/physics/mat3.h"
+
+namespace jostle::physics {
+
+inline constexpr std::uint32_t none = 0xffffffff;
+
+enum class BodySet : std::uint8_t {
+    fixed,     // BodyStore::fixed
+    awake,     // BodyStore::awake: moving dynamic bodies and all kinematic ones
+    sleeping,  // Island::sleepers of its island
+};
+
+struct BodyCold {
+    // What the user set.
+    BodyType type = BodyType::dynamic;
+    bool may_sleep = true;
+    double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    std::uint64_t user_data = 0;
+
+    // What its shapes make of it. Infinite mass and inertia are zero inverses.
+    double mass = 0, inverse_mass = 0;
+    Mat3 inertia = diagonal({0, 0, 0}),
+         inverse_inertia = diagonal({0, 0, 0});  // about the centre, body axes
+    Vec3 local_center;                           // of mass, from the body's origin
+    double radius = 0;                           // m from the centre of mass to the furthest point
+    bool isotropic =
+        true;  // inertia is a multiple of the identity: no gyroscopic term, no inertia to turn
+
+    // Where it is and what hangs on it.
+    BodySet set = BodySet::fixed;
+    std::uint32_t at = 0;  // index in its set
+    std::uint32_t first_shape = none,
+                  last_shape = none;  // list through ShapeRecord::next, in order of creation
+    std::uint32_t first_edge = none;  // list of contacts: contact * 2 + side
+    std::uint32_t island = none;      // dynamic bodies always have one
+    std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
+    std::uint64_t colours = 0;                             // colours its lanes take
+    std::uint32_t lanes = 0;                               // manifolds in the solver
+};
+
+struct BodyWarm {
+    std::uint32_t body = none;
+    Vec3 center;  // of mass, m, world
+    Quat rotation;
+    Vec3 v, w;           // m/s, rad/s, world
+    Vec3 force, torque;  // N, N m: for the next step, then zero
+    double quiet = 0;    // s below the sleep speed
+    Mat3 axes;           // to_matrix(rotation): derived, not saved
+};
+
+// How far any point of a body can have moved since its creation, and can have moved when the next
+// step is over. A pair that does not touch is looked at again only when the sum of both exceeds its
+// limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads nothing
+// else.
+struct BodyReach {
+    double travel = 0;  // m, never decreases
+    double reach = 0;   // m
+};
+
+struct BodyStore {
+    IdPool ids;
+    std::vector<BodyCold> cold;    // by index
+    std::vector<BodyReach> reach;  // by index
+    std::vector<BodyWarm> fixed, awake;
+};
+
+inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
+    return {warm.center - warm.axes * cold.local_center, warm.rotation};
+}
+
+// Inverse inertia in world axes.
+inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
+    if (cold.isotropic) return cold.inverse_inertia;
+    return warm.axes * cold.inverse_inertia * transpose(warm.axes);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Contacts: one record per pair of shapes whose fat boxes overlap, from that moment until they
+// part. A contact is in one of three places: in a lane of the solver (it has a manifold), on the
+// waiting list (too far apart for one), or dormant (no body of it is awake; its manifold, if any,
+// is kept by the sleeping island).
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "collision/narrowphase/collide.h"
+#include "foundation/id_pool.h"
+#include "state/body_store.h"
+
+namespace jostle::physics {
+
+struct Contact {
+    std::uint32_t shape_a = none, shape_b = none;
+    std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
+    std::int32_t colour = -1;                    // of its lane; -1: no lane
+    std::int32_t slot = 0;                       // in that colour
+    AxisCache axis = no_axis;
+    bool touching = false;  // pressed in the last step; binds the two bodies into one island
+    bool waiting = false;   // has an entry on the waiting list
+    bool dormant = false;
+    double limit = -1;  // m: to be checked when reach_a + reach_b exceeds it
+    // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
+    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
+};
+
+struct Waiting {
+    std::uint32_t contact = none, body_a = none, body_b = none;
+    double limit = -1;
+};
+
+struct ContactStore {
+    IdPool ids;
+    std::vector<Contact> contacts;
+    std::vector<Waiting> waiting;
+    std::unordered_map<std::uint64_t, std::uint32_t> by_pair;  // looked up, never walked; derived
+};
+
+inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {
+    const std::uint64_t low = shape_a < shape_b ? shape_a : shape_b;
+    const std::uint64_t high = shape_a < shape_b ? shape_b : shape_a;
+    return low << 32 | high;
+}
+
+// Calls visit(contact index) for every contact of a body. The visit may destroy that contact, no
+// other.
+template <class Visit>
+void for_each_contact(ContactStore& store, const BodyCold& body, Visit&& visit) {
+    for (std::uint32_t edge = body.first_edge; edge != none;) {
+        const std::uint32_t contact = edge / 2;
+        edge = store.contacts[contact].next[edge % 2];
+        visit(contact);
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// What happened in the last step, to be read until the next one. Not part of the state: never saved
+// or hashed.
+#pragma once
+
+#include <vector>
+
+#include "jostle/physics/events.h"
+
+namespace jostle::physics {
+
+struct EventStore {
+    std::vector<ContactBegin> contacts_began;
+    std::vector<ContactEnd> contacts_ended;
+    std::vector<BodyId> fell_asleep, woke, quarantined;
+    // Ended between steps by destroying or moving a body; published with the next step.
+    std::vector<ContactEnd> pending_ended;
+    std::vector<BodyId> pending_woke;
+
+    void begin_step() {
+        contacts_began.clear();
+        contacts_ended.clear();
+        fell_asleep.clear();
+        woke.clear();
+        quarantined.clear();
+        contacts_ended.swap(pending_ended);
+        woke.swap(pending_woke);
+    }
+};
+
+}  // namespace jostle::physics

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "state/lanes.h"
+
+#include <cstring>
+
+#include "foundation/check.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int first_saved_row = 2;  // after a and b
+
+void clear_lane(ManifoldBlock& block, BlockSide& side, int lane) {
+    block.a[lane] = block.b[lane] = 0;
+    for (int row = first_saved_row; row < manifold_rows; row++) *lane_float(block, row, lane) = 0;
+    for (auto& gap : block.gap) gap[lane] = no_point;
+    block.g[0][lane] = 1;  // is divided by
+    side.moved[lane] = 0;
+    side.restitution[lane] = 0;
+    side.contact[lane] = none;
+    const auto keep = static_cast<std::uint8_t>(~(1u << lane));
+    side.aged &= keep;
+    side.touching &= keep;
+    side.pressing &= keep;
+    side.turning &= keep;
+    side.bouncy &= keep;
+}
+
+std::uint8_t with_bit(std::uint8_t bits, int lane, bool on) {
+    const auto bit = static_cast<std::uint8_t>(1u << lane);
+    return static_cast<std::uint8_t>(on ? bits | bit : bits & ~bit);
+}
+
+void copy_lane(const LanePlace& to, const LanePlace& from) {
+    constexpr std::size_t row_bytes = sizeof(ManifoldBlock) / manifold_rows;
+    auto* target = reinterpret_cast<char*>(to.block);
+    const auto* source = reinterpret_cast<const char*>(from.block);
+    for (std::size_t row = 0; row < manifold_rows; row++)
+        std::memcpy(target + row * row_bytes + 4 * static_cast<std::size_t>(to.lane),
+                    source + row * row_bytes + 4 * static_cast<std::size_t>(from.lane), 4);
+    to.side->moved[to.lane] = from.side->moved[from.lane];
+    to.side->restitution[to.lane] = from.side->restitution[from.lane];
+    to.side->contact[to.lane] = from.side->contact[from.lane];
+    const auto copy = [&](std::uint8_t BlockSide::*bits) {
+        to.side->*bits =
+            with_bit(to.side->*bits, to.lane, (from.side->*bits >> from.lane & 1) != 0);
+    };
+    copy(&BlockSide::aged);
+    copy(&BlockSide::touching);
+    copy(&BlockSide::pressing);
+    copy(&BlockSide::turning);
+    copy(&BlockSide::bouncy);
+}
+
+LanePlace place_at(Colour& colour, int colour_index, std::int32_t slot) {
+    const auto block = static_cast<std::size_t>(slot / lanes_per_block(colour_index));
+    return {&colour, &colour.blocks[block], &colour.sides[block],
+            slot % lanes_per_block(colour_index)};
+}
+
+Second second_kind(const BodyCold& b) {
+    if (b.type == BodyType::dynamic) return Second::moving;
+    return b.type == BodyType::kinematic ? Second::driven : Second::fixed;
+}
+
+int free_colour(std::uint64_t taken, Second kind) {
+    int first = 0, last = moving_colours;
+    if (kind == Second::driven) first = moving_colours, last = moving_colours + driven_colours;
+    if (kind == Second::fixed) first = moving_colours + driven_colours, last = mask_colours;
+    for (int c = first; c < last; c++)
+        if ((taken >> c & 1) == 0) return c;
+    return mask_colours + static_cast<int>(kind);
+}
+
+}  // namespace
+
+void add_block(Colour& colour) {
+    colour.blocks.emplace_back();
+    colour.sides.emplace_back();
+    colour.bounces.emplace_back();
+    std::memset(static_cast<void*>(&colour.blocks.back()), 0, sizeof(ManifoldBlock));
+    std::memset(static_cast<void*>(&colour.bounces.back()), 0, sizeof(BlockBounce));
+    for (int lane = 0; lane < 8; lane++)
+        clear_lane(colour.blocks.back(), colour.sides.back(), lane);
+}
+
+LanePlace place_of(WorldState& world, const Contact& contact) {
+    ASSERT(contact.colour >= 0);
+    return place_at(world.manifolds.colours[static_cast<std::size_t>(contact.colour)],
+                    contact.colour, contact.slot);
+}
+
+void write_body_indices(WorldState& world, const Contact& contact) {
+    const LanePlace place = place_of(world, contact);
+    const auto hot_index = [&](std::uint32_t body) {
+        const BodyCold& cold = world.bodies.cold[body];
+        return cold.set == BodySet::awake ? static_cast<std::int32_t>(cold.at) + 1 : 0;
+    };
+    place.block->a[place.lane] = hot_index(contact.body_a);
+    place.block->b[place.lane] = hot_index(contact.body_b);
+}
+
+void take_lane(WorldState& world, std::uint32_t contact_index) {
+    Contact& contact = world.contacts.contacts[contact_index];
+    BodyCold& a = world.bodies.cold[contact.body_a];
+    BodyCold& b = world.bodies.cold[contact.body_b];
+    ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
+    const Second kind = second_kind(b);
+    const int c = free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind);
+    if (!is_overflow(c)) {
+        a.colours |= 1ull << c;
+        if (kind == Second::moving) b.colours |= 1ull << c;
+    }
+    a.lanes++;
+    if (kind == Second::moving) b.lanes++;
+
+    Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c)];
+    if (colour.lanes % lanes_per_block(c) == 0) add_block(colour);
+    contact.colour = c;
+    contact.slot = colour.lanes++;
+    const LanePlace place = place_of(world, contact);
+    place.side->contact[place.lane] = contact_index;
+    const bool turning = !a.isotropic || (kind == Second::moving && !b.isotropic);
+    place.side->turning = with_bit(place.side->turning, place.lane, turning);
+    write_body_indices(world, contact);
+}
+
+void release_lane(WorldState& world, std::uint32_t contact_index) {
+    Contact& contact = world.contacts.contacts[contact_index];
+    const int c = contact.colour;
+    BodyCold& a = world.bodies.cold[contact.body_a];
+    BodyCold& b = world.bodies.cold[contact.body_b];
+    const bool two = second_of(c) == Second::moving;
+    if (!is_overflow(c)) {
+        a.colours &= ~(1ull << c);
+        if (two) b.colours &= ~(1ull << c);
+    }
+    a.lanes--;
+    if (two) b.lanes--;
+
+    Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c)];
+    const LanePlace hole = place_of(world, contact);
+    const LanePlace last = place_at(colour, c, colour.lanes - 1);
+    if (contact.slot != colour.lanes - 1) {
+        copy_lane(hole, last);
+        world.contacts.contacts[hole.side->contact[hole.lane]].slot = contact.slot;
+    }
+    clear_lane(*last.block, *last.side, last.lane);
+    colour.lanes--;
+    if (last.lane == 0) {
+        colour.blocks.pop_back();
+        colour.sides.pop_back();
+        colour.bounces.pop_back();
+    }
+    contact.colour = -1;
+    contact.slot = 0;
+}
+
+SavedManifold save_lane(const WorldState& world, std::uint32_t contact_index) {
+    const LanePlace place =
+        place_of(const_cast<WorldState&>(world), world.contacts.contacts[contact_index]);
+    SavedManifold saved{.contact = contact_index,
+                        .moved = place.side->moved[place.lane],
+                        .restitution = place.side->restitution[place.lane],
+                        .aged = (place.side->aged >> place.lane & 1) != 0};
+    for (int row = first_saved_row; row < manifold_rows; row++)
+        saved.rows[static_cast<std::size_t>(row - first_saved_row)] =
+            *lane_float(*place.block, row, place.lane);
+    return saved;
+}
+
+void restore_lane(WorldState& world, const SavedManifold& saved) {
+    take_lane(world, saved.contact);
+    const Contact& contact = world.contacts.contacts[saved.contact];
+    const LanePlace place = place_of(world, contact);
+    for (int row = first_saved_row; row < manifold_rows; row++)
+        *lane_float(*place.block, row, place.lane) =
+            saved.rows[static_cast<std::size_t>(row - first_saved_row)];
+    place.side->moved[place.lane] = saved.moved;
+    place.side->restitution[place.lane] = saved.restitution;
+    place.side->aged = with_bit(place.side->aged, place.lane, saved.aged);
+    place.side->touching = with_bit(place.side->touching, place.lane, contact.touching);
+    place.side->bouncy = with_bit(place.side->bouncy, place.lane, saved.restitution > 0);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Takes and gives back lanes of the manifold store, and keeps colours, lane counts and hot indices
+// of the bodies in step. Called serially, in an order that does not depend on threads: lane order
+// decides the bits of a solve.
+#pragma once
+
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+// Gives the contact a lane in the lowest colour that both moving bodies have free. Both bodies are
+// awake (or fixed). The lane is empty: constraints/write_manifold.h fills it.
+void take_lane(WorldState& world, std::uint32_t contact);
+
+// The last lane of the colour moves into the hole.
+void release_lane(WorldState& world, std::uint32_t contact);
+
+// A lane's content outside the solver and back again.
+SavedManifold save_lane(const WorldState& world, std::uint32_t contact);
+void restore_lane(WorldState& world, const SavedManifold& saved);  // takes a lane first
+
+// Writes the hot indices of the contact's bodies into its lane: after a lane was taken or a body
+// moved in the awake set.
+void write_body_indices(WorldState& world, const Contact& contact);
+
+// Adds an empty block at the end of a colour.
+void add_block(Colour& colour);
+
+struct LanePlace {
+    Colour* colour;
+    ManifoldBlock* block;
+    BlockSide* side;
+    int lane;
+};
+LanePlace place_of(WorldState& world, const Contact& contact);
+
+// Row `row` of a block's lane as one float; rows 0 and 1 hold the body indices.
+inline float* lane_float(ManifoldBlock& block, int row, int lane) {
+    return reinterpret_cast<float*>(&block) + row * 8 + lane;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+#include "state/links.h"
+
+#include <algorithm>
+
+#include "foundation/check.h"
+#include "geometry/bounds.h"
+#include "jostle/physics/tuning.h"
+#include "state/lanes.h"
+
+namespace jostle::physics {
+namespace {
+
+bool is_dynamic(const WorldState& world, std::uint32_t body) {
+    return world.bodies.cold[body].type == BodyType::dynamic;
+}
+
+// A kinematic body without velocity: as good as fixed.
+bool is_parked(const WorldState& world, std::uint32_t body) {
+    const BodyWarm& warm = warm_of(world, body);
+    return !is_dynamic(world, body) && warm.v == Vec3{} && warm.w == Vec3{};
+}
+
+void link_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCold& body) {
+    const std::uint32_t edge = contact * 2 + side;
+    Contact& c = store.contacts[contact];
+    c.prev[side] = none;
+    c.next[side] = body.first_edge;
+    if (body.first_edge != none)
+        store.contacts[body.first_edge / 2].prev[body.first_edge % 2] = edge;
+    body.first_edge = edge;
+}
+
+void unlink_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCold& body) {
+    Contact& c = store.contacts[contact];
+    const std::uint32_t next = c.next[side], prev = c.prev[side];
+    if (next != none) store.contacts[next / 2].prev[next % 2] = prev;
+    if (prev != none)
+        store.contacts[prev / 2].next[prev % 2] = next;
+    else
+        body.first_edge = next;
+}
+
+}  // namespace
+
+// --- contacts ---
+
+std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+    ContactStore& store = world.contacts;
+    if (!is_dynamic(world, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
+    const std::uint32_t index = store.ids.take();
+    if (index == store.contacts.size()) store.contacts.emplace_back();
+    Contact& c = store.contacts[index];
+    c = Contact{.shape_a = shape_a,
+                .shape_b = shape_b,
+                .body_a = world.shapes.shapes[shape_a].body,
+                .body_b = world.shapes.shapes[shape_b].body};
+    ASSERT(is_dynamic(world, c.body_a));
+    link_edge(store, index, 0, world.bodies.cold[c.body_a]);
+    link_edge(store, index, 1, world.bodies.cold[c.body_b]);
+    store.by_pair.emplace(pair_key(shape_a, shape_b), index);
+    put_on_waiting_list(world, index, -1);
+    return index;
+}
+
+void put_on_waiting_list(WorldState& world, std::uint32_t contact, double limit) {
+    Contact& c = world.contacts.contacts[contact];
+    c.limit = limit;
+    c.dormant = false;
+    if (c.waiting) {
+        // Only an entry that was dormant meanwhile is still there; it keeps its place and limit.
+        return;
+    }
+    c.waiting = true;
+    world.contacts.waiting.push_back({contact, c.body_a, c.body_b, limit});
+}
+
+void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended) {
+    ContactStore& store = world.contacts;
+    Contact& c = store.contacts[contact];
+    if (c.touching) {
+        ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
+                         body_id(world, c.body_a), body_id(world, c.body_b)});
+        end_touch(world, contact);
+    }
+    if (c.colour >= 0) release_lane(world, contact);
+    if (c.waiting)
+        std::erase_if(store.waiting, [&](const Waiting& w) { return w.contact == contact; });
+    if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {
+        Island& island = world.islands.islands[world.bodies.cold[c.body_a].island];
+        std::erase_if(island.manifolds,
+                      [&](const SavedManifold& m) { return m.contact == contact; });
+    }
+    unlink_edge(store, contact, 0, world.bodies.cold[c.body_a]);
+    unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
+    store.by_pair.erase(pair_key(c.shape_a, c.shape_b));
+    c = Contact{};
+    store.ids.give_back(contact);
+}
+
+void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended) {
+    for_each_contact(world.contacts, world.bodies.cold[body],
+                     [&](std::uint32_t contact) { destroy_contact(world, contact, ended); });
+}
+
+void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape,
+                               std::vector<ContactEnd>& ended) {
+    const BodyCold& body = world.bodies.cold[world.shapes.shapes[shape].body];
+    for_each_contact(world.contacts, body, [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        if (c.shape_a == shape || c.shape_b == shape) destroy_contact(world, contact, ended);
+    });
+}
+
+// --- islands ---
+
+std::uint32_t create_island(WorldState& world) {
+    const std::uint32_t index = world.islands.ids.take();
+    if (index == world.islands.islands.size()) world.islands.islands.emplace_back();
+    world.islands.islands[index] = Island{};
+    return index;
+}
+
+void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t body) {
+    Island& island = world.islands.islands[island_index];
+    BodyCold& cold = world.bodies.cold[body];
+    cold.island = island_index;
+    cold.island_prev = island.last;
+    cold.island_next = none;
+    if (island.last != none)
+        world.bodies.cold[island.last].island_next = body;
+    else
+        island.first = body;
+    island.last = body;
+    island.bodies++;
+}
+
+void remove_from_island(WorldState& world, std::uint32_t body) {
+    BodyCold& cold = world.bodies.cold[body];
+    const std::uint32_t index = cold.island;
+    Island& island = world.islands.islands[index];
+    if (cold.island_prev != none)
+        world.bodies.cold[cold.island_prev].island_next = cold.island_next;
+    else
+        island.first = cold.island_next;
+    if (cold.island_next != none)
+        world.bodies.cold[cold.island_next].island_prev = cold.island_prev;
+    else
+        island.last = cold.island_prev;
+    cold.island = cold.island_prev = cold.island_next = none;
+    if (--island.bodies == 0) {
+        island = Island{};
+        world.islands.ids.give_back(index);
+    }
+}
+
+void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (a == b) return;
+    const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
+    ASSERT(!ia.asleep && !ib.asleep);
+    if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);
+    Island& into = world.islands.islands[a];
+    Island& from = world.islands.islands[b];
+    for (std::uint32_t body = from.first; body != none; body = world.bodies.cold[body].island_next)
+        world.bodies.cold[body].island = a;
+    world.bodies.cold[into.last].island_next = from.first;
+    world.bodies.cold[from.first].island_prev = into.last;
+    into.last = from.last;
+    into.bodies += from.bodies;
+    into.may_be_split = into.may_be_split || from.may_be_split;
+    from = Island{};
+    world.islands.ids.give_back(b);
+}
+
+void begin_touch(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    c.touching = true;
+    if (is_dynamic(world, c.body_b))
+        join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
+}
+
+void end_touch(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    c.touching = false;
+    if (is_dynamic(world, c.body_b))
+        world.islands.islands[world.bodies.cold[c.body_a].island].may_be_split = true;
+}
+
+// --- sets ---
+
+void enter_fixed(WorldState& world, const BodyWarm& warm) {
+    BodyCold& cold = world.bodies.cold[warm.body];
+    cold.set = BodySet::fixed;
+    cold.at = static_cast<std::uint32_t>(world.bodies.fixed.size());
+    world.bodies.fixed.push_back(warm);
+}
+
+void enter_awake(WorldState& world, const BodyWarm& warm) {
+    BodyCold& cold = world.bodies.cold[warm.body];
+    cold.set = BodySet::awake;
+    cold.at = static_cast<std::uint32_t>(world.bodies.awake.size());
+    world.bodies.awake.push_back(warm);
+}
+
+void leave_set(WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    ASSERT(cold.set != BodySet::sleeping);
+    auto& set = cold.set == BodySet::fixed ? world.bodies.fixed : world.bodies.awake;
+    const std::uint32_t hole = cold.at;
+    if (hole + 1 < set.size()) {
+        set[hole] = set.back();
+        BodyCold& moved = world.bodies.cold[set[hole].body];
+        moved.at = hole;
+        if (moved.set == BodySet::awake)
+            for_each_contact(world.contacts, moved, [&](std::uint32_t contact) {
+                const Contact& c = world.contacts.contacts[contact];
+                if (c.colour >= 0) write_body_indices(world, c);
+            });
+    }
+    set.pop_back();
+}
+
+void wake_island(WorldState& world, std::uint32_t island_index, std::vector<BodyId>& woke) {
+    Island& island = world.islands.islands[island_index];
+    if (!island.asleep) return;
+    island.asleep = false;
+    const std::vector<BodyWarm> sleepers = std::move(island.sleepers);
+    const std::vector<SavedManifold> manifolds = std::move(island.manifolds);
+    island.sleepers = {};
+    island.manifolds = {};
+    for (const BodyWarm& warm : sleepers) {
+        enter_awake(world, warm);
+        woke.push_back(body_id(world, warm.body));
+    }
+    for (const SavedManifold& saved : manifolds) {
+        restore_lane(world, saved);
+        world.contacts.contacts[saved.contact].dormant = false;
+    }
+    // What has no manifold waits as before. A contact with another island that still sleeps is
+    // awake now on one side.
+    for (const BodyWarm& warm : sleepers)
+        for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            if (c.dormant) put_on_waiting_list(world, contact, c.limit);
+        });
+}
+
+void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
+    Island& island = world.islands.islands[island_index];
+    ASSERT(!island.asleep && island.sleepers.empty());
+    // Manifolds first, while the hot indices still mean something. Each contact is met at its body
+    // a, or at b when only b is of this island.
+    for (std::uint32_t body = island.first; body != none;
+         body = world.bodies.cold[body].island_next) {
+        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+            Contact& c = world.contacts.contacts[contact];
+            if (c.dormant) return;
+            const std::uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+            const BodyCold& other_cold = world.bodies.cold[other];
+            const bool inside = other_cold.island == island_index;
+            const bool other_moves =
+                other_cold.set == BodySet::awake && !inside && !is_parked(world, other);
+            if (c.colour >= 0) {
+                // A manifold with an awake outsider (near, not touching) or a kinematic one ends;
+                // the pair waits.
+                const bool keep = inside || !other_moves;
+                if (keep) island.manifolds.push_back(save_lane(world, contact));
+                release_lane(world, contact);
+                if (!keep) {
+                    if (c.touching) end_touch(world, contact);
+                    put_on_waiting_list(world, contact, -1);
+                    return;
+                }
+            }
+            if (!other_moves) c.dormant = true;
+        });
+    }
+    for (std::uint32_t body = island.first; body != none;
+         body = world.bodies.cold[body].island_next) {
+        BodyCold& cold = world.bodies.cold[body];
+        BodyWarm warm = world.bodies.awake[cold.at];
+        warm.v = warm.w = {};
+        leave_set(world, body);
+        cold.set = BodySet::sleeping;
+        cold.at = static_cast<std::uint32_t>(island.sleepers.size());
+        island.sleepers.push_back(warm);
+        world.bodies.reach[body].reach = world.bodies.reach[body].travel;
+    }
+    island.asleep = true;
+}
+
+void wake_body(WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (cold.type != BodyType::dynamic) return;
+    wake_island(world, cold.island, world.events.pending_woke);
+    warm_of(world, body).quiet = 0;
+}
+
+void wake_neighbours(WorldState& world, std::uint32_t body) {
+    std::vector<std::uint32_t> others;
+    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        others.push_back(c.body_a == body ? c.body_b : c.body_a);
+    });
+    std::sort(others.begin(), others.end());
+    for (const std::uint32_t other : others) wake_body(world, other);
+}
+
+// --- bounds and reach ---
+
+void derive_shape(const BodyCold& cold, ShapeRecord& shape) {
+    shape.offset = shape.pose.position - cold.local_center;
+    shape.axes = to_matrix(shape.pose.rotation);
+    shape.aligned = shape.pose.rotation == Quat{};
+}
+
+void enter_tree(WorldState& world, std::uint32_t index) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (is_plane(shape)) {
+        auto& planes = world.shapes.planes;
+        planes.insert(std::lower_bound(planes.begin(), planes.end(), index), index);
+    } else {
+        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+        shape.leaf =
+            (fixed ? world.shapes.fixed_tree : world.shapes.moving_tree).insert(shape.fat, index);
+    }
+    if (!shape.moved) {
+        shape.moved = true;
+        world.shapes.moved.push_back(index);
+    }
+}
+
+void leave_tree(WorldState& world, std::uint32_t index) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (is_plane(shape)) {
+        std::erase(world.shapes.planes, index);
+    } else {
+        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+        (fixed ? world.shapes.fixed_tree : world.shapes.moving_tree).remove(shape.leaf);
+        shape.leaf = DynamicTree::null_node;
+    }
+    if (shape.moved) {
+        shape.moved = false;
+        std::erase(world.shapes.moved, index);
+    }
+}
+
+void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (!is_plane(shape)) {
+        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+        Aabb fat = bounds_of(placed(shape, warm));
+        if (!fixed) {
+            fat = grow(fat, tuning::fat_margin);
+            const Vec3 ahead = warm.v * (dt * tuning::fat_steps_ahead);
+            fat = {fat.low + min(ahead, Vec3{}), fat.high + max(ahead, Vec3{})};
+        }
+        shape.fat = fat;
+        if (shape.leaf != DynamicTree::null_node)
+            (fixed ? world.shapes.fixed_tree : world.shapes.moving_tree).move(shape.leaf, fat);
+    }
+    if (!shape.moved) {
+        shape.moved = true;
+        world.shapes.moved.push_back(index);
+    }
+}
+
+bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
+    const Placed p = placed(plane, warm_of(world, plane.body));
+    const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;
+    const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
+                      n.z > 0 ? box.low.z : box.high.z};
+    return dot(lowest - p.position, n) <= 0;
+}
+
+void look_ahead(WorldState& world, std::uint32_t body, double dt) {
+    const BodyCold& cold = world.bodies.cold[body];
+    const BodyWarm& warm = warm_of(world, body);
+    BodyReach& reach = world.bodies.reach[body];
+    // Half as much again as the present speed, and twice what gravity and forces can add.
+    const double speed = length(warm.v) + length(warm.w) * cold.radius;
+    const double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +
+                                length(warm.force) * cold.inverse_mass;
+    reach.reach = reach.travel + 1.5 * dt * speed + dt * dt * acceleration;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// The edges between stores: contact to body, body to island, body to set. Every change of an edge
+// goes through here, so that the stores agree; state/validate.h checks that they do.
+#pragma once
+
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+// --- contacts ---
+// A new contact on the waiting list, to be checked in the next step. Orders the shapes so that a is
+// dynamic.
+std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b);
+// Frees its lane, unbinds the islands, reports the end when it was touching (to `ended`).
+void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended);
+void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended);
+void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape,
+                               std::vector<ContactEnd>& ended);
+void put_on_waiting_list(WorldState& world, std::uint32_t contact, double limit);
+
+// --- islands ---
+std::uint32_t create_island(WorldState& world);
+void add_to_island(WorldState& world, std::uint32_t island, std::uint32_t body);
+// Frees the island when its last body leaves.
+void remove_from_island(WorldState& world, std::uint32_t body);
+// The smaller joins the larger; of equals the higher index joins the lower. Both awake.
+void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b);
+// Begins or ends the bond that a touching contact is.
+void begin_touch(WorldState& world, std::uint32_t contact);
+void end_touch(WorldState& world, std::uint32_t contact);
+
+// --- sets ---
+// Moves the warm record into a set. `warm` is taken as it is.
+void enter_fixed(WorldState& world, const BodyWarm& warm);
+void enter_awake(WorldState& world, const BodyWarm& warm);
+// The last body of the set moves into the hole.
+void leave_set(WorldState& world, std::uint32_t body);
+
+void wake_island(WorldState& world, std::uint32_t island, std::vector<BodyId>& woke);
+void put_island_to_sleep(WorldState& world, std::uint32_t island);
+// Wakes a dynamic body's island if it sleeps, and starts its rest time anew.
+void wake_body(WorldState& world, std::uint32_t body);
+// Wakes everything that touches the body or is near it.
+void wake_neighbours(WorldState& world, std::uint32_t body);
+
+// --- bounds and reach ---
+// Recomputes what is derived from the shape's pose in its body.
+void derive_shape(const BodyCold& cold, ShapeRecord& shape);
+// Puts a new shape into its tree (or the plane list) and asks for its pairs.
+void enter_tree(WorldState& world, std::uint32_t shape);
+void leave_tree(WorldState& world, std::uint32_t shape);
+// Gives the shape a new fat box that looks ahead along the body's velocity, and asks for its pairs.
+void refatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
+// Whether any corner of the box is below the plane.
+bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box);
+// How far the body's points may go in a step of dt.
+void look_ahead(WorldState& world, std::uint32_t body, double dt);
+
+}  // namespace jostle::physics

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// Manifolds in solver order: blocks of eight of one colour side by side. A lane is taken when a
+// manifold begins and kept until it ends; the impulses live in it, so nothing is prepared from,
+// copied to or stored in another structure each step. All constraints of a colour have different
+// moving bodies, so blocks of a colour may be solved in any order.
+//
+// All points of a manifold share its normal, so along it a manifold has three degrees of freedom:
+// approach at the centre and tilt about two tangents. Point i sees vn_i = u0 + y_i u1 - x_i u2, and
+// the 4x4 matrix of the normals is J G J^T with one symmetric 3x3 matrix G. The points are solved
+// in registers against u; bodies are read and written once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace jostle::physics {
+
+inline constexpr float no_point =
+    1e6f;  // gap of an unused point: solves to zero by itself, without a mask
+
+// 184 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
+struct alignas(64) ManifoldBlock {
+    std::int32_t a[8], b[8];  // hot body indices; 0 is the null body of unused lanes
+    float normal[3][8];       // from a to b
+    float tangent[3][8];      // second tangent = normal x tangent
+    float arm_a[3][8];        // centre of the manifold from each centre of mass
+    float arm_b[3][8];
+    float x[4][8], y[4][8];  // points in the plane of the tangents, from the centre
+    float gap[4][8];         // separation at the start of the step
+    float lambda[4][8];      // accumulated normal impulses of one sub-step
+    float friction[2][8];    // accumulated friction impulse at the centre
+    float twist[8];          // ... and about the normal
+    float g[6][8];  // 00 01 02 11 12 22: inverse effective mass along (normal; tilt t1; tilt t2)
+    float friction_mass[3][8];  // inverse of the 2x2 tangential block: 00 01 11
+    float twist_mass[8];
+    float mu[8];
+    float lever[8];   // mean distance of the points from the centre: limits twist, ages by rotation
+    float steady[8];  // slow mean of lambda per point: what a soft contact need not give up
+};
+inline constexpr int manifold_rows = 46;  // of 32 bytes, a and b included
+static_assert(sizeof(ManifoldBlock) == manifold_rows * 32);
+
+// Read once per step, so kept away from the block.
+struct alignas(64) BlockSide {
+    float moved[8];  // m of relative motion since the manifold was built
+    float restitution[8];
+    std::uint32_t contact[8];   // who owns the lane; 0xffffffff: nobody
+    std::uint8_t aged = 0;      // lanes to rebuild before the next solve, one bit each
+    std::uint8_t touching = 0;  // lanes whose contact is touching
+    std::uint8_t pressing =
+        0;  // what the last pass found; becomes `touching` when the islands are linked
+    std::uint8_t turning = 0;  // lanes with a body whose inertia is not isotropic
+    std::uint8_t bouncy = 0;   // lanes with restitution > 0
+};
+
+// Scratch of bouncy blocks within one step.
+struct alignas(64) BlockBounce {
+    float approach[4][8];  // m/s at the start of the step, negative: approaching
+    float peak[4][8];      // largest impulse of any sub-step
+};
+
+// What the second body of a colour is: decides which kernel runs.
+enum class Second : std::uint8_t {
+    moving,  // read and written
+    driven,  // kinematic: read only
+    fixed,   // not even read
+};
+
+struct Colour {
+    std::vector<ManifoldBlock> blocks;
+    std::vector<BlockSide> sides;
+    std::vector<BlockBounce>
+        bounces;  // as many as blocks; contents mean something for bouncy blocks only
+    std::int32_t lanes = 0;
+};
+
+// 64 colours, as one bit mask per body, and three overflow lists whose blocks hold one lane each
+// and are solved one after the other, for bodies with more contacts of a kind than there are
+// colours.
+inline constexpr int moving_colours = 48, driven_colours = 6, fixed_colours = 10;
+inline constexpr int mask_colours = moving_colours + driven_colours + fixed_colours;
+static_assert(mask_colours == 64);
+inline constexpr int colour_count = mask_colours + 3;
+
+inline constexpr Second second_of(int colour) {
+    if (colour >= mask_colours) return static_cast<Second>(colour - mask_colours);
+    if (colour < moving_colours) return Second::moving;
+    return colour < moving_colours + driven_colours ? Second::driven : Second::fixed;
+}
+inline constexpr bool is_overflow(int colour) {
+    return colour >= mask_colours;
+}
+inline constexpr int lanes_per_block(int colour) {
+    return is_overflow(colour) ? 1 : 8;
+}
+
+// Contacts with fixed bodies come last: what rests on the floor is pushed out of it in the end.
+inline constexpr std::array<int, colour_count> make_solve_order() {
+    std::array<int, colour_count> order{};
+    int n = 0;
+    for (const Second kind : {Second::moving, Second::driven, Second::fixed}) {
+        order[static_cast<unsigned>(n++)] = mask_colours + static_cast<int>(kind);
+        for (int c = 0; c < mask_colours; c++)
+            if (second_of(c) == kind) order[static_cast<unsigned>(n++)] = c;
+    }
+    return order;
+}
+inline constexpr std::array<int, colour_count> solve_order = make_solve_order();
+
+// One manifold outside the solver: what a sleeping island keeps.
+struct SavedManifold {
+    std::uint32_t contact = 0xffffffff;
+    std::array<float, manifold_rows - 2> rows{};  // of ManifoldBlock, without a and b
+    float moved = 0, restitution = 0;
+    bool aged = false;
+};
+
+struct ManifoldStore {
+    std::array<Colour, colour_count> colours;
+};
+
+}  // namespace jostle::physics

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Shapes and the trees that find them. One tree holds what never moves, the other all else; planes
+// are infinite and stand in a list of their own.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/broadphase/dynamic_tree.h"
+#include "foundation/id_pool.h"
+#include "geometry/placed.h"
+#include "jostle/physics/defs.h"
+#include "state/body_store.h"
+
+namespace jostle::physics {
+
+struct ShapeRecord {
+    Geometry geometry;
+    Transform pose;  // in the body, as the user gave it
+    Material material;
+    double density = 0;
+    std::uint32_t body = none;
+    std::uint32_t next = none;  // shape of the same body
+    Aabb fat;                   // bounds plus margin; unused by planes
+    bool moved = false;         // on ShapeStore::moved: its pairs are to be looked for
+
+    // Derived, not saved.
+    Vec3 offset;          // of the shape's origin from the centre of mass, body axes
+    Mat3 axes;            // to_matrix(pose.rotation)
+    bool aligned = true;  // axes is the identity
+    std::int32_t leaf = DynamicTree::null_node;  // in its tree
+};
+
+struct ShapeStore {
+    IdPool ids;
+    std::vector<ShapeRecord> shapes;  // by index
+    std::vector<std::uint32_t>
+        moved;  // shapes that are new or left their fat box, in order of index after sorting
+    std::vector<std::uint32_t> planes;    // indices, rising; derived
+    DynamicTree fixed_tree, moving_tree;  // derived
+};
+
+inline bool is_plane(const ShapeRecord& shape) {
+    return kind_of(shape.geometry) == ShapeKind::plane;
+}
+
+// The shape in the world.
+inline Placed placed(const ShapeRecord& shape, const BodyWarm& warm) {
+    return {&shape.geometry, warm.center + warm.axes * shape.offset,
+            shape.aligned ? warm.axes : warm.axes * shape.axes};
+}
+
+}  // namespace jostle::physics

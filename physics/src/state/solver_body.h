@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What the contact solver knows of a body. Float, relative to the pose at the start of the step:
+// deltas are small, so float loses nothing; the pose itself is double and elsewhere. Rows of 32
+// bytes, so that one row of eight bodies is one transposed load.
+#pragma once
+
+#include "math/wide.h"
+
+namespace jostle::physics {
+
+struct alignas(64) HotBody {
+    // row 0: velocity; read and written by every contact pass
+    float v[3];          // m/s
+    float w[3];          // rad/s
+    float inverse_mass;  // 1/kg; zero for what contacts cannot push
+    float inverse_spin;  // 1/(kg m^2) when the inertia is isotropic; row 2 is then not read
+    // row 1: motion since the start of the step; read by every contact pass, written once per
+    // sub-step
+    float dp[3];  // m
+    float dr[3];  // rad, rotation vector
+    float unused1[2];
+    // row 2: inverse inertia in world axes, constant over the step
+    float inertia[6];  // xx yy zz xy xz yz
+    float unused2[2];
+    // row 3: velocity before any contact of this sub-step acted. v - free is what all contacts
+    // together did, which is exactly what warm starting the next sub-step would add again: warm
+    // starting costs one subtraction per body.
+    float free[8];
+};
+static_assert(sizeof(HotBody) == 128);
+
+// What drives a body apart from contacts, per sub-step: free = row 0 * keep + push. Lanes 6 and 7
+// carry mass and spin through unchanged (keep 1, push 0). Touched by the body passes only.
+struct alignas(64) BodyDrive {
+    float keep[8];  // damping
+    float push[8];  // gravity, forces and the gyroscopic change of spin, times the sub-step
+};
+
+}  // namespace jostle::physics

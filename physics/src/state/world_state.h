@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// All stores of one world side by side; the only place that lists them. Plain data: the functions
+// that keep the stores in agreement are in links.h, the stages in stages/.
+#pragma once
+
+#include <memory>
+
+#include "foundation/task_team.h"
+#include "jostle/physics/defs.h"
+#include "jostle/physics/profile.h"
+#include "state/body_store.h"
+#include "state/contact_store.h"
+#include "state/event_store.h"
+#include "state/island_store.h"
+#include "state/manifold_store.h"
+#include "state/shape_store.h"
+#include "state/step_scratch.h"
+
+namespace jostle::physics {
+
+struct WorldState {
+    WorldDef def;
+    std::uint64_t steps = 0;
+    double last_dt = 0;  // s; 0 before the first step
+
+    BodyStore bodies;
+    ShapeStore shapes;
+    ContactStore contacts;
+    ManifoldStore manifolds;
+    IslandStore islands;
+
+    // Not part of the state.
+    EventStore events;
+    StepProfile profile;
+    StepScratch scratch;
+    std::unique_ptr<TaskTeam> team;
+};
+
+inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    switch (cold.set) {
+        case BodySet::fixed:
+            return world.bodies.fixed[cold.at];
+        case BodySet::awake:
+            return world.bodies.awake[cold.at];
+        case BodySet::sleeping:
+            break;
+    }
+    return world.islands.islands[cold.island].sleepers[cold.at];
+}
+inline const BodyWarm& warm_of(const WorldState& world, std::uint32_t body) {
+    return warm_of(const_cast<WorldState&>(world), body);
+}
+
+inline BodyId body_id(const WorldState& world, std::uint32_t body) {
+    return {body, world.bodies.ids.generation(body)};
+}
+inline ShapeId shape_id(const WorldState& world, std::uint32_t shape) {
+    return {shape, world.shapes.ids.generation(shape)};
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks of what callers hand in. Each answers with an Error that names the argument, its value and
+// its range.
+#pragma once
+
+#include <string>
+
+#include "jostle/physics/defs.h"
+#include "jostle/physics/ids.h"
+#include "jostle/physics/result.h"
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+Status check_range(const char* name, double value, double low, double high);
+Status check_vector(const char* name, Vec3 value, double limit);
+// Finite, and a rotation that is not zero.
+Status check_pose(const char* name, const Transform& pose);
+Status check_world(const WorldDef& def);
+Status check_body(const BodyDef& def);
+Status check_shape(const ShapeDef& def, BodyType type);
+Status check_geometry(const char* name, const Geometry& geometry);
+
+Status check_id(const WorldState& world, BodyId id);
+Status check_id(const WorldState& world, ShapeId id);
+
+// The rotation with unit length; exactly unit ones keep their bits.
+Quat unit(Quat q);
+// The geometry as it is stored: a plane's normal has unit length.
+Geometry stored(const Geometry& geometry);
+
+}  // namespace jostle::physics

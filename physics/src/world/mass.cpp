@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "world/mass.h"
+
+#include "geometry/bounds.h"
+#include "geometry/mass_properties.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+bool is_isotropic(const Mat3& m) {
+    return m.x.x == m.y.y && m.y.y == m.z.z && m.x.y == 0 && m.x.z == 0 && m.y.z == 0;
+}
+
+}  // namespace
+
+void update_mass(WorldState& world, std::uint32_t body) {
+    BodyCold& cold = world.bodies.cold[body];
+    BodyWarm& warm = warm_of(world, body);
+    MassProperties total;
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
+        const ShapeRecord& shape = world.shapes.shapes[s];
+        total = combined(total, moved(mass_of(shape.geometry, shape.density), shape.pose));
+    }
+    const bool dynamic = cold.type == BodyType::dynamic && total.mass > 0;
+    const Vec3 origin = warm.center - warm.axes * cold.local_center;
+    const Vec3 old_center = warm.center;
+    cold.local_center = dynamic ? total.center : Vec3{};
+    cold.mass = dynamic ? total.mass : 0;
+    cold.inverse_mass = dynamic ? 1 / total.mass : 0;
+    cold.inertia = dynamic ? total.inertia : diagonal({0, 0, 0});
+    cold.isotropic = is_isotropic(cold.inertia);
+    const double spin = cold.inertia.x.x;
+    if (!cold.isotropic)
+        cold.inverse_inertia = inverse(cold.inertia);
+    else
+        cold.inverse_inertia =
+            spin > 0 ? diagonal(Vec3{1, 1, 1} * (1 / spin)) : diagonal({0, 0, 0});
+    warm.center = origin + warm.axes * cold.local_center;
+    warm.v += cross(warm.w, warm.center - old_center);
+
+    cold.radius = 0;
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
+        ShapeRecord& shape = world.shapes.shapes[s];
+        derive_shape(cold, shape);
+        if (!is_plane(shape))
+            cold.radius = maximum(cold.radius, length(shape.offset) + radius_of(shape.geometry));
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/physics/world.h"
+#include "state/world_state.h"
+
+namespace jostle::physics {
+namespace {
+
+double deepest(const WorldState& world) {
+    float gap = 0;
+    for (const Colour& colour : world.manifolds.colours)
+        for (const ManifoldBlock& block : colour.blocks)
+            for (const auto& row : block.gap)
+                for (const float g : row) gap = g < gap ? g : gap;
+    constexpr std::size_t first_gap = offsetof(ManifoldBlock, gap) / 32 - 2;
+    for (const Island& island : world.islands.islands)
+        for (const SavedManifold& saved : island.manifolds)
+            for (std::size_t i = 0; i < 4; i++)
+                gap = saved.rows[first_gap + i] < gap ? saved.rows[first_gap + i] : gap;
+    return -double{gap};
+}
+
+void add_body(WorldSummary& sum, const WorldState& world, const BodyCold& cold,
+              const BodyWarm& warm) {
+    const Vec3 spin_momentum = warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));
+    sum.kinetic_energy += 0.5 * (cold.mass * length_squared(warm.v) + dot(warm.w, spin_momentum));
+    sum.potential_energy -= cold.mass * cold.gravity_scale * dot(world.def.gravity, warm.center);
+    sum.linear_momentum += warm.v * cold.mass;
+    sum.angular_momentum += spin_momentum + cross(warm.center, warm.v * cold.mass);
+}
+
+}  // namespace
+
+WorldSummary World::summary() const {
+    const WorldState& world = *state_;
+    WorldSummary sum;
+    sum.bodies = static_cast<int>(world.bodies.ids.alive_count());
+    sum.shapes = static_cast<int>(world.shapes.ids.alive_count());
+    sum.awake_bodies = static_cast<int>(world.bodies.awake.size());
+    for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {
+        if (!world.bodies.ids.alive(i) || world.bodies.cold[i].type != BodyType::dynamic) continue;
+        sum.dynamic_bodies++;
+        add_body(sum, world, world.bodies.cold[i], warm_of(world, i));
+    }
+    for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++)
+        if (world.contacts.ids.alive(i) && world.contacts.contacts[i].touching) sum.contacts++;
+    sum.max_penetration = deepest(world);
+    return sum;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// World: checks arguments, changes state, calls the step.
+#include "jostle/physics/world.h"
+
+#include "jostle/physics/tuning.h"
+#include "stages/step_world.h"
+#include "world/checks.h"
+
+namespace jostle::physics {
+
+World::World(std::unique_ptr<WorldState> state) : state_(std::move(state)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const WorldDef& def) {
+    if (Status s = check_world(def); !s.ok()) return s.error();
+    auto state = std::make_unique<WorldState>();
+    state->def = def;
+    state->team = std::make_unique<TaskTeam>(def.threads);
+    return World(std::move(state));
+}
+
+Status World::step(double dt) {
+    if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
+    step_world(*state_, dt);
+    return {};
+}
+
+std::uint64_t World::step_count() const {
+    return state_->steps;
+}
+Vec3 World::gravity() const {
+    return state_->def.gravity;
+}
+int World::substeps() const {
+    return state_->def.substeps;
+}
+
+Status World::set_threads(int threads) {
+    if (Status s = check_range("threads", threads, 1, tuning::max_threads); !s.ok()) return s;
+    if (threads == state_->def.threads) return {};
+    state_->def.threads = threads;
+    state_->team = std::make_unique<TaskTeam>(threads);
+    return {};
+}
+
+Events World::events() const {
+    const EventStore& e = state_->events;
+    return {e.contacts_began, e.contacts_ended, e.fell_asleep, e.woke, e.quarantined};
+}
+
+const StepProfile& World::profile() const {
+    return state_->profile;
+}
+
+}  // namespace jostle::physics

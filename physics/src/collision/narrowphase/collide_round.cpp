@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "collision/narrowphase/collide_round.h"
 
-#include <algorithm>
-
 namespace jostle::physics {
 namespace {
 
@@ -73,6 +71,7 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
         }
         return sum;
     };
+    // The breaks in rising order, by insertion: there are at most six between the ends.
     double breaks[8];
     int count = 0;
     breaks[count++] = -half;
@@ -80,11 +79,13 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
         if (absolute(d[k]) < 1e-12) continue;
         for (const double side : {-h[k], h[k]}) {
             const double t = (side - p[k]) / d[k];
-            if (-half < t && t < half) breaks[count++] = t;
+            if (!(-half < t && t < half)) continue;
+            int at = count++;
+            for (; breaks[at - 1] > t; at--) breaks[at] = breaks[at - 1];
+            breaks[at] = t;
         }
     }
     breaks[count++] = half;
-    std::sort(breaks + 1, breaks + count - 1);
     if (slope(-half) >= 0) return {-half, distance2(-half)};
     if (slope(half) <= 0) return {half, distance2(half)};
     for (int k = 1; k < count; k++) {

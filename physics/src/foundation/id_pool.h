@@ -44,6 +44,11 @@ public:
     std::uint32_t size() const { return static_cast<std::uint32_t>(alive_.size()); }
     std::uint32_t alive_count() const { return size() - static_cast<std::uint32_t>(free_.size()); }
 
+    // As alive_count, from the flags alone: right even before rebuild_free_list().
+    std::size_t alive_count_slow() const {
+        return static_cast<std::size_t>(std::count(alive_.begin(), alive_.end(), 1));
+    }
+
     // For the field list: the two arrays are the whole state; the heap of free indices follows from
     // them.
     std::vector<std::uint32_t>& generations() { return generation_; }

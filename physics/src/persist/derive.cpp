@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "persist/derive.h"
+
+#include "state/lanes.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+void derive_axes(std::vector<BodyWarm>& set) {
+    for (BodyWarm& warm : set) warm.axes = to_matrix(warm.rotation);
+}
+
+void derive_shapes(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.shapes.ids.size(); i++) {
+        if (!world.shapes.ids.alive(i)) continue;
+        ShapeRecord& shape = world.shapes.shapes[i];
+        derive_shape(world.bodies.cold[shape.body], shape);
+        // The list of moved shapes was saved in its order; entering a tree must not add to it.
+        const bool moved = shape.moved;
+        shape.moved = true;
+        enter_tree(world, i);
+        shape.moved = moved;
+    }
+}
+
+void derive_lanes(WorldState& world) {
+    for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
+        if (!world.contacts.ids.alive(i)) continue;
+        const Contact& c = world.contacts.contacts[i];
+        world.contacts.by_pair.emplace(pair_key(c.shape_a, c.shape_b), i);
+        if (c.colour < 0) continue;
+        write_body_indices(world, c);
+        const LanePlace place = place_of(world, c);
+        const auto bit = static_cast<std::uint8_t>(1u << place.lane);
+        const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+        const bool b_turns = b.type == BodyType::dynamic && !b.isotropic;
+        if (!a.isotropic || b_turns) place.side->turning |= bit;
+        if (place.side->restitution[place.lane] > 0) place.side->bouncy |= bit;
+        if (c.touching) place.side->touching |= bit;
+        place.side->pressing = place.side->touching;
+    }
+}
+
+}  // namespace
+
+void derive_all(WorldState& world) {
+    world.bodies.ids.rebuild_free_list();
+    world.shapes.ids.rebuild_free_list();
+    world.contacts.ids.rebuild_free_list();
+    world.islands.ids.rebuild_free_list();
+    derive_axes(world.bodies.fixed);
+    derive_axes(world.bodies.awake);
+    for (Island& island : world.islands.islands) derive_axes(island.sleepers);
+    derive_shapes(world);
+    derive_lanes(world);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+//
+// World to bytes and back: a header (magic, version, length, hash of the rest), then the field
+// list.
+#include <cstring>
+
+#include "foundation/byte_stream.h"
+#include "foundation/hash.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/physics/world.h"
+#include "persist/derive.h"
+#include "persist/field_list.h"
+#include "persist/path.h"
+#include "state/validate.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
+constexpr std::uint32_t version = 1;  // docs/format_changes.md has one line for each
+constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
+
+struct Saver {
+    static constexpr bool kLoading = false;
+    ByteWriter out;
+
+    void enter(std::string_view) {}
+    void enter(std::size_t) {}
+    void leave() {}
+    template <class T>
+    void field(std::string_view, T& value) {
+        out.write(value);
+    }
+    std::size_t count(std::string_view, std::size_t size) {
+        out.write(static_cast<std::uint64_t>(size));
+        return size;
+    }
+};
+
+struct Loader {
+    static constexpr bool kLoading = true;
+    ByteReader in;
+    Path path;
+    std::string error;
+
+    void enter(std::string_view name) { path.enter(name); }
+    void enter(std::size_t index) { path.enter(index); }
+    void leave() { path.leave(); }
+    void fail(std::string_view field, std::string_view what) {
+        if (error.empty())
+            error = path.text(field) + " " + std::string(what) + " (at byte " +
+                    std::to_string(header_bytes + in.at()) + ")";
+    }
+
+    template <class T>
+    void field(std::string_view name, T& value) {
+        if (!error.empty()) return;
+        const auto bits = in.read_bits<T>();
+        if (in.failed()) return fail(name, "is missing: the data ends before it");
+        if constexpr (std::is_same_v<T, bool>) {
+            if (bits > 1) return fail(name, "is neither 0 nor 1");
+            value = bits == 1;
+        } else if constexpr (std::is_enum_v<T>) {
+            if (bits > 2) return fail(name, "is not one of its three values");
+            value = static_cast<T>(bits);
+        } else if constexpr (std::is_floating_point_v<T>) {
+            value = std::bit_cast<T>(bits);
+            if (!is_finite(double{value})) fail(name, "is not finite");
+        } else {
+            value = static_cast<T>(bits);
+        }
+    }
+    // No array is longer than the bytes that are left: what a file can make us allocate is bounded
+    // by its own size.
+    std::size_t count(std::string_view name, std::size_t) {
+        if (!error.empty()) return 0;
+        const std::uint64_t size = in.read_bits<std::uint64_t>();
+        if (in.failed()) {
+            fail(name, "is missing: the data ends before it");
+            return 0;
+        }
+        if (size > in.left()) {
+            fail(name, "is larger than the data that follows");
+            return 0;
+        }
+        return static_cast<std::size_t>(size);
+    }
+};
+
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+    Hasher hasher;
+    hasher.add(bytes.size());
+    for (std::size_t at = 0; at < bytes.size(); at += 8) {
+        std::uint64_t word = 0;
+        for (std::size_t k = 0; k < 8 && at + k < bytes.size(); k++)
+            word |= std::to_integer<std::uint64_t>(bytes[at + k]) << (8 * k);
+        hasher.add(word);
+    }
+    return hasher.value;
+}
+
+Error corrupt(std::string message) {
+    return {ErrorCode::corrupt_data, "saved world: " + std::move(message)};
+}
+
+}  // namespace
+
+std::vector<std::byte> save(const World& world) {
+    Saver body;
+    // The list is shared with loading, so it takes references; saving changes nothing.
+    visit_world(body, const_cast<WorldState&>(world.state()));
+    ByteWriter out;
+    out.write(magic);
+    out.write(version);
+    out.write(static_cast<std::uint64_t>(body.out.bytes().size()));
+    out.write(checksum(body.out.bytes()));
+    out.bytes().insert(out.bytes().end(), body.out.bytes().begin(), body.out.bytes().end());
+    return std::move(out.bytes());
+}
+
+Result<World> load(std::span<const std::byte> bytes) {
+    ByteReader header(bytes);
+    const auto found_magic = header.read_bits<std::uint64_t>();
+    const auto found_version = header.read_bits<std::uint32_t>();
+    const auto length = header.read_bits<std::uint64_t>();
+    const auto expected = header.read_bits<std::uint64_t>();
+    if (header.failed())
+        return corrupt("it has " + std::to_string(bytes.size()) +
+                       " bytes, fewer than the header's " + std::to_string(header_bytes));
+    if (found_magic != magic) return corrupt("it does not begin with the mark of a Jostle world");
+    if (found_version != version)
+        return corrupt("it has format version " + std::to_string(found_version) +
+                       "; this library reads version " + std::to_string(version));
+    if (length != header.left())
+        return corrupt("its header says " + std::to_string(length) + " bytes follow, there are " +
+                       std::to_string(header.left()));
+    const std::span<const std::byte> rest = bytes.subspan(header_bytes);
+    if (checksum(rest) != expected)
+        return corrupt("its checksum does not match: bytes were changed");
+
+    auto state = std::make_unique<WorldState>();
+    Loader loader{.in = ByteReader(rest), .path = {}, .error = {}};
+    visit_world(loader, *state);
+    if (!loader.error.empty()) return corrupt(loader.error);
+    if (loader.in.left() != 0)
+        return corrupt(std::to_string(loader.in.left()) + " bytes are left after the last field");
+    if (const auto fault = find_fault(*state)) return corrupt(*fault);
+    derive_all(*state);
+    state->team = std::make_unique<TaskTeam>(1);
+    return World(std::move(state));
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "foundation/byte_stream.h"
+#include "foundation/hash.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/physics/world.h"
+#include "persist/field_list.h"
+
+namespace jostle::physics {
+namespace {
+
+struct HashVisitor {
+    static constexpr bool kLoading = false;
+    Hasher hasher;
+
+    void enter(std::string_view) {}
+    void enter(std::size_t) {}
+    void leave() {}
+    template <class T>
+    void field(std::string_view, T& value) {
+        hasher.add(bits_of(value));
+    }
+    std::size_t count(std::string_view, std::size_t size) {
+        hasher.add(size);
+        return size;
+    }
+};
+
+}  // namespace
+
+std::uint64_t state_hash(const World& world) {
+    HashVisitor visitor;
+    visit_world(visitor, const_cast<WorldState&>(world.state()));
+    return visitor.hasher.value;
+}
+
+}  // namespace jostle::physics

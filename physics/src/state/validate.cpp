@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "state/validate.h"
+
+#include <algorithm>
+
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+std::string at(const char* what, std::size_t index, const char* problem) {
+    return std::string(what) + "[" + std::to_string(index) + "] " + problem;
+}
+
+template <class T>
+Fault check_pool(const char* name, const IdPool& ids, const std::vector<T>& items) {
+    auto& pool = const_cast<IdPool&>(ids);
+    if (pool.generations().size() != pool.alive_flags().size() || items.size() != ids.size())
+        return std::string(name) + ": ids and records differ in number";
+    for (std::size_t i = 0; i < pool.alive_flags().size(); i++)
+        if (pool.alive_flags()[i] > 1) return at(name, i, "has an alive flag that is not 0 or 1");
+    return {};
+}
+
+bool body_alive(const WorldState& world, std::uint32_t body) {
+    return body < world.bodies.cold.size() && world.bodies.ids.alive(body);
+}
+
+// Every alive body is in exactly one place of its set, and the sets hold nothing else.
+Fault check_sets(const WorldState& world) {
+    const auto check_set = [&](const std::vector<BodyWarm>& set, BodySet kind,
+                               std::uint32_t island) -> Fault {
+        for (std::size_t i = 0; i < set.size(); i++) {
+            if (!body_alive(world, set[i].body)) return at("set", i, "names no body");
+            const BodyCold& cold = world.bodies.cold[set[i].body];
+            if (cold.set != kind || cold.at != i) return at("set", i, "and its body disagree");
+            if (kind == BodySet::sleeping && cold.island != island)
+                return at("set", i, "sleeps in another island");
+            const double norm = norm_squared(set[i].rotation);
+            if (!(norm > 0.9 && norm < 1.1)) return at("set", i, "has a rotation that is not one");
+        }
+        return {};
+    };
+    std::size_t members = world.bodies.fixed.size() + world.bodies.awake.size();
+    if (Fault f = check_set(world.bodies.fixed, BodySet::fixed, none)) return f;
+    if (Fault f = check_set(world.bodies.awake, BodySet::awake, none)) return f;
+    for (std::uint32_t i = 0; i < world.islands.islands.size(); i++) {
+        const Island& island = world.islands.islands[i];
+        members += island.sleepers.size();
+        if (Fault f = check_set(island.sleepers, BodySet::sleeping, i)) return f;
+    }
+    if (members != world.bodies.ids.alive_count_slow())
+        return "bodies: the sets hold " + std::to_string(members) + " of " +
+               std::to_string(world.bodies.ids.alive_count_slow());
+    return {};
+}
+
+Fault check_bodies(const WorldState& world) {
+    if (world.bodies.reach.size() != world.bodies.cold.size())
+        return "bodies: cold and reach differ in number";
+    for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
+        if (!world.bodies.ids.alive(i)) continue;
+        const BodyCold& b = world.bodies.cold[i];
+        const bool dynamic = b.type == BodyType::dynamic;
+        if ((b.type == BodyType::fixed) != (b.set == BodySet::fixed))
+            return at("bodies", i, "is in a set that its type does not belong to");
+        if (b.set == BodySet::sleeping && !dynamic)
+            return at("bodies", i, "sleeps but is not dynamic");
+        if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
+        if (dynamic && !world.islands.ids.alive(b.island))
+            return at("bodies", i, "is in an island that does not exist");
+        if (b.inverse_mass < 0 || b.radius < 0 || b.linear_damping < 0 || b.angular_damping < 0)
+            return at("bodies", i, "has a negative mass, radius or damping");
+    }
+    return {};
+}
+
+// Shape lists: each alive shape is on its body's list exactly once.
+Fault check_shapes(const WorldState& world) {
+    const auto& shapes = world.shapes.shapes;
+    std::size_t listed = 0;
+    for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
+        if (!world.bodies.ids.alive(i)) continue;
+        std::uint32_t last = none;
+        std::size_t steps = 0;
+        for (std::uint32_t s = world.bodies.cold[i].first_shape; s != none; s = shapes[s].next) {
+            if (s >= shapes.size() || !world.shapes.ids.alive(s) || shapes[s].body != i ||
+                ++steps > shapes.size())
+                return at("bodies", i, "has a broken list of shapes");
+            last = s;
+        }
+        if (last != world.bodies.cold[i].last_shape)
+            return at("bodies", i, "has a list of shapes with another end");
+        listed += steps;
+    }
+    if (listed != world.shapes.ids.alive_count_slow()) return "shapes: some are on no body's list";
+    std::size_t moved = 0;
+    for (std::uint32_t s = 0; s < shapes.size(); s++) {
+        if (!world.shapes.ids.alive(s)) continue;
+        moved += shapes[s].moved ? 1 : 0;
+        if (kind_of(shapes[s].geometry) == ShapeKind::plane &&
+            world.bodies.cold[shapes[s].body].type != BodyType::fixed)
+            return at("shapes", s, "is a plane on a body that moves");
+    }
+    for (const std::uint32_t s : world.shapes.moved)
+        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved)
+            return at("shapes.moved", s, "is not a shape that moved");
+    if (moved != world.shapes.moved.size()) return "shapes.moved: not every moved shape is there";
+    return {};
+}
+
+Fault check_contact(const WorldState& world, std::uint32_t i) {
+    const Contact& c = world.contacts.contacts[i];
+    const auto& shapes = world.shapes.shapes;
+    if (c.shape_a >= shapes.size() || c.shape_b >= shapes.size() ||
+        !world.shapes.ids.alive(c.shape_a) || !world.shapes.ids.alive(c.shape_b) ||
+        shapes[c.shape_a].body != c.body_a || shapes[c.shape_b].body != c.body_b ||
+        c.body_a == c.body_b)
+        return at("contacts", i, "names shapes and bodies that do not belong together");
+    if (world.bodies.cold[c.body_a].type != BodyType::dynamic)
+        return at("contacts", i, "has a first body that is not dynamic");
+    if (c.colour >= colour_count) return at("contacts", i, "has a colour that does not exist");
+    if (c.colour >= 0) {
+        const Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c.colour)];
+        if (c.slot < 0 || c.slot >= colour.lanes)
+            return at("contacts", i, "has a slot out of range");
+        const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
+        if (colour.sides[block].contact[c.slot % lanes_per_block(c.colour)] != i)
+            return at("contacts", i, "and its lane disagree");
+        const BodyType b = world.bodies.cold[c.body_b].type;
+        const Second kind = b == BodyType::dynamic     ? Second::moving
+                            : b == BodyType::kinematic ? Second::driven
+                                                       : Second::fixed;
+        if (second_of(c.colour) != kind) return at("contacts", i, "has a colour of another kind");
+        if (world.bodies.cold[c.body_a].set != BodySet::awake ||
+            world.bodies.cold[c.body_b].set == BodySet::sleeping)
+            return at("contacts", i, "is in the solver with a sleeping body");
+    }
+    if (c.axis < no_axis || c.axis > 6) return at("contacts", i, "has an axis that does not exist");
+    if (c.touching && world.bodies.cold[c.body_b].type == BodyType::dynamic &&
+        world.bodies.cold[c.body_a].island != world.bodies.cold[c.body_b].island)
+        return at("contacts", i, "touches across two islands");
+    return {};
+}
+
+// Edge lists: every contact is on the lists of both its bodies.
+Fault check_contacts(const WorldState& world) {
+    const auto& contacts = world.contacts.contacts;
+    std::size_t edges = 0;
+    for (std::uint32_t i = 0; i < contacts.size(); i++) {
+        if (!world.contacts.ids.alive(i)) continue;
+        if (Fault f = check_contact(world, i)) return f;
+    }
+    for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
+        if (!world.bodies.ids.alive(i)) continue;
+        std::uint32_t previous = none;
+        std::size_t steps = 0;
+        for (std::uint32_t e = world.bodies.cold[i].first_edge; e != none;) {
+            if (e / 2 >= contacts.size() || !world.contacts.ids.alive(e / 2) ||
+                ++steps > 2 * contacts.size())
+                return at("bodies", i, "has a broken list of contacts");
+            const Contact& c = contacts[e / 2];
+            if ((e % 2 == 0 ? c.body_a : c.body_b) != i || c.prev[e % 2] != previous)
+                return at("bodies", i, "has a broken list of contacts");
+            previous = e;
+            e = c.next[e % 2];
+        }
+        edges += steps;
+    }
+    if (edges != 2 * world.contacts.ids.alive_count_slow())
+        return "contacts: some are on no body's list";
+    std::vector<std::uint8_t> entries(contacts.size(), 0);
+    for (std::size_t k = 0; k < world.contacts.waiting.size(); k++) {
+        const Waiting& w = world.contacts.waiting[k];
+        if (w.contact >= contacts.size() || !world.contacts.ids.alive(w.contact) ||
+            entries[w.contact]++ != 0 || !contacts[w.contact].waiting ||
+            contacts[w.contact].colour >= 0 || contacts[w.contact].body_a != w.body_a ||
+            contacts[w.contact].body_b != w.body_b)
+            return at("contacts.waiting", k, "does not agree with its contact");
+    }
+    for (std::uint32_t i = 0; i < contacts.size(); i++)
+        if (world.contacts.ids.alive(i) && contacts[i].waiting != (entries[i] != 0))
+            return at("contacts", i, "waits without an entry");
+    return {};
+}
+
+// Lanes: each belongs to a contact that says so, and colours and counts of the bodies follow from
+// them.
+Fault check_manifolds(const WorldState& world) {
+    std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
+    std::vector<std::uint32_t> lanes(world.bodies.cold.size(), 0);
+    for (int c = 0; c < colour_count; c++) {
+        const Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c)];
+        for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
+            const BlockSide& side =
+                colour.sides[static_cast<std::size_t>(slot / lanes_per_block(c))];
+            const std::uint32_t contact = side.contact[slot % lanes_per_block(c)];
+            if (contact >= world.contacts.contacts.size() || !world.contacts.ids.alive(contact) ||
+                world.contacts.contacts[contact].colour != c ||
+                world.contacts.contacts[contact].slot != slot)
+                return "manifolds: a lane of colour " + std::to_string(c) + " belongs to nobody";
+            const Contact& owner = world.contacts.contacts[contact];
+            for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
+                if (world.bodies.cold[body].type != BodyType::dynamic) continue;
+                lanes[body]++;
+                if (is_overflow(c)) continue;
+                if ((colours[body] >> c & 1) != 0)
+                    return at("bodies", body, "has two contacts of one colour");
+                colours[body] |= 1ull << c;
+            }
+        }
+    }
+    for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++)
+        if (world.bodies.ids.alive(i) &&
+            (world.bodies.cold[i].colours != colours[i] || world.bodies.cold[i].lanes != lanes[i]))
+            return at("bodies", i, "has colours that do not follow from its contacts");
+    return {};
+}
+
+Fault check_islands(const WorldState& world) {
+    const auto& islands = world.islands.islands;
+    for (std::uint32_t i = 0; i < islands.size(); i++) {
+        const Island& island = islands[i];
+        if (!world.islands.ids.alive(i)) {
+            if (!island.sleepers.empty() || !island.manifolds.empty())
+                return at("islands", i, "is free but not empty");
+            continue;
+        }
+        std::uint32_t previous = none;
+        std::size_t count = 0;
+        for (std::uint32_t b = island.first; b != none; b = world.bodies.cold[b].island_next) {
+            if (!body_alive(world, b) || world.bodies.cold[b].island != i ||
+                world.bodies.cold[b].island_prev != previous || ++count > world.bodies.cold.size())
+                return at("islands", i, "has a broken list of bodies");
+            previous = b;
+        }
+        if (previous != island.last || count != island.bodies || count == 0)
+            return at("islands", i, "has a list of bodies with another end or length");
+        if (island.sleepers.size() != (island.asleep ? count : 0))
+            return at("islands", i, "sleeps with some of its bodies");
+        for (const SavedManifold& m : island.manifolds) {
+            if (m.contact >= world.contacts.contacts.size() ||
+                !world.contacts.ids.alive(m.contact) ||
+                world.contacts.contacts[m.contact].colour >= 0 ||
+                world.contacts.contacts[m.contact].waiting ||
+                !world.contacts.contacts[m.contact].dormant ||
+                world.bodies.cold[world.contacts.contacts[m.contact].body_a].island != i)
+                return at("islands", i, "keeps a manifold of a contact that is elsewhere");
+        }
+        if (!island.asleep && !island.manifolds.empty())
+            return at("islands", i, "is awake but keeps manifolds");
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<std::string> find_fault(const WorldState& world) {
+    if (world.def.substeps < 1 || world.def.substeps > tuning::max_substeps)
+        return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
+    if (!(world.last_dt >= 0 && world.last_dt <= 0.25)) return "world.last_dt is out of range";
+    if (Fault f = check_pool("bodies", world.bodies.ids, world.bodies.cold)) return f;
+    if (Fault f = check_pool("shapes", world.shapes.ids, world.shapes.shapes)) return f;
+    if (Fault f = check_pool("contacts", world.contacts.ids, world.contacts.contacts)) return f;
+    if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
+    // In this order: each relies on what those before it found sound.
+    for (const auto check :
+         {check_bodies, check_sets, check_shapes, check_contacts, check_manifolds, check_islands})
+        if (Fault f = check(world)) return f;
+    return {};
+}
+
+}  // namespace jostle::physics

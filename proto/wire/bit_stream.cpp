@@ -1,1 +1,92 @@
 // SPDX-License-Identifier: MIT
+#include "wire/bit_stream.h"
+
+namespace jostle::wire {
+namespace {
+
+std::uint64_t low_mask(unsigned count) { return (std::uint64_t{1} << count) - 1; }
+
+}  // namespace
+
+void BitWriter::bits(std::uint64_t value, unsigned count) {
+    pending_ |= (value & low_mask(count)) << pending_bits_;
+    pending_bits_ += count;
+    while (pending_bits_ >= 8) {
+        bytes_.push_back(static_cast<std::byte>(pending_ & 0xff));
+        pending_ >>= 8;
+        pending_bits_ -= 8;
+    }
+}
+
+void BitWriter::rice(std::uint64_t value, unsigned k) {
+    const std::uint64_t high = value >> k;
+    if (high < rice_escape) {
+        bits(low_mask(static_cast<unsigned>(high)), static_cast<unsigned>(high) + 1);
+        bits(value, k);
+    } else {
+        bits(low_mask(rice_escape), rice_escape);
+        bits(value, rice_escape_bits);
+    }
+}
+
+void BitWriter::exp_golomb(std::uint64_t value, unsigned k) {
+    const std::uint64_t x = value + (std::uint64_t{1} << k);
+    const unsigned width = bit_width(x) - 1 - k;
+    rice(width, 0);
+    bits(x, width + k);
+}
+
+std::vector<std::byte> BitWriter::finish() {
+    if (pending_bits_ > 0) bytes_.push_back(static_cast<std::byte>(pending_ & 0xff));
+    pending_ = 0;
+    pending_bits_ = 0;
+    return std::move(bytes_);
+}
+
+std::uint64_t BitReader::peek(unsigned count) const {
+    std::uint64_t value = 0;
+    const std::size_t first = at_ / 8;
+    for (std::size_t k = 0; k < 8 && first + k < bytes_.size(); k++)
+        value |= std::to_integer<std::uint64_t>(bytes_[first + k]) << (8 * k);
+    return (value >> (at_ % 8)) & low_mask(count);
+}
+
+std::uint64_t BitReader::bits(unsigned count) {
+    const std::uint64_t value = peek(count);
+    at_ += count;
+    return value;
+}
+
+std::uint64_t BitReader::rice(unsigned k) {
+    const auto ones = static_cast<unsigned>(std::countr_one(peek(rice_escape)));
+    if (ones >= rice_escape) {
+        at_ += rice_escape;
+        return bits(rice_escape_bits);
+    }
+    at_ += ones + 1;
+    return (std::uint64_t{ones} << k) | bits(k);
+}
+
+std::uint64_t BitReader::exp_golomb(unsigned k) {
+    const std::uint64_t width = rice(0);
+    // No count or gap of ours needs more; a wider one is not ours and must not be shifted by.
+    if (width + k > 40) {
+        at_ = bytes_.size() * 8 + 1;
+        return 0;
+    }
+    const auto low = static_cast<unsigned>(width) + k;
+    return (bits(low) | std::uint64_t{1} << low) - (std::uint64_t{1} << k);
+}
+
+bool BitReader::take_escape() {
+    if (peek(rice_escape) != low_mask(rice_escape)) return false;
+    at_ += rice_escape;
+    return true;
+}
+
+bool BitReader::at_clean_end() const {
+    const std::size_t total = bytes_.size() * 8;
+    return at_ <= total && total - at_ < 8 && peek(static_cast<unsigned>(total - at_)) == 0;
+}
+
+}  // namespace jostle::wire

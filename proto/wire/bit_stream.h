@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Bits in, bits out, and the two codes of WIRE.md. Bits fill bytes from the least significant bit. Reading never trusts the
+// bytes: past the end it gives zeros and remembers that it did.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace jostle::wire {
+
+inline constexpr unsigned rice_escape = 15;       // ones
+inline constexpr unsigned rice_escape_bits = 33;  // any difference of two int32, zig-zagged
+
+// 0 -> 0, -1 -> 1, 1 -> 2, -2 -> 3, ...
+inline std::uint64_t zig_zag(std::int64_t v) {
+    return (static_cast<std::uint64_t>(v) << 1) ^ static_cast<std::uint64_t>(v >> 63);
+}
+inline std::int64_t un_zig_zag(std::uint64_t u) {
+    return static_cast<std::int64_t>(u >> 1) ^ -static_cast<std::int64_t>(u & 1);
+}
+// Bits needed to write x: 0 1 2 2 3 3 3 3 4 ...
+inline unsigned bit_width(std::uint64_t x) { return static_cast<unsigned>(std::bit_width(x)); }
+
+class BitWriter {
+public:
+    void bits(std::uint64_t value, unsigned count);  // count <= 57
+    // Rice code: value >> k in unary (ones, then a zero), then the low k bits; large values escape.
+    void rice(std::uint64_t value, unsigned k);
+    // Exp-Golomb code of order k: for counts and gaps.
+    void exp_golomb(std::uint64_t value, unsigned k);
+    // Pads the last byte with zeros.
+    std::vector<std::byte> finish();
+
+private:
+    std::vector<std::byte> bytes_;
+    std::uint64_t pending_ = 0;
+    unsigned pending_bits_ = 0;  // below 8 between calls
+};
+
+class BitReader {
+public:
+    explicit BitReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    std::uint64_t bits(unsigned count);  // count <= 57
+    std::uint64_t rice(unsigned k);
+    std::uint64_t exp_golomb(unsigned k);
+    // Whether the next rice_escape bits are all ones; takes them when they are.
+    bool take_escape();
+
+    bool past_end() const { return at_ > bytes_.size() * 8; }
+    std::size_t bit_position() const { return at_; }
+    // What is left is padding: fewer than eight bits, all zero.
+    bool at_clean_end() const;
+
+private:
+    std::uint64_t peek(unsigned count) const;
+
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;  // bit
+};
+
+}  // namespace jostle::wire

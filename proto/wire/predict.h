@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a body should be, from up to three earlier frames. Integers only, and every product stays below 2^53, so that C++
+// and JavaScript agree to the bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "wire/entity_state.h"
+
+namespace jostle::wire {
+
+// Ticks between the frames: frame - base, base - base2, base2 - base3; 1 to 255, and 1 where a frame is missing.
+struct Spacing {
+    std::int64_t dt1 = 1, dt2 = 1, dt3 = 1;
+};
+
+struct Prediction {
+    std::array<std::int64_t, 3> position{};
+    std::array<std::int64_t, 4> rotation{};  // four components in units of 1 / (M sqrt 2), not normalised
+    std::uint8_t largest = 0;                // index of the largest of them
+    std::array<std::int64_t, 3> components{};  // the other three, as EntityState::rotation would have them
+    // How much the last step differed from the one before: says how wide the residual will be.
+    std::int64_t position_change = 0, rotation_change = 0;
+};
+
+// base2 and base3 may be null; base3 is used only with base2. A base at rest is predicted to stay.
+Prediction predict(const EntityState& base, const EntityState* base2, const EntityState* base3,
+                   const Spacing& spacing, const QuantSpec& spec);
+
+// Nearest integer to a / b, halves away from zero; b > 0.
+inline std::int64_t divide_rounded(std::int64_t a, std::int64_t b) {
+    return a >= 0 ? (a + b / 2) / b : -((-a + b / 2) / b);
+}
+
+}  // namespace jostle::wire

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "wire/frame_codec.h"
+
+#include <gtest/gtest.h>
+
+#include "wire/motion.h"
+
+namespace jostle::wire {
+namespace {
+
+std::vector<QuantizedFrame> run(std::uint32_t seed, std::size_t bodies, std::uint32_t frames,
+                                MotionStyle style, const QuantSpec& spec = {}) {
+    MovingWorld world(seed, bodies, style);
+    std::vector<QuantizedFrame> out;
+    for (std::uint32_t f = 1; f <= frames; f++) out.push_back(world.step(f, spec));
+    return out;
+}
+
+const QuantizedFrame* at(const std::vector<QuantizedFrame>& frames, std::ptrdiff_t i) {
+    return i < 0 ? nullptr : &frames[static_cast<std::size_t>(i)];
+}
+
+void expect_round_trip(const QuantizedFrame& frame, const Bases& bases, const QuantSpec& spec) {
+    const auto bytes = encode_frame(frame, bases, spec);
+    QuantizedFrame back;
+    const auto error = decode_frame(back, frame.frame, bytes, bases, spec);
+    ASSERT_FALSE(error) << *error << " in frame " << frame.frame;
+    ASSERT_EQ(back, frame);
+    ASSERT_EQ(frame_crc(back), frame_crc(frame));
+}
+
+}  // namespace
+
+TEST(FrameCodec, every_frame_of_a_restless_world_comes_back_at_any_spacing_of_bases) {
+    for (const QuantSpec spec : {QuantSpec{512, 511}, QuantSpec{4096, 16383}}) {
+        const auto frames = run(3, 60, 120, {}, spec);
+        const std::ptrdiff_t spacings[][3] = {{1, 1, 1}, {2, 2, 2}, {6, 1, 1}, {1, 3, 2}, {7, 5, 9}};
+        for (const auto& s : spacings)
+            for (std::ptrdiff_t i = 0; i < std::ssize(frames); i++) {
+                const QuantizedFrame* base = at(frames, i - s[0]);
+                const QuantizedFrame* base2 = base ? at(frames, i - s[0] - s[1]) : nullptr;
+                const QuantizedFrame* base3 = base2 ? at(frames, i - s[0] - s[1] - s[2]) : nullptr;
+                const auto& frame = frames[static_cast<std::size_t>(i)];
+                expect_round_trip(frame, {base, base2, base3}, spec);
+                expect_round_trip(frame, {base, base2, nullptr}, spec);
+                expect_round_trip(frame, {base, nullptr, nullptr}, spec);
+            }
+    }
+}
+
+TEST(FrameCodec, fast_spins_and_far_jumps_come_back) {
+    const auto frames = run(11, 40, 60, {.calm = 0, .spin = 150, .speed = 5000, .kick = 0.3});
+    for (std::ptrdiff_t i = 3; i < std::ssize(frames); i++)
+        expect_round_trip(frames[static_cast<std::size_t>(i)],
+                          {at(frames, i - 1), at(frames, i - 2), at(frames, i - 3)}, {});
+    QuantizedFrame low{.frame = 1}, high{.frame = 2}, low_again{.frame = 3};
+    low.entities = {{.id = 5, .position = {-2147483647 - 1, 2147483647, 0}}};
+    high.entities = {{.id = 5, .position = {2147483647, -2147483647 - 1, 0}}};
+    low_again.entities = low.entities;
+    expect_round_trip(high, {&low, nullptr, nullptr}, {});
+    expect_round_trip(low_again, {&high, &low, nullptr}, {});
+}
+
+TEST(FrameCodec, a_world_at_rest_costs_four_bytes_or_less) {
+    auto frames = run(5, 900, 1, {.appear = 0});
+    for (EntityState& e : frames[0].entities) e.at_rest = true;
+    QuantizedFrame next = frames[0];
+    next.frame++;
+    EXPECT_LE(encode_frame(next, {&frames[0], nullptr, nullptr}, {}).size(), 4u);
+}
+
+TEST(FrameCodec, a_body_in_free_flight_costs_at_most_twelve_bits) {
+    // Constant velocity is what the prediction expects; what is left is the noise of rounding.
+    const auto frames = run(9, 400, 60, {.calm = 0, .kick = 0, .rest = 0, .vanish = 0, .appear = 0});
+    std::size_t bytes = 0, moving = 0;
+    for (std::ptrdiff_t i = 3; i < std::ssize(frames); i++) {
+        bytes += encode_frame(frames[static_cast<std::size_t>(i)],
+                              {at(frames, i - 1), at(frames, i - 2), at(frames, i - 3)}, {})
+                     .size();
+        moving += frames[0].entities.size();
+    }
+    const double bits = 8.0 * static_cast<double>(bytes) / static_cast<double>(moving);
+    RecordProperty("bits_per_moving_body", std::to_string(bits));
+    EXPECT_LE(bits, 12.0);
+}
+
+TEST(FrameCodec, truncated_and_flipped_bytes_are_refused_or_caught_by_the_crc) {
+    const auto frames = run(21, 50, 8, {});
+    const Bases bases{at(frames, 6), at(frames, 5), at(frames, 4)};
+    const auto good = encode_frame(frames[7], bases, {});
+    const std::uint32_t crc = frame_crc(frames[7]);
+    QuantizedFrame back;
+    for (std::size_t size = 0; size < good.size(); size++) {
+        const auto error = decode_frame(back, 8, std::span(good).first(size), bases, {});
+        EXPECT_TRUE(error || frame_crc(back) != crc) << "cut at " << size;
+    }
+    Random random(1);
+    int refused = 0;
+    for (int i = 0; i < 20000; i++) {
+        auto bad = good;
+        for (std::uint32_t k = 0; k <= random.below(3); k++)
+            bad[random.below(static_cast<std::uint32_t>(bad.size()))] ^=
+                static_cast<std::byte>(1u << random.below(8));
+        if (bad == good) continue;
+        const auto error = decode_frame(back, 8, bad, bases, {});
+        refused += error ? 1 : 0;
+        if (error) {
+            EXPECT_TRUE(back.entities.empty());
+        } else {
+            EXPECT_TRUE(back != frames[7]);
+        }
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+TEST(FrameCodec, random_bytes_never_make_more_entities_than_the_limit) {
+    Random random(99);
+    QuantizedFrame back;
+    for (int i = 0; i < 20000; i++) {
+        std::vector<std::byte> noise(random.below(64));
+        for (std::byte& b : noise) b = static_cast<std::byte>(random.below(256));
+        const auto error = decode_frame(back, 1, noise, {}, {}, 100);
+        EXPECT_LE(back.entities.size(), 100u);
+        if (error) {
+            EXPECT_FALSE(error->empty());
+        }
+    }
+}
+
+TEST(FrameCodec, bases_that_are_too_old_or_not_older_are_refused) {
+    const QuantizedFrame empty{.frame = 300};
+    const auto bytes = encode_frame(empty, {}, {});
+    QuantizedFrame back;
+    QuantizedFrame base{.frame = 10};
+    EXPECT_TRUE(decode_frame(back, 300, bytes, {&base, nullptr, nullptr}, {}));
+    base.frame = 300;
+    EXPECT_TRUE(decode_frame(back, 300, bytes, {&base, nullptr, nullptr}, {}));
+}
+
+}  // namespace jostle::wire

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// What the scenes of the catalogue are put together from. Deterministic: own generator, no library
+// distributions.
+#pragma once
+
+#include "jostle/scenes/scene.h"
+
+namespace jostle::scenes {
+
+// Linear congruential generator (Numerical Recipes): the same numbers on every machine.
+class Random {
+public:
+    explicit Random(std::uint32_t seed = 12345) : state_(seed) {}
+    double in(double low, double high) {
+        state_ = state_ * 1664525u + 1013904223u;
+        return low + (high - low) * (state_ >> 8) / 16777216.0;
+    }
+
+private:
+    std::uint32_t state_;
+};
+
+// Solid ground 400 m wide whose top is at height 0.
+SceneBody ground();
+SceneBody fixed_box(std::string name, physics::Vec3 center, physics::Vec3 half_extents,
+                    physics::Quat rotation = {});
+// A dynamic body of one shape.
+SceneBody loose(std::string name, physics::Vec3 position, physics::Geometry geometry,
+                physics::Quat rotation = {});
+SceneBody colored(SceneBody body, std::uint32_t color);
+
+// Scenes, one function each; the catalogue lists them.
+SceneDescription sandbox();
+SceneDescription stack();
+SceneDescription pyramid();
+SceneDescription wall();
+SceneDescription dominoes();
+SceneDescription pile();
+SceneDescription rain();
+SceneDescription billiards();
+SceneDescription incline();
+SceneDescription free_space();
+
+}  // namespace jostle::scenes

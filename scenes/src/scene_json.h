@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// The JSON side of scene files: checks a text against a message's fields before protobuf reads it,
+// because protobuf's own messages name neither line nor path.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace google::protobuf {
+class Descriptor;
+}
+
+namespace jostle::scenes {
+
+// The first thing in the text that is no field of the message or has the wrong kind of value:
+// "line 7: bodies[2].shapes[0].radius: there is no such field; did you mean ...". Nothing when all
+// is well.
+std::optional<std::string> find_json_fault(std::string_view text,
+                                           const google::protobuf::Descriptor& message);
+
+// The line (from 1) on which the value at a path like "bodies[2].position.x" begins; 0 when the
+// text has no such value.
+int line_of(std::string_view text, std::string_view path);
+
+}  // namespace jostle::scenes

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Stacks and walls: what must stand.
+#include "parts.h"
+
+namespace jostle::scenes {
+
+using namespace physics;
+
+SceneDescription stack() {
+    SceneDescription scene{.name = "stack",
+                           .description = "Ten boxes of one metre on top of each other.",
+                           .bodies = {ground()}};
+    for (int i = 0; i < 10; i++)
+        scene.bodies.push_back(loose("box " + std::to_string(i), {0, 0.5 + i, 0}, Box{}));
+    return scene;
+}
+
+SceneDescription pyramid() {
+    SceneDescription scene{.name = "pyramid",
+                           .description = "A wall pyramid of 465 boxes, thirty rows high.",
+                           .bodies = {ground()}};
+    constexpr int rows = 30;
+    for (int row = 0; row < rows; row++)
+        for (int k = 0; k < rows - row; k++)
+            scene.bodies.push_back(loose("box " + std::to_string(row) + "." + std::to_string(k),
+                                         {(k - (rows - row - 1) / 2.0) * 1.05, 0.5 + row, 0},
+                                         Box{}));
+    return scene;
+}
+
+SceneDescription wall() {
+    SceneDescription scene{
+        .name = "wall",
+        .description = "A brick wall in running bond and a heavy ball that meets it.",
+        .bodies = {ground()}};
+    constexpr int rows = 12, bricks = 12;
+    for (int row = 0; row < rows; row++)
+        for (int k = 0; k < bricks; k++)
+            scene.bodies.push_back(colored(
+                loose("brick", {(k - bricks / 2.0 + (row % 2) * 0.5) * 1.01, 0.25 + 0.5 * row, 0},
+                      Box{{0.5, 0.25, 0.25}}),
+                row % 2 == 0 ? 0xb5533c : 0xc4694f));
+    SceneBody ball = colored(loose("ball", {0, 2.5, 14}, Sphere{0.8}), 0x30343f);
+    ball.body.linear_velocity = {0, 3, -14};
+    ball.shapes[0].density = 4000;
+    scene.bodies.push_back(ball);
+    return scene;
+}
+
+SceneDescription dominoes() {
+    SceneDescription scene{.name = "dominoes",
+                           .description = "120 dominoes in a spiral; the first is pushed.",
+                           .bodies = {ground()}};
+    // Along the spiral r = 2 + 0.35 angle, one domino every 0.42 m of arc.
+    double angle = 0;
+    for (int i = 0; i < 120; i++) {
+        const double r = 2 + 0.35 * angle;
+        const SinCos at = sin_cos(angle);
+        SceneBody domino =
+            colored(loose("domino", {r * at.cos, 0.5, r * at.sin}, Box{{0.25, 0.5, 0.06}},
+                          from_axis_angle({0, 1, 0}, -angle)),
+                    i % 2 == 0 ? 0xf2e8cf : 0x386641);
+        if (i == 0) {
+            // Its face looks along the spiral: over it goes.
+            domino.body.angular_velocity = {1.8 * at.cos, 0, 1.8 * at.sin};
+            domino.body.linear_velocity = {-0.9 * at.sin, 0, 0.9 * at.cos};
+        }
+        scene.bodies.push_back(domino);
+        angle += 0.42 / r;
+    }
+    return scene;
+}
+
+}  // namespace jostle::scenes

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The server's one clock: monotonic. What depends on time takes the time as an argument, so that
+// tests make their own.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace jostle::server {
+
+using Clock = std::chrono::steady_clock;
+
+// On the wire: microseconds of the server's monotonic clock.
+inline std::uint64_t to_us(Clock::time_point t) {
+    return static_cast<std::uint64_t>(
+        std::chrono::duration_cast<std::chrono::microseconds>(t.time_since_epoch()).count());
+}
+
+inline double to_ms(Clock::duration d) {
+    return std::chrono::duration<double, std::milli>(d).count();
+}
+
+inline Clock::duration from_seconds(double seconds) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "config/config.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace jostle::server {
+
+using physics::Error;
+using physics::ErrorCode;
+using physics::Result;
+using physics::Status;
+
+namespace {
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+std::string text(double x) {
+    std::string s = std::to_string(x);
+    while (s.back() == '0') s.pop_back();
+    if (s.back() == '.') s.pop_back();
+    return s;
+}
+
+struct Range {
+    template <class Number>
+    Range(const char* k, Number v, double lowest, double highest)
+        : key(k), value(static_cast<double>(v)), low(lowest), high(highest) {}
+
+    const char* key;
+    double value, low, high;
+};
+
+}  // namespace
+
+Status check(const Config& c) {
+    const Range ranges[] = {
+        {"drain_seconds", c.drain_seconds, 0, 3600},
+        {"network_threads", c.network_threads, 1, 64},
+        {"client.messages_per_second", c.client.messages_per_second, 1, 1e6},
+        {"client.bytes_per_second", c.client.bytes_per_second, 1024, 1e9},
+        {"client.inputs_per_second", c.client.inputs_per_second, 1, 1e6},
+        {"client.message_bytes_max", c.client.message_bytes_max, 1024, 1 << 24},
+        {"client.inputs_per_batch_max", c.client.inputs_per_batch_max, 1, 4096},
+        {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
+        {"world.worlds_max", c.world.worlds_max, 1, 10000},
+        {"world.bodies_max", c.world.bodies_max, 1, 1000000},
+        {"world.clients_max", c.world.clients_max, 1, 100000},
+        {"world.command_queue_max", c.world.command_queue_max, 16, 1 << 20},
+        {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
+        {"tick.physics_threads", c.tick.physics_threads, 1, 64},
+        {"stream.ack_window_min", c.stream.ack_window_min, 1, 1000},
+        {"stream.ack_window_max", c.stream.ack_window_max, 1, 1000},
+        {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
+        {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
+        {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
+    };
+    for (const Range& r : ranges)
+        if (!(r.low <= r.value && r.value <= r.high))
+            return invalid(std::string(r.key) + " is " + text(r.value) + "; it must be from " +
+                           text(r.low) + " to " + text(r.high));
+    if (c.stream.ack_window_max < c.stream.ack_window_min)
+        return invalid("stream.ack_window_max is below stream.ack_window_min");
+    for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
+        if (const auto parsed = parse_host_port(address); !parsed.ok())
+            return invalid(std::string(key) + ": " + parsed.error().message);
+    static constexpr std::array levels = {"trace", "debug", "info", "warn", "error"};
+    if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
+        return invalid("log_level is \"" + c.log_level +
+                       "\"; it must be trace, debug, info, warn or error");
+    if (c.scenes.empty()) return invalid("scenes is empty; name at least one scene");
+    if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
+        return invalid("scenes names more worlds than world.worlds_max");
+    return {};
+}
+
+Result<HostPort> parse_host_port(const std::string& address) {
+    const auto bad = [&](const char* why) {
+        return invalid("\"" + address + "\" is no HOST:PORT: " + why);
+    };
+    const std::size_t colon = address.rfind(':');
+    if (colon == std::string::npos) return bad("there is no colon");
+    HostPort out{.host = address.substr(0, colon)};
+    if (out.host.size() > 2 && out.host.front() == '[' && out.host.back() == ']')
+        out.host = out.host.substr(1, out.host.size() - 2);
+    else if (out.host.find(':') != std::string::npos)
+        return bad("write an IPv6 address as [ADDRESS]:PORT");
+    if (out.host.empty()) return bad("the host is missing; use 0.0.0.0 for all addresses");
+    const char* first = address.data() + colon + 1;
+    const char* last = address.data() + address.size();
+    const auto [end, error] = std::from_chars(first, last, out.port);
+    if (first == last || error != std::errc{} || end != last)
+        return bad("the port must be a number from 0 to 65535");
+    return out;
+}
+
+}  // namespace jostle::server

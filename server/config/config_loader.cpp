@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "config/config_loader.h"
+
+#include <toml++/toml.h>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+
+namespace jostle::server {
+
+using physics::Error;
+using physics::ErrorCode;
+using physics::Status;
+
+namespace {
+
+// Sets one field from a value; false when the type is wrong.
+using Setter = std::function<bool(const toml::node&)>;
+
+template <class T>
+Setter into(T& field) {
+    return [&field](const toml::node& node) {
+        if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+            const toml::array* array = node.as_array();
+            if (!array) return false;
+            std::vector<std::string> items;
+            for (const toml::node& item : *array) {
+                const auto text = item.value<std::string>();
+                if (!text || !item.is_string()) return false;
+                items.push_back(*text);
+            }
+            field = std::move(items);
+            return true;
+        } else if constexpr (std::is_same_v<T, int>) {
+            if (!node.is_integer()) return false;
+            const std::int64_t value = *node.value<std::int64_t>();
+            if (value < -2147483647 || value > 2147483647) return false;
+            field = static_cast<int>(value);
+            return true;
+        } else if constexpr (std::is_same_v<T, double>) {
+            if (!node.is_number()) return false;
+            field = *node.value<double>();
+            return true;
+        } else if constexpr (std::is_same_v<T, bool>) {
+            if (!node.is_boolean()) return false;
+            field = *node.value<bool>();
+            return true;
+        } else {
+            if (!node.is_string()) return false;
+            field = *node.value<std::string>();
+            return true;
+        }
+    };
+}
+
+using Setters = std::map<std::string, Setter, std::less<>>;
+
+Setters setters_of(Config& c) {
+    return {
+        {"listen", into(c.listen)},
+        {"http", into(c.http)},
+        {"web_root", into(c.web_root)},
+        {"scenes", into(c.scenes)},
+        {"allowed_origins", into(c.allowed_origins)},
+        {"log_level", into(c.log_level)},
+        {"drain_seconds", into(c.drain_seconds)},
+        {"network_threads", into(c.network_threads)},
+        {"client.messages_per_second", into(c.client.messages_per_second)},
+        {"client.bytes_per_second", into(c.client.bytes_per_second)},
+        {"client.inputs_per_second", into(c.client.inputs_per_second)},
+        {"client.message_bytes_max", into(c.client.message_bytes_max)},
+        {"client.inputs_per_batch_max", into(c.client.inputs_per_batch_max)},
+        {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
+        {"client.keep_bodies_after_leave", into(c.client.keep_bodies_after_leave)},
+        {"world.worlds_max", into(c.world.worlds_max)},
+        {"world.bodies_max", into(c.world.bodies_max)},
+        {"world.clients_max", into(c.world.clients_max)},
+        {"world.command_queue_max", into(c.world.command_queue_max)},
+        {"tick.catch_up_max", into(c.tick.catch_up_max)},
+        {"tick.physics_threads", into(c.tick.physics_threads)},
+        {"stream.ack_window_min", into(c.stream.ack_window_min)},
+        {"stream.ack_window_max", into(c.stream.ack_window_max)},
+        {"stream.hello_seconds", into(c.stream.hello_seconds)},
+        {"stream.silence_seconds", into(c.stream.silence_seconds)},
+        {"stream.stats_per_second", into(c.stream.stats_per_second)},
+    };
+}
+
+std::string place(const std::string& name, const toml::source_region& source) {
+    return name + ":" + std::to_string(source.begin.line) + ": ";
+}
+
+Status apply_table(const Setters& setters, const toml::table& table, const std::string& prefix,
+                   const std::string& name) {
+    for (const auto& [key, node] : table) {
+        const std::string path = prefix + std::string(key.str());
+        if (const toml::table* inner = node.as_table(); inner && prefix.empty()) {
+            if (Status s = apply_table(setters, *inner, path + ".", name); !s.ok()) return s;
+            continue;
+        }
+        const auto at = setters.find(path);
+        if (at == setters.end())
+            return Error{ErrorCode::invalid_argument, place(name, node.source()) +
+                                                          "there is no setting \"" + path +
+                                                          "\"; docs/operations.md lists them"};
+        if (!at->second(node))
+            return Error{ErrorCode::invalid_argument, place(name, node.source()) + "\"" + path +
+                                                          "\" has a value of the wrong type"};
+    }
+    return {};
+}
+
+}  // namespace
+
+Status load_config_text(Config& config, const std::string& text, const std::string& name) {
+    toml::table table;
+    try {
+        table = toml::parse(text, name);
+    } catch (const toml::parse_error& error) {
+        return Error{ErrorCode::invalid_argument,
+                     place(name, error.source()) + std::string(error.description())};
+    }
+    Config changed = config;
+    if (Status s = apply_table(setters_of(changed), table, "", name); !s.ok()) return s;
+    if (Status s = check(changed); !s.ok())
+        return Error{ErrorCode::invalid_argument, name + ": " + s.error().message};
+    config = changed;
+    return {};
+}
+
+Status load_config(Config& config, const std::string& path) {
+    std::ifstream in(path);
+    if (!in) return Error{ErrorCode::not_found, "cannot read the config file " + path};
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    return load_config_text(config, text, path);
+}
+
+}  // namespace jostle::server

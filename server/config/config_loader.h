@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads a TOML file over a Config. Keys are the names of config.h, with a table for each inner
+// struct.
+#pragma once
+
+#include <string>
+
+#include "config/config.h"
+
+namespace jostle::server {
+
+// An unknown key or a value of the wrong type is an error that names file, line and key; `config`
+// is then unchanged.
+physics::Status load_config(Config& config, const std::string& path);
+physics::Status load_config_text(Config& config, const std::string& text, const std::string& name);
+
+}  // namespace jostle::server

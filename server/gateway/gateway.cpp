@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "gateway/gateway.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "gateway/http_session.h"
+#include "gateway/websocket_session.h"
+
+namespace jostle::server {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+using asio::ip::tcp;
+
+namespace {
+
+// Timeouts and statistics need no better; frames wake the thread by themselves.
+constexpr auto housekeeping_period = std::chrono::milliseconds(20);
+// When no file descriptor is left, trying again at once would only spin.
+constexpr auto accept_pause = std::chrono::milliseconds(100);
+
+template <class Session>
+std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
+    std::erase_if(sessions, [](const auto& session) { return session.expired(); });
+    return sessions.size();
+}
+
+}  // namespace
+
+struct Gateway::Impl {
+    Impl(PlayContext& play_context, const HttpRoutes& http_routes, GatewaySettings gateway_settings)
+        : context(play_context),
+          settings(std::move(gateway_settings)),
+          services{http_routes, settings, worker,
+                   [this](beast::tcp_stream stream, WebSocketSession::Request request) {
+                       begin_play(std::move(stream), request);
+                   }} {}
+
+    std::optional<std::string> listen();
+    void accept();
+    void on_accept(beast::error_code error, tcp::socket socket);
+    void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
+    void keep_house();
+    void advance_all();
+    void cut_all();
+
+    PlayContext& context;
+    const GatewaySettings settings;
+    asio::io_context io{1};
+    asio::thread_pool worker{1};
+    tcp::acceptor acceptor{io};
+    asio::steady_timer housekeeping{io}, accept_again{io};
+    const HttpSession::Services services;
+    // The sessions keep themselves alive; these only know them.
+    std::vector<std::weak_ptr<HttpSession>> http_sessions;
+    std::vector<std::weak_ptr<WebSocketSession>> play_sessions;
+    std::size_t first = 0;           // whose write starts first this time
+    std::atomic<bool> awake{false};  // a wake-up is on its way
+    std::uint16_t real_port = 0;
+    std::thread thread;
+};
+
+std::optional<std::string> Gateway::Impl::listen() {
+    const auto failure = [&](std::string_view what, const beast::error_code& error) {
+        return fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT",
+                           what, settings.host, settings.port, error.message());
+    };
+    beast::error_code error;
+    tcp::resolver resolver(io);
+    const auto found =
+        resolver.resolve(settings.host, std::to_string(settings.port),
+                         tcp::resolver::passive | tcp::resolver::numeric_service, error);
+    if (error) return failure("resolve", error);
+    const tcp::endpoint endpoint = found.begin()->endpoint();
+    acceptor.open(endpoint.protocol(), error);
+    // Only means that a port whose last connections linger may be used again; a port in use is
+    // still refused.
+    if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+    if (!error) acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    if (error) return failure("listen on", error);
+    real_port = acceptor.local_endpoint().port();
+    return std::nullopt;
+}
+
+void Gateway::Impl::accept() {
+    acceptor.async_accept([this](beast::error_code error, tcp::socket socket) {
+        on_accept(error, std::move(socket));
+    });
+}
+
+void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (error) {
+        spdlog::warn("http: cannot take a connection: {}", error.message());
+        accept_again.expires_after(accept_pause);
+        accept_again.async_wait([this](beast::error_code stopped) {
+            if (!stopped) accept();
+        });
+        return;
+    }
+    // Above the limit the socket is closed again at once: the cheapest answer there is.
+    if (drop_gone(http_sessions) + drop_gone(play_sessions) < settings.connections_max) {
+        socket.set_option(tcp::no_delay(true), error);
+        const auto session = std::make_shared<HttpSession>(std::move(socket), services);
+        http_sessions.push_back(session);
+        session->start();
+    }
+    accept();
+}
+
+void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request) {
+    const auto session =
+        std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
+    play_sessions.push_back(session);
+    session->start(request);
+}
+
+void Gateway::Impl::keep_house() {
+    housekeeping.expires_after(housekeeping_period);
+    housekeeping.async_wait([this](beast::error_code stopped) {
+        if (stopped) return;
+        advance_all();
+        keep_house();
+    });
+}
+
+// Each round begins with the next client, so that not always the same one is written to last.
+void Gateway::Impl::advance_all() {
+    const std::size_t count = drop_gone(play_sessions);
+    if (count == 0) return;
+    const Clock::time_point now = Clock::now();
+    first = (first + 1) % count;
+    for (std::size_t i = 0; i < count; ++i) {
+        // advance() starts operations only, so no session can end or begin while we walk.
+        if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
+    }
+}
+
+void Gateway::Impl::cut_all() {
+    beast::error_code ignored;
+    acceptor.close(ignored);
+    housekeeping.cancel();
+    accept_again.cancel();
+    for (const auto& known : http_sessions) {
+        if (const auto session = known.lock()) session->cut();
+    }
+    for (const auto& known : play_sessions) {
+        if (const auto session = known.lock()) session->cut();
+    }
+}
+
+Gateway::Gateway(PlayContext& context, const HttpRoutes& routes, GatewaySettings settings)
+    : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
+
+Gateway::~Gateway() {
+    stop();
+}
+
+std::optional<std::string> Gateway::start() {
+    if (auto error = impl_->listen()) return error;
+    impl_->accept();
+    impl_->keep_house();
+    impl_->thread = std::thread([impl = impl_.get()] { impl->io.run(); });
+    return std::nullopt;
+}
+
+std::uint16_t Gateway::port() const {
+    return impl_->real_port;
+}
+
+void Gateway::wake() {
+    if (impl_->awake.exchange(true)) return;
+    asio::post(impl_->io, [impl = impl_.get()] {
+        impl->awake = false;  // before looking: a frame that comes meanwhile wakes again
+        impl->advance_all();
+    });
+}
+
+// Sockets are closed on their own thread; the operations they had in flight end with an error and
+// let go of the sessions, so the io_context runs out of work and its thread ends.
+void Gateway::stop() {
+    if (!impl_->thread.joinable()) return;
+    asio::post(impl_->io, [impl = impl_.get()] { impl->cut_all(); });
+    impl_->thread.join();
+    impl_->worker.join();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// An HTTP request and its answer as plain data, so that what the gateway says can be tested without
+// a socket and only http_server knows the library that frames them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace jostle::server {
+
+struct HttpRequest {
+    std::string method;  // "GET", "POST", ...
+    std::string target;  // as sent: path and query, not decoded
+    std::string host;    // the Host header
+    std::string origin;  // the Origin header; empty when the client is no browser page
+    std::string content_type;
+    std::string if_none_match;
+    std::string body;
+};
+
+struct HttpResponse {
+    int status = 200;
+    std::string content_type = "text/plain; charset=utf-8";
+    std::vector<std::pair<std::string, std::string>> headers;
+    std::string body;
+};
+
+// What stands before the '?' of a target.
+inline std::string_view path_of(std::string_view target) {
+    return target.substr(0, target.find_first_of("?#"));
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// What each HTTP path answers: health, the worlds as JSON, the viewer's files. Knows nothing of
+// sockets. Any thread may call answer(); requests under /api may take as long as building a world,
+// so the gateway calls them on its worker.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gateway/http_message.h"
+#include "gateway/web_files.h"
+#include "protocol/world_control.h"
+
+namespace jostle::server {
+
+struct RouteSettings {
+    std::filesystem::path web_root;
+    // Pages of these origins ("https://play.example.org") may use the server besides its own.
+    std::vector<std::string> allowed_origins;
+    std::function<bool()> is_ready;  // false before the first world runs and while draining
+};
+
+class HttpRoutes {
+public:
+    // `worlds` outlives the routes.
+    HttpRoutes(WorldControl& worlds, RouteSettings settings);
+
+    HttpResponse answer(const HttpRequest& request) const;
+    static bool may_take_long(const HttpRequest& request);
+
+    // A browser sends Origin with every WebSocket and every request that changes something. A page
+    // from elsewhere must not use the visitor's browser to reach a server that only the visitor can
+    // reach. No Origin: not a page.
+    bool origin_is_allowed(const HttpRequest& request) const;
+
+private:
+    HttpResponse answer_api(const HttpRequest& request, std::string_view path) const;
+    HttpResponse list_worlds() const;
+    HttpResponse get_world(const std::string& world) const;
+    HttpResponse create_world(const HttpRequest& request) const;
+    HttpResponse delete_world(const std::string& world) const;
+
+    WorldControl& worlds_;
+    RouteSettings settings_;
+    WebFiles files_;
+};
+
+// {"code": "NOT_FOUND", "message": "..."} with the HTTP status that fits.
+HttpResponse to_http(const Answer& answer);
+
+}  // namespace jostle::server

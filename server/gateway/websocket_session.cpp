@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "gateway/websocket_session.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <chrono>
+#include <string_view>
+
+namespace jostle::server {
+
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using boost::asio::const_buffer;
+
+namespace {
+
+constexpr auto handshake_timeout = std::chrono::seconds(5);  // also for the closing handshake
+constexpr auto last_write_patience = std::chrono::seconds(1);
+
+websocket::close_code close_code_of(AnswerCode code) {
+    switch (code) {
+        case AnswerCode::ok:
+            return websocket::close_code::normal;
+        case AnswerCode::unavailable:
+            return websocket::close_code::service_restart;
+        case AnswerCode::resource_exhausted:
+            return websocket::close_code::try_again_later;
+        case AnswerCode::internal:
+            return websocket::close_code::internal_error;
+        case AnswerCode::aborted:
+            return websocket::close_code::going_away;
+        default:
+            return websocket::close_code::policy_error;
+    }
+}
+
+std::string peer_name(const beast::tcp_stream& stream) {
+    beast::error_code error;
+    const auto endpoint = stream.socket().remote_endpoint(error);
+    return error ? "gone"
+                 : fmt::format("ws:{}:{}", endpoint.address().to_string(), endpoint.port());
+}
+
+}  // namespace
+
+WebSocketSession::WebSocketSession(PlayContext& context, beast::tcp_stream stream,
+                                   std::size_t message_bytes_max)
+    : context_(context), socket_(std::move(stream)), peer_(peer_name(socket_.next_layer())) {
+    socket_.next_layer()
+        .expires_never();  // from here on the WebSocket layer and the link keep time
+    websocket::stream_base::timeout timeout{};
+    timeout.handshake_timeout = handshake_timeout;
+    timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
+    timeout.keep_alive_pings = false;
+    socket_.set_option(timeout);
+    socket_.read_message_max(message_bytes_max);
+    socket_.binary(true);
+    socket_.auto_fragment(
+        false);  // a snapshot is one frame, and its pieces are sent from where they lie
+}
+
+void WebSocketSession::start(const Request& upgrade) {
+    socket_.async_accept(upgrade,
+                         [self = shared_from_this()](Error error) { self->on_accepted(error); });
+}
+
+void WebSocketSession::on_accepted(Error error) {
+    if (error) return;  // the socket closes with the last reference to this session
+    link_.emplace(context_, peer_, Clock::now());
+    read();
+}
+
+void WebSocketSession::read() {
+    socket_.async_read(
+        incoming_, [self = shared_from_this()](Error error, std::size_t) { self->on_read(error); });
+}
+
+void WebSocketSession::on_read(Error error) {
+    const Clock::time_point now = Clock::now();
+    if (error == websocket::error::message_too_big) {
+        link_->refuse({AnswerCode::resource_exhausted, "The message is too big."}, now);
+    } else if (error) {
+        link_->peer_closed(now);
+    } else if (socket_.got_text()) {
+        link_->refuse({AnswerCode::invalid_argument, "Messages are binary, not text."}, now);
+    } else {
+        const const_buffer bytes = incoming_.cdata();
+        link_->receive({static_cast<const char*>(bytes.data()), bytes.size()}, now);
+        incoming_.consume(bytes.size());
+        // Reading goes on after the link ended, because that is how the peer's close frame arrives.
+        read();
+    }
+    advance(now);
+}
+
+void WebSocketSession::on_wrote(Error error) {
+    const Clock::time_point now = Clock::now();
+    writing_ = false;
+    if (error) link_->peer_closed(now);
+    advance(now);
+}
+
+void WebSocketSession::advance(Clock::time_point now) {
+    if (!link_ || closing_) return;
+    if (writing_) {
+        link_->wait_for_write(now);
+        // A client that no longer reads would keep its last write, and so its socket, for ever.
+        if (link_->end() && now >= link_->end_time() + last_write_patience) cut();
+        return;
+    }
+    if (std::optional<OutMessage> message = link_->take_message(now)) {
+        outgoing_ = std::move(*message);
+        writing_ = true;
+        std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
+        if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
+        socket_.async_write(pieces, [self = shared_from_this()](Error error, std::size_t) {
+            self->on_wrote(error);
+        });
+        return;
+    }
+    if (const std::optional<Answer>& end = link_->end()) close(*end);
+}
+
+void WebSocketSession::close(const Answer& end) {
+    closing_ = true;
+    // A close frame has room for 123 bytes of reason.
+    const websocket::close_reason reason(close_code_of(end.code),
+                                         boost::string_view(end.message).substr(0, 120));
+    socket_.async_close(reason, [self = shared_from_this()](Error) {});
+}
+
+void WebSocketSession::cut() {
+    Error ignored;
+    socket_.next_layer().socket().close(ignored);
+}
+
+}  // namespace jostle::server

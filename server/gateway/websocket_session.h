@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// One browser socket as a ClientLink: each binary message is a ClientMessage or a ServerMessage.
+// Lives on the gateway's thread; kept alive by the operations it has in flight.
+#pragma once
+
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "protocol/client_link.h"
+
+namespace jostle::server {
+
+class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
+public:
+    using Request = boost::beast::http::request<boost::beast::http::string_body>;
+
+    WebSocketSession(PlayContext& context, boost::beast::tcp_stream stream,
+                     std::size_t message_bytes_max);
+
+    // Answers the upgrade and begins the conversation.
+    void start(const Request& upgrade);
+    // Starts the next write when none is in flight and there is something to say, or closes the
+    // socket.
+    void advance(Clock::time_point now);
+    // The gateway stops: no more words.
+    void cut();
+
+private:
+    using Error = boost::beast::error_code;
+
+    void on_accepted(Error error);
+    void read();
+    void on_read(Error error);
+    void on_wrote(Error error);
+    void close(const Answer& end);
+
+    PlayContext& context_;
+    boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
+    std::string peer_;
+    std::optional<ClientLink> link_;
+    boost::beast::flat_buffer incoming_;
+    OutMessage outgoing_;
+    bool writing_ = false, closing_ = false;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Everything anyone may ask of a world, as plain values. Made by protocol/convert from messages,
+// checked by session/admission, queued, and turned into World calls by host/hosted_world and
+// nowhere else.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "jostle/physics/defs.h"
+
+namespace jostle::server {
+
+using EntityId = std::uint32_t;  // never reused in a world; 0 is none
+using ClientId = std::uint32_t;  // 0 is the scene
+
+struct SpawnCommand {
+    physics::ShapeDef shape;
+    physics::Transform pose;
+    physics::Vec3 linear_velocity, angular_velocity;
+    std::optional<std::uint32_t> color;  // 0xRRGGBB
+};
+struct ImpulseCommand {
+    EntityId entity = 0;
+    physics::Vec3 impulse;               // N s
+    std::optional<physics::Vec3> point;  // world; nothing: the centre of mass
+};
+struct GrabCommand {
+    EntityId entity = 0;
+    physics::Vec3 point;  // world
+};
+struct DragCommand {
+    physics::Vec3 target;  // world
+};
+struct ReleaseCommand {};
+struct DeleteCommand {
+    EntityId entity = 0;
+};
+struct ExplodeCommand {
+    physics::Vec3 center;
+    double radius = 0;  // m
+    double speed = 0;   // m/s at the centre
+};
+// The client is gone: lets go, and takes its bodies along unless they are to be kept. Carries no
+// sequence.
+struct LeaveCommand {
+    bool keep_bodies = false;
+};
+
+using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
+                            DeleteCommand, ExplodeCommand, LeaveCommand>;
+
+enum class InputCode { applied, invalid, not_found, not_allowed, limit };
+
+// What became of one input.
+struct InputOutcome {
+    std::uint32_t sequence = 0;
+    InputCode code = InputCode::applied;
+    std::uint32_t tick = 0;
+    EntityId entity = 0;
+    std::string message;
+};
+
+class OutcomeMailbox;
+
+struct Command {
+    ClientId client = 0;
+    std::uint32_t sequence = 0;  // rises by one or more per client, from 1
+    Action action;
+    std::shared_ptr<OutcomeMailbox> reply;  // null: nobody waits for the outcome
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// The only way out of a world: an immutable copy of what clients may see, made once per tick and
+// shared.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/clock.h"
+#include "host/command.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::server {
+
+// What an entity is: said once, when it appears.
+struct EntityDescription {
+    EntityId id = 0;
+    physics::BodyType type = physics::BodyType::dynamic;
+    std::vector<physics::ShapeState> shapes;
+    ClientId owner = 0;
+    std::optional<std::uint32_t> color;
+    std::string name;
+    double mass = 0;  // kg
+};
+
+// In rising order of id. A new one is made only when something appears or goes, so equal pointers
+// mean equal rosters.
+using Roster = std::vector<std::shared_ptr<const EntityDescription>>;
+
+struct EntityPose {
+    EntityId id = 0;
+    physics::Transform pose;
+    bool awake = false;
+};
+
+struct Frame {
+    std::uint32_t tick = 0;            // from 1
+    Clock::time_point due;             // when the tick was due
+    std::vector<EntityPose> entities;  // in rising order of id, as in the roster
+    std::shared_ptr<const Roster> roster;
+    int awake = 0, contacts = 0;
+    double step_ms = 0;                        // of this tick
+    double step_ms_mean = 0, step_ms_max = 0;  // over the last second
+    std::uint32_t late_ticks = 0;              // since the world began
+};
+
+using FramePtr = std::shared_ptr<const Frame>;
+
+}  // namespace jostle::server

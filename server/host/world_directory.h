@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// The worlds of this process: create, find, list, retire. Any thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "host/world_host.h"
+
+namespace jostle::server {
+
+class WorldDirectory {
+public:
+    WorldDirectory(WorldHostSettings settings, int worlds_max)
+        : settings_(std::move(settings)), worlds_max_(worlds_max) {}
+    ~WorldDirectory() { stop_all(); }
+
+    // A world of that scene; an empty name takes the scene's. Errors: the name is taken, the
+    // directory is full, the scene cannot be built.
+    physics::Result<std::shared_ptr<WorldHost>> create(const std::string& name,
+                                                       const scenes::SceneDescription& scene);
+    // By id or name; empty: the first. Null when there is none.
+    std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
+    std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
+    // Stops the world; its clients notice. Null when there is none.
+    std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
+    void stop_all();
+
+private:
+    std::shared_ptr<WorldHost> find_locked(const std::string& id_or_name) const;
+
+    const WorldHostSettings settings_;
+    const int worlds_max_;
+    mutable std::mutex mutex_;
+    std::map<std::uint32_t, std::shared_ptr<WorldHost>> worlds_;  // by number, "w1" is 1
+    std::uint32_t next_ = 1;
+};
+
+}  // namespace jostle::server

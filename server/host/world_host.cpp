@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "host/world_host.h"
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <numeric>
+
+#include "base/log.h"
+#include "host/outcome_mailbox.h"
+
+namespace jostle::server {
+
+namespace asio = boost::asio;
+using physics::Result;
+
+struct WorldHost::Timer {
+    asio::io_context io{1};
+    asio::steady_timer due{io};
+};
+
+Result<std::shared_ptr<WorldHost>> WorldHost::start(std::string id, std::string name,
+                                                    const scenes::SceneDescription& scene,
+                                                    const WorldHostSettings& settings) {
+    Result<HostedWorld> world =
+        HostedWorld::create(scene, settings.limits, settings.physics_threads);
+    if (!world.ok()) return world.error();
+    std::shared_ptr<WorldHost> host(
+        new WorldHost(std::move(id), std::move(name), scene, settings, std::move(*world)));
+    return host;
+}
+
+WorldHost::WorldHost(std::string id, std::string name, const scenes::SceneDescription& scene,
+                     const WorldHostSettings& settings, HostedWorld world)
+    : id_(std::move(id)),
+      name_(std::move(name)),
+      scene_(scene.name),
+      hz_(scene.hz),
+      gravity_(scene.world.gravity),
+      settings_(settings),
+      world_(std::move(world)),
+      commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      timer_(std::make_unique<Timer>()) {
+    recent_step_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
+    auto first = std::make_shared<Frame>();
+    first->tick = tick_ = 1;
+    first->due = Clock::now();
+    world_.copy_into(*first);
+    frame_ = std::move(first);
+    thread_ = std::thread([this] { run(); });
+}
+
+WorldHost::~WorldHost() {
+    stop();
+}
+
+FramePtr WorldHost::frame() const {
+    const std::lock_guard lock(frame_mutex_);
+    return frame_;
+}
+
+void WorldHost::stop() {
+    const std::lock_guard lock(stop_mutex_);
+    stopping_.store(true);
+    timer_->io.stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+void WorldHost::run() {
+    TickClock clock(Clock::now(), hz_, settings_.catch_up_max);
+    std::function<void()> wait = [&] {
+        timer_->due.expires_at(clock.next_due());
+        timer_->due.async_wait([&](const boost::system::error_code& error) {
+            if (error || stopping_.load(std::memory_order_relaxed)) return;
+            for (int left = clock.due(Clock::now()); left > 0; left--)
+                tick(clock.begin_tick(), clock.late_ticks());
+            wait();
+        });
+    };
+    wait();
+    timer_->io.run();
+}
+
+// One tick of one world. Nothing outside this thread ever touches world_.
+void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
+    tick_++;
+    commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
+    for (const Command& command : batch_) {
+        InputOutcome outcome = world_.apply(command, tick_);
+        if (command.reply) command.reply->put(std::move(outcome));
+    }
+    if (const auto stepped = world_.step(1 / hz_); !stepped.ok())
+        log_error("world {}: step refused: {}", id_, stepped.error().message);
+    auto frame = std::make_shared<Frame>();
+    frame->tick = tick_;
+    frame->due = due;
+    frame->late_ticks = late_ticks;
+    world_.copy_into(*frame);
+    measure(*frame);
+    publish(std::move(frame));
+}
+
+void WorldHost::measure(Frame& frame) {
+    recent_step_ms_[recent_next_] = frame.step_ms;
+    recent_next_ = (recent_next_ + 1) % recent_step_ms_.size();
+    frame.step_ms_mean = std::accumulate(recent_step_ms_.begin(), recent_step_ms_.end(), 0.0) /
+                         static_cast<double>(recent_step_ms_.size());
+    frame.step_ms_max = *std::max_element(recent_step_ms_.begin(), recent_step_ms_.end());
+}
+
+void WorldHost::publish(std::shared_ptr<Frame> frame) {
+    FramePtr old;  // freed outside the lock
+    {
+        const std::lock_guard lock(frame_mutex_);
+        old = std::exchange(frame_, std::move(frame));
+    }
+    if (settings_.on_frame) settings_.on_frame();
+}
+
+}  // namespace jostle::server

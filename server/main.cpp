@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-server: flags over the config file over the defaults, then run.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/server_app.h"
+#include "base/log.h"
+#include "config/config_loader.h"
+#include "jostle/scenes/catalog.h"
+
+namespace {
+
+constexpr const char* examples = R"(
+Examples:
+  jostle-server                                   the sandbox; viewer at http://localhost:8080
+  jostle-server --scene pyramid --scene my.json   two worlds, one from a scene file
+  jostle-server --config server.toml --log-level debug
+
+SIGTERM or Ctrl-C tells clients goodbye and exits with 0; a second one exits at once.
+Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
+
+struct Flags {
+    std::vector<std::string> scenes;
+    std::string listen, http, config, web_root, log_level, port_file;
+    bool list_scenes = false;
+};
+
+void add_flags(CLI::App& app, Flags& flags) {
+    app.add_option("--scene", flags.scenes,
+                   "World to host: a scene's name or a scene file; may be given several times");
+    app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one");
+    app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT");
+    app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings");
+    app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
+    app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error");
+    app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
+    app.add_flag("--list-scenes", flags.list_scenes,
+                 "Names every scene of the catalogue and exits");
+    app.set_version_flag("--version", "jostle-server 0.1.0");
+    app.footer(examples);
+}
+
+// A flag that was given replaces what the file said.
+void overlay(jostle::server::Config& config, const Flags& flags) {
+    const auto take = [](std::string& setting, const std::string& flag) {
+        if (!flag.empty()) setting = flag;
+    };
+    if (!flags.scenes.empty()) config.scenes = flags.scenes;
+    take(config.listen, flags.listen);
+    take(config.http, flags.http);
+    take(config.web_root, flags.web_root);
+    take(config.log_level, flags.log_level);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Hosts physics worlds and streams them to players, bots and browsers."};
+    Flags flags;
+    add_flags(app, flags);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    if (flags.list_scenes) {
+        for (const auto& scene : jostle::scenes::catalog())
+            std::printf("%-12.*s %.*s\n", static_cast<int>(scene.name.size()), scene.name.data(),
+                        static_cast<int>(scene.description.size()), scene.description.data());
+        return 0;
+    }
+    jostle::server::Config config;
+    if (!flags.config.empty()) {
+        if (const auto loaded = jostle::server::load_config(config, flags.config); !loaded.ok()) {
+            std::fprintf(stderr, "jostle-server: %s\n", loaded.error().message.c_str());
+            return 2;
+        }
+    }
+    overlay(config, flags);
+    if (const auto checked = jostle::server::check(config); !checked.ok()) {
+        std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());
+        return 2;
+    }
+    spdlog::set_level(spdlog::level::from_str(config.log_level));
+    spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+    return jostle::server::run_server(config, flags.port_file);
+}

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/client_link.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+#include "base/log.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+// What was said and not taken: beyond this the client does not read what it asks for.
+constexpr std::size_t waiting_max = 256;
+constexpr std::size_t outcomes_max = 4096;
+// A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
+// helps nobody.
+constexpr auto keyframe_period = 250ms;
+// Results travel together: a client learns what became of an input at most this much later.
+constexpr auto results_period = 50ms;
+// A client that has been told and still sends this many times its rate is cut off.
+constexpr int flood_factor = 5;
+constexpr auto rate_notice_period = 1s;
+
+// Every n-th tick, so that no more than `wanted` snapshots a second are sent.
+int divider_of(double tick_hz, std::uint32_t wanted) {
+    if (wanted == 0 || wanted >= tick_hz) return 1;
+    return static_cast<int>(std::ceil(tick_hz / wanted));
+}
+
+}  // namespace
+
+ClientLink::ClientLink(PlayContext& context, std::string peer, Clock::time_point now)
+    : context_(context), peer_(std::move(peer)), begun_(now), last_heard_(now) {}
+
+ClientLink::~ClientLink() {
+    leave_world();
+}
+
+// --- what the client says ---
+
+void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
+    if (end_) return;
+    last_heard_ = now;
+    const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
+    if (bytes.size() > bytes_max) {
+        return refuse(
+            {AnswerCode::resource_exhausted,
+             fmt::format("a message of {} bytes; at most {} are allowed", bytes.size(), bytes_max)},
+            now);
+    }
+    if (admission_ && !admission_->admit_message(bytes.size(), now)) return drop_message(now);
+    const physics::Result<ClientWords> words = read_client_message(bytes);
+    if (!words.ok()) return refuse({AnswerCode::invalid_argument, words.error().message}, now);
+    if (!feed_ && !std::holds_alternative<HelloWords>(*words)) {
+        return refuse({AnswerCode::failed_precondition, "the first message must be a Hello"}, now);
+    }
+    std::visit([&](const auto& said) { hear(said, now); }, *words);
+}
+
+// Not even parsed: a flood should cost its sender more than us.
+void ClientLink::drop_message(Clock::time_point now) {
+    dropped_++;
+    if (now - dropping_since_ < rate_notice_period) {
+        if (dropped_ > flood_factor * context_.config.client.messages_per_second) {
+            refuse({AnswerCode::resource_exhausted, "far too many messages"}, now);
+        }
+        return;
+    }
+    dropping_since_ = now;
+    dropped_ = 1;
+    say(write_notice(
+        NoticeKind::rate_limit,
+        fmt::format("more than {:g} messages or {:g} bytes a second: what is beyond that "
+                    "is dropped; put several inputs into one batch",
+                    context_.config.client.messages_per_second,
+                    context_.config.client.bytes_per_second)));
+}
+
+void ClientLink::hear(const HelloWords& hello, Clock::time_point now) {
+    if (feed_) return refuse({AnswerCode::failed_precondition, "a second Hello"}, now);
+    if (context_.draining) {
+        return refuse({AnswerCode::unavailable, "the server is going down; try another"}, now);
+    }
+    if (hello.protocol != protocol_version) {
+        return refuse({AnswerCode::failed_precondition,
+                       fmt::format("hello.protocol is {}; this server speaks {}", hello.protocol,
+                                   protocol_version)},
+                      now);
+    }
+    if (const std::shared_ptr<WorldHost> world = world_for(hello, now)) enter(world, hello, now);
+}
+
+// Null when there is none; the refusal has then been said.
+std::shared_ptr<WorldHost> ClientLink::world_for(const HelloWords& hello, Clock::time_point now) {
+    std::string wanted = hello.world;
+    if (!hello.ticket.empty()) {
+        const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
+        if (!id) {
+            refuse({AnswerCode::unauthenticated,
+                    "the ticket is unknown, used or too old; ask JoinWorld for another"},
+                   now);
+            return nullptr;
+        }
+        wanted = *id;
+    }
+    std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
+    if (!world) {
+        refuse({AnswerCode::not_found, wanted.empty()
+                                           ? "the server has no world"
+                                           : fmt::format("there is no world \"{}\"", wanted)},
+               now);
+    }
+    return world;
+}
+
+void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
+                       Clock::time_point now) {
+    const std::optional<ClientId> client = context_.sessions.enter(world->id());
+    if (!client) {
+        return refuse(
+            {AnswerCode::resource_exhausted,
+             fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
+            now);
+    }
+    client_ = *client;
+    feed_ = context_.feeds.feed_of(world);
+    mailbox_ = std::make_shared<OutcomeMailbox>();
+    admission_.emplace(context_.config.client, hello.spectator, now);
+    const int divider = divider_of(world->hz(), hello.snapshot_hz);
+    pacing_.emplace(context_.config.stream, world->hz(), divider);
+    const FramePtr frame = world->frame();
+    say(write_welcome(
+        {.client = client_,
+         .world_id = world->id(),
+         .world_name = world->name(),
+         .tick = frame->tick,
+         .tick_hz = world->hz(),
+         .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
+         .ack_window = static_cast<std::uint32_t>(pacing_->window()),
+         .quant = feed_->snapshots().spec(),
+         .server_time_us = to_us(now),
+         .gravity = world->gravity()}));
+    snapshot_due_ = true;  // the first one goes out at once
+    log_info("client {} \"{}\" of {} joined world {}{}", client_, hello.name, peer_, world->id(),
+             hello.spectator ? " as a spectator" : "");
+}
+
+void ClientLink::hear(const InputWords& words, Clock::time_point now) {
+    const auto inputs_max = static_cast<std::size_t>(context_.config.client.inputs_per_batch_max);
+    if (words.inputs.size() > inputs_max) {
+        return refuse({AnswerCode::invalid_argument,
+                       fmt::format("a batch of {} inputs; at most {} are allowed",
+                                   words.inputs.size(), inputs_max)},
+                      now);
+    }
+    if (words.ack) hear(*words.ack, now);
+    client_time_us_ = words.client_time_us;
+    std::uint32_t sequence = words.first_sequence;
+    for (const physics::Result<Action>& input : words.inputs) push_input(sequence++, input, now);
+}
+
+// What was heard before is neither applied nor answered again.
+void ClientLink::push_input(std::uint32_t sequence, const physics::Result<Action>& input,
+                            Clock::time_point now) {
+    if (sequence <= last_sequence_) return;
+    last_sequence_ = sequence;
+    const auto refuse_input = [&](InputCode code, std::string message) {
+        outcomes_.push_back({.sequence = sequence,
+                             .code = code,
+                             .tick = considered_tick_,
+                             .message = std::move(message)});
+    };
+    if (!input.ok()) return refuse_input(InputCode::invalid, input.error().message);
+    if (const std::optional<Refusal> refusal = admission_->refuse_input(*input, now)) {
+        return refuse_input(refusal->code, refusal->message);
+    }
+    const bool taken = feed_->host().push(
+        {.client = client_, .sequence = sequence, .action = *input, .reply = mailbox_});
+    if (!taken) refuse_input(InputCode::limit, "the world has too many inputs waiting");
+}
+
+void ClientLink::hear(const AckWords& ack, Clock::time_point now) {
+    pacing_->acked(ack.frame, now);
+    if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
+    last_keyframe_ = now;
+    cursor_.forget();
+}
+
+void ClientLink::hear(const PingWords& ping, Clock::time_point now) {
+    say(write_pong(ping.client_time_us, to_us(now)));
+}
+
+void ClientLink::hear(const LeaveWords&, Clock::time_point now) {
+    finish({}, now);
+}
+
+void ClientLink::peer_closed(Clock::time_point now) {
+    waiting_.clear();
+    if (!end_) finish({AnswerCode::ok, "the client closed the stream"}, now);
+}
+
+// --- how it ends ---
+
+void ClientLink::refuse(Answer answer, Clock::time_point now) {
+    if (end_) return;
+    log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
+             answer.message);
+    say(write_notice(NoticeKind::refused, answer.message));
+    finish(std::move(answer), now);
+}
+
+void ClientLink::finish(Answer answer, Clock::time_point now) {
+    if (end_) return;
+    end_ = std::move(answer);
+    end_time_ = now;
+    if (client_ != 0) log_info("client {} left world {}", client_, feed_->host().id());
+    leave_world();
+}
+
+void ClientLink::leave_world() {
+    if (client_ == 0) return;
+    context_.sessions.leave(client_);
+    const Command leave{.client = client_,
+                        .action = LeaveCommand{context_.config.client.keep_bodies_after_leave}};
+    // A full queue empties within a tick. A world that stopped will never take it, and need not.
+    while (!feed_->host().stopped() && !feed_->host().push(leave)) std::this_thread::sleep_for(1ms);
+    client_ = 0;
+}
+
+// What time alone decides, and what the server as a whole decided.
+void ClientLink::keep_time(Clock::time_point now) {
+    if (end_) return;
+    const StreamSettings& limits = context_.config.stream;
+    if (context_.closing) return finish({AnswerCode::unavailable, "the server went down"}, now);
+    if (context_.draining && !told_draining_) {
+        told_draining_ = true;
+        say(write_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
+                                                           context_.config.drain_seconds)));
+    }
+    if (!feed_) {
+        if (now - begun_ > from_seconds(limits.hello_seconds)) {
+            refuse({AnswerCode::deadline_exceeded,
+                    fmt::format("no Hello within {:g} s", limits.hello_seconds)},
+                   now);
+        }
+        return;
+    }
+    if (now - last_heard_ > from_seconds(limits.silence_seconds)) {
+        return refuse({AnswerCode::deadline_exceeded,
+                       fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
+                                   limits.silence_seconds)},
+                      now);
+    }
+    if (feed_->host().stopped()) {
+        say(write_notice(NoticeKind::world_closed, "the world was closed"));
+        return finish({AnswerCode::aborted, "the world was closed"}, now);
+    }
+    if (waiting_.size() > waiting_max || outcomes_.size() > outcomes_max) {
+        waiting_.clear();
+        refuse({AnswerCode::resource_exhausted, "the client asks but does not read"}, now);
+    }
+}
+
+// --- what the server says ---
+
+void ClientLink::say(std::string message) {
+    waiting_.push_back({std::move(message), nullptr});
+}
+
+std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    keep_time(now);
+    if (waiting_.empty() && feed_ && !end_) {
+        if (const FramePtr frame = feed_->host().frame(); frame->tick != considered_tick_) {
+            consider(*frame, now);
+        }
+        write_waits_ = false;
+        if (auto results = take_results(now)) return results;
+        if (auto snapshot = take_snapshot(now)) return snapshot;
+        return take_stats(now);
+    }
+    if (waiting_.empty()) return std::nullopt;
+    OutMessage message = std::move(waiting_.front());
+    waiting_.pop_front();
+    return message;
+}
+
+void ClientLink::wait_for_write(Clock::time_point now) {
+    write_waits_ = true;
+    keep_time(now);
+    if (feed_ && !end_) collect_outcomes();
+}
+
+// Whether this frame is one to send. Frames that came and went while a write was pending were
+// skipped because of it.
+void ClientLink::consider(const Frame& frame, Clock::time_point now) {
+    const auto every = static_cast<std::uint32_t>(pacing_->divider());
+    if (write_waits_ && considered_tick_ != 0) {
+        skipped_waiting_ += (frame.tick - 1) / every - considered_tick_ / every;
+    }
+    considered_tick_ = frame.tick;
+    snapshot_due_ = snapshot_due_ || pacing_->may_send(frame.tick, now);
+    collect_outcomes();
+}
+
+void ClientLink::collect_outcomes() {
+    std::vector<InputOutcome> fresh = mailbox_->take();
+    outcomes_.insert(outcomes_.end(), std::make_move_iterator(fresh.begin()),
+                     std::make_move_iterator(fresh.end()));
+}
+
+std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
+    if (outcomes_.empty() || now - last_results_ < results_period) return std::nullopt;
+    last_results_ = now;
+    for (const InputOutcome& outcome : outcomes_) {
+        answered_sequence_ = std::max(answered_sequence_, outcome.sequence);
+    }
+    OutMessage message{write_input_results(outcomes_), nullptr};
+    outcomes_.clear();
+    return message;
+}
+
+std::optional<OutMessage> ClientLink::take_stats(Clock::time_point now) {
+    if (now - last_stats_ < from_seconds(1 / context_.config.stream.stats_per_second)) {
+        return std::nullopt;
+    }
+    last_stats_ = now;
+    const WorldHost& world = feed_->host();
+    const auto clients = static_cast<std::uint32_t>(context_.sessions.clients_in(world.id()));
+    return OutMessage{{}, feed_->world_stats(world.frame(), clients)};
+}
+
+// A roster change comes before the first snapshot that needs it, so when there is one it goes
+// first, and the snapshot is made, of the then newest frame, when it has been taken.
+std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
+    if (!snapshot_due_) return std::nullopt;
+    const FramePtr frame = feed_->host().frame();
+    if (frame->tick <= cursor_.last()) return std::nullopt;
+    if (frame->roster != roster_) {
+        for (SharedBytes& bytes : feed_->roster_change(roster_, frame->roster)) {
+            waiting_.push_back({{}, std::move(bytes)});
+        }
+        roster_ = frame->roster;
+        if (!waiting_.empty()) return take_message(now);
+    }
+    SharedBytes shared = feed_->snapshots().encoding(frame, cursor_.bases_for(frame->tick));
+    const PrivateWords own{.input_sequence = answered_sequence_,
+                           .echo_client_time_us = client_time_us_,
+                           .snapshots_skipped = pacing_->skipped() + skipped_waiting_};
+    snapshot_due_ = false;
+    considered_tick_ = std::max(considered_tick_, frame->tick);
+    cursor_.sent(frame->tick);
+    pacing_->sent(frame->tick, now);
+    OutMessage message{write_snapshot_head(own, shared->size()), std::move(shared)};
+    return message;
+}
+
+}  // namespace jostle::server

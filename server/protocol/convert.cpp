@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/convert.h"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/wire_format_lite.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <array>
+#include <utility>
+
+#include "jostle/v1/play.pb.h"
+
+namespace jostle::server {
+
+using google::protobuf::internal::WireFormatLite;
+using google::protobuf::io::CodedOutputStream;
+using physics::Error;
+using physics::ErrorCode;
+using physics::Result;
+
+namespace {
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+physics::Vec3 from_message(const v1::Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+// All zero means no rotation, and readers normalise; what has no direction is refused.
+Result<physics::Quat> from_message(const v1::Quat& q) {
+    const physics::Quat quat{q.x(), q.y(), q.z(), q.w()};
+    const double size = norm_squared(quat);
+    if (size == 0) return physics::Quat{};
+    if (!(size > 1e-12 && size < 1e12))
+        return invalid("rotation is not a quaternion near unit length");
+    return normalized(quat);
+}
+
+Result<physics::Geometry> geometry_of(const v1::Shape& shape) {
+    switch (shape.kind_case()) {
+        case v1::Shape::kSphere:
+            return physics::Geometry{physics::Sphere{shape.sphere().radius()}};
+        case v1::Shape::kCapsule:
+            return physics::Geometry{
+                physics::Capsule{shape.capsule().radius(), shape.capsule().half_length()}};
+        case v1::Shape::kBox:
+            return physics::Geometry{physics::Box{from_message(shape.box().half_extents())}};
+        case v1::Shape::kPlane:
+            return physics::Geometry{physics::Plane{from_message(shape.plane().normal())}};
+        case v1::Shape::KIND_NOT_SET:
+            break;
+    }
+    return invalid("spawn.shape names no kind; use a sphere, a capsule or a box");
+}
+
+Result<physics::ShapeDef> shape_of(const v1::Shape& shape) {
+    const Result<physics::Geometry> geometry = geometry_of(shape);
+    if (!geometry.ok()) return geometry.error();
+    const Result<physics::Quat> rotation = from_message(shape.rotation());
+    if (!rotation.ok()) return rotation.error();
+    physics::ShapeDef def;
+    def.geometry = *geometry;
+    def.pose = {from_message(shape.position()), *rotation};
+    if (shape.has_density()) def.density = shape.density();
+    if (shape.has_friction()) def.material.friction = shape.friction();
+    if (shape.has_restitution()) def.material.restitution = shape.restitution();
+    return def;
+}
+
+Result<Action> action_of(const v1::SpawnInput& spawn) {
+    Result<physics::ShapeDef> shape = shape_of(spawn.shape());
+    if (!shape.ok()) return shape.error();
+    const Result<physics::Quat> rotation = from_message(spawn.rotation());
+    if (!rotation.ok()) return rotation.error();
+    SpawnCommand command;
+    command.shape = *shape;
+    command.pose = {from_message(spawn.position()), *rotation};
+    command.linear_velocity = from_message(spawn.linear_velocity());
+    command.angular_velocity = from_message(spawn.angular_velocity());
+    if (spawn.has_color()) command.color = spawn.color() & 0xffffff;
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::ImpulseInput& impulse) {
+    ImpulseCommand command{.entity = impulse.entity(),
+                           .impulse = from_message(impulse.impulse()),
+                           .point = std::nullopt};
+    if (impulse.has_point()) command.point = from_message(impulse.point());
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::Input& input) {
+    switch (input.kind_case()) {
+        case v1::Input::kSpawn:
+            return action_of(input.spawn());
+        case v1::Input::kImpulse:
+            return action_of(input.impulse());
+        case v1::Input::kGrab:
+            return Action{GrabCommand{input.grab().entity(), from_message(input.grab().point())}};
+        case v1::Input::kDrag:
+            return Action{DragCommand{from_message(input.drag().target())}};
+        case v1::Input::kRelease:
+            return Action{ReleaseCommand{}};
+        case v1::Input::kDelete:
+            return Action{DeleteCommand{input.delete_().entity()}};
+        case v1::Input::kExplode:
+            return Action{ExplodeCommand{from_message(input.explode().center()),
+                                         input.explode().radius(), input.explode().speed()}};
+        case v1::Input::KIND_NOT_SET:
+            break;
+    }
+    return invalid("the input is empty, or of a kind that this server does not know");
+}
+
+AckWords words_of(const v1::Ack& ack) {
+    return {ack.frame(), ack.need_keyframe()};
+}
+
+Result<ClientWords> words_of(const v1::Hello& hello) {
+    if (hello.name().size() > client_name_bytes_max) {
+        return invalid(fmt::format("hello.name has {} bytes; at most {} are allowed",
+                                   hello.name().size(), client_name_bytes_max));
+    }
+    return ClientWords{HelloWords{.protocol = hello.protocol(),
+                                  .world = hello.world(),
+                                  .ticket = hello.ticket(),
+                                  .name = hello.name(),
+                                  .snapshot_hz = hello.snapshot_hz(),
+                                  .spectator = hello.spectator()}};
+}
+
+Result<ClientWords> words_of(const v1::InputBatch& batch) {
+    const std::uint64_t first = batch.first_sequence();
+    if (first == 0 && batch.inputs_size() > 0) {
+        return invalid("input.first_sequence is 0; inputs are numbered from 1");
+    }
+    if (first + static_cast<std::uint64_t>(batch.inputs_size()) > 0xffffffffu) {
+        return invalid("input.first_sequence leaves no numbers for the inputs; join again");
+    }
+    InputWords words;
+    words.first_sequence = batch.first_sequence();
+    words.client_time_us = batch.client_time_us();
+    if (batch.has_ack()) words.ack = words_of(batch.ack());
+    words.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
+    for (const v1::Input& input : batch.inputs()) words.inputs.push_back(action_of(input));
+    return ClientWords{std::move(words)};
+}
+
+v1::BodyType to_message(physics::BodyType type) {
+    switch (type) {
+        case physics::BodyType::fixed:
+            return v1::BODY_TYPE_FIXED;
+        case physics::BodyType::kinematic:
+            return v1::BODY_TYPE_KINEMATIC;
+        case physics::BodyType::dynamic:
+            return v1::BODY_TYPE_DYNAMIC;
+    }
+    return v1::BODY_TYPE_UNSPECIFIED;
+}
+
+void set(v1::Vec3& to, physics::Vec3 from) {
+    to.set_x(from.x);
+    to.set_y(from.y);
+    to.set_z(from.z);
+}
+
+void set(v1::Quat& to, physics::Quat from) {
+    to.set_x(from.x);
+    to.set_y(from.y);
+    to.set_z(from.z);
+    to.set_w(from.w);
+}
+
+struct SetGeometry {
+    v1::Shape& to;
+
+    void operator()(const physics::Sphere& s) const { to.mutable_sphere()->set_radius(s.radius); }
+    void operator()(const physics::Capsule& c) const {
+        to.mutable_capsule()->set_radius(c.radius);
+        to.mutable_capsule()->set_half_length(c.half_length);
+    }
+    void operator()(const physics::Box& b) const {
+        set(*to.mutable_box()->mutable_half_extents(), b.half_extents);
+    }
+    void operator()(const physics::Plane& p) const {
+        set(*to.mutable_plane()->mutable_normal(), p.normal);
+    }
+};
+
+// Only what a viewer draws: where it is and how big. Density and material stay with the server.
+void set(v1::Shape& to, const physics::ShapeState& from) {
+    std::visit(SetGeometry{to}, from.geometry);
+    if (from.pose.position != physics::Vec3{}) set(*to.mutable_position(), from.pose.position);
+    if (from.pose.rotation != physics::Quat{}) set(*to.mutable_rotation(), from.pose.rotation);
+}
+
+void set(v1::Entity& to, const EntityDescription& from) {
+    to.set_id(from.id);
+    to.set_type(to_message(from.type));
+    for (const physics::ShapeState& shape : from.shapes) set(*to.add_shapes(), shape);
+    to.set_owner(from.owner);
+    if (from.color) to.set_color(*from.color);
+    to.set_name(from.name);
+    to.set_mass(from.mass);
+}
+
+v1::InputCode to_message(InputCode code) {
+    switch (code) {
+        case InputCode::applied:
+            return v1::INPUT_CODE_APPLIED;
+        case InputCode::invalid:
+            return v1::INPUT_CODE_INVALID;
+        case InputCode::not_found:
+            return v1::INPUT_CODE_NOT_FOUND;
+        case InputCode::not_allowed:
+            return v1::INPUT_CODE_NOT_ALLOWED;
+        case InputCode::limit:
+            return v1::INPUT_CODE_LIMIT;
+    }
+    return v1::INPUT_CODE_UNSPECIFIED;
+}
+
+v1::NoticeCode to_message(NoticeKind kind) {
+    switch (kind) {
+        case NoticeKind::draining:
+            return v1::NOTICE_CODE_DRAINING;
+        case NoticeKind::world_closed:
+            return v1::NOTICE_CODE_WORLD_CLOSED;
+        case NoticeKind::refused:
+            return v1::NOTICE_CODE_REFUSED;
+        case NoticeKind::rate_limit:
+            return v1::NOTICE_CODE_RATE_LIMIT;
+    }
+    return v1::NOTICE_CODE_UNSPECIFIED;
+}
+
+}  // namespace
+
+Result<ClientWords> read_client_message(std::string_view bytes) {
+    v1::ClientMessage message;
+    if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+        return invalid(fmt::format("the {} bytes are not a jostle.v1.ClientMessage", bytes.size()));
+    }
+    switch (message.message_case()) {
+        case v1::ClientMessage::kHello:
+            return words_of(message.hello());
+        case v1::ClientMessage::kInput:
+            return words_of(message.input());
+        case v1::ClientMessage::kAck:
+            return ClientWords{words_of(message.ack())};
+        case v1::ClientMessage::kPing:
+            return ClientWords{PingWords{message.ping().client_time_us()}};
+        case v1::ClientMessage::kLeave:
+            return ClientWords{LeaveWords{}};
+        case v1::ClientMessage::MESSAGE_NOT_SET:
+            break;
+    }
+    return invalid("the ClientMessage is empty, or of a kind that this server does not know");
+}
+
+std::string write_welcome(const WelcomeWords& words) {
+    v1::ServerMessage message;
+    v1::Welcome& welcome = *message.mutable_welcome();
+    welcome.set_client_id(words.client);
+    welcome.set_world_id(words.world_id);
+    welcome.set_world_name(words.world_name);
+    welcome.set_tick(words.tick);
+    welcome.set_tick_hz(words.tick_hz);
+    welcome.set_snapshot_hz(words.snapshot_hz);
+    welcome.set_ack_window(words.ack_window);
+    v1::QuantSpec& quant = *welcome.mutable_quant();
+    quant.set_units_per_meter(static_cast<std::uint32_t>(words.quant.units_per_meter));
+    quant.set_rotation_component(static_cast<std::uint32_t>(words.quant.rotation_component));
+    welcome.set_server_time_us(words.server_time_us);
+    set(*welcome.mutable_gravity(), words.gravity);
+    return message.SerializeAsString();
+}
+
+std::string write_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
+                         std::span<const EntityId> removed) {
+    v1::ServerMessage message;
+    v1::Roster& roster = *message.mutable_roster();
+    for (const auto& entity : added) set(*roster.add_added(), *entity);
+    for (const EntityId id : removed) roster.add_removed(id);
+    return message.SerializeAsString();
+}
+
+std::string write_input_results(std::span<const InputOutcome> outcomes) {
+    v1::ServerMessage message;
+    v1::InputResults& results = *message.mutable_input_results();
+    for (const InputOutcome& outcome : outcomes) {
+        v1::InputResult& result = *results.add_results();
+        result.set_sequence(outcome.sequence);
+        result.set_code(to_message(outcome.code));
+        result.set_tick(outcome.tick);
+        result.set_entity(outcome.entity);
+        result.set_message(outcome.message);
+    }
+    return message.SerializeAsString();
+}
+
+std::string write_pong(std::uint64_t client_time_us, std::uint64_t server_time_us) {
+    v1::ServerMessage message;
+    message.mutable_pong()->set_client_time_us(client_time_us);
+    message.mutable_pong()->set_server_time_us(server_time_us);
+    return message.SerializeAsString();
+}
+
+std::string write_world_stats(const Frame& frame, std::uint32_t clients) {
+    v1::ServerMessage message;
+    v1::WorldStats& stats = *message.mutable_stats();
+    stats.set_tick(frame.tick);
+    stats.set_bodies(static_cast<std::uint32_t>(frame.entities.size()));
+    stats.set_awake(static_cast<std::uint32_t>(frame.awake));
+    stats.set_contacts(static_cast<std::uint32_t>(frame.contacts));
+    stats.set_clients(clients);
+    stats.set_step_ms_mean(frame.step_ms_mean);
+    stats.set_step_ms_max(frame.step_ms_max);
+    stats.set_late_ticks(frame.late_ticks);
+    return message.SerializeAsString();
+}
+
+std::string write_notice(NoticeKind kind, const std::string& text) {
+    v1::ServerMessage message;
+    message.mutable_notice()->set_code(to_message(kind));
+    message.mutable_notice()->set_message(text);
+    return message.SerializeAsString();
+}
+
+std::string write_shared_snapshot(const EncodedSnapshot& encoded) {
+    v1::Snapshot snapshot;
+    snapshot.set_frame(encoded.frame);
+    snapshot.set_base_frame(encoded.bases.base);
+    snapshot.set_base2_frame(encoded.bases.base2);
+    snapshot.set_base3_frame(encoded.bases.base3);
+    snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
+    snapshot.set_crc(encoded.crc);
+    snapshot.set_server_time_us(to_us(encoded.due));
+    return snapshot.SerializeAsString();
+}
+
+std::string write_snapshot_head(const PrivateWords& words, std::size_t shared_bytes) {
+    v1::Private own;
+    own.set_input_sequence(words.input_sequence);
+    own.set_echo_client_time_us(words.echo_client_time_us);
+    own.set_snapshots_skipped(words.snapshots_skipped);
+
+    constexpr std::uint32_t snapshot_tag = WireFormatLite::MakeTag(
+        v1::ServerMessage::kSnapshotFieldNumber, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
+    constexpr std::uint32_t own_tag = WireFormatLite::MakeTag(
+        v1::Snapshot::kOwnFieldNumber, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
+    constexpr std::size_t head_bytes_max = 64;  // 3 + 5 + 2 + 20 at most
+
+    const auto own_bytes = static_cast<std::uint32_t>(own.ByteSizeLong());
+    const std::uint32_t field_bytes =
+        static_cast<std::uint32_t>(CodedOutputStream::VarintSize32(own_tag) +
+                                   CodedOutputStream::VarintSize32(own_bytes)) +
+        own_bytes;
+    std::array<std::uint8_t, head_bytes_max> bytes{};
+    std::uint8_t* end = CodedOutputStream::WriteTagToArray(snapshot_tag, bytes.data());
+    end = CodedOutputStream::WriteVarint32ToArray(
+        static_cast<std::uint32_t>(shared_bytes) + field_bytes, end);
+    end = CodedOutputStream::WriteTagToArray(own_tag, end);
+    end = CodedOutputStream::WriteVarint32ToArray(own_bytes, end);
+    own.SerializeWithCachedSizesToArray(end);
+    end += own_bytes;
+    return {reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::size_t>(end - bytes.data())};
+}
+
+}  // namespace jostle::server

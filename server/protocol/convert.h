@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// The play stream's messages to our types and back. Nothing else on the way of a play message knows
+// protobuf. What is read came from strangers: it is parsed strictly and each refusal says which
+// field is wrong. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host/command.h"
+#include "host/frame.h"
+#include "replication/snapshot_cache.h"
+
+namespace jostle::server {
+
+inline constexpr std::uint32_t protocol_version = 1;
+inline constexpr std::size_t client_name_bytes_max = 32;
+
+// --- what a client says ---
+
+struct HelloWords {
+    std::uint32_t protocol = 0;
+    std::string world, ticket, name;
+    std::uint32_t snapshot_hz = 0;  // 0: the world's rate
+    bool spectator = false;
+};
+struct AckWords {
+    std::uint32_t frame = 0;
+    bool need_keyframe = false;
+};
+struct InputWords {
+    std::uint32_t first_sequence = 0;
+    std::vector<physics::Result<Action>> inputs;  // an error refuses that input alone
+    std::optional<AckWords> ack;
+    std::uint32_t client_time_us = 0;
+};
+struct PingWords {
+    std::uint64_t client_time_us = 0;
+};
+struct LeaveWords {};
+
+using ClientWords = std::variant<HelloWords, InputWords, AckWords, PingWords, LeaveWords>;
+
+// One ClientMessage. An error refuses the whole message.
+physics::Result<ClientWords> read_client_message(std::string_view bytes);
+
+// --- what the server says: each function returns the bytes of one ServerMessage ---
+
+struct WelcomeWords {
+    ClientId client = 0;
+    std::string world_id, world_name;
+    std::uint32_t tick = 0;
+    double tick_hz = 0;
+    std::uint32_t snapshot_hz = 0;
+    std::uint32_t ack_window = 0;
+    wire::QuantSpec quant;
+    std::uint64_t server_time_us = 0;
+    physics::Vec3 gravity;
+};
+enum class NoticeKind { draining, world_closed, refused, rate_limit };
+
+std::string write_welcome(const WelcomeWords& words);
+std::string write_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
+                         std::span<const EntityId> removed);
+std::string write_input_results(std::span<const InputOutcome> outcomes);
+std::string write_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
+std::string write_world_stats(const Frame& frame, std::uint32_t clients);
+std::string write_notice(NoticeKind kind, const std::string& message);
+
+// --- snapshots: a shared piece and a private one, one after the other, are one ServerMessage ---
+
+struct PrivateWords {
+    std::uint32_t input_sequence = 0;
+    std::uint32_t echo_client_time_us = 0;
+    std::uint32_t snapshots_skipped = 0;
+};
+
+// The fields of jostle.v1.Snapshot that all clients share.
+std::string write_shared_snapshot(const EncodedSnapshot& snapshot);
+// What stands before them: the field and length of the snapshot in its ServerMessage, then the
+// client's own field.
+std::string write_snapshot_head(const PrivateWords& words, std::size_t shared_bytes);
+
+}  // namespace jostle::server

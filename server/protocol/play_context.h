@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// What all conversations of a server share: its settings, its worlds, who is connected, and what
+// each world's clients are sent alike. Outlives them. Any thread.
+#pragma once
+
+#include <atomic>
+
+#include "config/config.h"
+#include "host/world_directory.h"
+#include "protocol/world_feed.h"
+#include "session/session_directory.h"
+
+namespace jostle::server {
+
+struct PlayContext {
+    const Config& config;
+    WorldDirectory& worlds;
+    SessionDirectory& sessions;
+    WorldFeeds feeds{};
+    std::atomic<bool> draining{false};  // no new clients; those who play are told
+    std::atomic<bool> closing{false};   // the drain is over: every conversation ends
+};
+
+}  // namespace jostle::server

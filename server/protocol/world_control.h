@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// WorldService without a transport: what rpc/world_service and the gateway's /api/worlds both
+// answer with. Any thread; create() takes as long as building the world takes.
+#pragma once
+
+#include <string>
+
+#include "protocol/answer.h"
+#include "protocol/play_context.h"
+
+namespace jostle::v1 {
+class CreateWorldRequest;
+class CreateWorldResponse;
+class DeleteWorldRequest;
+class DeleteWorldResponse;
+class GetWorldRequest;
+class GetWorldResponse;
+class JoinWorldRequest;
+class JoinWorldResponse;
+class ListWorldsRequest;
+class ListWorldsResponse;
+}  // namespace jostle::v1
+
+namespace jostle::server {
+
+// Where clients are sent; known only after the ports are bound.
+struct PlayAddresses {
+    std::string grpc;       // host:port
+    std::string websocket;  // ws://host:port/play
+};
+
+class WorldControl {
+public:
+    explicit WorldControl(PlayContext& context) : context_(context) {}
+
+    // Before the first call of join().
+    void set_addresses(PlayAddresses addresses) { addresses_ = std::move(addresses); }
+
+    Answer list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
+    Answer get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
+    Answer create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response);
+    Answer remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
+    Answer join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response);
+
+private:
+    PlayContext& context_;
+    PlayAddresses addresses_;
+};
+
+}  // namespace jostle::server

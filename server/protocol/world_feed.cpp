@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/world_feed.h"
+
+#include <algorithm>
+#include <span>
+
+#include "protocol/convert.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Keeps a message well below what transports and clients take by default (4 MiB).
+constexpr std::size_t entities_per_message = 2000;
+// Clients that lag by a few changes still share; what lags further is written for it alone.
+constexpr std::size_t roster_changes_kept = 16;
+
+SharedBytes share(std::string bytes) {
+    return std::make_shared<const std::string>(std::move(bytes));
+}
+
+struct Difference {
+    Roster added;
+    std::vector<EntityId> removed;
+};
+
+// Both rosters are in rising order of id, and an entity never changes.
+Difference difference_of(const Roster& from, const Roster& to) {
+    Difference difference;
+    std::size_t i = 0, j = 0;
+    while (i < from.size() || j < to.size()) {
+        if (j == to.size() || (i < from.size() && from[i]->id < to[j]->id)) {
+            difference.removed.push_back(from[i++]->id);
+        } else if (i == from.size() || to[j]->id < from[i]->id) {
+            difference.added.push_back(to[j++]);
+        } else {
+            ++i, ++j;
+        }
+    }
+    return difference;
+}
+
+std::vector<SharedBytes> messages_of(const Difference& difference) {
+    std::vector<SharedBytes> messages;
+    if (!difference.removed.empty())
+        messages.push_back(share(write_roster({}, difference.removed)));
+    const std::span<const std::shared_ptr<const EntityDescription>> added = difference.added;
+    for (std::size_t first = 0; first < added.size(); first += entities_per_message) {
+        const std::size_t count = std::min(entities_per_message, added.size() - first);
+        messages.push_back(share(write_roster(added.subspan(first, count), {})));
+    }
+    return messages;
+}
+
+}  // namespace
+
+WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host)
+    : host_(std::move(host)), snapshots_(wire::QuantSpec{}, write_shared_snapshot) {}
+
+std::vector<SharedBytes> WorldFeed::roster_change(const std::shared_ptr<const Roster>& from,
+                                                  const std::shared_ptr<const Roster>& to) {
+    const std::lock_guard lock(mutex_);
+    for (const RosterChange& change : roster_changes_) {
+        if (change.from == from && change.to == to) return change.messages;
+    }
+    static const Roster nothing;
+    std::vector<SharedBytes> messages = messages_of(difference_of(from ? *from : nothing, *to));
+    if (roster_changes_.size() == roster_changes_kept)
+        roster_changes_.erase(roster_changes_.begin());
+    roster_changes_.push_back({from, to, messages});
+    return messages;
+}
+
+SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
+    const std::lock_guard lock(mutex_);
+    if (stats_frame_ != frame || stats_clients_ != clients) {
+        stats_ = share(write_world_stats(*frame, clients));
+        stats_frame_ = frame;
+        stats_clients_ = clients;
+    }
+    return stats_;
+}
+
+std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
+    std::weak_ptr<WorldFeed>& known = feeds_[host.get()];
+    std::shared_ptr<WorldFeed> feed = known.lock();
+    if (!feed) {
+        feed = std::make_shared<WorldFeed>(host);
+        known = feed;
+    }
+    return feed;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// What all clients of one world are sent alike: its snapshots, its roster changes and its
+// statistics, each made into bytes once and shared. Client links of several network threads use one
+// feed; any thread.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "host/world_host.h"
+#include "replication/snapshot_cache.h"
+
+namespace jostle::server {
+
+class WorldFeed {
+public:
+    explicit WorldFeed(std::shared_ptr<WorldHost> host);
+
+    WorldHost& host() const { return *host_; }
+    SnapshotCache& snapshots() { return snapshots_; }
+
+    // The messages that take a client from one roster to another; null `from`: it knows nothing
+    // yet.
+    std::vector<SharedBytes> roster_change(const std::shared_ptr<const Roster>& from,
+                                           const std::shared_ptr<const Roster>& to);
+    SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
+
+private:
+    struct RosterChange {
+        std::shared_ptr<const Roster> from,
+            to;  // held, so that no other roster can have their address
+        std::vector<SharedBytes> messages;
+    };
+
+    const std::shared_ptr<WorldHost> host_;
+    SnapshotCache snapshots_;
+    std::mutex mutex_;
+    std::vector<RosterChange> roster_changes_;  // the newest few
+    FramePtr stats_frame_;
+    std::uint32_t stats_clients_ = 0;
+    SharedBytes stats_;
+};
+
+// The feed of each world that has clients. Any thread.
+class WorldFeeds {
+public:
+    std::shared_ptr<WorldFeed> feed_of(const std::shared_ptr<WorldHost>& host);
+
+private:
+    std::mutex mutex_;
+    std::map<const WorldHost*, std::weak_ptr<WorldFeed>> feeds_;
+};
+
+}  // namespace jostle::server

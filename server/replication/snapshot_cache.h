@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// Encode once, send to many: the newest frames of one world, quantised once each, and every
+// encoding of them against every set of bases that a client needed, made once and shared by
+// reference count. Any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "host/frame.h"
+#include "wire/frame_codec.h"
+
+namespace jostle::server {
+
+using SharedBytes = std::shared_ptr<const std::string>;
+
+// Frame numbers, 0: none.
+struct BaseNumbers {
+    std::uint32_t base = 0, base2 = 0, base3 = 0;
+
+    auto operator<=>(const BaseNumbers&) const = default;
+};
+
+// What an encoding is made of; `serialize` turns it into the bytes that clients share.
+struct EncodedSnapshot {
+    std::uint32_t frame = 0;
+    BaseNumbers bases;
+    std::vector<std::byte> packed;
+    std::uint32_t crc = 0;
+    Clock::time_point due;
+};
+
+class SnapshotCache {
+public:
+    using Serialize = std::function<std::string(const EncodedSnapshot&)>;
+    static constexpr std::size_t ring = 32;  // frames kept as bases
+
+    SnapshotCache(wire::QuantSpec spec, Serialize serialize)
+        : spec_(spec), serialize_(std::move(serialize)) {}
+
+    // The frame against those bases; bases that fell off the ring are left out, and without a first
+    // base it is absolute. Never null.
+    SharedBytes encoding(const FramePtr& frame, BaseNumbers bases);
+    // Whether the frame can still be a base.
+    bool holds(std::uint32_t frame) const;
+
+    const wire::QuantSpec& spec() const { return spec_; }
+    // How many encodings were made, for tests and figures: sharing keeps it far below the number
+    // sent.
+    std::uint64_t encodings_made() const;
+
+private:
+    struct Entry {
+        wire::QuantizedFrame quantized;
+        std::uint32_t crc = 0;
+        Clock::time_point due;
+        std::map<BaseNumbers, SharedBytes> encodings;
+    };
+
+    Entry& entry_of(const Frame& frame);
+    Entry* find(std::uint32_t frame);
+
+    const wire::QuantSpec spec_;
+    const Serialize serialize_;
+    mutable std::mutex mutex_;
+    std::map<std::uint32_t, Entry> entries_;  // by frame number, at most `ring`
+    std::uint64_t made_ = 0;
+};
+
+}  // namespace jostle::server

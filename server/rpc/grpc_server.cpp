@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "rpc/grpc_server.h"
+
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/server_builder.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <chrono>
+
+namespace jostle::server {
+
+namespace {
+
+constexpr auto shutdown_patience = std::chrono::seconds(1);
+constexpr const char* service_names[] = {"jostle.v1.PlayService", "jostle.v1.WorldService"};
+
+// A peer that vanished without a word is noticed within half a minute; clients may ping every 10 s
+// or slower.
+void set_keepalive(grpc::ServerBuilder& builder) {
+    builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
+    builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
+    builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+    builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
+}
+
+std::string address_of(const std::string& host, std::uint16_t port) {
+    const bool is_ipv6 = host.find(':') != std::string::npos;
+    return is_ipv6 ? fmt::format("[{}]:{}", host, port) : fmt::format("{}:{}", host, port);
+}
+
+}  // namespace
+
+GrpcServer::GrpcServer(PlayContext& context, WorldControl& worlds, GrpcSettings settings)
+    : context_(context), settings_(std::move(settings)), world_service_(worlds) {}
+
+GrpcServer::~GrpcServer() {
+    stop();
+}
+
+std::optional<std::string> GrpcServer::start() {
+    grpc::EnableDefaultHealthCheckService(true);
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+    grpc::ServerBuilder builder;
+    const std::string address = address_of(settings_.host, settings_.port);
+    int bound = 0;
+    builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &bound);
+    // Two servers on one port would each get some of the clients; the second should fail instead.
+    builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+    builder.SetMaxReceiveMessageSize(settings_.message_bytes_max);
+    set_keepalive(builder);
+    builder.RegisterService(&play_service_);
+    builder.RegisterService(&world_service_);
+    for (int i = 0; i < settings_.network_threads; ++i) {
+        shards_.push_back(
+            std::make_unique<PlayShard>(context_, play_service_, builder.AddCompletionQueue()));
+    }
+    server_ = builder.BuildAndStart();
+    if (!server_ || bound == 0) {
+        return fmt::format(
+            "cannot listen on {} for gRPC: the port is taken or the address is not of this "
+            "machine; choose another with --listen HOST:PORT",
+            address);
+    }
+    port_ = static_cast<std::uint16_t>(bound);
+    for (const char* name : service_names) {
+        server_->GetHealthCheckService()->SetServingStatus(name, true);
+    }
+    for (const auto& shard : shards_) shard->start();
+    return std::nullopt;
+}
+
+void GrpcServer::wake() {
+    for (const auto& shard : shards_) shard->wake();
+}
+
+void GrpcServer::drain() {
+    if (!server_) return;
+    // Not Shutdown(): that would also end the streams that watch the health.
+    server_->GetHealthCheckService()->SetServingStatus(false);
+    for (const char* name : service_names) {
+        server_->GetHealthCheckService()->SetServingStatus(name, false);
+    }
+}
+
+void GrpcServer::stop() {
+    if (stopped_) return;
+    stopped_ = true;
+    // The shards still run: they take the ends of their streams off their queues.
+    if (server_) server_->Shutdown(std::chrono::system_clock::now() + shutdown_patience);
+    for (const auto& shard : shards_) shard->stop();
+}
+
+}  // namespace jostle::server

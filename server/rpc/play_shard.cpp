@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "rpc/play_shard.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace jostle::server {
+
+namespace {
+
+// Timeouts and statistics need no better; frames and messages wake the thread by themselves.
+constexpr auto housekeeping_period = std::chrono::milliseconds(20);
+// Calls that may arrive together before one of them has to wait for the thread.
+constexpr std::size_t calls_asked_for = 16;
+
+}  // namespace
+
+PlayShard::PlayShard(PlayContext& context, RawPlayService& service,
+                     std::unique_ptr<grpc::ServerCompletionQueue> queue)
+    : context_(context), service_(service), queue_(std::move(queue)) {}
+
+PlayShard::~PlayShard() {
+    stop();
+}
+
+void PlayShard::start() {
+    for (std::size_t i = 0; i < calls_asked_for; ++i) ask_for_call();
+    thread_ = std::thread([this] { run(); });
+}
+
+void PlayShard::ask_for_call() {
+    waiting_.push_back(std::make_unique<PlayStream>(service_, *queue_));
+}
+
+// An alarm that is due at once is gRPC's way to put a foreign event on a completion queue. Its tag
+// is null.
+void PlayShard::wake() {
+    const std::lock_guard lock(wake_mutex_);
+    if (stopping_ || awake_.exchange(true)) return;
+    alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), nullptr);
+}
+
+void PlayShard::stop() {
+    if (stopping_) return;
+    {
+        const std::lock_guard lock(wake_mutex_);
+        stopping_ = true;
+        queue_->Shutdown();
+    }
+    if (thread_.joinable()) {
+        thread_.join();
+    } else {
+        run();  // never started; gRPC still wants its queue emptied
+    }
+}
+
+void PlayShard::run() {
+    Clock::time_point housekeeping = Clock::now() + housekeeping_period;
+    for (;;) {
+        void* tag = nullptr;
+        bool ok = false;
+        // gRPC takes its deadlines on the system clock; the distance is what counts.
+        const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
+        const auto deadline = std::chrono::system_clock::now() + wait;
+        const auto next = queue_->AsyncNext(&tag, &ok, deadline);
+        if (next == grpc::CompletionQueue::SHUTDOWN) break;
+
+        const Clock::time_point now = Clock::now();
+        if (next == grpc::CompletionQueue::GOT_EVENT) {
+            if (tag != nullptr) {
+                handle(*static_cast<PlayTag*>(tag), ok, now);
+            } else if (!stopping_) {
+                awake_ = false;  // before looking: a frame that comes meanwhile wakes again
+                advance_all(now);
+            }
+        }
+        if (now >= housekeeping && !stopping_) {
+            advance_all(now);
+            drop_finished();
+            housekeeping = now + housekeeping_period;
+        }
+    }
+    streams_.clear();
+    waiting_.clear();
+}
+
+void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
+    PlayStream& stream = *tag.stream;
+    if (stopping_)
+        return stream.settle(tag.event);  // nothing may be started on a queue that shuts down
+    switch (tag.event) {
+        case PlayTag::Event::accepted: {
+            const auto at =
+                std::find_if(waiting_.begin(), waiting_.end(),
+                             [&](const auto& waiting) { return waiting.get() == &stream; });
+            std::unique_ptr<PlayStream> owned = std::move(*at);
+            waiting_.erase(at);
+            if (!ok) return;  // the server is going down
+            ask_for_call();
+            owned->begin(context_, now);
+            streams_.push_back(std::move(owned));
+            stream_count_.store(streams_.size(), std::memory_order_relaxed);
+            break;
+        }
+        case PlayTag::Event::read:
+            stream.on_read(ok, now);
+            break;
+        case PlayTag::Event::wrote:
+            stream.on_wrote(ok, now);
+            break;
+        case PlayTag::Event::finished:
+            stream.on_finished();
+            break;
+    }
+}
+
+// Each round begins with the next client: with many of them the last one waits longest, and that
+// should not always be the same one.
+void PlayShard::advance_all(Clock::time_point now) {
+    const std::size_t count = streams_.size();
+    if (count == 0) return;
+    first_ = (first_ + 1) % count;
+    for (std::size_t i = 0; i < count; ++i) streams_[(first_ + i) % count]->advance(now);
+}
+
+void PlayShard::drop_finished() {
+    std::erase_if(streams_, [](const auto& stream) { return stream->over(); });
+    stream_count_.store(streams_.size(), std::memory_order_relaxed);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// One network thread: a completion queue and the play streams whose calls arrived on it. All
+// reading, encoding and writing for these clients happens here, so nothing is locked and no write
+// wakes another thread. The thread sleeps until gRPC has an event, a world has a new frame, or the
+// housekeeping tick is due.
+#pragma once
+
+#include <grpcpp/alarm.h>
+#include <grpcpp/server_builder.h>
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "rpc/play_stream.h"
+
+namespace jostle::server {
+
+class PlayShard {
+public:
+    // The queue comes from the ServerBuilder that registered the service. Both outlive the shard.
+    PlayShard(PlayContext& context, RawPlayService& service,
+              std::unique_ptr<grpc::ServerCompletionQueue> queue);
+    ~PlayShard();
+
+    // After the server was started.
+    void start();
+    // Any thread: a world has a new frame, or the context began to drain. Cheap when the shard is
+    // awake already.
+    void wake();
+    // After the server was shut down: takes what is left off the queue and ends the thread.
+    void stop();
+
+    // Any thread; may be a moment old.
+    std::size_t streams() const { return stream_count_.load(std::memory_order_relaxed); }
+
+private:
+    void run();
+    void handle(PlayTag& tag, bool ok, Clock::time_point now);
+    void advance_all(Clock::time_point now);
+    void drop_finished();
+    void ask_for_call();
+
+    PlayContext& context_;
+    RawPlayService& service_;
+    std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+    std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
+    std::vector<std::unique_ptr<PlayStream>> streams_;
+    std::size_t first_ = 0;  // whose write starts first this time
+    std::atomic<std::size_t> stream_count_{0};
+    grpc::Alarm alarm_;
+    std::mutex wake_mutex_;           // no alarm may be set on a queue that shuts down
+    std::atomic<bool> awake_{false};  // an alarm is set, or the thread has not yet looked since
+    std::atomic<bool> stopping_{false};
+    std::thread thread_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "rpc/play_stream.h"
+
+#include <chrono>
+#include <optional>
+
+#include "rpc/grpc_status.h"
+#include "rpc/message_bytes.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr auto last_write_patience = std::chrono::seconds(1);
+
+}  // namespace
+
+PlayStream::PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue)
+    : stream_(&context_) {
+    service.RequestPlay(&context_, &stream_, &queue, &queue, &accepted_);
+}
+
+void PlayStream::begin(PlayContext& context, Clock::time_point now) {
+    link_ = std::make_unique<ClientLink>(context, context_.peer(), now);
+    start_read();
+}
+
+void PlayStream::start_read() {
+    reading_ = true;
+    stream_.Read(&incoming_, &read_);
+}
+
+void PlayStream::on_read(bool ok, Clock::time_point now) {
+    reading_ = false;
+    if (!ok) {
+        // The client closed its half, or the connection is gone.
+        link_->peer_closed(now);
+    } else {
+        copy_bytes(incoming_bytes_, incoming_);
+        incoming_.Clear();
+        link_->receive(incoming_bytes_, now);
+        if (!link_->end()) start_read();
+    }
+    advance(now);
+}
+
+void PlayStream::on_wrote(bool ok, Clock::time_point now) {
+    writing_ = false;
+    // A write fails only when the connection is gone; the read that is in flight will fail as well.
+    if (!ok) link_->peer_closed(now);
+    advance(now);
+}
+
+void PlayStream::on_finished() {
+    finished_ = true;
+}
+
+void PlayStream::settle(PlayTag::Event event) {
+    if (event == PlayTag::Event::read) reading_ = false;
+    if (event == PlayTag::Event::wrote) writing_ = false;
+    if (event == PlayTag::Event::finished) finished_ = true;
+}
+
+void PlayStream::advance(Clock::time_point now) {
+    if (finishing_) return;
+    if (writing_) {
+        link_->wait_for_write(now);
+        // A client that no longer reads would keep its last write, and so its stream, for ever.
+        if (link_->end() && now >= link_->end_time() + last_write_patience) context_.TryCancel();
+        return;
+    }
+    if (std::optional<OutMessage> message = link_->take_message(now)) {
+        writing_ = true;
+        stream_.Write(to_byte_buffer(*message), &wrote_);
+        return;
+    }
+    if (const std::optional<Answer>& end = link_->end()) {
+        finishing_ = true;
+        stream_.Finish(to_grpc_status(*end), &finished_tag_);
+    }
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// One gRPC play stream as a ClientLink: at most one read and one write in flight, raw bytes both
+// ways. Lives on the thread of its PlayShard, which hands it the events of its completion queue;
+// never called from anywhere else.
+#pragma once
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/async_stream.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <memory>
+#include <string>
+
+#include "jostle/v1/play.grpc.pb.h"
+#include "protocol/client_link.h"
+
+namespace jostle::server {
+
+using RawPlayService = v1::PlayService::WithRawMethod_Play<v1::PlayService::Service>;
+
+class PlayStream;
+
+// What a completion queue gives back.
+struct PlayTag {
+    enum class Event { accepted, read, wrote, finished };
+
+    PlayStream* stream = nullptr;
+    Event event = Event::accepted;
+};
+
+class PlayStream {
+public:
+    // Asks gRPC for the next call; the accepted event tells that it came.
+    PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue);
+    PlayStream(const PlayStream&) = delete;
+    PlayStream& operator=(const PlayStream&) = delete;
+
+    // A client is there: begins the conversation.
+    void begin(PlayContext& context, Clock::time_point now);
+    void on_read(bool ok, Clock::time_point now);
+    void on_wrote(bool ok, Clock::time_point now);
+    void on_finished();
+    // The queue shuts down: notes that an operation ended and starts none.
+    void settle(PlayTag::Event event);
+
+    // Starts the next write when none is in flight and there is something to say, or ends the
+    // stream.
+    void advance(Clock::time_point now);
+
+    bool begun() const { return link_ != nullptr; }
+    ClientLink& link() { return *link_; }  // only when begun
+    // Nothing is in flight and nothing will be: may be destroyed.
+    bool over() const { return finished_ && !reading_ && !writing_; }
+
+private:
+    void start_read();
+
+    grpc::ServerContext context_;
+    grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_;
+    PlayTag accepted_{this, PlayTag::Event::accepted};
+    PlayTag read_{this, PlayTag::Event::read};
+    PlayTag wrote_{this, PlayTag::Event::wrote};
+    PlayTag finished_tag_{this, PlayTag::Event::finished};
+    std::unique_ptr<ClientLink> link_;
+    grpc::ByteBuffer incoming_;
+    std::string incoming_bytes_;
+    bool reading_ = false, writing_ = false, finishing_ = false, finished_ = false;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "rpc/world_service.h"
+
+#include <chrono>
+
+#include "rpc/grpc_status.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Nobody waits for the answer any more.
+bool is_too_late(const grpc::CallbackServerContext& context) {
+    return context.IsCancelled() || context.deadline() <= std::chrono::system_clock::now();
+}
+
+grpc::ServerUnaryReactor* finish(grpc::CallbackServerContext& context, const grpc::Status& status) {
+    grpc::ServerUnaryReactor* reactor = context.DefaultReactor();
+    reactor->Finish(status);
+    return reactor;
+}
+
+// Does the work unless it is too late for it, and answers.
+template <class Work>
+grpc::ServerUnaryReactor* answer(grpc::CallbackServerContext& context, const Work& work) {
+    if (is_too_late(context)) {
+        return finish(context, {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline has passed"});
+    }
+    return finish(context, to_grpc_status(work()));
+}
+
+}  // namespace
+
+grpc::ServerUnaryReactor* WorldService::ListWorlds(grpc::CallbackServerContext* context,
+                                                   const v1::ListWorldsRequest* request,
+                                                   v1::ListWorldsResponse* response) {
+    return answer(*context, [&] { return worlds_.list(*request, *response); });
+}
+
+grpc::ServerUnaryReactor* WorldService::GetWorld(grpc::CallbackServerContext* context,
+                                                 const v1::GetWorldRequest* request,
+                                                 v1::GetWorldResponse* response) {
+    return answer(*context, [&] { return worlds_.get(*request, *response); });
+}
+
+grpc::ServerUnaryReactor* WorldService::CreateWorld(grpc::CallbackServerContext* context,
+                                                    const v1::CreateWorldRequest* request,
+                                                    v1::CreateWorldResponse* response) {
+    return answer(*context, [&]() -> Answer {
+        Answer created = worlds_.create(*request, *response);
+        if (!created.ok() || !is_too_late(*context)) return created;
+        // The caller has given up on a world that it does not know of: it would run for nobody.
+        v1::DeleteWorldRequest removal;
+        removal.set_world(response->world().id());
+        v1::DeleteWorldResponse removed;
+        worlds_.remove(removal, removed);
+        return {AnswerCode::deadline_exceeded, "building the world took longer than the deadline"};
+    });
+}
+
+grpc::ServerUnaryReactor* WorldService::DeleteWorld(grpc::CallbackServerContext* context,
+                                                    const v1::DeleteWorldRequest* request,
+                                                    v1::DeleteWorldResponse* response) {
+    return answer(*context, [&] { return worlds_.remove(*request, *response); });
+}
+
+grpc::ServerUnaryReactor* WorldService::JoinWorld(grpc::CallbackServerContext* context,
+                                                  const v1::JoinWorldRequest* request,
+                                                  v1::JoinWorldResponse* response) {
+    return answer(*context, [&] { return worlds_.join(*request, *response); });
+}
+
+}  // namespace jostle::server

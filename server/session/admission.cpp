@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "session/admission.h"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace jostle::server {
+
+using physics::Vec3;
+
+namespace {
+
+constexpr double coordinate_max = 1e4;           // m
+constexpr double size_min = 0.05, size_max = 2;  // m
+constexpr double spawn_speed_max = 50;           // m/s and rad/s
+constexpr double impulse_max = 1e7;              // N s; the world cuts it to what gives 20 m/s
+constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
+
+using Verdict = std::optional<Refusal>;
+
+Refusal invalid(std::string message) {
+    return {InputCode::invalid, std::move(message)};
+}
+
+// Written so that NaN fails.
+bool within(double x, double low, double high) {
+    return low <= x && x <= high;
+}
+bool within(Vec3 v, double limit) {
+    return within(v.x, -limit, limit) && within(v.y, -limit, limit) && within(v.z, -limit, limit);
+}
+
+Verdict check_point(const char* what, Vec3 p) {
+    if (within(p, coordinate_max)) return {};
+    return invalid(fmt::format("{} ({:g}, {:g}, {:g}) is not within {:g} m of the origin", what,
+                               p.x, p.y, p.z, coordinate_max));
+}
+
+Verdict check_length(const char* what, Vec3 v, double limit) {
+    const double size = length(v);
+    if (within(size, 0, limit)) return {};
+    return invalid(fmt::format("{} is {:g} long; at most {:g} is allowed", what, size, limit));
+}
+
+Verdict check_number(const char* what, double x, double low, double high) {
+    if (within(x, low, high)) return {};
+    return invalid(fmt::format("{} is {:g}; it must be from {:g} to {:g}", what, x, low, high));
+}
+
+Verdict check_size(const char* what, double size) {
+    return check_number(what, size, size_min, size_max);
+}
+
+struct Check {
+    Verdict operator()(const SpawnCommand& c) const {
+        if (auto v = check_shape(c.shape.geometry)) return v;
+        if (auto v = check_point("position", c.pose.position)) return v;
+        if (auto v = check_number("density", c.shape.density, 1, 20000)) return v;
+        if (auto v = check_number("friction", c.shape.material.friction, 0, 10)) return v;
+        if (auto v = check_number("restitution", c.shape.material.restitution, 0, 1)) return v;
+        if (auto v = check_length("linear_velocity", c.linear_velocity, spawn_speed_max)) return v;
+        return check_length("angular_velocity", c.angular_velocity, spawn_speed_max);
+    }
+    Verdict operator()(const ImpulseCommand& c) const {
+        if (auto v = check_length("impulse", c.impulse, impulse_max)) return v;
+        return c.point ? check_point("point", *c.point) : Verdict{};
+    }
+    Verdict operator()(const GrabCommand& c) const { return check_point("point", c.point); }
+    Verdict operator()(const DragCommand& c) const { return check_point("target", c.target); }
+    Verdict operator()(const ReleaseCommand&) const { return {}; }
+    Verdict operator()(const DeleteCommand&) const { return {}; }
+    Verdict operator()(const ExplodeCommand& c) const {
+        if (auto v = check_point("center", c.center)) return v;
+        if (auto v = check_number("radius", c.radius, 0.1, explosion_radius_max)) return v;
+        return check_number("speed", c.speed, 0, explosion_speed_max);
+    }
+    Verdict operator()(const LeaveCommand&) const { return {}; }
+
+private:
+    static Verdict check_shape(const physics::Geometry& geometry) {
+        if (const auto* sphere = std::get_if<physics::Sphere>(&geometry))
+            return check_size("sphere.radius", sphere->radius);
+        if (const auto* capsule = std::get_if<physics::Capsule>(&geometry)) {
+            if (auto v = check_size("capsule.radius", capsule->radius)) return v;
+            return check_size("capsule.half_length", capsule->half_length);
+        }
+        if (const auto* box = std::get_if<physics::Box>(&geometry)) {
+            const Vec3 h = box->half_extents;
+            if (auto v = check_size("box.half_extents.x", h.x)) return v;
+            if (auto v = check_size("box.half_extents.y", h.y)) return v;
+            return check_size("box.half_extents.z", h.z);
+        }
+        return invalid("a plane cannot be spawned; use a sphere, a capsule or a box");
+    }
+};
+
+}  // namespace
+
+std::optional<Refusal> refuse_numbers(const Action& action) {
+    return std::visit(Check{}, action);
+}
+
+Admission::Admission(const ClientLimits& limits, bool spectator, Clock::time_point now)
+    : limits_(limits),
+      spectator_(spectator),
+      messages_(limits.messages_per_second, now),
+      bytes_(limits.bytes_per_second, now),
+      inputs_(limits.inputs_per_second, now) {}
+
+bool Admission::admit_message(std::size_t bytes, Clock::time_point now) {
+    // Both are asked, so that a refused message counts against neither alone.
+    const bool count = messages_.take(1, now);
+    return bytes_.take(static_cast<double>(bytes), now) && count;
+}
+
+std::optional<Refusal> Admission::refuse_input(const Action& action, Clock::time_point now) {
+    if (spectator_) return Refusal{InputCode::not_allowed, "you are a spectator"};
+    if (!inputs_.take(1, now))
+        return Refusal{InputCode::limit,
+                       fmt::format("more than {:g} inputs a second", limits_.inputs_per_second)};
+    return refuse_numbers(action);
+}
+
+}  // namespace jostle::server

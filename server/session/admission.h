@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// May this input go to the world? Numbers in range, rights, rates. What only the world knows (does
+// the entity exist, is it yours, how many do you own) is decided there.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "config/config.h"
+#include "host/command.h"
+#include "session/token_bucket.h"
+
+namespace jostle::server {
+
+struct Refusal {
+    InputCode code = InputCode::invalid;
+    std::string message;
+};
+
+// The limits of play.proto: sizes 0.05 to 2 m, spawn speed 50 m/s, explosions 20 m and 20 m/s,
+// coordinates 10 km.
+std::optional<Refusal> refuse_numbers(const Action& action);
+
+// Per client.
+class Admission {
+public:
+    Admission(const ClientLimits& limits, bool spectator, Clock::time_point now);
+
+    // A message of that size arrived: false when the client sends too many or too much.
+    bool admit_message(std::size_t bytes, Clock::time_point now);
+    std::optional<Refusal> refuse_input(const Action& action, Clock::time_point now);
+
+private:
+    ClientLimits limits_;
+    bool spectator_;
+    TokenBucket messages_, bytes_, inputs_;
+};
+
+}  // namespace jostle::server

@@ -65,7 +65,7 @@ void HttpSession::on_read(Error error) {
     if (error == http::error::body_limit) return refuse(413, "The request's body is too big.\n");
     // Ended, cut or silent too long: nobody waits for an answer.
     if (error == http::error::end_of_stream || error == beast::error::timeout ||
-        error.category() == asio::error::get_system_category()) {
+        (error && error.category() == asio::error::get_system_category())) {
         return;
     }
     if (error) return refuse(400, "This is not an HTTP request.\n");

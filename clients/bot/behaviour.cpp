@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "bot/behaviour.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jostle::bots {
+namespace {
+
+constexpr double yard = 9;  // m from the middle that bots use
+
+void set(v1::Vec3& v, double x, double y, double z) {
+    v.set_x(x);
+    v.set_y(y);
+    v.set_z(z);
+}
+
+}  // namespace
+
+Behaviour::Behaviour(const ScriptLine& line, std::uint32_t seed)
+    : line_(line), state_(seed * 2654435761u + 12345u) {
+    site_ = {random(-yard, yard), random(-yard, yard)};
+    static constexpr std::uint32_t colors[] = {0xff595e, 0xffca3a, 0x8ac926, 0x1982c4, 0x6a4c93};
+    color_ = colors[seed % 5];
+    // Not all at once.
+    if (line_.values.contains("period")) next_ = random(0, value("period"));
+}
+
+double Behaviour::random(double low, double high) {
+    state_ = state_ * 1664525u + 1013904223u;
+    return low + (high - low) * (state_ >> 8) / 16777216.0;
+}
+
+std::vector<std::uint32_t> Behaviour::owned(const client::WorldView& world,
+                                            std::uint32_t client_id) const {
+    std::vector<std::uint32_t> mine;
+    for (const auto& [id, entity] : world.roster())
+        if (entity.owner() == client_id) mine.push_back(id);
+    return mine;
+}
+
+std::uint32_t Behaviour::some_entity(const client::WorldView& world, std::uint32_t client_id) {
+    std::vector<std::uint32_t> others;
+    for (const auto& [id, entity] : world.roster())
+        // Not what players spawned: their owner may delete it before this input arrives.
+        if (entity.mass() > 0 && entity.owner() == 0 && entity.owner() != client_id)
+            others.push_back(id);
+    if (others.empty()) return 0;
+    return others[static_cast<std::size_t>(random(0, static_cast<double>(others.size())))];
+}
+
+std::vector<v1::Input> Behaviour::act(double seconds, const client::WorldView& world,
+                                      std::uint32_t client_id) {
+    std::vector<v1::Input> out;
+    if (world.frame().frame == 0 || line_.behaviour == "watch") return out;
+    if (line_.behaviour == "drag") {
+        drag(out, world, client_id, seconds);
+        return out;
+    }
+    if (seconds < next_) return out;
+    next_ = std::max(next_ + value("period"), seconds);
+    if (line_.behaviour == "wander") wander(out, world, client_id);
+    if (line_.behaviour == "push") push(out, world, client_id);
+    if (line_.behaviour == "throw") throw_ball(out, world, client_id);
+    if (line_.behaviour == "builder") build(out, world, client_id);
+    return out;
+}
+
+void Behaviour::wander(std::vector<v1::Input>& out, const client::WorldView& world,
+                       std::uint32_t id) {
+    const auto mine = owned(world, id);
+    if (mine.empty()) {
+        v1::SpawnInput& spawn = *out.emplace_back().mutable_spawn();
+        spawn.mutable_shape()->mutable_sphere()->set_radius(0.35);
+        set(*spawn.mutable_position(), site_[0], 1.5, site_[1]);
+        spawn.set_color(color_);
+        return;
+    }
+    const auto entity = world.roster().find(mine.front());
+    const auto pose = world.pose_of(mine.front());
+    if (!pose) return;
+    // Somewhere else in the yard, and home when it got out.
+    const double angle = random(0, 6.283), speed = value("strength") * entity->second.mass();
+    double x = std::cos(angle), z = std::sin(angle);
+    const double away = std::hypot(pose->position[0], pose->position[2]);
+    if (away > yard) x = -pose->position[0] / away, z = -pose->position[2] / away;
+    v1::ImpulseInput& impulse = *out.emplace_back().mutable_impulse();
+    impulse.set_entity(mine.front());
+    set(*impulse.mutable_impulse(), x * speed, 0.2 * speed, z * speed);
+}
+
+void Behaviour::push(std::vector<v1::Input>& out, const client::WorldView& world,
+                     std::uint32_t id) {
+    const std::uint32_t entity = some_entity(world, id);
+    const auto pose = world.pose_of(entity);
+    if (entity == 0 || !pose) return;
+    // Towards the middle, so that the yard does not empty.
+    const double x = pose->position[0], z = pose->position[2];
+    const double away = std::max(0.5, std::hypot(x, z));
+    const double strength = value("strength") * world.roster().at(entity).mass();
+    v1::ImpulseInput& impulse = *out.emplace_back().mutable_impulse();
+    impulse.set_entity(entity);
+    set(*impulse.mutable_impulse(), -x / away * strength, 0.4 * strength, -z / away * strength);
+}
+
+bool Behaviour::make_room(std::vector<v1::Input>& out, const std::vector<std::uint32_t>& mine) {
+    if (static_cast<double>(mine.size()) < value("keep")) return true;
+    out.emplace_back().mutable_delete_()->set_entity(mine.front());
+    return false;
+}
+
+void Behaviour::throw_ball(std::vector<v1::Input>& out, const client::WorldView& world,
+                           std::uint32_t id) {
+    if (!make_room(out, owned(world, id))) return;
+    const double angle = random(0, 6.283), speed = value("speed");
+    v1::SpawnInput& spawn = *out.emplace_back().mutable_spawn();
+    spawn.mutable_shape()->mutable_sphere()->set_radius(0.25);
+    set(*spawn.mutable_position(), yard * std::cos(angle), 2.5, yard * std::sin(angle));
+    set(*spawn.mutable_linear_velocity(), -speed * std::cos(angle), 0.25 * speed,
+        -speed * std::sin(angle));
+    spawn.set_color(color_);
+}
+
+void Behaviour::build(std::vector<v1::Input>& out, const client::WorldView& world,
+                      std::uint32_t id) {
+    const auto mine = owned(world, id);
+    const double half = value("size") / 2;
+    if (mine.empty()) built_ = 0;
+    if (!make_room(out, mine)) {
+        // The tower is done: take it down, build the next one elsewhere.
+        out.clear();
+        for (const std::uint32_t entity : mine)
+            out.emplace_back().mutable_delete_()->set_entity(entity);
+        site_ = {random(-yard, yard), random(-yard, yard)};
+        built_ = 0;
+        return;
+    }
+    v1::SpawnInput& spawn = *out.emplace_back().mutable_spawn();
+    set(*spawn.mutable_shape()->mutable_box()->mutable_half_extents(), half, half, half);
+    set(*spawn.mutable_position(), site_[0], half + 2.05 * half * built_ + 0.01, site_[1]);
+    spawn.set_color(color_);
+    built_++;
+}
+
+void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id,
+                     double seconds) {
+    if (held_ == 0) {
+        if (seconds < next_) return;
+        next_ = seconds + value("period");
+        const std::uint32_t entity = some_entity(world, id);
+        const auto pose = world.pose_of(entity);
+        if (entity == 0 || !pose) return;
+        held_ = entity;
+        held_at_ = pose->position;
+        release_at_ = seconds + value("period") / 2;
+        v1::GrabInput& grab = *out.emplace_back().mutable_grab();
+        grab.set_entity(entity);
+        set(*grab.mutable_point(), held_at_[0], held_at_[1], held_at_[2]);
+        return;
+    }
+    if (seconds >= release_at_) {
+        out.emplace_back().mutable_release();
+        held_ = 0;
+        return;
+    }
+    // Up and around.
+    const double left = release_at_ - seconds;
+    set(*out.emplace_back().mutable_drag()->mutable_target(), held_at_[0] + std::cos(4 * left),
+        held_at_[1] + 1.5, held_at_[2] + std::sin(4 * left));
+}
+
+}  // namespace jostle::bots

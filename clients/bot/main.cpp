@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-bot: players that behave by a script.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include "bot/player.h"
+
+namespace {
+
+using jostle::client::Clock;
+
+std::atomic<bool> stop{false};
+
+constexpr const char* footer = R"(
+A script has one behaviour a line: NAME weight=N key=value ... ; # begins a comment.
+  wander   rolls a ball about             period=2 strength=4
+  push     shoves things to the middle    period=1 strength=3
+  throw    throws balls over the yard     period=2 speed=12 keep=5
+  builder  stacks boxes                   period=1 keep=8 size=0.3
+  drag     carries things about           period=3
+  watch    sends nothing
+Without a script each bot does one of these.
+
+Exit status: 0 in order, 1 when a bot could not play, 2 wrong flags or script.)";
+
+struct Flags {
+    std::string target = "localhost:50051", world, script;
+    int count = 5;
+    double seconds = 0;
+};
+
+int play(const Flags& flags, const jostle::bots::Script& script) {
+    jostle::client::Loop loop;
+    std::vector<std::unique_ptr<jostle::bots::Player>> players;
+    for (int i = 0; i < flags.count; i++)
+        players.push_back(std::make_unique<jostle::bots::Player>(
+            loop,
+            jostle::client::ClientOptions{.target = flags.target,
+                                          .world = flags.world,
+                                          .name = "bot " + std::to_string(i + 1)},
+            line_for(script, i), static_cast<std::uint32_t>(i + 1)));
+    const auto began = Clock::now();
+    auto next_line = began + std::chrono::seconds(1);
+    const bool live = isatty(STDOUT_FILENO) != 0;
+    std::string last_error;
+    while (!stop && (flags.seconds <= 0 ||
+                     Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
+        const auto now = Clock::now();
+        for (const auto& player : players) player->think(now);
+        if (now >= next_line) {
+            next_line = now + std::chrono::seconds(1);
+            int connected = 0;
+            std::uint64_t applied = 0, refused = 0;
+            for (const auto& player : players) {
+                const auto stats = player->client().stats();
+                connected += stats.connected ? 1 : 0;
+                applied += stats.inputs_applied;
+                refused += stats.inputs_refused;
+                if (!stats.connected && stats.last_error != last_error) {
+                    last_error = stats.last_error;
+                    if (!last_error.empty())
+                        std::fprintf(stderr, "\njostle-bot: %s\n", last_error.c_str());
+                }
+            }
+            if (live)
+                std::printf("\r%d of %d connected, %llu inputs applied, %llu refused ", connected,
+                            flags.count, static_cast<unsigned long long>(applied),
+                            static_cast<unsigned long long>(refused));
+            std::fflush(stdout);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(33));
+    }
+    bool all_played = true;
+    for (const auto& player : players) {
+        all_played = all_played && player->client().stats().snapshots > 0;
+        player->client().leave();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    if (live) std::printf("\n");
+    return all_played ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Headless players for a Jostle server."};
+    Flags flags;
+    app.add_option("--target", flags.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--world", flags.world, "World by name or id; the first when not given");
+    app.add_option("--count", flags.count, "How many bots")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 10000));
+    app.add_option("--script", flags.script, "What they do; see below");
+    app.add_option("--seconds", flags.seconds, "How long; 0: until Ctrl-C")->capture_default_str();
+    app.footer(footer);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    jostle::bots::Script script = jostle::bots::default_script();
+    if (!flags.script.empty()) {
+        auto loaded = jostle::bots::load_script(flags.script);
+        if (const auto* fault = std::get_if<std::string>(&loaded)) {
+            std::fprintf(stderr, "jostle-bot: %s\n", fault->c_str());
+            return 2;
+        }
+        script = std::get<jostle::bots::Script>(std::move(loaded));
+    }
+    std::signal(SIGINT, [](int) { stop = true; });
+    std::signal(SIGTERM, [](int) { stop = true; });
+    return play(flags, script);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// One bot: a client and its behaviour. Its owner calls think() some thirty times a second.
+#pragma once
+
+#include <memory>
+
+#include "bot/behaviour.h"
+#include "jostle/client/client.h"
+
+namespace jostle::bots {
+
+class Player {
+public:
+    Player(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
+           std::uint32_t seed);
+
+    void think(client::Clock::time_point now);
+    client::Client& client() { return *client_; }
+
+private:
+    std::shared_ptr<client::Client> client_;
+    Behaviour behaviour_;
+    client::Clock::time_point began_;
+};
+
+}  // namespace jostle::bots

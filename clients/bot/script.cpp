@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "bot/script.h"
+
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace jostle::bots {
+namespace {
+
+struct Known {
+    const char* behaviour;
+    std::map<std::string, double> defaults;
+};
+
+const std::vector<Known>& known() {
+    static const std::vector<Known> list = {
+        {"wander", {{"period", 2}, {"strength", 4}}},
+        {"push", {{"period", 1}, {"strength", 3}}},
+        {"throw", {{"period", 2}, {"speed", 12}, {"keep", 5}}},
+        {"builder", {{"period", 1}, {"keep", 8}, {"size", 0.3}}},
+        {"drag", {{"period", 3}}},
+        {"watch", {}},
+    };
+    return list;
+}
+
+const Known* find(const std::string& behaviour) {
+    for (const Known& k : known())
+        if (behaviour == k.behaviour) return &k;
+    return nullptr;
+}
+
+// "" on success.
+std::string parse_line(const std::string& text, ScriptLine& line) {
+    std::istringstream words(text);
+    words >> line.behaviour;
+    const Known* behaviour = find(line.behaviour);
+    if (!behaviour) {
+        std::string names;
+        for (const Known& k : known())
+            names += std::string(names.empty() ? "" : ", ") + k.behaviour;
+        return "there is no behaviour \"" + line.behaviour + "\"; there are " + names;
+    }
+    line.values = behaviour->defaults;
+    for (std::string word; words >> word;) {
+        const std::size_t at = word.find('=');
+        const std::string key = word.substr(0, at);
+        if (at == std::string::npos) return "\"" + word + "\" is no key=value";
+        double value = 0;
+        const char* end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data() + at + 1, end, value);
+        if (error != std::errc{} || stop != end || !(value >= 0 && value <= 1e6))
+            return "\"" + word + "\": the value must be a number from 0 to 1000000";
+        if (key == "weight") {
+            line.weight = value;
+        } else if (const auto slot = line.values.find(key); slot != line.values.end()) {
+            slot->second = value;
+        } else {
+            return line.behaviour + " has no key \"" + key + "\"";
+        }
+    }
+    if (line.values.contains("period") && line.values["period"] < 0.05)
+        return "period must be at least 0.05 s";
+    if (line.values.contains("size") && !(line.values["size"] >= 0.05 && line.values["size"] <= 2))
+        return "size must be from 0.05 to 2 m";
+    return {};
+}
+
+}  // namespace
+
+std::variant<Script, std::string> parse_script(const std::string& text, const std::string& name) {
+    Script script;
+    std::istringstream lines(text);
+    int number = 0;
+    double weights = 0;
+    for (std::string text_line; std::getline(lines, text_line);) {
+        number++;
+        text_line = text_line.substr(0, text_line.find('#'));
+        if (text_line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        ScriptLine line;
+        if (const std::string fault = parse_line(text_line, line); !fault.empty())
+            return name + ":" + std::to_string(number) + ": " + fault;
+        weights += line.weight;
+        script.push_back(std::move(line));
+    }
+    if (script.empty()) return name + ": there is no behaviour in it";
+    if (weights <= 0) return name + ": all weights are zero";
+    return script;
+}
+
+std::variant<Script, std::string> load_script(const std::string& path) {
+    std::ifstream in(path);
+    if (!in) return "cannot read the script " + path;
+    return parse_script(std::string((std::istreambuf_iterator<char>(in)), {}), path);
+}
+
+Script default_script() {
+    return std::get<Script>(
+        parse_script("wander weight=2\npush\nthrow\nbuilder\ndrag\n", "default"));
+}
+
+const ScriptLine& line_for(const Script& script, int i) {
+    double weights = 0;
+    for (const ScriptLine& line : script) weights += line.weight;
+    // The golden ratio spreads any number of bots evenly over the weights.
+    const double place = i * 0.6180339887498949;
+    double left = (place - static_cast<double>(static_cast<long long>(place))) * weights;
+    for (const ScriptLine& line : script) {
+        if (left < line.weight) return line;
+        left -= line.weight;
+    }
+    return script.back();
+}
+
+}  // namespace jostle::bots

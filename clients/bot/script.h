@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// What bots do, from a small text file. One behaviour a line:
+//
+//     behaviour  weight=N  key=value ...      # a comment
+//
+// Each bot takes one behaviour, in proportion to the weights. Behaviours and their keys, with
+// defaults:
+//
+//     wander   period=2        rolls a ball of its own about: a push every `period` s, strength=4
+//     m/s push     period=1        shoves something near the middle: strength=3 m/s throw period=2
+//     throws a ball over the yard: speed=12 m/s, at most keep=5 balls at a time builder  period=1
+//     stacks boxes: keep=8 boxes at a time, size=0.3 m drag     period=3        takes something and
+//     carries it about for half of the period watch                    sends nothing
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace jostle::bots {
+
+struct ScriptLine {
+    std::string behaviour;
+    double weight = 1;
+    std::map<std::string, double>
+        values;  // every key that the behaviour knows, with defaults filled in
+};
+
+using Script = std::vector<ScriptLine>;
+
+// The script, or a message that names file and line.
+std::variant<Script, std::string> parse_script(const std::string& text, const std::string& name);
+std::variant<Script, std::string> load_script(const std::string& path);
+
+// What bots do when no script is given: a little of everything.
+Script default_script();
+
+// The line for bot number i of n: weights decide how many bots take each.
+const ScriptLine& line_for(const Script& script, int i);
+
+}  // namespace jostle::bots

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// The server's clock from round trips: the sample with the shortest round trip says most, and is
+// forgotten after a while because clocks drift.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+
+namespace jostle::client {
+
+using Clock = std::chrono::steady_clock;
+
+inline std::uint64_t to_us(Clock::time_point t) {
+    return static_cast<std::uint64_t>(
+        std::chrono::duration_cast<std::chrono::microseconds>(t.time_since_epoch()).count());
+}
+
+class ClockSync {
+public:
+    // A pong came: when its ping was sent, what the server's clock said, and now; all in
+    // microseconds.
+    void add(std::uint64_t sent_us, std::uint64_t server_us, std::uint64_t now_us);
+
+    bool ready() const { return !samples_.empty(); }
+    // Server clock minus ours; 0 until ready.
+    std::int64_t offset_us() const { return offset_us_; }
+    std::int64_t server_us(Clock::time_point now) const {
+        return static_cast<std::int64_t>(to_us(now)) + offset_us_;
+    }
+    double rtt_ms() const;  // of the best sample
+
+private:
+    struct Sample {
+        std::int64_t offset_us, rtt_us;
+        std::uint64_t at_us;
+    };
+    std::deque<Sample> samples_;  // of the last half minute
+    std::int64_t offset_us_ = 0;
+};
+
+}  // namespace jostle::client

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// What one client knows of its world: who is there (rosters) and where (snapshots). No network in
+// it: it is handed messages. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "jostle/v1/play.pb.h"
+#include "wire/frame_codec.h"
+#include "wire/quantize.h"
+
+namespace jostle::client {
+
+class WorldView {
+public:
+    static constexpr std::size_t ring = 32;  // decoded frames kept as bases, as WIRE.md asks
+
+    // A new stream: everything is forgotten.
+    void begin(const v1::Welcome& welcome);
+    void apply(const v1::Roster& roster);
+    // Decodes and checks. An error leaves the last good frame in place; the client should ask for a
+    // keyframe.
+    std::optional<std::string> apply(const v1::Snapshot& snapshot);
+
+    // Frame 0 until the first snapshot.
+    const wire::QuantizedFrame& frame() const { return frames_.empty() ? none_ : frames_.back(); }
+    const std::map<std::uint32_t, v1::Entity>& roster() const { return roster_; }
+    const wire::QuantSpec& spec() const { return spec_; }
+    // Nothing when the entity is not in the newest frame.
+    std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
+
+private:
+    const wire::QuantizedFrame* find(std::uint32_t frame) const;
+
+    wire::QuantSpec spec_;
+    wire::QuantizedFrame none_;
+    std::deque<wire::QuantizedFrame> frames_;
+    std::map<std::uint32_t, v1::Entity> roster_;
+};
+
+}  // namespace jostle::client

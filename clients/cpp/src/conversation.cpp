@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "conversation.h"
+
+namespace jostle::client {
+namespace {
+
+constexpr std::uint32_t protocol_version = 1;
+constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches a second
+constexpr std::size_t inputs_per_batch = 32;
+constexpr int quick_pings = 3;  // to have a clock soon
+constexpr auto quick_ping_period = std::chrono::milliseconds(100);
+constexpr auto ping_period = std::chrono::seconds(1);
+constexpr std::size_t ages_max = 1u << 20;
+
+}  // namespace
+
+void Conversation::begin(Clock::time_point now) {
+    hello_due_ = true;
+    ack_due_ = need_keyframe_ = goodbye_said_ = false;
+    pings_sent_ = 0;
+    next_ping_ = now;
+    buffer_.clear();
+    clock_ = {};
+    // The server counts each stream's inputs from 1 anew.
+    next_unsent_ = 1;
+    next_sequence_ = 1 + static_cast<std::uint32_t>(inputs_.size());
+}
+
+void Conversation::ended(const std::string& error) {
+    stats_.connected = false;
+    if (error.empty()) return;
+    stats_.stream_failures++;
+    stats_.last_error = error;
+}
+
+std::uint32_t Conversation::send(v1::Input input) {
+    inputs_.push_back(std::move(input));
+    return next_sequence_++;
+}
+
+void Conversation::receive(const std::string& bytes, Clock::time_point now) {
+    stats_.bytes_received += bytes.size();
+    if (!message_.ParseFromString(bytes)) {
+        stats_.decode_errors++;
+        stats_.last_error = "the server sent bytes that are no ServerMessage";
+        return;
+    }
+    switch (message_.message_case()) {
+        case v1::ServerMessage::kWelcome:
+            view_.begin(message_.welcome());
+            stats_.connected = true;
+            stats_.client_id = message_.welcome().client_id();
+            break;
+        case v1::ServerMessage::kRoster:
+            view_.apply(message_.roster());
+            break;
+        case v1::ServerMessage::kSnapshot:
+            on_snapshot(message_.snapshot(), now);
+            break;
+        case v1::ServerMessage::kInputResults:
+            on_results(message_.input_results());
+            break;
+        case v1::ServerMessage::kPong:
+            clock_.add(message_.pong().client_time_us(), message_.pong().server_time_us(),
+                       to_us(now));
+            stats_.rtt_ms = clock_.rtt_ms();
+            break;
+        case v1::ServerMessage::kStats:
+            world_stats_ = message_.stats();
+            break;
+        case v1::ServerMessage::kNotice:
+            stats_.last_error = message_.notice().message();
+            break;
+        case v1::ServerMessage::MESSAGE_NOT_SET:
+            break;  // of a newer server; not for us
+    }
+}
+
+void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {
+    if (auto error = view_.apply(snapshot)) {
+        // While a keyframe is on its way, what follows cannot be decoded either; one error is
+        // enough.
+        if (!need_keyframe_) {
+            stats_.decode_errors++;
+            stats_.last_error = *error;
+        }
+        need_keyframe_ = ack_due_ = true;
+        return;
+    }
+    need_keyframe_ = false;
+    ack_due_ = true;
+    stats_.snapshots++;
+    if (!clock_.ready()) return;
+    const std::int64_t arrived = clock_.server_us(now);
+    const auto server_us = static_cast<std::int64_t>(snapshot.server_time_us());
+    buffer_.add(view_.frame(), server_us, arrived);
+    if (ages_ms_.size() < ages_max)
+        ages_ms_.push_back(static_cast<float>(static_cast<double>(arrived - server_us) / 1000));
+}
+
+void Conversation::on_results(const v1::InputResults& results) {
+    for (const v1::InputResult& result : results.results()) {
+        if (result.code() == v1::INPUT_CODE_APPLIED)
+            stats_.inputs_applied++;
+        else
+            stats_.inputs_refused++;
+        results_.push_back(result);
+    }
+}
+
+void Conversation::put_ack(v1::Ack& ack) {
+    ack.set_frame(view_.frame().frame);
+    ack.set_need_keyframe(need_keyframe_);
+    ack_due_ = false;
+}
+
+std::string Conversation::take_inputs(Clock::time_point now) {
+    v1::ClientMessage message;
+    v1::InputBatch& batch = *message.mutable_input();
+    batch.set_first_sequence(next_unsent_);
+    for (std::size_t k = 0; k < inputs_per_batch && !inputs_.empty(); k++) {
+        *batch.add_inputs() = std::move(inputs_.front());
+        inputs_.pop_front();
+        next_unsent_++;
+        stats_.inputs_sent++;
+    }
+    put_ack(*batch.mutable_ack());
+    batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
+    last_batch_ = now;
+    return message.SerializeAsString();
+}
+
+std::optional<std::string> Conversation::take_message(Clock::time_point now) {
+    v1::ClientMessage message;
+    if (hello_due_) {
+        hello_due_ = false;
+        v1::Hello& hello = *message.mutable_hello();
+        hello.set_protocol(protocol_version);
+        hello.set_world(options_.world);
+        hello.set_ticket(options_.ticket);
+        hello.set_name(options_.name);
+        hello.set_snapshot_hz(options_.snapshot_hz);
+        hello.set_spectator(options_.spectator);
+        return message.SerializeAsString();
+    }
+    if (!stats_.connected || goodbye_said_) return std::nullopt;
+    if (!inputs_.empty() && now - last_batch_ >= batch_period) return take_inputs(now);
+    if (now >= next_ping_) {
+        next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
+                                                        : Clock::duration(ping_period));
+        message.mutable_ping()->set_client_time_us(to_us(now));
+        return message.SerializeAsString();
+    }
+    if (ack_due_) {
+        put_ack(*message.mutable_ack());
+        return message.SerializeAsString();
+    }
+    // Goodbye comes last, after every input.
+    if (leaving_ && inputs_.empty()) {
+        goodbye_said_ = true;
+        message.mutable_leave();
+        return message.SerializeAsString();
+    }
+    return std::nullopt;
+}
+
+}  // namespace jostle::client

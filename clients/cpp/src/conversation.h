@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// The client's half of the play stream without a network: takes received messages, says what to
+// send next. One thread at a time (Client's lock).
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jostle/client/client.h"
+
+namespace jostle::client {
+
+class Conversation {
+public:
+    explicit Conversation(ClientOptions options) : options_(std::move(options)) {}
+
+    // A new stream: hello goes first. Inputs that were not sent yet stay queued.
+    void begin(Clock::time_point now);
+    void receive(const std::string& bytes, Clock::time_point now);
+    // The stream ended; empty: in order.
+    void ended(const std::string& error);
+    // The next message to write, if it is time for one.
+    std::optional<std::string> take_message(Clock::time_point now);
+
+    std::uint32_t send(v1::Input input);
+    void leave() { leaving_ = true; }
+    bool leaving() const { return leaving_; }
+    // Hello was answered and the goodbye, if any, was handed out.
+    bool goodbye_said() const { return goodbye_said_; }
+
+    const WorldView& view() const { return view_; }
+    const ClockSync& clock() const { return clock_; }
+    const InterpolationBuffer& buffer() const { return buffer_; }
+    const ClientOptions& options() const { return options_; }
+    const ClientStats& stats() const { return stats_; }
+    const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
+    std::vector<v1::InputResult> take_results() { return std::exchange(results_, {}); }
+    std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
+
+private:
+    void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    void on_results(const v1::InputResults& results);
+    void put_ack(v1::Ack& ack);
+    std::string take_inputs(Clock::time_point now);
+
+    ClientOptions options_;
+    WorldView view_;
+    ClockSync clock_;
+    InterpolationBuffer buffer_;
+    ClientStats stats_;
+    std::optional<v1::WorldStats> world_stats_;
+    std::vector<v1::InputResult> results_;
+    std::vector<float> ages_ms_;
+
+    v1::ServerMessage message_;  // reused: parsing then allocates rarely
+    std::deque<v1::Input> inputs_;
+    std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
+    std::uint32_t next_unsent_ = 1;    // of inputs_.front()
+    bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
+    bool leaving_ = false, goodbye_said_ = false;
+    int pings_sent_ = 0;
+    Clock::time_point last_batch_{}, next_ping_{};
+};
+
+}  // namespace jostle::client

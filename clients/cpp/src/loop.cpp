@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "loop_impl.h"
+
+namespace jostle::client {
+namespace {
+
+// Inputs, pings and reconnects need no better; messages that arrive are handled at once.
+constexpr auto housekeeping_period = std::chrono::milliseconds(5);
+constexpr auto longest_pause = std::chrono::seconds(5);
+
+}  // namespace
+
+Loop::Impl::Impl() : thread([this] { run(); }) {}
+
+Loop::Loop() : impl_(std::make_shared<Impl>()) {}
+Loop::~Loop() {
+    impl_->stop();
+}
+
+void Loop::Impl::stop() {
+    stopping = true;
+    if (thread.joinable()) thread.join();
+}
+
+void Loop::Impl::add(std::shared_ptr<Client::Impl> client) {
+    const std::lock_guard lock(mutex);
+    fresh.push_back(std::move(client));
+}
+
+void Loop::Impl::take_new_clients() {
+    const std::lock_guard lock(mutex);
+    clients.insert(clients.end(), fresh.begin(), fresh.end());
+    fresh.clear();
+}
+
+void Loop::Impl::run() {
+    Clock::time_point housekeeping = Clock::now();
+    while (!stopping) {
+        void* tag = nullptr;
+        bool ok = false;
+        const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
+        const auto next = queue.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + wait);
+        const Clock::time_point now = Clock::now();
+        if (next == grpc::CompletionQueue::GOT_EVENT)
+            handle(*static_cast<Connection::Tag*>(tag), ok, now);
+        if (now < housekeeping) continue;
+        take_new_clients();
+        for (const auto& client : clients) advance(*client, now);
+        std::erase_if(clients, [](const auto& client) { return client->over; });
+        housekeeping = now + housekeeping_period;
+    }
+    drain();
+}
+
+void Loop::Impl::handle(const Connection::Tag& tag, bool ok, Clock::time_point now) {
+    // A client stays on the list until its connection has nothing in flight.
+    Client::Impl& client = *static_cast<Client::Impl*>(tag.owner);
+    const std::string* received = client.connection->handle(tag.event, ok);
+    if (received) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.receive(*received, now);
+    }
+    advance(client, now);
+}
+
+// Starts what can be started: a connection, the next write, the next attempt.
+void Loop::Impl::advance(Client::Impl& client, Clock::time_point now) {
+    if (client.over) return;
+    if (!client.connection) {
+        if (now < client.connect_at) return;
+        const std::lock_guard lock(client.mutex);
+        if (client.gone || client.conversation.leaving()) {
+            client.over = true;
+            return;
+        }
+        client.conversation.begin(now);
+        client.connection =
+            std::make_unique<Connection>(client.conversation.options().target, queue, &client);
+        return;
+    }
+    if (client.gone) client.connection->cancel();
+    if (client.connection->finished()) {
+        if (client.connection->idle()) after_end(client, now);
+        return;
+    }
+    while (client.connection->ready_to_write()) {
+        std::optional<std::string> message;
+        bool goodbye = false;
+        {
+            const std::lock_guard lock(client.mutex);
+            message = client.conversation.take_message(now);
+            goodbye = client.conversation.goodbye_said();
+        }
+        if (message)
+            client.connection->write(*message);
+        else if (goodbye)
+            client.connection->close_writes();
+        else
+            break;
+    }
+}
+
+void Loop::Impl::after_end(Client::Impl& client, Clock::time_point now) {
+    const grpc::Status status = client.connection->status();
+    client.connection.reset();
+    const std::lock_guard lock(client.mutex);
+    const bool wanted = client.gone || client.conversation.leaving();
+    if (client.conversation.stats().connected) client.pause = std::chrono::milliseconds(250);
+    client.conversation.ended(wanted
+                                  ? std::string()
+                                  : "the stream ended: " + (status.ok() ? "the server closed it"
+                                                                        : status.error_message()));
+    if (wanted || !client.conversation.options().reconnect) {
+        client.over = true;
+        return;
+    }
+    client.connect_at = now + client.pause;
+    client.pause = std::min<Clock::duration>(client.pause * 2, longest_pause);
+}
+
+// Cancels what is connected and takes the last events off the queue.
+void Loop::Impl::drain() {
+    for (const auto& client : clients)
+        if (client->connection) client->connection->cancel();
+    queue.Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    // No new operation may be started now, so the connections only count.
+    while (queue.Next(&tag, &ok)) {
+    }
+    for (const auto& client : clients) client->connection.reset();
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/world_view.h"
+
+#include <algorithm>
+
+namespace jostle::client {
+
+void WorldView::begin(const v1::Welcome& welcome) {
+    spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
+             static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    frames_.clear();
+    roster_.clear();
+}
+
+void WorldView::apply(const v1::Roster& roster) {
+    for (const std::uint32_t id : roster.removed()) roster_.erase(id);
+    for (const v1::Entity& entity : roster.added()) roster_[entity.id()] = entity;
+}
+
+const wire::QuantizedFrame* WorldView::find(std::uint32_t frame) const {
+    const auto at = std::lower_bound(
+        frames_.begin(), frames_.end(), frame,
+        [](const wire::QuantizedFrame& f, std::uint32_t number) { return f.frame < number; });
+    return at != frames_.end() && at->frame == frame ? &*at : nullptr;
+}
+
+std::optional<std::string> WorldView::apply(const v1::Snapshot& snapshot) {
+    const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
+                                     snapshot.base3_frame()};
+    wire::Bases bases;
+    const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    for (int k = 0; k < 3; k++) {
+        if (numbers[k] == 0) break;
+        *slots[k] = find(numbers[k]);
+        if (!*slots[k]) return "base frame " + std::to_string(numbers[k]) + " is not known";
+    }
+    if (snapshot.frame() <= frame().frame)
+        return "frame " + std::to_string(snapshot.frame()) + " is not newer than the last one";
+    wire::QuantizedFrame decoded;
+    const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
+    if (auto error = wire::decode_frame(decoded, snapshot.frame(),
+                                        {bytes, snapshot.packed().size()}, bases, spec_))
+        return "frame " + std::to_string(snapshot.frame()) + ": " + *error;
+    if (wire::frame_crc(decoded) != snapshot.crc())
+        return "frame " + std::to_string(snapshot.frame()) + ": the CRC does not match";
+    frames_.push_back(std::move(decoded));
+    if (frames_.size() > ring) frames_.pop_front();
+    return {};
+}
+
+std::optional<wire::Pose> WorldView::pose_of(std::uint32_t entity) const {
+    const auto& entities = frame().entities;
+    const auto at =
+        std::lower_bound(entities.begin(), entities.end(), entity,
+                         [](const wire::EntityState& e, std::uint32_t id) { return e.id < id; });
+    if (at == entities.end() || at->id != entity) return std::nullopt;
+    return wire::dequantize(*at, spec_);
+}
+
+}  // namespace jostle::client

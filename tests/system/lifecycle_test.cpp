@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+//
+// How the server starts, ends and treats those who do not behave; each test with a server of its
+// own.
+#include <grpcpp/create_channel.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <random>
+#include <thread>
+
+#include "jostle/v1/world.grpc.pb.h"
+#include "system/player.h"
+#include "system/server_process.h"
+
+namespace jostle::test {
+namespace {
+
+using namespace std::chrono_literals;
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+std::vector<std::string> free_ports(std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
+    return more;
+}
+
+bool has_snapshot(const PlayState& state) {
+    return state.snapshots > 0;
+}
+
+std::unique_ptr<v1::WorldService::Stub> world_service(const ServerProcess& server) {
+    return v1::WorldService::NewStub(
+        grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));
+}
+
+// Sends bytes to a port and returns what comes back until the other side closes, or half a second
+// passes.
+std::string poke(int port, const std::string& bytes) {
+    asio::io_context io;
+    tcp::socket socket(io);
+    boost::system::error_code error;
+    socket.connect({asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)}, error);
+    asio::write(socket, asio::buffer(bytes), error);
+    std::string answer;
+    asio::async_read(socket, asio::dynamic_buffer(answer), [](auto, auto) {});
+    io.run_for(500ms);
+    return answer;
+}
+
+TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
+    ServerProcess server(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(server.runs()) << server.log();
+    const auto grpc = grpc_player(server.grpc_address());
+    const auto browser = websocket_player(server.http_port());
+    for (const auto* player : {grpc.get(), browser.get()}) {
+        const_cast<Player*>(player)->hello();
+        ASSERT_TRUE(player->wait_until(has_snapshot));
+    }
+    server.signal(SIGTERM);
+    for (const auto* player : {grpc.get(), browser.get()}) {
+        EXPECT_TRUE(player->wait_until([](const PlayState& s) {
+            return !s.notices.empty() && s.notices[0].code() == v1::NOTICE_CODE_DRAINING;
+        }));
+        EXPECT_FALSE(player->end()) << "clients are given time to leave";
+    }
+    EXPECT_NE(poke(server.http_port(), "GET /readyz HTTP/1.1\r\nHost: x\r\n\r\n").find("503"),
+              std::string::npos);
+    // Nobody leaves: the server ends both streams when its drain time, 5 s, is over.
+    EXPECT_EQ(server.wait(9s), 0) << server.log();
+    EXPECT_TRUE(grpc->wait_for_end());
+    EXPECT_TRUE(grpc->end()->starts_with("14: ")) << *grpc->end();  // UNAVAILABLE
+    EXPECT_TRUE(browser->wait_for_end());
+    EXPECT_EQ(*browser->end(), "1012");  // service restart
+}
+
+TEST(Lifecycle, exits_at_once_when_the_last_client_leaves_or_on_a_second_signal) {
+    ServerProcess one(free_ports({"--scene", "stack"})), two(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(one.runs() && two.runs());
+    const auto leaves = grpc_player(one.grpc_address()), stays = grpc_player(two.grpc_address());
+    leaves->hello();
+    stays->hello();
+    ASSERT_TRUE(leaves->wait_until(has_snapshot) && stays->wait_until(has_snapshot));
+    one.signal(SIGTERM);
+    two.signal(SIGINT);
+    ASSERT_TRUE(stays->wait_until([](const PlayState& s) { return !s.notices.empty(); }));
+    leaves->leave();
+    two.signal(SIGINT);
+    EXPECT_EQ(one.wait(3s), 0) << one.log();
+    EXPECT_EQ(two.wait(3s), 0) << two.log();
+}
+
+TEST(Lifecycle, a_taken_port_is_a_clear_error) {
+    ServerProcess first(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(first.runs());
+    ServerProcess grpc(
+        {"--scene", "stack", "--listen", first.grpc_address(), "--http", "127.0.0.1:0"});
+    EXPECT_EQ(grpc.wait(10s), 1);
+    EXPECT_NE(grpc.log().find("cannot listen on " + first.grpc_address()), std::string::npos)
+        << grpc.log();
+    const std::string http = "127.0.0.1:" + std::to_string(first.http_port());
+    ServerProcess web({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", http});
+    EXPECT_EQ(web.wait(10s), 1);
+    EXPECT_NE(web.log().find("cannot listen on " + http), std::string::npos) << web.log();
+    EXPECT_TRUE(first.runs());
+}
+
+TEST(Lifecycle, wrong_flags_say_what_is_wrong) {
+    ServerProcess scene(free_ports({"--scene", "no_such_scene"}));
+    EXPECT_EQ(scene.wait(10s), 1);
+    EXPECT_NE(scene.log().find("no_such_scene"), std::string::npos) << scene.log();
+    ServerProcess address({"--listen", "nowhere"});
+    EXPECT_EQ(address.wait(10s), 2);
+    EXPECT_NE(address.log().find("nowhere"), std::string::npos) << address.log();
+}
+
+TEST(Lifecycle, garbage_on_both_ports_does_no_harm) {
+    ServerProcess server(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(server.runs());
+    std::minstd_rand random(1);
+    for (int i = 0; i < 10; ++i) {
+        std::string bytes(1 + random() % 20000, '\0');
+        for (char& c : bytes) c = static_cast<char>(random());
+        poke(server.grpc_port(), bytes);
+        poke(server.http_port(), bytes);
+    }
+    EXPECT_NE(
+        poke(server.http_port(), "GET / HTTP/1.1\r\nX: " + std::string(10000, 'x') + "\r\n\r\n")
+            .find(" 431 "),
+        std::string::npos);
+    EXPECT_NE(
+        poke(server.http_port(), "POST /api/worlds HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n")
+            .find(" 413 "),
+        std::string::npos);
+    EXPECT_NE(
+        poke(server.http_port(), "GET /../../etc/passwd HTTP/1.1\r\nHost: x\r\n\r\n").find(" 400 "),
+        std::string::npos);
+    const auto player = grpc_player(server.grpc_address());
+    player->hello();
+    EXPECT_TRUE(player->wait_until(has_snapshot));
+    EXPECT_TRUE(server.runs());
+}
+
+TEST(Lifecycle, those_who_break_the_protocol_are_told_and_ended) {
+    ServerProcess server(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(server.runs());
+    struct Case {
+        const char* what;
+        std::function<void(Player&)> misbehave;
+        const char* status;
+    };
+    const Case cases[] = {
+        {"an unknown world", [](Player& p) { p.hello("nowhere"); }, "5: "},
+        {"inputs before hello", [](Player& p) { p.send_inputs({}); }, "9: "},
+        {"a long name", [](Player& p) { p.hello("", std::string(33, 'x')); }, "3: "},
+        {"an empty message", [](Player& p) { p.send({}); }, "3: "},
+        {"a huge message", [](Player& p) { p.hello(std::string(100000, 'x')); }, "8: "},
+        {"a second hello",
+         [](Player& p) {
+             p.hello();
+             p.hello();
+         },
+         "9: "},
+    };
+    for (const Case& c : cases) {
+        const auto player = grpc_player(server.grpc_address());
+        c.misbehave(*player);
+        ASSERT_TRUE(player->wait_for_end()) << c.what;
+        EXPECT_TRUE(player->end()->starts_with(c.status)) << c.what << ": " << *player->end();
+        player->look([&](const PlayState& s) {
+            ASSERT_FALSE(s.notices.empty()) << c.what;
+            EXPECT_EQ(s.notices.back().code(), v1::NOTICE_CODE_REFUSED) << c.what;
+            EXPECT_FALSE(s.notices.back().message().empty()) << c.what;
+        });
+    }
+    // A page from elsewhere does not get as far as a conversation.
+    const auto stranger = websocket_player(server.http_port(), "http://elsewhere.example");
+    EXPECT_TRUE(stranger->wait_for_end());
+    EXPECT_TRUE(stranger->end()->starts_with("handshake")) << *stranger->end();
+    EXPECT_TRUE(server.runs());
+}
+
+TEST(Lifecycle, a_stalled_client_costs_only_itself) {
+    ServerProcess server(free_ports({"--scene", "pile"}));  // a thousand bodies that move
+    ASSERT_TRUE(server.runs());
+    const auto stalled_grpc = grpc_player(server.grpc_address());
+    const auto stalled_browser = websocket_player(server.http_port());
+    const auto good = grpc_player(server.grpc_address());
+    for (Player* player : {stalled_grpc.get(), stalled_browser.get(), good.get()}) {
+        player->hello();
+        ASSERT_TRUE(player->wait_until(has_snapshot));
+    }
+    stalled_grpc->stall();
+    stalled_browser->stall();
+    const int before = good->look([](const PlayState& s) { return s.snapshots; });
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() < begin + 12s) {
+        good->send_inputs({});
+        std::this_thread::sleep_for(33ms);
+    }
+    good->look([&](const PlayState& s) {
+        EXPECT_EQ(s.broken, 0) << s.first_broken;
+        EXPECT_GT(s.snapshots - before, 300) << "skipped " << s.skipped;
+    });
+    // Both were silent for longer than 10 s.
+    v1::GetWorldResponse world;
+    grpc::ClientContext context;
+    ASSERT_TRUE(world_service(server)->GetWorld(&context, {}, &world).ok());
+    EXPECT_EQ(world.world().clients(), 1u);
+}
+
+TEST(Lifecycle, worlds_are_made_joined_and_deleted) {
+    ServerProcess server(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(server.runs());
+    const auto worlds = world_service(server);
+    const auto context = [] {
+        auto made = std::make_unique<grpc::ClientContext>();
+        made->set_deadline(std::chrono::system_clock::now() + 10s);
+        return made;
+    };
+    v1::CreateWorldRequest create;
+    v1::CreateWorldResponse created;
+    create.set_scene_name("dominoes");
+    create.set_name("mine");
+    ASSERT_TRUE(worlds->CreateWorld(context().get(), create, &created).ok());
+    EXPECT_EQ(worlds->CreateWorld(context().get(), create, &created).error_code(),
+              grpc::StatusCode::ALREADY_EXISTS);
+    create.set_name("other");
+    create.set_scene_name("no_such_scene");
+    EXPECT_EQ(worlds->CreateWorld(context().get(), create, &created).error_code(),
+              grpc::StatusCode::NOT_FOUND);
+    create.mutable_scene()->set_name("ball");
+    v1::Shape& ball = *create.mutable_scene()->add_bodies()->add_shapes();
+    ball.mutable_sphere()->set_radius(-1);
+    const grpc::Status bad = worlds->CreateWorld(context().get(), create, &created);
+    EXPECT_EQ(bad.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_NE(bad.error_message().find("radius"), std::string::npos) << bad.error_message();
+    ball.mutable_sphere()->set_radius(0.5);
+    const grpc::Status good = worlds->CreateWorld(context().get(), create, &created);
+    ASSERT_TRUE(good.ok()) << good.error_message();
+    EXPECT_EQ(created.world().bodies(), 1u);
+
+    v1::JoinWorldRequest join;
+    v1::JoinWorldResponse joined;
+    join.set_world("mine");
+    ASSERT_TRUE(worlds->JoinWorld(context().get(), join, &joined).ok());
+    EXPECT_EQ(joined.play_address(), server.grpc_address());
+    v1::ClientMessage hello;
+    hello.mutable_hello()->set_protocol(1);
+    hello.mutable_hello()->set_ticket(joined.ticket());
+    const auto player = grpc_player(joined.play_address()),
+               again = grpc_player(joined.play_address());
+    player->send(hello);
+    ASSERT_TRUE(player->wait_until(has_snapshot));
+    EXPECT_EQ(player->look([](const PlayState& s) { return s.welcome.world_name(); }), "mine");
+    again->send(hello);
+    ASSERT_TRUE(again->wait_for_end());
+    EXPECT_TRUE(again->end()->starts_with("16: ")) << *again->end();  // a ticket is good once
+
+    v1::DeleteWorldRequest remove;
+    v1::DeleteWorldResponse removed;
+    remove.set_world("mine");
+    ASSERT_TRUE(worlds->DeleteWorld(context().get(), remove, &removed).ok());
+    EXPECT_TRUE(player->wait_for_end());
+    EXPECT_TRUE(player->end()->starts_with("10: ")) << *player->end();  // ABORTED
+    EXPECT_EQ(worlds->DeleteWorld(context().get(), remove, &removed).error_code(),
+              grpc::StatusCode::NOT_FOUND);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "system/play_state.h"
+
+#include <algorithm>
+#include <span>
+
+namespace jostle::test {
+
+namespace {
+
+constexpr std::size_t ring_size = 32;
+
+}  // namespace
+
+double age_ms(std::uint64_t server_time_us) {
+    const auto now = std::chrono::duration_cast<std::chrono::microseconds>(
+                         std::chrono::steady_clock::now().time_since_epoch())
+                         .count();
+    return (static_cast<double>(now) - static_cast<double>(server_time_us)) / 1000;
+}
+
+void PlayState::expect(bool promise, const std::string& what) {
+    if (promise) return;
+    if (broken++ == 0) first_broken = what;
+}
+
+std::size_t PlayState::count(v1::InputCode code) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        results, [&](const auto& entry) { return entry.second.code() == code; }));
+}
+
+void PlayState::take(const v1::ServerMessage& message) {
+    expect(welcomes == 1 || message.has_welcome() || message.has_notice(),
+           "the first message is neither a welcome nor a notice");
+    switch (message.message_case()) {
+        case v1::ServerMessage::kWelcome:
+            welcomes++;
+            expect(welcomes == 1, "a second welcome");
+            welcome = message.welcome();
+            client_id = welcome.client_id();
+            break;
+        case v1::ServerMessage::kRoster:
+            take(message.roster());
+            break;
+        case v1::ServerMessage::kSnapshot:
+            take(message.snapshot());
+            break;
+        case v1::ServerMessage::kInputResults:
+            take(message.input_results());
+            break;
+        case v1::ServerMessage::kPong:
+            pongs++;
+            break;
+        case v1::ServerMessage::kStats:
+            stats++;
+            break;
+        case v1::ServerMessage::kNotice:
+            notices.push_back(message.notice());
+            break;
+        case v1::ServerMessage::MESSAGE_NOT_SET:
+            expect(false, "an empty message");
+            break;
+    }
+}
+
+void PlayState::take(const v1::Roster& roster) {
+    rosters++;
+    for (const std::uint32_t id : roster.removed()) {
+        expect(entities.erase(id) == 1, "a roster removes entity " + std::to_string(id) +
+                                            ", which the client never heard of");
+    }
+    for (const v1::Entity& entity : roster.added()) {
+        expect(entities.emplace(entity.id(), entity).second,
+               "a roster adds entity " + std::to_string(entity.id()) + " twice");
+    }
+}
+
+void PlayState::take(const v1::InputResults& batch) {
+    for (const v1::InputResult& result : batch.results()) {
+        expect(results.emplace(result.sequence(), result).second,
+               "input " + std::to_string(result.sequence()) + " was answered twice");
+    }
+}
+
+const wire::QuantizedFrame* PlayState::find(std::uint32_t frame) const {
+    const auto at = std::ranges::find(ring_, frame, &wire::QuantizedFrame::frame);
+    return at == ring_.end() ? nullptr : &*at;
+}
+
+void PlayState::take(const v1::Snapshot& snapshot) {
+    const std::string name = "snapshot " + std::to_string(snapshot.frame());
+    snapshots++;
+    snapshot_bytes += snapshot.packed().size();
+    keyframes += snapshot.base_frame() == 0;
+    skipped = snapshot.own().snapshots_skipped();
+    expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
+
+    const auto base_of = [&](std::uint32_t frame) {
+        const wire::QuantizedFrame* base = frame == 0 ? nullptr : find(frame);
+        expect(frame == 0 || base != nullptr,
+               name + " refers to frame " + std::to_string(frame) + ", which was never sent");
+        return base;
+    };
+    const wire::Bases bases{base_of(snapshot.base_frame()), base_of(snapshot.base2_frame()),
+                            base_of(snapshot.base3_frame())};
+    const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
+                               static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    wire::QuantizedFrame frame;
+    const auto error = wire::decode_frame(frame, snapshot.frame(),
+                                          std::as_bytes(std::span(snapshot.packed())), bases, spec);
+    expect(!error, name + " cannot be decoded: " + error.value_or(""));
+    if (error) return;
+    expect(wire::frame_crc(frame) == snapshot.crc(), name + " has another CRC than the server's");
+    expect(std::ranges::all_of(frame.entities,
+                               [&](const auto& entity) { return entities.contains(entity.id); }),
+           name + " holds an entity that no roster named");
+
+    ages_ms.push_back(age_ms(snapshot.server_time_us()));
+    crc_of[snapshot.frame()] = snapshot.crc();
+    newest_frame = snapshot.frame();
+    ring_.push_back(std::move(frame));
+    if (ring_.size() > ring_size) ring_.pop_front();
+}
+
+}  // namespace jostle::test

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// What one client knows of its world, kept from ServerMessages as proto/WIRE.md tells a client to:
+// rosters, the last 32 decoded frames, the outcome of each input. Every promise of the protocol
+// that can be seen from here is checked as the messages come; what was broken is counted and the
+// first one kept in words. Used by the players of both transports.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jostle/v1/play.pb.h"
+#include "wire/frame_codec.h"
+
+namespace jostle::test {
+
+class PlayState {
+public:
+    void take(const v1::ServerMessage& message);
+
+    std::uint32_t client_id = 0;
+    v1::Welcome welcome;
+    int welcomes = 0, rosters = 0, snapshots = 0, keyframes = 0, stats = 0, pongs = 0;
+    std::size_t snapshot_bytes = 0;
+    std::uint32_t newest_frame = 0;
+    std::uint32_t skipped = 0;                         // as the server tells
+    std::vector<double> ages_ms;                       // of each snapshot when it was decoded
+    std::map<std::uint32_t, std::uint32_t> crc_of;     // by frame
+    std::map<std::uint32_t, v1::Entity> entities;      // as the rosters say
+    std::map<std::uint32_t, v1::InputResult> results;  // by sequence
+    std::vector<v1::Notice> notices;
+
+    int broken = 0;
+    std::string first_broken;
+
+    std::size_t count(v1::InputCode code) const;
+    const wire::QuantizedFrame* newest() const { return ring_.empty() ? nullptr : &ring_.back(); }
+
+private:
+    void take(const v1::Roster& roster);
+    void take(const v1::Snapshot& snapshot);
+    void take(const v1::InputResults& results);
+    const wire::QuantizedFrame* find(std::uint32_t frame) const;
+    void expect(bool promise, const std::string& what);
+
+    std::deque<wire::QuantizedFrame> ring_;
+};
+
+// The age of something that was due at that moment of the server's clock: both ends share this
+// machine's.
+double age_ms(std::uint64_t server_time_us);
+
+}  // namespace jostle::test

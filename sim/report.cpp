@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace jostle::sim {
+
+using physics::Stage;
+using physics::stage_count;
+
+void Meter::add(const physics::StepProfile& profile) {
+    step_ms_.push_back(profile.step_ms);
+    for (std::size_t k = 0; k < stage_count; k++) stage_ms_[k] += profile.stage_ms[k];
+}
+
+void Meter::fill(Report& report, const physics::World& world) const {
+    const physics::WorldSummary summary = world.summary();
+    report.steps = step_ms_.size();
+    report.bodies = summary.bodies;
+    report.contacts = summary.contacts;
+    report.awake_bodies = summary.awake_bodies;
+    report.energy_joules = summary.kinetic_energy + summary.potential_energy;
+    report.max_penetration_m = summary.max_penetration;
+    report.state_hash = physics::state_hash(world);
+    if (step_ms_.empty()) return;
+    const auto n = static_cast<double>(step_ms_.size());
+    report.ms_per_step_mean = std::accumulate(step_ms_.begin(), step_ms_.end(), 0.0) / n;
+    std::vector<double> sorted = step_ms_;
+    std::sort(sorted.begin(), sorted.end());
+    report.ms_per_step_p99 = sorted[static_cast<std::size_t>(0.99 * (n - 1) + 0.5)];
+    for (std::size_t k = 0; k < stage_count; k++) report.stage_ms_mean[k] = stage_ms_[k] / n;
+}
+
+namespace {
+
+std::string hex(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+void line(std::string& out, const char* name, const char* format, double value) {
+    char number[64], text[128];
+    std::snprintf(number, sizeof number, format, value);
+    std::snprintf(text, sizeof text, "%-22s %s\n", name, number);
+    out += text;
+}
+
+}  // namespace
+
+std::string to_text(const Report& r) {
+    std::string out = "scene                  " + r.scene + "\n";
+    line(out, "steps", "%.0f", static_cast<double>(r.steps));
+    line(out, "bodies", "%.0f", r.bodies);
+    line(out, "contacts", "%.0f", r.contacts);
+    line(out, "ms_per_step_mean", "%.4f", r.ms_per_step_mean);
+    line(out, "ms_per_step_p99", "%.4f", r.ms_per_step_p99);
+    line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
+    out += "state_hash             " + hex(r.state_hash) + "\n";
+    line(out, "energy_joules", "%.6g", r.energy_joules);
+    line(out, "max_penetration_m", "%.6g", r.max_penetration_m);
+    line(out, "awake_bodies", "%.0f", r.awake_bodies);
+    out += "stages, ms per step (mean):\n";
+    for (int k = 0; k < stage_count; k++) {
+        const std::string name = std::string("  ") + stage_name(static_cast<Stage>(k));
+        line(out, name.c_str(), "%.4f", r.stage_ms_mean[static_cast<std::size_t>(k)]);
+    }
+    return out;
+}
+
+std::string to_json(const Report& r) {
+    nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+    for (int k = 0; k < stage_count; k++)
+        stages[stage_name(static_cast<Stage>(k))] = r.stage_ms_mean[static_cast<std::size_t>(k)];
+    const nlohmann::ordered_json json = {{"scene", r.scene},
+                                         {"hz", r.hz},
+                                         {"substeps", r.substeps},
+                                         {"threads", r.threads},
+                                         {"steps", r.steps},
+                                         {"bodies", r.bodies},
+                                         {"contacts", r.contacts},
+                                         {"ms_per_step_mean", r.ms_per_step_mean},
+                                         {"ms_per_step_p99", r.ms_per_step_p99},
+                                         {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
+                                         {"state_hash", hex(r.state_hash)},
+                                         {"energy_joules", r.energy_joules},
+                                         {"max_penetration_m", r.max_penetration_m},
+                                         {"awake_bodies", r.awake_bodies},
+                                         {"stages", stages}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace jostle::sim

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// What a run cost and how it ended.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "jostle/physics/physics.h"
+
+namespace jostle::sim {
+
+struct Report {
+    std::string scene;
+    int threads = 1, substeps = 0;
+    double hz = 0;
+    std::uint64_t steps = 0;
+    int bodies = 0, contacts = 0, awake_bodies = 0;
+    double ms_per_step_mean = 0, ms_per_step_p99 = 0;  // wall clock
+    double cpu_ms_per_step_mean = 0;                   // of all threads of the process
+    std::uint64_t state_hash = 0;
+    double energy_joules = 0;      // kinetic + potential, zero at the origin
+    double max_penetration_m = 0;  // at the end
+    std::array<double, physics::stage_count> stage_ms_mean{};
+};
+
+// Collects one step after the other.
+class Meter {
+public:
+    void add(const physics::StepProfile& profile);
+    void fill(Report& report, const physics::World& world) const;
+
+private:
+    std::vector<double> step_ms_;
+    std::array<double, physics::stage_count> stage_ms_{};
+};
+
+std::string to_text(const Report& report);
+std::string to_json(const Report& report);
+
+}  // namespace jostle::sim

@@ -269,6 +269,26 @@ void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bo
     }
 }
 
+// After the first acceleration by h: what free fall over the gap adds to the approach. Without it a
+// ball that meets the floor late in a step loses what it gained in that step, up to g dt each
+// bounce.
+template <Second kSecond, bool kTurning>
+void foresee_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bodies,
+                    const ContactSettings& set) {
+    const BlockBodies<kSecond, kTurning> pair(m, bodies);
+    const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
+    const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
+    for (int i = 0; i < 4; i++) {
+        const Wide before = load(bounce.approach[i]);
+        const Wide now = u0 + load(m.y[i]) * u1 - load(m.x[i]) * u2;
+        const Wide pull = (before - now) * splat(set.inverse_h);
+        const Wide gap = max(load(m.gap[i]), splat(0));
+        const Wide square = before * before + (pull + pull) * gap;
+        const WideMask nears = before < splat(0);
+        store(bounce.approach[i], select(nears, -root(max(square, splat(0))), before));
+    }
+}
+
 // After each sub-step: a point that pressed in any of them was hit.
 inline void note_peaks(const ManifoldBlock& m, BlockBounce& bounce) {
     for (int i = 0; i < 4; i++) store(bounce.peak[i], max(load(bounce.peak[i]), load(m.lambda[i])));

@@ -99,6 +99,15 @@ bool begin_bounces(ManifoldStore& store, std::span<const HotBody> bodies, TaskTe
     return true;
 }
 
+void foresee_bounces(ManifoldStore& store, std::span<const HotBody> bodies,
+                     const ContactSettings& set, TaskTeam& team) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+        if (colour.sides[k].bouncy != 0)
+            foresee_bounce<second(), turning()>(colour.blocks[k], colour.bounces[k], bodies.data(),
+                                                set);
+    });
+}
+
 void note_bounce_peaks(ManifoldStore& store, TaskTeam& team) {
     for_each_block(store, team, [&](Colour& colour, std::size_t k, auto, auto) {
         if (colour.sides[k].bouncy != 0) note_peaks(colour.blocks[k], colour.bounces[k]);

@@ -20,9 +20,11 @@ void solve(ManifoldStore& store, std::span<HotBody> bodies, const ContactSetting
 void relax(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set, bool last,
            TaskTeam& team);
 
-// Restitution. begin_bounces says whether any block is bouncy; if none is, the other two need not
+// Restitution. begin_bounces says whether any block is bouncy; if none is, the others need not
 // be called.
 bool begin_bounces(ManifoldStore& store, std::span<const HotBody> bodies, TaskTeam& team);
+void foresee_bounces(ManifoldStore& store, std::span<const HotBody> bodies,
+                     const ContactSettings& set, TaskTeam& team);
 void note_bounce_peaks(ManifoldStore& store, TaskTeam& team);
 void end_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
                  TaskTeam& team);

@@ -110,6 +110,7 @@ void solve_constraints(StepContext& step) {
         const bool first = n == 0, last = n + 1 == step.contacts.substeps;
         each_body(
             [&](std::uint32_t i) { accelerate(scratch.hot[i + 1], scratch.drive[i + 1], first); });
+        if (first && bouncy) foresee_bounces(manifolds, bodies, step.contacts, step.team);
         // Later sub-steps are warm started by accelerate().
         if (first) warm_start(manifolds, bodies, step.team);
         solve(manifolds, bodies, step.contacts, step.team);

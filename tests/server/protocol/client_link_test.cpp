@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+//
+// Conversations with real worlds over a transport in memory. The link's clock is an argument, so
+// silences of many seconds take no time; the worlds tick in real time.
+#include "protocol/client_link.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+#include <thread>
+
+#include "jostle/scenes/catalog.h"
+#include "system/play_state.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::PlayState;
+
+class ClientLinkTest : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok()); }
+
+    Config config;
+    SessionDirectory sessions{2};
+    WorldDirectory worlds{{}, 4};
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+};
+
+// One client: what it says goes straight to its link, what the link says to a PlayState.
+struct TestClient {
+    explicit TestClient(PlayContext& context) : link(context, "test", Clock::now()) {}
+
+    void say(const v1::ClientMessage& message, Clock::duration later = 0s) {
+        link.receive(message.SerializeAsString(), Clock::now() + later);
+    }
+    void hello(const std::function<void(v1::Hello&)>& change = [](v1::Hello&) {}) {
+        v1::ClientMessage message;
+        message.mutable_hello()->set_protocol(1);
+        change(*message.mutable_hello());
+        say(message);
+    }
+    void ack(std::uint32_t frame, bool need_keyframe = false) {
+        v1::ClientMessage message;
+        message.mutable_ack()->set_frame(frame);
+        message.mutable_ack()->set_need_keyframe(need_keyframe);
+        say(message);
+    }
+    void inputs(std::uint32_t first, std::vector<v1::Input> list) {
+        v1::ClientMessage message;
+        message.mutable_input()->set_first_sequence(first);
+        for (v1::Input& input : list) *message.mutable_input()->add_inputs() = std::move(input);
+        say(message);
+    }
+    // Takes all that the link has to say.
+    void listen(Clock::duration later = 0s) {
+        while (std::optional<OutMessage> out = link.take_message(Clock::now() + later)) {
+            v1::ServerMessage message;
+            ASSERT_TRUE(message.ParseFromString(out->head + (out->shared ? *out->shared : "")));
+            kinds.push_back(message.message_case());
+            if (message.has_snapshot()) {
+                newest_shared = out->shared;
+                newest_base = message.snapshot().base_frame();
+            }
+            state.take(message);
+        }
+    }
+    bool listen_until(const std::function<bool()>& condition, bool acknowledge = true) {
+        for (const auto end = Clock::now() + 5s; Clock::now() < end;) {
+            listen();
+            if (condition()) return true;
+            if (acknowledge && state.newest_frame != 0) link.receive(ack_bytes(), Clock::now());
+            std::this_thread::sleep_for(10ms);
+        }
+        return false;
+    }
+    std::string ack_bytes() const {
+        v1::ClientMessage message;
+        message.mutable_ack()->set_frame(state.newest_frame);
+        return message.SerializeAsString();
+    }
+
+    ClientLink link;
+    PlayState state;
+    std::vector<v1::ServerMessage::MessageCase> kinds;
+    SharedBytes newest_shared;
+    std::uint32_t newest_base = 0;
+};
+
+v1::Input ball(double radius) {
+    v1::Input input;
+    input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(radius);
+    input.mutable_spawn()->mutable_position()->set_y(20);
+    return input;
+}
+
+v1::Input removal(std::uint32_t entity) {
+    v1::Input input;
+    input.mutable_delete_()->set_entity(entity);
+    return input;
+}
+
+TEST_F(ClientLinkTest, hello_is_answered_with_welcome_roster_and_an_absolute_snapshot) {
+    TestClient client(context);
+    client.listen();
+    EXPECT_TRUE(client.kinds.empty()) << "the client speaks first";
+    client.hello();
+    client.listen();
+    ASSERT_GE(client.kinds.size(), 3u);
+    EXPECT_EQ(client.kinds[0], v1::ServerMessage::kWelcome);
+    EXPECT_EQ(client.kinds[1], v1::ServerMessage::kRoster);
+    EXPECT_EQ(client.kinds[2], v1::ServerMessage::kSnapshot);
+    EXPECT_EQ(client.newest_base, 0u);
+    EXPECT_EQ(client.state.welcome.world_name(), "stack");
+    EXPECT_EQ(client.state.welcome.tick_hz(), 60);
+    EXPECT_EQ(client.state.entities.size(), worlds.find("")->frame()->entities.size());
+    EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
+    EXPECT_NE(client.newest_base, 0u) << "later ones are deltas";
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(sessions.clients(), 1);
+}
+
+TEST_F(ClientLinkTest, clients_on_one_cadence_share_the_same_bytes) {
+    TestClient one(context), two(context);
+    one.hello();
+    two.hello();
+    int shared = 0;
+    ASSERT_TRUE(one.listen_until([&] {
+        two.listen();
+        two.ack(two.state.newest_frame);
+        shared += one.state.newest_frame == two.state.newest_frame &&
+                  one.newest_shared == two.newest_shared;
+        return shared > 5;
+    }));
+    EXPECT_EQ(one.state.broken + two.state.broken, 0);
+}
+
+TEST_F(ClientLinkTest, each_input_is_applied_once_and_answered_once) {
+    TestClient client(context);
+    client.hello();
+    client.inputs(1, {ball(0.3), ball(0.2)});
+    client.inputs(2, {ball(0.2), ball(99), {}});  // 2 again, then two that cannot be
+    ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 4; }));
+    auto& results = client.state.results;
+    EXPECT_EQ(results[1].code(), v1::INPUT_CODE_APPLIED);
+    EXPECT_EQ(results[2].code(), v1::INPUT_CODE_APPLIED);
+    EXPECT_EQ(results[3].code(), v1::INPUT_CODE_INVALID);
+    EXPECT_NE(results[3].message().find("sphere.radius is 99"), std::string::npos);
+    EXPECT_EQ(results[4].code(), v1::INPUT_CODE_INVALID);
+    ASSERT_TRUE(
+        client.listen_until([&] { return client.state.entities.contains(results[2].entity()); }));
+    const auto owned = [&] {
+        return std::ranges::count_if(client.state.entities, [&](const auto& entry) {
+            return entry.second.owner() == client.state.client_id;
+        });
+    };
+    EXPECT_EQ(owned(), 2);
+    client.inputs(5, {removal(results[1].entity()), removal(results[1].entity()), removal(1)});
+    ASSERT_TRUE(client.listen_until([&] { return results.size() == 7; }));
+    EXPECT_EQ(results[5].code(), v1::INPUT_CODE_APPLIED);
+    EXPECT_EQ(results[6].code(), v1::INPUT_CODE_NOT_FOUND);
+    EXPECT_EQ(results[7].code(), v1::INPUT_CODE_NOT_ALLOWED) << "the scene's";
+    ASSERT_TRUE(client.listen_until([&] { return owned() == 1; }));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
+    TestClient leaver(context), stayer(context);
+    leaver.hello();
+    stayer.hello();
+    leaver.inputs(1, {ball(0.3)});
+    ASSERT_TRUE(leaver.listen_until([&] { return leaver.state.results.size() == 1; }));
+    const std::uint32_t body = leaver.state.results[1].entity();
+    ASSERT_TRUE(stayer.listen_until([&] { return stayer.state.entities.contains(body); }));
+    v1::ClientMessage leave;
+    leave.mutable_leave();
+    leaver.say(leave);
+    EXPECT_TRUE(leaver.link.end() && leaver.link.end()->ok());
+    EXPECT_EQ(sessions.clients(), 1);
+    EXPECT_TRUE(stayer.listen_until([&] { return !stayer.state.entities.contains(body); }));
+    EXPECT_EQ(stayer.state.broken, 0) << stayer.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, a_spectator_sees_and_changes_nothing) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_spectator(true); });
+    client.inputs(1, {ball(0.3)});
+    ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 1; }));
+    EXPECT_EQ(client.state.results[1].code(), v1::INPUT_CODE_NOT_ALLOWED);
+    EXPECT_GT(client.state.snapshots, 0);
+}
+
+TEST_F(ClientLinkTest, without_acks_no_more_than_a_window_is_sent) {
+    TestClient client(context);
+    client.hello();
+    EXPECT_FALSE(client.listen_until(
+        [&] {
+            return client.state.snapshots > static_cast<int>(client.state.welcome.ack_window());
+        },
+        false));
+    EXPECT_EQ(client.state.snapshots, static_cast<int>(client.state.welcome.ack_window()));
+    client.ack(client.state.newest_frame);
+    EXPECT_TRUE(client.listen_until([&] { return client.state.skipped > 0; }));
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
+    TestClient client(context);
+    client.hello();
+    ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
+    const int before = client.state.keyframes;
+    client.ack(client.state.newest_frame, true);
+    EXPECT_TRUE(client.listen_until([&] { return client.state.keyframes == before + 1; }));
+    ASSERT_TRUE(client.listen_until(
+        [&, n = client.state.snapshots] { return client.state.snapshots > n + 3; }));
+    EXPECT_EQ(client.state.keyframes, before + 1) << "one, then deltas again";
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(ClientLinkTest, a_wanted_rate_is_rounded_down_to_a_divider) {
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_snapshot_hz(25); });
+    client.listen();
+    EXPECT_EQ(client.state.welcome.snapshot_hz(), 20u);
+    std::set<std::uint32_t> phases;
+    ASSERT_TRUE(client.listen_until([&] {
+        if (client.state.snapshots > 1) phases.insert(client.state.newest_frame % 3);
+        return client.state.snapshots > 6;
+    }));
+    EXPECT_EQ(phases, std::set<std::uint32_t>{0});
+}
+
+TEST_F(ClientLinkTest, pings_are_answered) {
+    TestClient client(context);
+    client.hello();
+    v1::ClientMessage ping;
+    ping.mutable_ping()->set_client_time_us(42);
+    client.say(ping);
+    client.listen();
+    EXPECT_EQ(client.state.pongs, 1);
+}
+
+TEST_F(ClientLinkTest, refuses_politely) {
+    struct Case {
+        const char* what;
+        std::function<void(TestClient&)> misbehave;
+        AnswerCode code;
+    };
+    v1::ClientMessage second_hello;
+    second_hello.mutable_hello()->set_protocol(1);
+    const Case cases[] = {
+        {"protocol", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_protocol(2); }); },
+         AnswerCode::failed_precondition},
+        {"world", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_world("nowhere"); }); },
+         AnswerCode::not_found},
+        {"ticket", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_ticket("forged"); }); },
+         AnswerCode::unauthenticated},
+        {"ack before hello", [](TestClient& c) { c.ack(1); }, AnswerCode::failed_precondition},
+        {"garbage", [](TestClient& c) { c.link.receive("\xff\xff", Clock::now()); },
+         AnswerCode::invalid_argument},
+        {"size", [](TestClient& c) { c.link.receive(std::string(70000, 'x'), Clock::now()); },
+         AnswerCode::resource_exhausted},
+        {"second hello",
+         [&](TestClient& c) {
+             c.hello();
+             c.say(second_hello);
+         },
+         AnswerCode::failed_precondition},
+        {"batch",
+         [](TestClient& c) {
+             c.hello();
+             c.inputs(1, std::vector<v1::Input>(65));
+         },
+         AnswerCode::invalid_argument},
+    };
+    for (const Case& c : cases) {
+        TestClient client(context);
+        c.misbehave(client);
+        ASSERT_TRUE(client.link.end()) << c.what;
+        EXPECT_EQ(client.link.end()->code, c.code) << c.what;
+        client.listen();
+        ASSERT_FALSE(client.state.notices.empty()) << c.what;
+        EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_REFUSED) << c.what;
+        EXPECT_EQ(client.state.notices.back().message(), client.link.end()->message) << c.what;
+    }
+    EXPECT_EQ(sessions.clients(), 0);
+}
+
+TEST_F(ClientLinkTest, a_full_server_says_so) {
+    TestClient one(context), two(context), three(context);
+    one.hello();
+    two.hello();
+    three.hello();
+    ASSERT_TRUE(three.link.end());
+    EXPECT_EQ(three.link.end()->code, AnswerCode::resource_exhausted);
+    one.link.peer_closed(Clock::now());
+    TestClient four(context);
+    four.hello();
+    EXPECT_FALSE(four.link.end());
+}
+
+TEST_F(ClientLinkTest, silence_ends_a_conversation) {
+    TestClient mute(context), quiet(context);
+    quiet.hello();
+    mute.listen(4s);
+    EXPECT_FALSE(mute.link.end());
+    mute.listen(6s);
+    ASSERT_TRUE(mute.link.end());
+    EXPECT_EQ(mute.link.end()->code, AnswerCode::deadline_exceeded);
+    quiet.listen(9s);
+    EXPECT_FALSE(quiet.link.end());
+    quiet.link.wait_for_write(Clock::now() + 11s);  // it does not read either
+    ASSERT_TRUE(quiet.link.end());
+    EXPECT_EQ(quiet.link.end()->code, AnswerCode::deadline_exceeded);
+}
+
+TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
+    TestClient client(context);
+    client.hello();
+    const Clock::time_point now = Clock::now();
+    const std::string message = client.ack_bytes();
+    for (int i = 0; i < 200; ++i) client.link.receive(message, now);
+    EXPECT_FALSE(client.link.end());
+    client.listen();
+    ASSERT_EQ(client.state.notices.size(), 1u) << "told once";
+    EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_RATE_LIMIT);
+    for (int i = 0; i < 600; ++i) client.link.receive(message, now);
+    ASSERT_TRUE(client.link.end());
+    EXPECT_EQ(client.link.end()->code, AnswerCode::resource_exhausted);
+}
+
+TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {
+    TestClient client(context);
+    client.hello();
+    v1::ClientMessage ping;
+    ping.mutable_ping();
+    for (int second = 0; second < 9 && !client.link.end(); ++second) {
+        for (int i = 0; i < 80; ++i) client.say(ping, std::chrono::seconds(second));
+        client.link.wait_for_write(Clock::now() + std::chrono::seconds(second));
+    }
+    ASSERT_TRUE(client.link.end());
+    EXPECT_EQ(client.link.end()->code, AnswerCode::resource_exhausted);
+}
+
+TEST_F(ClientLinkTest, draining_and_closing_are_told) {
+    TestClient client(context), late(context);
+    client.hello();
+    context.draining = true;
+    late.hello();
+    ASSERT_TRUE(late.link.end());
+    EXPECT_EQ(late.link.end()->code, AnswerCode::unavailable);
+    client.listen();
+    EXPECT_FALSE(client.link.end()) << "may go on until the drain is over";
+    ASSERT_EQ(client.state.notices.size(), 1u);
+    EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_DRAINING);
+    context.closing = true;
+    client.listen();
+    ASSERT_TRUE(client.link.end());
+    EXPECT_EQ(client.link.end()->code, AnswerCode::unavailable);
+}
+
+TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
+    TestClient client(context);
+    client.hello();
+    client.listen();
+    worlds.remove("stack");
+    client.listen();
+    ASSERT_TRUE(client.link.end());
+    EXPECT_EQ(client.link.end()->code, AnswerCode::aborted);
+    EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_WORLD_CLOSED);
+}
+
+TEST_F(ClientLinkTest, a_ticket_leads_to_its_world_once) {
+    ASSERT_TRUE(worlds.create("second", *scenes::find_scene("dominoes")).ok());
+    const std::string ticket = sessions.issue_ticket("w2", Clock::now());
+    TestClient client(context), thief(context);
+    client.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
+    client.listen();
+    EXPECT_EQ(client.state.welcome.world_name(), "second");
+    thief.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
+    ASSERT_TRUE(thief.link.end());
+    EXPECT_EQ(thief.link.end()->code, AnswerCode::unauthenticated);
+}
+
+}  // namespace
+}  // namespace jostle::server

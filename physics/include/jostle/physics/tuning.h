@@ -30,7 +30,8 @@ inline constexpr double reuse_distance = 0.004;  // m
 // walls buzz.
 inline constexpr double contact_stiffness = 0.18;
 inline constexpr double contact_damping_ratio = 10;
-inline constexpr double push_out_speed = 3;  // m/s, how fast overlap is undone at most
+// How fast overlap is undone at most. At 3 m/s five boxes at half pitch throw their top at 6.8 m/s.
+inline constexpr double push_out_speed = 1.5;  // m/s
 inline constexpr double contact_slop =
     5e-5;  // m of overlap aimed at, so that resting contacts stay in touch
 // A soft contact gives up only what its impulse deviates from the slow mean over this time: stacks

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// A body spun about its middle axis turns over again and again (Dzhanibekov): compared with Euler's
+// equations, solved here by Runge-Kutta at steps of 1/19200 s.
+#include <gtest/gtest.h>
+
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+const Vec3 moments{0.1, 0.2, 0.28};  // kg m^2 of a box of 1 kg
+const Vec3 spin{0.01, 5, 0.01};      // rad/s
+
+Part wing_nut() {
+    // I = m/3 (hy^2 + hz^2, ...) solved for the half extents.
+    const Vec3 h{square_root(0.57), square_root(0.27), square_root(0.03)};
+    return {.geometry = Box{h}, .spin = spin, .density = 1 / (8 * h.x * h.y * h.z)};
+}
+
+// Euler's equations in body axes: I w' = I w x w.
+Vec3 euler(Vec3 w) {
+    return {(moments.y - moments.z) * w.y * w.z / moments.x,
+            (moments.z - moments.x) * w.z * w.x / moments.y,
+            (moments.x - moments.y) * w.x * w.y / moments.z};
+}
+Vec3 runge_kutta(Vec3 w, double h) {
+    const Vec3 a = euler(w), b = euler(w + a * (h / 2)), c = euler(w + b * (h / 2)),
+               d = euler(w + c * h);
+    return w + (a + (b + c) * 2 + d) * (h / 6);
+}
+
+TEST(FreeRotation, middle_axis_flips_when_euler_says) {
+    World world = make_world({.gravity = {}});
+    const BodyId body = add(world, wing_nut());
+    const Vec3 L0 = Vec3{moments.x * spin.x, moments.y * spin.y, moments.z * spin.z};
+    const double E0 = 0.5 * dot(L0, spin);
+
+    Vec3 truth = spin, last_truth = spin, last_w = spin;
+    std::vector<double> flips, true_flips;
+    double momentum_drift = 0, energy_drift = 0;
+    for (int i = 1; i <= 600; i++) {
+        must(world.step(1.0 / 60));
+        const BodyState s = state_of(world, body);
+        const Vec3 L = s.inertia * s.angular_velocity;
+        momentum_drift = maximum(momentum_drift, absolute(length(L) / length(L0) - 1));
+        energy_drift = maximum(energy_drift, absolute(0.5 * dot(L, s.angular_velocity) / E0 - 1));
+        const Vec3 w = inverse_rotate(s.pose.rotation, s.angular_velocity);
+        for (int k = 0; k < 320; k++) truth = runge_kutta(truth, 1.0 / 19200);
+        const auto note = [&](std::vector<double>& list, Vec3 before, Vec3 now) {
+            if (before.y * now.y <= 0)
+                list.push_back((i - 1 + before.y / (before.y - now.y)) / 60.0);
+        };
+        note(flips, last_w, w);
+        note(true_flips, last_truth, truth);
+        last_w = w;
+        last_truth = truth;
+    }
+    RecordProperty("momentum_drift", std::to_string(momentum_drift * 1e9) + "e-9");
+    RecordProperty("energy_drift", std::to_string(energy_drift));
+    EXPECT_LT(momentum_drift, 1e-9);
+    EXPECT_LT(energy_drift, 1e-2);
+    ASSERT_EQ(true_flips.size(), 2u);
+    EXPECT_NEAR(true_flips[0], 3.0823, 1e-2);
+    ASSERT_EQ(flips.size(), 2u);
+    RecordProperty("first_flip_off_s", std::to_string(flips[0] - true_flips[0]));
+    EXPECT_NEAR(flips[0], true_flips[0], 0.15);
+    EXPECT_NEAR(flips[1], true_flips[1], 0.30);
+}
+
+TEST(FreeRotation, ten_minutes_keep_energy_and_momentum) {
+    World world = make_world({.gravity = {}});
+    const BodyId body = add(world, wing_nut());
+    const BodyState start = state_of(world, body);
+    const Vec3 L0 = start.inertia * start.angular_velocity;
+    const double E0 = 0.5 * dot(L0, start.angular_velocity);
+    double momentum_drift = 0, energy_drift = 0;
+    for (int i = 0; i < 36000; i++) {
+        must(world.step(1.0 / 60));
+        if (i % 60 != 0) continue;
+        const BodyState s = state_of(world, body);
+        const Vec3 L = s.inertia * s.angular_velocity;
+        momentum_drift = maximum(momentum_drift, length(L - L0) / length(L0));
+        energy_drift = maximum(energy_drift, absolute(0.5 * dot(L, s.angular_velocity) / E0 - 1));
+    }
+    RecordProperty("momentum_vector_drift", std::to_string(momentum_drift * 1e9) + "e-9");
+    RecordProperty("energy_drift", std::to_string(energy_drift));
+    EXPECT_LT(momentum_drift, 1e-2);
+    EXPECT_LT(energy_drift, 1e-2);
+}
+
+TEST(FreeRotation, sphere_turns_at_constant_rate) {
+    World world = make_world({.gravity = {}});
+    const BodyId ball = add(world, {.geometry = Sphere{}, .spin = {0, 0, 2}});
+    run(world, 1);
+    const Quat q = state_of(world, ball).pose.rotation;
+    EXPECT_NEAR(absolute(q.z), std::sin(1.0), 1e-9);  // half of 2 rad
+    EXPECT_NEAR(norm_squared(q), 1, 1e-12);
+}
+
+TEST(FreeRotation, angular_impulse_divides_by_inertia) {
+    World world = make_world({.gravity = {}});
+    const BodyId ball = add(world, {.geometry = Sphere{0.5}});
+    const double inertia = 0.4 * 1000 * 4.0 / 3 * pi * 0.125 * 0.25;  // 2/5 m r^2
+    must(world.apply_angular_impulse(ball, {0, inertia * 3, 0}));
+    EXPECT_TRUE(near(state_of(world, ball).angular_velocity, {0, 3, 0}, 1e-12));
+    must(world.apply_torque(ball, {inertia * 60, 0, 0}));
+    must(world.step(1.0 / 60));
+    EXPECT_NEAR(state_of(world, ball).angular_velocity.x, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// What slides comes to rest after v^2 / (2 mu g), in any direction.
+#include <gtest/gtest.h>
+
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+const Vec3 along{0.86602540378443865, 0, 0.5};  // azimuth 30 degrees
+
+TEST(Friction, box_slides_as_far_as_coulomb_says) {
+    World world = make_world();
+    add_floor(world, 0.4);
+    const BodyId box = add(world, {.geometry = Box{{0.5, 0.05, 0.5}},
+                                   .position = {0, 0.05, 0},
+                                   .velocity = along * 5,
+                                   .friction = 0.4});
+    run(world, 3);
+    const double distance = 25 / (2 * 0.4 * 9.81);  // 3.1855 m
+    const Vec3 p = position_of(world, box);
+    RecordProperty("relative_error", std::to_string(dot(p, along) / distance - 1));
+    EXPECT_TRUE(near({p.x, 0, p.z}, along * distance, 0.01 * distance));
+    EXPECT_LT(length(velocity_of(world, box)), 1e-3);
+}
+
+TEST(Friction, pair_uses_the_geometric_mean) {
+    World world = make_world();
+    add_floor(world, 0.8);
+    const BodyId box = add(world, {.geometry = Box{{0.5, 0.05, 0.5}},
+                                   .position = {0, 0.05, 0},
+                                   .velocity = along * 3,
+                                   .friction = 0.2});
+    run(world, 3);
+    const double distance = 9 / (2 * 0.4 * 9.81);
+    EXPECT_NEAR(dot(position_of(world, box), along), distance, 0.01 * distance);
+}
+
+// Slides until the surface has caught up, at t = 2 v / (7 mu g), then rolls with 5/7 of the speed.
+TEST(Friction, sliding_ball_begins_to_roll) {
+    World world = make_world();
+    add_floor(world, 0.3);
+    const BodyId ball = add(
+        world,
+        {.geometry = Sphere{0.1}, .position = {0, 0.1, 0}, .velocity = along * 5, .friction = 0.3});
+    run(world, 2);
+    const Vec3 p = position_of(world, ball);
+    RecordProperty("distance_m", std::to_string(dot(p, along)));
+    EXPECT_TRUE(near({p.x, 0, p.z}, along * 7.4895810, 0.01 * 7.49));
+    EXPECT_NEAR(length(velocity_of(world, ball)), 25.0 / 7, 0.01 * 25 / 7);
+    // Rolling: the lowest point is at rest.
+    const BodyState s = state_of(world, ball);
+    EXPECT_LT(length(s.linear_velocity + cross(s.angular_velocity, {0, -0.1, 0})), 0.01);
+}
+
+// Each ring of the ground face brakes with mu p r: a spinning box stops in finite time and does not
+// wander.
+TEST(Friction, spinning_box_stops_on_the_spot) {
+    World world = make_world();
+    add_floor(world, 0.5);
+    const BodyId box = add(
+        world, {.geometry = Box{{0.5, 0.05, 0.5}}, .position = {0, 0.05, 0}, .spin = {0, 10, 0}});
+    run(world, 3);
+    const Vec3 p = position_of(world, box);
+    EXPECT_LT(length({p.x, 0, p.z}), 0.02);
+    EXPECT_LT(length(state_of(world, box).angular_velocity), 1e-3);
+}
+
+}  // namespace
+}  // namespace jostle::test

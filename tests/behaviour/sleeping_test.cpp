@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// What rests leaves the step; what disturbs it brings it back.
+#include <gtest/gtest.h>
+
+#include "support/near.h"
+#include "support/random.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+std::vector<BodyId> drop_pile(World& world, int count) {
+    Random random(7);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < count; i++) {
+        const Vec3 place{random.in(-1, 1), 1 + 0.7 * i, random.in(-1, 1)};
+        const Geometry kinds[] = {Box{{0.3, 0.2, 0.25}}, Capsule{0.15, 0.2}, Box{{0.2, 0.2, 0.2}}};
+        bodies.push_back(add(
+            world, {.geometry = kinds[i % 3], .position = place, .rotation = random.rotation()}));
+    }
+    return bodies;
+}
+
+// A tray, so that what can roll cannot roll away.
+void add_tray(World& world, double half) {
+    add_floor(world);
+    for (int k = 0; k < 4; k++) {
+        const double side = k % 2 == 0 ? half : -half;
+        const Vec3 place = k < 2 ? Vec3{side, 1, 0} : Vec3{0, 1, side};
+        const Vec3 size = k < 2 ? Vec3{0.2, 1, half} : Vec3{half, 1, 0.2};
+        add(world, {.geometry = Box{size}, .position = place, .type = BodyType::fixed});
+    }
+}
+
+TEST(Sleeping, a_pile_falls_asleep_and_costs_nothing) {
+    World world = make_world();
+    add_tray(world, 2.5);
+    const auto bodies = drop_pile(world, 30);
+    double t = 0;
+    for (; t < 30 && world.summary().awake_bodies > 0; t += 0.1) run(world, 0.1);
+    RecordProperty("asleep_after_s", std::to_string(t));
+    EXPECT_EQ(world.summary().awake_bodies, 0);
+    run(world, 0.1);
+    EXPECT_EQ(world.profile().bodies_awake, 0);
+    EXPECT_EQ(world.profile().manifolds, 0);
+    EXPECT_EQ(world.profile().pairs_checked, 0);
+    for (const BodyId body : bodies) {
+        EXPECT_EQ(velocity_of(world, body), (Vec3{}));
+        EXPECT_GT(position_of(world, body).y, 0.1);
+    }
+}
+
+TEST(Sleeping, says_when_bodies_fall_asleep_and_wake) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    int slept = 0, step = 0;
+    for (; slept == 0 && step < 240; step++) {
+        must(world.step(1.0 / 60));
+        for (const BodyId body : world.events().fell_asleep) slept += body == box;
+    }
+    EXPECT_EQ(slept, 1);
+    EXPECT_NEAR(step / 60.0, 0.5, 0.2);  // tuning::sleep_time
+    const BodyId ball = add(world, {.geometry = Sphere{0.2}, .position = {0, 1.5, 0}});
+    int woke = 0;
+    for (int i = 0; i < 60; i++) {
+        must(world.step(1.0 / 60));
+        for (const BodyId body : world.events().woke) woke += body == box;
+    }
+    EXPECT_EQ(woke, 1);
+    EXPECT_TRUE(world.contains(ball));
+}
+
+TEST(Sleeping, a_hit_wakes_the_whole_stack) {
+    World world = make_world();
+    add_floor(world);
+    std::vector<BodyId> stack;
+    for (int i = 0; i < 4; i++) stack.push_back(add(world, {.position = {0, 0.5 + i, 0}}));
+    run(world, 3);
+    ASSERT_EQ(world.summary().awake_bodies, 0);
+    add(world, {.geometry = Sphere{0.4}, .position = {-3, 2.5, 0}, .velocity = {20, 0, 0}});
+    run(world, 0.3);
+    for (const BodyId box : stack) EXPECT_TRUE(state_of(world, box).awake);
+    run(world, 1);
+    EXPECT_GT(length(position_of(world, stack[2]) - Vec3{0, 2.5, 0}), 0.1);
+}
+
+TEST(Sleeping, taking_the_support_away_wakes_what_stood_on_it) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId low = add(world, {.position = {0, 0.5, 0}});
+    const BodyId high = add(world, {.position = {0, 1.5, 0}});
+    run(world, 3);
+    ASSERT_FALSE(state_of(world, high).awake);
+    must(world.destroy_body(low));
+    EXPECT_TRUE(state_of(world, high).awake);
+    run(world, 3);
+    EXPECT_TRUE(near(position_of(world, high), {0, 0.5, 0}, 0.01));
+    EXPECT_FALSE(state_of(world, high).awake);
+}
+
+TEST(Sleeping, taking_a_fixed_support_away_wakes_too) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId table = add(world, {.position = {0, 0.5, 0}, .type = BodyType::fixed});
+    const BodyId box = add(world, {.position = {0, 1.5, 0}});
+    run(world, 3);
+    ASSERT_FALSE(state_of(world, box).awake);
+    must(world.destroy_body(table));
+    run(world, 3);
+    EXPECT_TRUE(near(position_of(world, box), {0, 0.5, 0}, 0.01));
+}
+
+TEST(Sleeping, pushing_wakes) {
+    const auto woken_by = [](auto&& push) {
+        World world = make_world();
+        add_floor(world);
+        const BodyId box = add(world, {.position = {0, 0.5, 0}});
+        run(world, 2);
+        EXPECT_FALSE(state_of(world, box).awake);
+        push(world, box);
+        return state_of(world, box).awake;
+    };
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.apply_impulse(b, {1, 0, 0}, {})); }));
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.apply_angular_impulse(b, {1, 0, 0})); }));
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.apply_force(b, {1, 0, 0}, {})); }));
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.apply_torque(b, {1, 0, 0})); }));
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.set_velocity(b, {1, 0, 0}, {})); }));
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.set_pose(b, {{3, 5, 0}, {}})); }));
+    EXPECT_TRUE(woken_by([](World& w, BodyId b) { must(w.wake(b)); }));
+}
+
+TEST(Sleeping, a_body_that_may_not_sleep_does_not) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId box = add(world, {.position = {0, 0.5, 0}, .may_sleep = false});
+    run(world, 5);
+    EXPECT_TRUE(state_of(world, box).awake);
+}
+
+TEST(Sleeping, two_piles_sleep_apart) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId calm = add(world, {.position = {0, 0.5, 0}});
+    const BodyId restless = add(world, {.position = {20, 0.5, 0}, .may_sleep = false});
+    run(world, 3);
+    EXPECT_FALSE(state_of(world, calm).awake);
+    EXPECT_TRUE(state_of(world, restless).awake);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// Boxes put one on the other stay where they are put, and go to sleep there.
+#include <gtest/gtest.h>
+
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+std::vector<BodyId> stack_of(World& world, int count) {
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < count; i++) boxes.push_back(add(world, {.position = {0, 0.5 + i, 0}}));
+    return boxes;
+}
+
+double worst_offset(const World& world, const std::vector<BodyId>& boxes) {
+    double worst = 0;
+    for (std::size_t i = 0; i < boxes.size(); i++) {
+        const Vec3 rest{0, 0.5 + static_cast<double>(i), 0};
+        worst = maximum(worst, length(position_of(world, boxes[i]) - rest));
+    }
+    return worst;
+}
+
+TEST(Stack, ten_boxes_stay_within_ten_millimetres_and_sleep) {
+    World world = make_world();
+    add_floor(world);
+    const auto boxes = stack_of(world, 10);
+    run(world, 5);
+    std::vector<Vec3> half_way;
+    for (const BodyId box : boxes) half_way.push_back(position_of(world, box));
+    run(world, 5);
+    const double worst = worst_offset(world, boxes);
+    RecordProperty("worst_mm", std::to_string(worst * 1000));
+    EXPECT_LT(worst, 0.010);
+    for (std::size_t i = 0; i < boxes.size(); i++) {
+        EXPECT_LT(length(position_of(world, boxes[i]) - half_way[i]), 1e-4) << "box " << i;
+        EXPECT_FALSE(state_of(world, boxes[i]).awake) << "box " << i;
+    }
+}
+
+// Sleep must not be what holds the stack: awake it settles toward the true pose, and never away
+// from it.
+TEST(Stack, ten_boxes_settle_with_sleeping_off) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    const auto boxes = stack_of(world, 10);
+    run(world, 5);
+    const double half_way = worst_offset(world, boxes);
+    run(world, 5);
+    const double worst = worst_offset(world, boxes);
+    RecordProperty("worst_mm", std::to_string(worst * 1000));
+    EXPECT_LT(worst, 0.002);
+    EXPECT_LT(worst, half_way + 1e-4);
+}
+
+TEST(Stack, one_box_rests_where_it_was_put) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    run(world, 2);
+    EXPECT_TRUE(near(position_of(world, box), {0, 0.5, 0}, 5e-4));
+    EXPECT_FALSE(state_of(world, box).awake);
+}
+
+TEST(Stack, stands_on_a_fixed_box_far_from_the_origin) {
+    World world = make_world();
+    const Vec3 place{1e6, 0, -2e6};
+    add(world, {.geometry = Box{{10, 1, 10}}, .position = place, .type = BodyType::fixed});
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 5; i++)
+        boxes.push_back(add(world, {.position = place + Vec3{0, 1.5 + i, 0}}));
+    run(world, 5);
+    for (int i = 0; i < 5; i++)
+        EXPECT_TRUE(near(position_of(world, boxes[static_cast<std::size_t>(i)]),
+                         place + Vec3{0, 1.5 + i, 0}, 0.01));
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// How far two convex shapes are apart, or how deep they overlap, by searching all directions: no
+// GJK, no separating-axis list, nothing shared with the library but its vector types.
+//
+// For a unit direction n the slabs of both shapes along n leave the gap s(n) = min over b of n.x -
+// max over a of n.x. The signed distance of two convex shapes is the largest s(n) over all n:
+// positive, their distance; negative, minus the depth of the overlap. Every s(n) is a lower bound,
+// so a normal claimed by anyone can be checked by evaluating s there.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "jostle/physics/geometry.h"
+#include "jostle/physics/transform.h"
+
+namespace jostle::test {
+
+// The largest n.x over the shape in its pose. Not for planes.
+inline double support(const physics::Geometry& geometry, const physics::Transform& pose,
+                      physics::Vec3 n) {
+    using namespace physics;
+    const Vec3 d = inverse_rotate(pose.rotation, n);
+    const double center = dot(pose.position, n);
+    if (const auto* sphere = std::get_if<Sphere>(&geometry))
+        return center + sphere->radius * length(n);
+    if (const auto* capsule = std::get_if<Capsule>(&geometry))
+        return center + capsule->half_length * std::fabs(d.y) + capsule->radius * length(n);
+    const Vec3 h = std::get<Box>(geometry).half_extents;
+    return center + h.x * std::fabs(d.x) + h.y * std::fabs(d.y) + h.z * std::fabs(d.z);
+}
+
+// s(n): the gap between the slabs of a and b along n.
+inline double slab_gap(const physics::Geometry& a, const physics::Transform& pose_a,
+                       const physics::Geometry& b, const physics::Transform& pose_b,
+                       physics::Vec3 n) {
+    return -support(b, pose_b, -n) - support(a, pose_a, n);
+}
+
+struct Separation {
+    double distance = 0;   // m, signed
+    physics::Vec3 normal;  // unit, from a to b
+};
+
+namespace detail {
+
+// 1500 directions of a Fibonacci spiral: about 4 degrees from each to the next.
+inline const std::vector<physics::Vec3>& directions() {
+    static const std::vector<physics::Vec3> all = [] {
+        std::vector<physics::Vec3> list;
+        const int count = 1500;
+        const double golden = physics::pi * (3 - std::sqrt(5.0));
+        for (int i = 0; i < count; i++) {
+            const double y = 1 - 2 * (i + 0.5) / count, r = std::sqrt(1 - y * y);
+            list.push_back({r * std::cos(golden * i), y, r * std::sin(golden * i)});
+        }
+        return list;
+    }();
+    return all;
+}
+
+// Climbs s from n: a ring of trial directions that shrinks when none is better and turns each time,
+// so that a ridge cannot hide between them.
+template <class Gap>
+Separation climb(const Gap& gap, physics::Vec3 n) {
+    double best = gap(n), step = 0.06, turn = 0;
+    while (step > 1e-9) {
+        const physics::Vec3 t1 = normalized(
+            cross(n, std::fabs(n.x) < 0.7 ? physics::Vec3{1, 0, 0} : physics::Vec3{0, 1, 0}));
+        const physics::Vec3 t2 = cross(n, t1);
+        physics::Vec3 winner = n;
+        double record = best;
+        for (int k = 0; k < 12; k++) {
+            const double angle = turn + k * physics::pi / 6;
+            const physics::Vec3 trial =
+                normalized(n + (t1 * std::cos(angle) + t2 * std::sin(angle)) * step);
+            const double s = gap(trial);
+            if (s > record) record = s, winner = trial;
+        }
+        turn += 0.7;
+        if (record > best)
+            best = record, n = winner;
+        else
+            step *= 0.6;
+    }
+    return {best, n};
+}
+
+}  // namespace detail
+
+// a is no plane. Good to about 1e-6 of the sizes.
+inline Separation separation(const physics::Geometry& a, const physics::Transform& pose_a,
+                             const physics::Geometry& b, const physics::Transform& pose_b) {
+    using namespace physics;
+    if (const auto* plane = std::get_if<Plane>(&b)) {
+        const Vec3 up = rotate(pose_b.rotation, plane->normal);
+        return {-support(a, pose_a, -up) - dot(up, pose_b.position), -up};
+    }
+    const auto gap = [&](Vec3 n) { return slab_gap(a, pose_a, b, pose_b, n); };
+    // The best few of all directions, each climbed: hills of s are as wide as the faces that make
+    // them.
+    constexpr int starts = 10;
+    std::array<Separation, starts> best;
+    best.fill({-1e300, {}});
+    for (const Vec3 n : detail::directions()) {
+        const double s = gap(n);
+        if (s <= best.back().distance) continue;
+        int place = starts - 1;
+        for (; place > 0 && best[static_cast<std::size_t>(place - 1)].distance < s; place--)
+            best[static_cast<std::size_t>(place)] = best[static_cast<std::size_t>(place - 1)];
+        best[static_cast<std::size_t>(place)] = {s, n};
+    }
+    Separation result{-1e300, {}};
+    for (const Separation& start : best) {
+        if (start.distance < -1e299) continue;
+        const Separation top = detail::climb(gap, start.normal);
+        if (top.distance > result.distance) result = top;
+    }
+    return result;
+}
+
+}  // namespace jostle::test

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// Worlds in one line: a floor, a body, some seconds. For tests; a refused call fails the test and
+// ends it.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "jostle/physics/physics.h"
+
+namespace jostle::test {
+
+// The value, or an exception that gtest reports with the library's own message.
+template <class T>
+T must(physics::Result<T> result) {
+    if (!result.ok()) throw std::runtime_error(result.error().message);
+    return std::move(*result);
+}
+inline void must(const physics::Status& status) {
+    if (!status.ok()) throw std::runtime_error(status.error().message);
+}
+
+// One body of one shape, with the few things that tests vary.
+struct Part {
+    physics::Geometry geometry = physics::Box{};
+    physics::Vec3 position;
+    physics::Quat rotation;
+    physics::Vec3 velocity;  // m/s
+    physics::Vec3 spin;      // rad/s
+    double friction = 0.5;
+    double restitution = 0;
+    double density = 1000;  // kg/m^3
+    physics::BodyType type = physics::BodyType::dynamic;
+    bool may_sleep = true;
+};
+
+inline physics::World make_world(const physics::WorldDef& def = {}) {
+    return must(physics::World::create(def));
+}
+
+inline physics::BodyId add(physics::World& world, const Part& part) {
+    return must(world.create_body({.type = part.type,
+                                   .pose = {part.position, part.rotation},
+                                   .linear_velocity = part.velocity,
+                                   .angular_velocity = part.spin,
+                                   .may_sleep = part.may_sleep},
+                                  {.geometry = part.geometry,
+                                   .material = {part.friction, part.restitution},
+                                   .density = part.density}));
+}
+
+// The plane y = 0.
+inline physics::BodyId add_floor(physics::World& world, double friction = 0.5,
+                                 double restitution = 0) {
+    return add(world, {.geometry = physics::Plane{},
+                       .friction = friction,
+                       .restitution = restitution,
+                       .type = physics::BodyType::fixed});
+}
+
+inline void run(physics::World& world, double seconds, double hz = 60) {
+    const int steps = static_cast<int>(seconds * hz + 0.5);
+    for (int i = 0; i < steps; i++) must(world.step(1 / hz));
+}
+
+inline physics::BodyState state_of(const physics::World& world, physics::BodyId body) {
+    return must(world.body(body));
+}
+inline physics::Vec3 position_of(const physics::World& world, physics::BodyId body) {
+    return state_of(world, body).pose.position;
+}
+inline physics::Vec3 velocity_of(const physics::World& world, physics::BodyId body) {
+    return state_of(world, body).linear_velocity;
+}
+
+// Gravity of 9.81 m/s^2 leaning by atan(slope) from straight down toward `azimuth` (radians from x
+// to z): the floor is then an incline, in a direction that no axis shares.
+inline physics::Vec3 leaning_gravity(double slope, double azimuth) {
+    const double cosine = 1 / physics::square_root(1 + slope * slope);
+    const physics::SinCos a = physics::sin_cos(azimuth);
+    return physics::Vec3{slope * a.cos, -1, slope * a.sin} * (9.81 * cosine);
+}
+
+}  // namespace jostle::test

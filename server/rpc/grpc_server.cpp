@@ -2,7 +2,6 @@
 #include "rpc/grpc_server.h"
 
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
-#include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/server_builder.h>
 #include <spdlog/fmt/fmt.h>
 
@@ -13,7 +12,6 @@ namespace jostle::server {
 namespace {
 
 constexpr auto shutdown_patience = std::chrono::seconds(1);
-constexpr const char* service_names[] = {"jostle.v1.PlayService", "jostle.v1.WorldService"};
 
 // A peer that vanished without a word is noticed within half a minute; clients may ping every 10 s
 // or slower.
@@ -32,14 +30,16 @@ std::string address_of(const std::string& host, std::uint16_t port) {
 }  // namespace
 
 GrpcServer::GrpcServer(PlayContext& context, WorldControl& worlds, GrpcSettings settings)
-    : context_(context), settings_(std::move(settings)), world_service_(worlds) {}
+    : context_(context),
+      settings_(std::move(settings)),
+      world_service_(worlds),
+      health_service_({"jostle.v1.PlayService", "jostle.v1.WorldService"}) {}
 
 GrpcServer::~GrpcServer() {
     stop();
 }
 
 std::optional<std::string> GrpcServer::start() {
-    grpc::EnableDefaultHealthCheckService(true);
     grpc::reflection::InitProtoReflectionServerBuilderPlugin();
     grpc::ServerBuilder builder;
     const std::string address = address_of(settings_.host, settings_.port);
@@ -51,6 +51,7 @@ std::optional<std::string> GrpcServer::start() {
     set_keepalive(builder);
     builder.RegisterService(&play_service_);
     builder.RegisterService(&world_service_);
+    builder.RegisterService(&health_service_);
     for (int i = 0; i < settings_.network_threads; ++i) {
         shards_.push_back(
             std::make_unique<PlayShard>(context_, play_service_, builder.AddCompletionQueue()));
@@ -63,9 +64,7 @@ std::optional<std::string> GrpcServer::start() {
             address);
     }
     port_ = static_cast<std::uint16_t>(bound);
-    for (const char* name : service_names) {
-        server_->GetHealthCheckService()->SetServingStatus(name, true);
-    }
+    health_service_.set_serving(true);
     for (const auto& shard : shards_) shard->start();
     return std::nullopt;
 }
@@ -75,12 +74,7 @@ void GrpcServer::wake() {
 }
 
 void GrpcServer::drain() {
-    if (!server_) return;
-    // Not Shutdown(): that would also end the streams that watch the health.
-    server_->GetHealthCheckService()->SetServingStatus(false);
-    for (const char* name : service_names) {
-        server_->GetHealthCheckService()->SetServingStatus(name, false);
-    }
+    health_service_.set_serving(false);
 }
 
 void GrpcServer::stop() {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "rpc/health_service.h"
 #include "rpc/play_shard.h"
 #include "rpc/world_service.h"
 
@@ -47,6 +48,7 @@ private:
     const GrpcSettings settings_;
     RawPlayService play_service_;
     WorldService world_service_;
+    HealthService health_service_;
     std::vector<std::unique_ptr<PlayShard>> shards_;
     std::unique_ptr<grpc::Server> server_;
     std::uint16_t port_ = 0;

@@ -10,42 +10,36 @@ namespace jostle::server {
 namespace {
 
 // Nobody waits for the answer any more.
-bool is_too_late(const grpc::CallbackServerContext& context) {
+bool is_too_late(const grpc::ServerContext& context) {
     return context.IsCancelled() || context.deadline() <= std::chrono::system_clock::now();
-}
-
-grpc::ServerUnaryReactor* finish(grpc::CallbackServerContext& context, const grpc::Status& status) {
-    grpc::ServerUnaryReactor* reactor = context.DefaultReactor();
-    reactor->Finish(status);
-    return reactor;
 }
 
 // Does the work unless it is too late for it, and answers.
 template <class Work>
-grpc::ServerUnaryReactor* answer(grpc::CallbackServerContext& context, const Work& work) {
+grpc::Status answer(const grpc::ServerContext& context, const Work& work) {
     if (is_too_late(context)) {
-        return finish(context, {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline has passed"});
+        return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline has passed"};
     }
-    return finish(context, to_grpc_status(work()));
+    return to_grpc_status(work());
 }
 
 }  // namespace
 
-grpc::ServerUnaryReactor* WorldService::ListWorlds(grpc::CallbackServerContext* context,
-                                                   const v1::ListWorldsRequest* request,
-                                                   v1::ListWorldsResponse* response) {
+grpc::Status WorldService::ListWorlds(grpc::ServerContext* context,
+                                      const v1::ListWorldsRequest* request,
+                                      v1::ListWorldsResponse* response) {
     return answer(*context, [&] { return worlds_.list(*request, *response); });
 }
 
-grpc::ServerUnaryReactor* WorldService::GetWorld(grpc::CallbackServerContext* context,
-                                                 const v1::GetWorldRequest* request,
-                                                 v1::GetWorldResponse* response) {
+grpc::Status WorldService::GetWorld(grpc::ServerContext* context,
+                                    const v1::GetWorldRequest* request,
+                                    v1::GetWorldResponse* response) {
     return answer(*context, [&] { return worlds_.get(*request, *response); });
 }
 
-grpc::ServerUnaryReactor* WorldService::CreateWorld(grpc::CallbackServerContext* context,
-                                                    const v1::CreateWorldRequest* request,
-                                                    v1::CreateWorldResponse* response) {
+grpc::Status WorldService::CreateWorld(grpc::ServerContext* context,
+                                       const v1::CreateWorldRequest* request,
+                                       v1::CreateWorldResponse* response) {
     return answer(*context, [&]() -> Answer {
         Answer created = worlds_.create(*request, *response);
         if (!created.ok() || !is_too_late(*context)) return created;
@@ -58,15 +52,15 @@ grpc::ServerUnaryReactor* WorldService::CreateWorld(grpc::CallbackServerContext*
     });
 }
 
-grpc::ServerUnaryReactor* WorldService::DeleteWorld(grpc::CallbackServerContext* context,
-                                                    const v1::DeleteWorldRequest* request,
-                                                    v1::DeleteWorldResponse* response) {
+grpc::Status WorldService::DeleteWorld(grpc::ServerContext* context,
+                                       const v1::DeleteWorldRequest* request,
+                                       v1::DeleteWorldResponse* response) {
     return answer(*context, [&] { return worlds_.remove(*request, *response); });
 }
 
-grpc::ServerUnaryReactor* WorldService::JoinWorld(grpc::CallbackServerContext* context,
-                                                  const v1::JoinWorldRequest* request,
-                                                  v1::JoinWorldResponse* response) {
+grpc::Status WorldService::JoinWorld(grpc::ServerContext* context,
+                                     const v1::JoinWorldRequest* request,
+                                     v1::JoinWorldResponse* response) {
     return answer(*context, [&] { return worlds_.join(*request, *response); });
 }
 

@@ -13,6 +13,7 @@
 #include <random>
 #include <thread>
 
+#include "grpc/health/v1/health.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
 #include "system/player.h"
 #include "system/server_process.h"
@@ -76,6 +77,38 @@ TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
     EXPECT_TRUE(grpc->end()->starts_with("14: ")) << *grpc->end();  // UNAVAILABLE
     EXPECT_TRUE(browser->wait_for_end());
     EXPECT_EQ(*browser->end(), "1012");  // service restart
+}
+
+TEST(Lifecycle, health_is_asked_and_watched) {
+    using grpc::health::v1::HealthCheckResponse;
+    ServerProcess server(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(server.runs());
+    const auto player = grpc_player(server.grpc_address());  // holds the drain up
+    player->hello();
+    ASSERT_TRUE(player->wait_until(has_snapshot));
+    const auto health = grpc::health::v1::Health::NewStub(
+        grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));
+    grpc::health::v1::HealthCheckRequest request;
+    HealthCheckResponse response;
+    for (const char* service : {"", "jostle.v1.PlayService", "jostle.v1.WorldService"}) {
+        grpc::ClientContext context;
+        request.set_service(service);
+        ASSERT_TRUE(health->Check(&context, request, &response).ok()) << service;
+        EXPECT_EQ(response.status(), HealthCheckResponse::SERVING) << service;
+    }
+    grpc::ClientContext unknown, watch;
+    request.set_service("nothing");
+    EXPECT_EQ(health->Check(&unknown, request, &response).error_code(),
+              grpc::StatusCode::NOT_FOUND);
+    request.set_service("");
+    const auto changes = health->Watch(&watch, request);
+    ASSERT_TRUE(changes->Read(&response));
+    EXPECT_EQ(response.status(), HealthCheckResponse::SERVING);
+    server.signal(SIGTERM);
+    ASSERT_TRUE(changes->Read(&response));
+    EXPECT_EQ(response.status(), HealthCheckResponse::NOT_SERVING);
+    player->leave();
+    EXPECT_EQ(server.wait(5s), 0) << "one that watches does not hold the server up";
 }
 
 TEST(Lifecycle, exits_at_once_when_the_last_client_leaves_or_on_a_second_signal) {

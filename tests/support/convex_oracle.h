@@ -121,4 +121,37 @@ inline Separation separation(const physics::Geometry& a, const physics::Transfor
     return result;
 }
 
+// The point of the shape nearest to p. Not for planes.
+inline physics::Vec3 nearest_point(const physics::Geometry& geometry,
+                                   const physics::Transform& pose, physics::Vec3 p) {
+    using namespace physics;
+    const Vec3 q = apply_inverse(pose, p);
+    Vec3 core, out;
+    double radius = 0;
+    if (const auto* box = std::get_if<Box>(&geometry)) {
+        const Vec3 h = box->half_extents;
+        return apply(pose, {clamp(q.x, -h.x, h.x), clamp(q.y, -h.y, h.y), clamp(q.z, -h.z, h.z)});
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&geometry)) radius = sphere->radius;
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
+        radius = capsule->radius;
+        core.y = clamp(q.y, -capsule->half_length, capsule->half_length);
+    }
+    out = q - core;
+    const double d = length(out);
+    return apply(pose, d <= radius ? q : core + out * (radius / d));
+}
+
+// An upper bound of the distance, as slab_gap is a lower one: two points, each moved to the nearest
+// of the other shape in turn, come as near as the shapes do.
+inline double distance_at_most(const physics::Geometry& a, const physics::Transform& pose_a,
+                               const physics::Geometry& b, const physics::Transform& pose_b) {
+    physics::Vec3 on_a = pose_a.position, on_b = pose_b.position;
+    for (int i = 0; i < 400; i++) {
+        on_b = nearest_point(b, pose_b, on_a);
+        on_a = nearest_point(a, pose_a, on_b);
+    }
+    return length(on_b - on_a);
+}
+
 }  // namespace jostle::test

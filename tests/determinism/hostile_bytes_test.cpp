@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+//
+// Saved worlds that were cut, flipped or forged: refused with a reason, or loaded as a world that
+// can be run. Nothing crashes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "foundation/hash.h"
+#include "support/test_scenes.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+using testing::HasSubstr;
+
+using Bytes = std::vector<std::byte>;
+constexpr std::size_t header_bytes = 28;  // mark 8, version 4, length 8, checksum 8
+
+// A world with something of everything: asleep, awake, touching, kinematic, compound.
+const Bytes& sample() {
+    static const Bytes bytes = [] {
+        World world = yard_scene();
+        run(world, 2);
+        return save(world);
+    }();
+    return bytes;
+}
+
+std::uint64_t word_at(const Bytes& bytes, std::size_t at) {
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < 8 && at + k < bytes.size(); k++)
+        word |= std::to_integer<std::uint64_t>(bytes[at + k]) << (8 * k);
+    return word;
+}
+void set_word(Bytes& bytes, std::size_t at, std::uint64_t word) {
+    for (std::size_t k = 0; k < 8; k++) bytes[at + k] = static_cast<std::byte>(word >> (8 * k));
+}
+
+// Makes length and checksum of the header right again, as a forger would.
+void restamp(Bytes& bytes) {
+    const std::size_t size = bytes.size() - header_bytes;
+    Hasher hasher;
+    hasher.add(size);
+    for (std::size_t at = 0; at < size; at += 8) hasher.add(word_at(bytes, header_bytes + at));
+    set_word(bytes, 12, size);
+    set_word(bytes, 20, hasher.value);
+}
+
+void expect_refused(const Bytes& bytes, const char* word) {
+    const auto world = load(bytes);
+    ASSERT_FALSE(world.ok()) << "accepted; expected a complaint about " << word;
+    EXPECT_EQ(world.error().code, ErrorCode::corrupt_data);
+    EXPECT_THAT(world.error().message, HasSubstr(word));
+}
+
+TEST(HostileBytes, restamped_bytes_of_a_good_world_load) {
+    Bytes bytes = sample();
+    restamp(bytes);
+    EXPECT_EQ(bytes, sample());  // or the forgeries below would test the checksum alone
+    EXPECT_TRUE(load(bytes).ok());
+}
+
+TEST(HostileBytes, every_truncation_is_refused) {
+    for (std::size_t size = 0; size < sample().size(); size += size < 64 ? 1 : 97) {
+        const Bytes cut(sample().begin(), sample().begin() + static_cast<std::ptrdiff_t>(size));
+        const auto world = load(cut);
+        ASSERT_FALSE(world.ok()) << size << " bytes";
+        EXPECT_EQ(world.error().code, ErrorCode::corrupt_data);
+        EXPECT_FALSE(world.error().message.empty());
+    }
+}
+
+TEST(HostileBytes, forged_truncations_name_the_field_that_is_missing) {
+    for (std::size_t size = header_bytes; size < sample().size(); size += 211) {
+        Bytes cut(sample().begin(), sample().begin() + static_cast<std::ptrdiff_t>(size));
+        restamp(cut);
+        expect_refused(cut, "byte");
+    }
+    Bytes longer = sample();
+    longer.resize(longer.size() + 5);
+    restamp(longer);
+    expect_refused(longer, "left after the last field");
+}
+
+TEST(HostileBytes, header_says_what_is_wrong_with_it) {
+    expect_refused({}, "header");
+    Bytes bytes = sample();
+    bytes[0] ^= std::byte{1};
+    expect_refused(bytes, "mark");
+    bytes = sample();
+    bytes[8] ^= std::byte{64};
+    expect_refused(bytes, "version");
+    bytes = sample();
+    bytes[12] ^= std::byte{1};
+    expect_refused(bytes, "bytes follow");
+    bytes = sample();
+    bytes.back() ^= std::byte{128};
+    expect_refused(bytes, "checksum");
+}
+
+TEST(HostileBytes, every_flipped_bit_is_noticed) {
+    Random random(1);
+    for (int i = 0; i < 1000; i++) {
+        Bytes bytes = sample();
+        bytes[random.below(bytes.size())] ^= static_cast<std::byte>(1u << random.below(8));
+        ASSERT_FALSE(load(bytes).ok()) << "flip " << i;
+    }
+}
+
+// With a right checksum, what is inside must stand on its own: either it is refused, or it is a
+// world that runs.
+TEST(HostileBytes, forged_fields_are_refused_or_harmless) {
+    Random random(2);
+    int accepted = 0, refused = 0;
+    for (int i = 0; i < 3000; i++) {
+        Bytes bytes = sample();
+        const int changes = 1 + static_cast<int>(random.below(3));
+        for (int k = 0; k < changes; k++) {
+            const std::size_t at = header_bytes + random.below(bytes.size() - header_bytes - 8);
+            switch (random.below(5)) {
+                case 0:
+                    bytes[at] ^= static_cast<std::byte>(1u << random.below(8));
+                    break;
+                case 1:
+                    bytes[at] = static_cast<std::byte>(random.bits());
+                    break;
+                case 2:
+                    set_word(bytes, at, random.bits());
+                    break;
+                case 3:
+                    set_word(bytes, at, random.below(2) == 0 ? 0 : ~0ull);
+                    break;
+                case 4:
+                    std::memmove(&bytes[at], &bytes[header_bytes + random.below(bytes.size() / 2)],
+                                 8);
+                    break;
+            }
+        }
+        restamp(bytes);
+        auto world = load(bytes);
+        if (!world.ok()) {
+            refused++;
+            ASSERT_EQ(world.error().code, ErrorCode::corrupt_data);
+            ASSERT_FALSE(world.error().message.empty());
+            continue;
+        }
+        accepted++;
+        for (int step = 0; step < 3; step++) must(world->step(1.0 / 60));
+        std::vector<BodyState> bodies;
+        world->copy_bodies(bodies);
+    }
+    RecordProperty("accepted", accepted);
+    RecordProperty("refused", refused);
+    EXPECT_GT(refused, 500);
+}
+
+TEST(HostileBytes, noise_is_refused) {
+    Random random(3);
+    for (int i = 0; i < 500; i++) {
+        Bytes bytes(random.below(400));
+        for (std::byte& b : bytes) b = static_cast<std::byte>(random.bits());
+        ASSERT_FALSE(load(bytes).ok());
+        if (bytes.size() < header_bytes) continue;
+        std::memcpy(bytes.data(), sample().data(), header_bytes);
+        restamp(bytes);
+        ASSERT_FALSE(load(bytes).ok());
+    }
+}
+
+}  // namespace
+}  // namespace jostle::test

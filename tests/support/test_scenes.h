@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// Small worlds with much going on, for tests that compare states bit by bit. They are kept apart
+// from the scene catalogue, so that a nicer demo does not change golden hashes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/random.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+
+// 55 boxes that stand.
+inline physics::World pyramid_scene(int threads = 1) {
+    physics::World world = make_world({.threads = threads});
+    add_floor(world);
+    for (int i = 0; i < 10; i++)
+        for (int j = 0; j < 10 - i; j++)
+            add(world, {.position = {(j - (10 - i - 1) / 2.0) * 1.05, 0.5 + i, 0}});
+    return world;
+}
+
+inline void add_walls(physics::World& world, double half) {
+    using namespace physics;
+    for (int k = 0; k < 4; k++) {
+        const double side = k % 2 == 0 ? half : -half;
+        add(world, {.geometry = k < 2 ? Box{{0.2, 2, half}} : Box{{half, 2, 0.2}},
+                    .position = k < 2 ? Vec3{side, 2, 0} : Vec3{0, 2, side},
+                    .type = BodyType::fixed});
+    }
+}
+
+inline physics::Geometry random_round_or_box(Random& random) {
+    using namespace physics;
+    const double a = random.in(0.15, 0.4), b = random.in(0.15, 0.4), c = random.in(0.15, 0.4);
+    switch (random.below(3)) {
+        case 0:
+            return Sphere{a};
+        case 1:
+            return Capsule{a * 0.7, b};
+        default:
+            return Box{{a, b, c}};
+    }
+}
+
+// 150 boxes, spheres and capsules rain into a walled yard.
+inline physics::World pile_scene(int threads = 1) {
+    physics::World world = make_world({.threads = threads});
+    add_floor(world);
+    add_walls(world, 3);
+    Random random(21);
+    for (int i = 0; i < 150; i++) {
+        const physics::Vec3 place{random.in(-2, 2), 1 + 0.12 * i, random.in(-2, 2)};
+        const physics::Geometry geometry = random_round_or_box(random);
+        const physics::Quat rotation = random.rotation();
+        const double restitution = i % 4 == 0 ? 0.5 : 0;
+        add(world, {.geometry = geometry,
+                    .position = place,
+                    .rotation = rotation,
+                    .spin = random.vector(3),
+                    .friction = random.in(0.1, 0.9),
+                    .restitution = restitution});
+    }
+    return world;
+}
+
+// Stacks that fall asleep, balls that come and hit them, a ramp, a sweeping kinematic bar, a body
+// of three shapes, a damped one.
+inline physics::World yard_scene(int threads = 1) {
+    using namespace physics;
+    World world = make_world({.threads = threads});
+    add_floor(world, 0.6);
+    add_walls(world, 8);
+    Random random(33);
+    for (int s = 0; s < 5; s++)
+        for (int i = 0; i < 5; i++)
+            add(world,
+                {.geometry = Box{{0.4, 0.4, 0.4}}, .position = {s * 2.5 - 5, 0.4 + 0.8 * i, 3}});
+    for (int i = 0; i < 6; i++)
+        add(world, {.geometry = Sphere{0.4},
+                    .position = {i * 2.2 - 5, 2 + 1.5 * i, -6.0 - 0.1 * i},
+                    .velocity = {0, 0, 4.0 + i},
+                    .restitution = 0.3,
+                    .density = 3000});
+    add(world, {.geometry = Box{{2, 0.1, 1}},
+                .position = {4, 1, -3},
+                .rotation = from_rotation_vector({0, 0, 0.4}),
+                .type = BodyType::fixed});
+    add(world, {.geometry = Box{{3, 0.2, 0.1}},
+                .position = {-3, 0.5, -2},
+                .spin = {0, 0.7, 0},
+                .type = BodyType::kinematic});
+    const BodyId hammer = must(world.create_body({.pose = {{2, 3, 0}, random.rotation()},
+                                                  .angular_velocity = {1, 2, 3},
+                                                  .linear_damping = 0.1,
+                                                  .angular_damping = 0.2}));
+    must(world.create_shape(hammer, {.geometry = Capsule{0.1, 0.8}}));
+    must(world.create_shape(hammer, {.geometry = Box{{0.4, 0.2, 0.2}}, .pose = {{0, 0.9, 0}, {}}}));
+    must(world.create_shape(hammer, {.geometry = Sphere{0.2}, .pose = {{0, -0.8, 0}, {}}}));
+    for (int i = 0; i < 20; i++)
+        add(world, {.geometry = random_round_or_box(random),
+                    .position = {random.in(-6, 6), 4 + 0.5 * i, random.in(-2, 2)},
+                    .friction = 0.4});
+    return world;
+}
+
+struct TestScene {
+    std::string name;
+    physics::World (*make)(int threads);
+};
+
+inline const std::vector<TestScene>& test_scenes() {
+    static const std::vector<TestScene> all = {
+        {"pyramid", pyramid_scene}, {"pile", pile_scene}, {"yard", yard_scene}};
+    return all;
+}
+
+// What callers do to a world while it runs: the same at the same step, whoever runs it.
+inline void disturb(physics::World& world, int step) {
+    using namespace physics;
+    if (step == 120) add(world, {.position = {0.3, 12, 0.2}, .velocity = {0, -10, 0}});
+    if (step == 200) {
+        const std::vector<BodyId> bodies = world.bodies();
+        must(world.destroy_body(bodies[bodies.size() / 2]));
+    }
+    if (step == 300)
+        for (const BodyId body : world.bodies())
+            if (state_of(world, body).type == BodyType::dynamic && body.index % 7 == 0)
+                must(world.apply_impulse(body, {30, 200, -20}, state_of(world, body).center));
+}
+
+}  // namespace jostle::test

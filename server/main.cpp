@@ -37,7 +37,7 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
     app.add_flag("--list-scenes", flags.list_scenes,
                  "Names every scene of the catalogue and exits");
-    app.set_version_flag("--version", "jostle-server 0.1.0");
+    app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION);
     app.footer(examples);
 }
 

@@ -7,6 +7,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 
@@ -67,6 +68,18 @@ bool start_worlds(const Config& config, WorldDirectory& worlds) {
         }
     }
     return true;
+}
+
+// As given; when that leads nowhere from the current folder, as seen from the project that the
+// program was built in.
+std::filesystem::path find_web_root(const std::string& given) {
+    std::error_code error;
+    if (std::filesystem::exists(given, error)) return given;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path beside =
+        program.parent_path().parent_path().parent_path().parent_path() / given;
+    if (!error && std::filesystem::exists(beside, error)) return beside;
+    return given;
 }
 
 // What a person types to reach a server that listens on all addresses.
@@ -146,7 +159,7 @@ int run_server(const Config& config, const std::string& port_file) {
 
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
-    const HttpRoutes routes(control, {.web_root = config.web_root,
+    const HttpRoutes routes(control, {.web_root = find_web_root(config.web_root),
                                       .allowed_origins = config.allowed_origins,
                                       .is_ready = [&] { return !context.draining.load(); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);

@@ -12,6 +12,7 @@ namespace {
 constexpr auto housekeeping_period = std::chrono::milliseconds(20);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr std::size_t calls_asked_for = 16;
+constexpr std::size_t streams_without_hello_max = 256;
 
 }  // namespace
 
@@ -26,6 +27,11 @@ PlayShard::~PlayShard() {
 void PlayShard::start() {
     for (std::size_t i = 0; i < calls_asked_for; ++i) ask_for_call();
     thread_ = std::thread([this] { run(); });
+}
+
+// The server's limit on clients counts those who said hello; this one bounds those who did not.
+std::size_t PlayShard::streams_max() const {
+    return static_cast<std::size_t>(context_.config.world.clients_max) + streams_without_hello_max;
 }
 
 void PlayShard::ask_for_call() {
@@ -98,6 +104,9 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             if (!ok) return;  // the server is going down
             ask_for_call();
             owned->begin(context_, now);
+            if (streams_.size() >= streams_max()) {
+                owned->link().refuse({AnswerCode::resource_exhausted, "too many streams"}, now);
+            }
             streams_.push_back(std::move(owned));
             stream_count_.store(streams_.size(), std::memory_order_relaxed);
             break;

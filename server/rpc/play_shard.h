@@ -44,6 +44,7 @@ private:
     void advance_all(Clock::time_point now);
     void drop_finished();
     void ask_for_call();
+    std::size_t streams_max() const;
 
     PlayContext& context_;
     RawPlayService& service_;

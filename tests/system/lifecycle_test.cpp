@@ -210,6 +210,15 @@ TEST(Lifecycle, those_who_break_the_protocol_are_told_and_ended) {
             EXPECT_FALSE(s.notices.back().message().empty()) << c.what;
         });
     }
+    const auto lost = websocket_player(server.http_port()),
+               huge = websocket_player(server.http_port());
+    lost->hello("nowhere");
+    ASSERT_TRUE(lost->wait_for_end());
+    EXPECT_EQ(*lost->end(), "1008");  // policy violation
+    EXPECT_EQ(lost->look([](const PlayState& s) { return s.notices.size(); }), 1u);
+    huge->hello(std::string(100000, 'x'));
+    ASSERT_TRUE(huge->wait_for_end());
+    EXPECT_EQ(*huge->end(), "1009");  // message too big
     // A page from elsewhere does not get as far as a conversation.
     const auto stranger = websocket_player(server.http_port(), "http://elsewhere.example");
     EXPECT_TRUE(stranger->wait_for_end());

@@ -1,0 +1,128 @@
+// The viewer in a real headless Chromium against a real server: joins, drags a box and sees it move, throws a ball and sees
+// one more body. Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]. Exit status 1 when something does not hold.
+
+import { spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, existsSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const CHROMIUM_FLAGS = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--ignore-gpu-blocklist',
+  '--enable-unsafe-swiftshader',
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+];
+
+const [server, ...rest] = process.argv.slice(2);
+if (!server || !existsSync(server)) {
+  console.error('usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]');
+  process.exit(2);
+}
+const screenshot = rest[0] === '--screenshot' ? rest[1] : undefined;
+const webRoot = fileURLToPath(new URL('../dist', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'jostle-e2e-'));
+const portFile = join(folder, 'ports.json');
+
+async function until(what, seconds, check) {
+  const end = Date.now() + seconds * 1000;
+  for (;;) {
+    const value = await check();
+    if (value) return value;
+    if (Date.now() > end) throw new Error(`not within ${seconds} s: ${what}`);
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
+let passed = 0;
+function expect(holds, what) {
+  if (!holds) throw new Error(`does not hold: ${what}`);
+  passed++;
+  console.log(`  ok: ${what}`);
+}
+
+const process_ = spawn(
+  server,
+  ['--scene', 'sandbox', '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--web-root', webRoot, '--port-file', portFile],
+  { stdio: ['ignore', 'inherit', 'inherit'] },
+);
+let browser;
+let status = 0;
+try {
+  const ports = await until('the server writes its ports', 10, () => existsSync(portFile) && JSON.parse(readFileSync(portFile, 'utf8')));
+  browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
+  const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  const errors = [];
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  // Drawn in software here: few pixels, or the page would have no time for anything else.
+  await page.goto(`http://127.0.0.1:${ports.http}/?quality=low`);
+
+  await until('the viewer plays', 20, () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
+  expect((await page.evaluate(() => window.jostle.entities)) > 200, 'the sandbox has more than 200 bodies');
+  await until('statistics arrive', 5, () => page.evaluate(() => window.jostle.stats?.bodies > 200));
+  expect((await page.locator('#stats .plot').count()) === 7, 'seven live plots');
+
+  // The top box of the tower: alone against the sky, so nothing hides it.
+  const box = await page.evaluate(() => {
+    const towers = window.jostle.loose().filter((id) => window.jostle.nameOf(id) === 'tower');
+    return towers.sort((a, b) => window.jostle.pose(b)[1] - window.jostle.pose(a)[1])[0];
+  });
+  const before = await page.evaluate((id) => window.jostle.pose(id), box);
+  const at = await page.evaluate((id) => window.jostle.screen(id), box);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  for (let i = 1; i <= 20; i++) {
+    await page.mouse.move(at.x - 10 * i, at.y - 4 * i);
+    await new Promise((done) => setTimeout(done, 40));
+  }
+  const moved = await until('the dragged box moves more than 1 m', 10, async () => {
+    const now = await page.evaluate((id) => window.jostle.pose(id), box);
+    const way = Math.hypot(now[0] - before[0], now[1] - before[1], now[2] - before[2]);
+    return way > 1 ? way : 0;
+  });
+  await page.mouse.up();
+  expect(moved > 1, `dragging moved the box ${moved.toFixed(2)} m on the server`);
+
+  const count = await page.evaluate(() => window.jostle.entities);
+  await page.keyboard.press('2');
+  await page.mouse.click(640, 380);
+  await until('the thrown ball is there', 5, () => page.evaluate((n) => window.jostle.entities === n + 1, count));
+  expect(true, 'throwing a ball made one more body');
+
+  await page.keyboard.press('w');
+  await until('the list of worlds', 5, () => page.locator('#worlds .world').count());
+  expect((await page.locator('#worlds .scene').count()) >= 5, 'the world picker offers the scenes');
+  await page.locator('#worlds .scene', { hasText: 'billiards' }).click();
+  await until('the new world is joined', 10, () => page.evaluate(() => window.jostle.state === 'playing' && window.jostle.entities < 60));
+  expect(true, 'a world made from a scene is joined');
+  await page.keyboard.press('w');
+  await page.locator('#worlds .world', { hasText: 'sandbox' }).locator('button', { hasText: 'Join' }).click();
+  await until('back in the sandbox', 10, () => page.evaluate(() => window.jostle.entities > 200 && window.jostle.snapshots > 30));
+
+  expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot decoded with its CRC');
+  expect(errors.length === 0, `no error on the page ${errors.join('; ')}`);
+  if (screenshot) {
+    await page.goto(`http://127.0.0.1:${ports.http}/`);
+    await until('the fine picture', 60, () => page.evaluate(() => window.jostle?.snapshots > 200));
+    await page.screenshot({ path: screenshot, timeout: 120_000 });
+    console.log(`  wrote ${screenshot}`);
+  }
+} catch (error) {
+  console.error(`FAILED: ${error.message}`);
+  status = 1;
+} finally {
+  await browser?.close();
+  process_.kill('SIGTERM');
+  await new Promise((done) => (process_.exitCode !== null ? done() : process_.on('exit', done)));
+  rmSync(folder, { recursive: true, force: true });
+}
+console.log(`viewer: ${passed} passed, ${status} failed`);
+process.exit(status);

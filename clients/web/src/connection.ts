@@ -1,0 +1,243 @@
+// The play stream over a WebSocket: hello, acks, batches of inputs, pings, and coming back after a loss. No view in it.
+
+import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
+import { ClockSync, nowUs } from './clock';
+import { DecodeError, decodeFrame, frameCrc, type QuantSpec } from './decode_frame';
+import { FrameBuffer } from './frame_buffer';
+import { Delay } from './interpolate';
+import {
+  AckSchema,
+  ClientMessageSchema,
+  InputCode,
+  NoticeCode,
+  ServerMessageSchema,
+  type Entity,
+  type InputResult,
+  type InputSchema,
+  type Roster,
+  type Snapshot,
+  type Welcome,
+  type WorldStats,
+} from './gen/jostle/v1/play_pb';
+
+const PROTOCOL = 1;
+const BATCH_MS = 1000 / 30;
+const PING_MS = 1000;
+const INPUTS_PER_BATCH = 32;
+const PAUSES_MS = [250, 500, 1000, 2000, 5000];
+
+export type Input = MessageInitShape<typeof InputSchema>;
+export type State = 'connecting' | 'playing' | 'waiting' | 'stopped';
+
+export interface Events {
+  state(state: State, why: string): void;
+  roster(entities: ReadonlyMap<number, Entity>): void;
+  stats(stats: WorldStats): void;
+  refused(result: InputResult): void;
+}
+
+/** What a WebSocket is to us; tests bring their own. */
+export interface Socket {
+  binaryType: string;
+  onopen: (() => void) | null;
+  onmessage: ((event: { data: ArrayBuffer }) => void) | null;
+  onclose: ((event: { code: number; reason: string }) => void) | null;
+  send(bytes: Uint8Array): void;
+  close(): void;
+}
+
+export class Connection {
+  readonly clock = new ClockSync();
+  readonly frames = new FrameBuffer();
+  readonly delay = new Delay();
+  readonly entities = new Map<number, Entity>();
+  welcome: Welcome | undefined;
+  bytesReceived = 0;
+  snapshots = 0;
+  decodeErrors = 0;
+  ageMs = 0;
+  world = '';
+  state: State = 'stopped';
+
+  private socket: Socket | undefined;
+  private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
+  private inputs: Input[] = [];
+  private nextSequence = 1;
+  private needKeyframe = false;
+  private ackDue = false;
+  private lastPing = 0;
+  private attempt = 0;
+  private timer: ReturnType<typeof setInterval> | undefined;
+  private retry: ReturnType<typeof setTimeout> | undefined;
+  private notice = '';
+
+  constructor(
+    private readonly url: string,
+    private readonly events: Events,
+    private readonly open: (url: string) => Socket = (u) => new WebSocket(u) as unknown as Socket,
+  ) {}
+
+  /** Leaves the present world, if any, and joins another by id or name. */
+  join(world: string): void {
+    this.stop();
+    this.world = world;
+    this.attempt = 0;
+    this.connect();
+  }
+
+  stop(): void {
+    clearInterval(this.timer);
+    clearTimeout(this.retry);
+    if (this.socket) {
+      this.socket.onclose = this.socket.onmessage = this.socket.onopen = null;
+      this.socket.close();
+      this.socket = undefined;
+    }
+    this.setState('stopped', '');
+  }
+
+  send(input: Input): void {
+    if (this.state !== 'playing') return;
+    // Dragging makes many targets; only the newest that has not been sent matters.
+    const last = this.inputs[this.inputs.length - 1];
+    if (input.kind?.case === 'drag' && last?.kind?.case === 'drag') this.inputs.pop();
+    this.inputs.push(input);
+  }
+
+  private setState(state: State, why: string): void {
+    this.state = state;
+    this.events.state(state, why);
+  }
+
+  private connect(): void {
+    this.setState('connecting', '');
+    const socket = this.open(this.url);
+    this.socket = socket;
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => {
+      this.sendMessage({ case: 'hello', value: { protocol: PROTOCOL, world: this.world, name: 'browser' } });
+    };
+    socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
+    socket.onclose = (event) => this.closed(event.reason);
+  }
+
+  private closed(reason: string): void {
+    clearInterval(this.timer);
+    this.socket = undefined;
+    const why = this.notice || reason || 'the connection was lost';
+    this.notice = '';
+    const pause = PAUSES_MS[Math.min(this.attempt++, PAUSES_MS.length - 1)]!;
+    this.setState('waiting', why);
+    this.retry = setTimeout(() => this.connect(), pause);
+  }
+
+  private sendMessage(message: MessageInitShape<typeof ClientMessageSchema>['message']): void {
+    this.socket?.send(toBinary(ClientMessageSchema, create(ClientMessageSchema, { message: message! })));
+  }
+
+  private receive(bytes: Uint8Array): void {
+    this.bytesReceived += bytes.length;
+    const { message } = fromBinary(ServerMessageSchema, bytes);
+    switch (message.case) {
+      case 'welcome':
+        return this.onWelcome(message.value);
+      case 'roster':
+        return this.onRoster(message.value);
+      case 'snapshot':
+        return this.onSnapshot(message.value);
+      case 'inputResults':
+        for (const result of message.value.results)
+          if (result.code !== InputCode.APPLIED) this.events.refused(result);
+        return;
+      case 'pong':
+        return this.clock.add(Number(message.value.clientTimeUs), Number(message.value.serverTimeUs), nowUs());
+      case 'stats':
+        return this.events.stats(message.value);
+      case 'notice':
+        if (message.value.code !== NoticeCode.RATE_LIMIT) this.notice = message.value.message;
+        return;
+    }
+  }
+
+  private onWelcome(welcome: Welcome): void {
+    this.welcome = welcome;
+    if (welcome.quant)
+      this.spec = {
+        unitsPerMeter: welcome.quant.unitsPerMeter,
+        rotationComponent: welcome.quant.rotationComponent,
+      };
+    this.frames.clear();
+    this.delay.reset();
+    this.clock.reset();
+    this.entities.clear();
+    this.inputs = [];
+    this.nextSequence = 1;
+    this.needKeyframe = this.ackDue = false;
+    this.attempt = 0;
+    this.lastPing = 0;
+    this.setState('playing', '');
+    this.timer = setInterval(() => this.pump(), BATCH_MS);
+    this.pump();
+  }
+
+  private onRoster(roster: Roster): void {
+    for (const id of roster.removed) this.entities.delete(id);
+    for (const entity of roster.added) this.entities.set(entity.id, entity);
+    this.events.roster(this.entities);
+  }
+
+  private onSnapshot(s: Snapshot): void {
+    this.ackDue = true;
+    try {
+      const [base, base2, base3] = [s.baseFrame, s.base2Frame, s.base3Frame].map((number) => {
+        const frame = this.frames.find(number);
+        if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
+        return frame;
+      });
+      const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec);
+      if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
+      const serverUs = Number(s.serverTimeUs);
+      this.frames.add(frame, serverUs, this.spec);
+      this.needKeyframe = false;
+      this.snapshots++;
+      if (this.clock.ready) {
+        const arrived = this.clock.serverUs(nowUs());
+        this.delay.add(serverUs, arrived);
+        this.ageMs = (arrived - serverUs) / 1000;
+      }
+    } catch (error) {
+      if (!(error instanceof DecodeError)) throw error;
+      if (!this.needKeyframe) this.decodeErrors++;
+      this.needKeyframe = true;
+    }
+    // At the server's pace: an ack that waited for the next batch would make the window look full.
+    if (this.inputs.length === 0) this.sendAck();
+  }
+
+  private ack() {
+    this.ackDue = false;
+    return create(AckSchema, { frame: this.frames.newest?.frame ?? 0, needKeyframe: this.needKeyframe });
+  }
+
+  private sendAck(): void {
+    this.sendMessage({ case: 'ack', value: this.ack() });
+  }
+
+  /** Thirty times a second: what is to be said. */
+  private pump(): void {
+    const now = nowUs();
+    if (now - this.lastPing >= PING_MS * 1000) {
+      this.lastPing = now;
+      this.sendMessage({ case: 'ping', value: { clientTimeUs: BigInt(Math.round(now)) } });
+    }
+    if (this.inputs.length > 0) {
+      const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
+      const firstSequence = this.nextSequence;
+      this.nextSequence += inputs.length;
+      const clientTimeUs = Math.floor(now) % 2 ** 32;
+      this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
+    } else if (this.ackDue) {
+      this.sendAck();
+    }
+  }
+}

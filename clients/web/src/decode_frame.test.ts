@@ -1,0 +1,71 @@
+import { readFileSync, readdirSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { decodeFrame, frameCrc, type EntityState, type QuantizedFrame } from './decode_frame';
+
+const folder = new URL('../../../proto/golden/', import.meta.url);
+
+/** WIRE.md, "Golden frames". */
+function readGolden(name: string) {
+  const bytes = readFileSync(new URL(name, folder));
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  let at = 4;
+  const u32 = () => view.getUint32((at += 4) - 4, true);
+  expect(bytes.subarray(0, 4).toString()).toBe('JGLD');
+  expect(u32()).toBe(1);
+  const spec = { unitsPerMeter: u32(), rotationComponent: u32() };
+  const frames = Array.from({ length: u32() }, () => {
+    const [frame, base, base2, base3, crc, count, size] = [u32(), u32(), u32(), u32(), u32(), u32(), u32()];
+    const entities: EntityState[] = [];
+    for (let i = 0; i < count!; i++, at += 24)
+      entities.push({
+        id: view.getUint32(at, true),
+        position: [view.getInt32(at + 4, true), view.getInt32(at + 8, true), view.getInt32(at + 12, true)],
+        largest: view.getUint8(at + 16),
+        rotation: [view.getInt16(at + 17, true), view.getInt16(at + 19, true), view.getInt16(at + 21, true)],
+        atRest: view.getUint8(at + 23) === 1,
+      });
+    const packed = new Uint8Array(bytes.subarray(at, (at += size!)));
+    return { frame: frame!, bases: [base!, base2!, base3!], crc: crc!, entities, packed };
+  });
+  expect(at).toBe(bytes.length);
+  return { spec, frames };
+}
+
+const names = readdirSync(folder).filter((name) => name.endsWith('.bin'));
+
+describe('golden frames', () => {
+  it('are all there', () => expect(names.length).toBe(7));
+
+  it.each(names)('%s decodes to what C++ encoded', (name) => {
+    const { spec, frames } = readGolden(name);
+    const decoded = new Map<number, QuantizedFrame>();
+    for (const golden of frames) {
+      const [base, base2, base3] = golden.bases.map((number) => decoded.get(number));
+      const frame = decodeFrame(golden.frame, golden.packed, { base, base2, base3 }, spec);
+      expect(frame.entities).toEqual(golden.entities);
+      expect(frameCrc(frame)).toBe(golden.crc);
+      decoded.set(frame.frame, frame);
+    }
+  });
+});
+
+describe('damaged bytes', () => {
+  it('are refused or have another CRC, never more entities than the limit', () => {
+    const { spec, frames } = readGolden('restless.bin');
+    const golden = frames[0]!;
+    let refused = 0;
+    for (let bit = 0; bit < golden.packed.length * 8; bit++) {
+      const bad = golden.packed.slice();
+      bad[bit >> 3]! ^= 1 << (bit & 7);
+      try {
+        const frame = decodeFrame(golden.frame, bad, {}, spec, 100);
+        expect(frame.entities.length).toBeLessThanOrEqual(100);
+        expect(frameCrc(frame)).not.toBe(golden.crc);
+      } catch (error) {
+        expect(String(error)).toMatch(/at bit \d+/);
+        refused++;
+      }
+    }
+    expect(refused).toBeGreaterThan(20);
+  });
+});

@@ -1,0 +1,62 @@
+// Decoded frames: the newest 32 as bases for the next ones, and as poses ready to be drawn.
+
+import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
+
+export const POSE_FLOATS = 7; // px py pz qx qy qz qw
+
+export interface PoseFrame {
+  readonly frame: number;
+  readonly serverUs: number;
+  readonly entities: readonly EntityState[];
+  /** POSE_FLOATS for each entity. */
+  readonly poses: Float64Array;
+}
+
+const RING = 32;
+
+export class FrameBuffer {
+  private frames: { quantized: QuantizedFrame; drawn: PoseFrame }[] = [];
+
+  find(frame: number): QuantizedFrame | undefined {
+    return frame === 0 ? undefined : this.frames.find((f) => f.quantized.frame === frame)?.quantized;
+  }
+
+  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec): PoseFrame {
+    const before = this.newest;
+    const poses = new Float64Array(quantized.entities.length * POSE_FLOATS);
+    let from = 0;
+    quantized.entities.forEach((entity, i) => {
+      // The decoder hands on the very object of an entity that did not change: its floats need no square root.
+      while (before && from < before.entities.length && before.entities[from]!.id < entity.id) from++;
+      if (before?.entities[from] === entity) {
+        const start = from * POSE_FLOATS;
+        poses.set(before.poses.subarray(start, start + POSE_FLOATS), i * POSE_FLOATS);
+        return;
+      }
+      const pose = dequantize(entity, spec);
+      poses.set(pose.position, i * POSE_FLOATS);
+      poses.set(pose.rotation, i * POSE_FLOATS + 3);
+    });
+    const drawn: PoseFrame = { frame: quantized.frame, serverUs, entities: quantized.entities, poses };
+    this.frames.push({ quantized, drawn });
+    if (this.frames.length > RING) this.frames.shift();
+    return drawn;
+  }
+
+  get newest(): PoseFrame | undefined {
+    return this.frames[this.frames.length - 1]?.drawn;
+  }
+
+  /** The two frames around a time on the server's clock; twice the same at the ends. */
+  around(serverUs: number): { a: PoseFrame; b: PoseFrame } | undefined {
+    const count = this.frames.length;
+    if (count === 0) return undefined;
+    let next = count - 1;
+    while (next > 0 && this.frames[next - 1]!.drawn.serverUs >= serverUs) next--;
+    return { a: this.frames[Math.max(0, next - 1)]!.drawn, b: this.frames[next]!.drawn };
+  }
+
+  clear(): void {
+    this.frames = [];
+  }
+}

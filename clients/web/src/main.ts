@@ -1,0 +1,158 @@
+// Starts the parts and runs the picture loop.
+
+import * as THREE from 'three';
+import { Camera } from './camera';
+import { nowUs } from './clock';
+import { Connection, type State } from './connection';
+import { DrawnPoses } from './interpolate';
+import { StatsPanel } from './panels/stats';
+import { Toasts } from './panels/toasts';
+import { WorldsPanel } from './panels/worlds';
+import { SceneView } from './scene_view';
+import { TOOLS, Tools, type Tool } from './tools';
+import './style.css';
+
+const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+const canvas = byId<HTMLCanvasElement>('view');
+const stateLine = byId('state');
+// ?quality=low: no shadows, no smooth edges, half the pixels; for machines without a graphics processor.
+const lowQuality = new URLSearchParams(location.search).get('quality') === 'low';
+const renderer = new THREE.WebGLRenderer({ canvas, antialias: !lowQuality });
+renderer.shadowMap.enabled = !lowQuality;
+renderer.shadowMap.type = THREE.PCFShadowMap;
+renderer.toneMapping = THREE.ACESFilmicToneMapping;
+
+const camera = new Camera(canvas);
+const view = new SceneView();
+const drawn = new DrawnPoses();
+const toasts = new Toasts(byId('toasts'));
+
+const STATE_WORDS: Record<State, string> = {
+  connecting: 'connecting …',
+  playing: '',
+  waiting: 'trying again …',
+  stopped: '',
+};
+
+const connection = new Connection(websocketUrl(), {
+  state: (state, why) => {
+    const name = connection.welcome?.worldName ?? '';
+    stateLine.textContent = state === 'playing' ? `in ${name}` : [why, STATE_WORDS[state]].filter(Boolean).join(' — ');
+    stateLine.className = state;
+  },
+  roster: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
+  stats: (stats) => statsPanel.update(stats),
+  refused: (result) => toasts.say(result.message || 'the server refused that'),
+});
+const statsPanel = new StatsPanel(byId('stats'), connection);
+const tools = new Tools(canvas, camera, view, connection);
+const worlds = new WorldsPanel(
+  byId('worlds'),
+  (world) => connection.join(world),
+  (text) => toasts.say(text),
+  () => connection.welcome?.worldId ?? '',
+);
+
+function websocketUrl(): string {
+  const url = new URL('play', location.href);
+  url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+  url.search = url.hash = '';
+  return url.href;
+}
+
+function choose(tool: Tool): void {
+  tools.tool = tool;
+  for (const button of byId('tools').querySelectorAll('button'))
+    button.setAttribute('aria-pressed', String(button.dataset['tool'] === tool));
+  canvas.style.cursor = tool === 'drag' ? '' : 'crosshair';
+}
+
+for (const { tool, key, label, hint } of TOOLS) {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.dataset['tool'] = tool;
+  button.title = `${hint} (${key})`;
+  button.innerHTML = `<kbd>${key}</kbd> ${label}`;
+  button.onclick = () => choose(tool);
+  byId('tools').append(button);
+}
+choose('drag');
+
+byId('help').innerHTML = `<h2>How to play</h2><dl>${TOOLS.map(
+  ({ key, label, hint }) => `<dt><kbd>${key}</kbd> ${label}</dt><dd>${hint}</dd>`,
+).join('')}<dt>Camera</dt><dd>Drag the ground to turn, right button to shift, wheel to zoom; two fingers on touch</dd>
+<dt><kbd>W</kbd> <kbd>S</kbd> <kbd>?</kbd></dt><dd>Worlds, statistics, this help</dd></dl>`;
+
+const toggle = (id: string) => {
+  byId(id).hidden = !byId(id).hidden;
+};
+byId('worlds-button').onclick = () => void worlds.toggle();
+byId('stats-button').onclick = () => toggle('stats');
+byId('help-button').onclick = () => toggle('help');
+addEventListener('keydown', (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const chosen = TOOLS.find(({ key }) => key === event.key);
+  if (chosen) choose(chosen.tool);
+  if (event.key === 'w') void worlds.toggle();
+  if (event.key === 's') toggle('stats');
+  if (event.key === '?') toggle('help');
+});
+
+function resize(): void {
+  renderer.setPixelRatio(lowQuality ? 0.5 : Math.min(2, devicePixelRatio));
+  renderer.setSize(innerWidth, innerHeight, false);
+  camera.resize(innerWidth, innerHeight);
+}
+addEventListener('resize', resize);
+resize();
+// Statistics cover too much of a small screen.
+if (innerWidth < 700) byId('stats').hidden = true;
+
+renderer.setAnimationLoop(() => {
+  camera.controls.update();
+  if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
+  view.update(drawn);
+  renderer.render(view.scene, camera.camera);
+  statsPanel.pictureDrawn();
+});
+
+connection.join(new URLSearchParams(location.search).get('world') ?? '');
+
+// A window for tests: read-only.
+Object.defineProperty(window, 'jostle', {
+  value: {
+    get state() {
+      return connection.state;
+    },
+    get tick() {
+      return connection.frames.newest?.frame ?? 0;
+    },
+    get entities() {
+      return connection.frames.newest?.entities.length ?? 0;
+    },
+    get snapshots() {
+      return connection.snapshots;
+    },
+    get decodeErrors() {
+      return connection.decodeErrors;
+    },
+    get stats() {
+      return statsPanel.latest;
+    },
+    /** Ids of dynamic bodies that the scene made. */
+    loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),
+    nameOf: (id: number) => connection.entities.get(id)?.name,
+    pose: (id: number) => {
+      const pose = view.poseOf(id);
+      return pose ? [...pose] : undefined;
+    },
+    /** Where an entity is on the page, in pixels. */
+    screen: (id: number) => {
+      const pose = view.poseOf(id);
+      if (!pose) return undefined;
+      const p = new THREE.Vector3(pose[0], pose[1], pose[2]).project(camera.camera);
+      return { x: ((p.x + 1) / 2) * innerWidth, y: ((1 - p.y) / 2) * innerHeight };
+    },
+  },
+});

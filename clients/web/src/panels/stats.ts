@@ -1,0 +1,107 @@
+// Numbers with a short history each, drawn as small plots.
+
+import type { Connection } from '../connection';
+import type { WorldStats } from '../gen/jostle/v1/play_pb';
+
+const HISTORY = 120; // samples, ten a second
+const PLOT = { width: 150, height: 26 };
+
+class Plot {
+  readonly row = document.createElement('div');
+  private readonly value = document.createElement('output');
+  private readonly canvas = document.createElement('canvas');
+  private readonly history: number[] = [];
+
+  constructor(
+    label: string,
+    private readonly unit: string,
+    private readonly color: string,
+    private readonly digits = 0,
+  ) {
+    const name = document.createElement('span');
+    name.textContent = label;
+    this.canvas.width = PLOT.width * 2;
+    this.canvas.height = PLOT.height * 2;
+    this.row.className = 'plot';
+    this.row.append(name, this.value, this.canvas);
+  }
+
+  add(value: number): void {
+    this.history.push(value);
+    if (this.history.length > HISTORY) this.history.shift();
+    this.value.textContent = `${value.toFixed(this.digits)}${this.unit}`;
+    this.draw();
+  }
+
+  private draw(): void {
+    const context = this.canvas.getContext('2d');
+    if (!context) return;
+    const { width, height } = this.canvas;
+    const top = Math.max(1e-6, ...this.history) * 1.1;
+    context.clearRect(0, 0, width, height);
+    context.beginPath();
+    this.history.forEach((value, i) => {
+      const x = (i / (HISTORY - 1)) * width;
+      const y = height - 2 - (value / top) * (height - 4);
+      if (i === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    });
+    context.strokeStyle = this.color;
+    context.lineWidth = 3;
+    context.stroke();
+  }
+}
+
+export class StatsPanel {
+  latest: WorldStats | undefined;
+  private readonly tick = document.createElement('p');
+  private readonly plots = {
+    age: new Plot('Latency', ' ms', '#ffd166', 1),
+    rtt: new Plot('Round trip', ' ms', '#ef8354', 1),
+    bandwidth: new Plot('Bandwidth', ' kbit/s', '#5b8def'),
+    awake: new Plot('Awake', '', '#81b29a'),
+    asleep: new Plot('Asleep', '', '#8896a5'),
+    step: new Plot('Step', ' ms', '#b388eb', 2),
+    fps: new Plot('Pictures', ' /s', '#e5e9ee'),
+  };
+  private lastBytes = 0;
+  private lastAt = performance.now();
+  private pictures = 0;
+
+  constructor(panel: HTMLElement, private readonly connection: Connection) {
+    this.tick.className = 'tick';
+    panel.append(this.tick, ...Object.values(this.plots).map((plot) => plot.row));
+  }
+
+  pictureDrawn(): void {
+    this.pictures++;
+  }
+
+  /** Ten times a second, with the world's statistics. */
+  update(stats: WorldStats): void {
+    this.latest = stats;
+    const now = performance.now();
+    const seconds = Math.max(0.01, (now - this.lastAt) / 1000);
+    const bytes = this.connection.bytesReceived - this.lastBytes;
+    this.lastBytes = this.connection.bytesReceived;
+    this.lastAt = now;
+    this.tick.textContent =
+      `tick ${stats.tick} · ${stats.bodies} bodies · ${stats.clients} playing` +
+      (stats.lateTicks > 0 ? ` · ${stats.lateTicks} late ticks` : '');
+    this.plots.age.add(this.connection.ageMs);
+    this.plots.rtt.add(this.connection.clock.rttMs);
+    this.plots.bandwidth.add((bytes * 8) / 1000 / seconds);
+    this.plots.awake.add(stats.awake);
+    this.plots.asleep.add(this.asleep());
+    this.plots.step.add(stats.stepMsMean);
+    this.plots.fps.add(this.pictures / seconds);
+    this.pictures = 0;
+  }
+
+  private asleep(): number {
+    let count = 0;
+    for (const entity of this.connection.frames.newest?.entities ?? [])
+      if (entity.atRest && (this.connection.entities.get(entity.id)?.mass ?? 0) > 0) count++;
+    return count;
+  }
+}

@@ -1,0 +1,20 @@
+// Short messages that go away by themselves.
+
+export class Toasts {
+  private last = '';
+  private lastAt = 0;
+
+  constructor(private readonly box: HTMLElement) {}
+
+  say(text: string): void {
+    const now = performance.now();
+    if (text === this.last && now - this.lastAt < 1500) return;
+    this.last = text;
+    this.lastAt = now;
+    const toast = document.createElement('p');
+    toast.textContent = text;
+    this.box.append(toast);
+    while (this.box.childElementCount > 3) this.box.firstElementChild!.remove();
+    setTimeout(() => toast.remove(), 4000);
+  }
+}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "stages/settle_body.h"
 
-#include "geometry/bounds.h"
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
 
@@ -17,14 +16,9 @@ bool is_sound(const FreeMotion& motion, Vec3 center) {
            is_finite(center) && is_finite(motion.rotation);
 }
 
-bool left_fat_box(const WorldState& world, const BodyWarm& warm, const BodyCold& cold) {
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
-        const ShapeRecord& shape = world.shapes.shapes[s];
-        if (is_plane(shape)) continue;
-        // A quarter of the margin early: manifolds begin before surfaces meet.
-        const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
-        if (!contains(shape.fat, box)) return true;
-    }
+bool left_fat_box(const WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
+        if (!fits_fat_box(world.shapes.shapes[s], warm, dt)) return true;
     return false;
 }
 
@@ -64,7 +58,7 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     look_ahead(world, warm.body, step.dt);
     const bool rests = cold.may_sleep && way < tuning::sleep_speed * step.dt;
     warm.quiet = rests ? warm.quiet + step.dt : 0;
-    world.scratch.left_fat_box[awake_index] = left_fat_box(world, warm, cold) ? 1 : 0;
+    world.scratch.left_fat_box[awake_index] = left_fat_box(world, warm, cold, step.dt) ? 1 : 0;
 }
 
 }  // namespace jostle::physics

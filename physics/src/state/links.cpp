@@ -365,6 +365,14 @@ void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, doub
     }
 }
 
+bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+    if (is_plane(shape)) return true;
+    // A quarter of the margin early: manifolds begin before surfaces meet.
+    const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
+    const Vec3 ahead = warm.v * dt;
+    return contains(shape.fat, {box.low + min(ahead, Vec3{}), box.high + max(ahead, Vec3{})});
+}
+
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
     const Placed p = placed(plane, warm_of(world, plane.body));
     const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;

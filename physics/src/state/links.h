@@ -52,6 +52,8 @@ void enter_tree(WorldState& world, std::uint32_t shape);
 void leave_tree(WorldState& world, std::uint32_t shape);
 // Gives the shape a new fat box that looks ahead along the body's velocity, and asks for its pairs.
 void refatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
+// Whether the shape is in its fat box now and after the next step: pairs are found before it moves.
+bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt);
 // Whether any corner of the box is below the plane.
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box);
 // How far the body's points may go in a step of dt.

@@ -25,6 +25,17 @@ void touch_up(WorldState& world, std::uint32_t body) {
         refatten(world, s, warm, look_ahead_dt(world));
 }
 
+// After the velocity of an awake body changed from outside: what it will meet in the next step must
+// be among its pairs.
+void speed_up(WorldState& world, std::uint32_t body) {
+    look_ahead(world, body, look_ahead_dt(world));
+    const BodyWarm& warm = warm_of(world, body);
+    for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
+         s = world.shapes.shapes[s].next)
+        if (!fits_fat_box(world.shapes.shapes[s], warm, look_ahead_dt(world)))
+            refatten(world, s, warm, look_ahead_dt(world));
+}
+
 // The body awake and its velocity about to change.
 BodyWarm& stir(WorldState& world, std::uint32_t body) {
     wake_body(world, body);
@@ -250,7 +261,7 @@ Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
     BodyWarm& warm = stir(world, body.index);
     warm.v = linear;
     warm.w = angular;
-    look_ahead(world, body.index, look_ahead_dt(world));
+    speed_up(world, body.index);
     return {};
 }
 
@@ -263,7 +274,7 @@ Status World::apply_impulse(BodyId body, Vec3 impulse, Vec3 point) {
     BodyWarm& warm = stir(world, body.index);
     warm.v += impulse * cold.inverse_mass;
     warm.w += world_inverse_inertia(warm, cold) * cross(point - warm.center, impulse);
-    look_ahead(world, body.index, look_ahead_dt(world));
+    speed_up(world, body.index);
     return {};
 }
 
@@ -273,7 +284,7 @@ Status World::apply_angular_impulse(BodyId body, Vec3 impulse) {
     if (Status s = check_vector("impulse", impulse, 1e12); !s.ok()) return s;
     BodyWarm& warm = stir(world, body.index);
     warm.w += world_inverse_inertia(warm, world.bodies.cold[body.index]) * impulse;
-    look_ahead(world, body.index, look_ahead_dt(world));
+    speed_up(world, body.index);
     return {};
 }
 

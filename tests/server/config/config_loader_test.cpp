@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "config/config_loader.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace jostle::server {
+namespace {
+
+std::string error_of(const std::string& text) {
+    Config config;
+    const auto loaded = load_config_text(config, text, "test.toml");
+    return loaded.ok() ? "" : loaded.error().message;
+}
+
+TEST(ConfigLoader, a_file_changes_what_it_names_and_nothing_else) {
+    Config config;
+    ASSERT_TRUE(load_config_text(config,
+                                 "drain_seconds = 2.5\n"
+                                 "scenes = [\"pile\", \"wall\"]\n"
+                                 "[client]\nbodies_owned_max = 3\n",
+                                 "test.toml")
+                    .ok());
+    EXPECT_EQ(config.drain_seconds, 2.5);
+    EXPECT_EQ(config.scenes, (std::vector<std::string>{"pile", "wall"}));
+    EXPECT_EQ(config.client.bodies_owned_max, 3);
+    EXPECT_EQ(config.client.inputs_per_second, Config{}.client.inputs_per_second);
+    EXPECT_TRUE(check(config).ok());
+}
+
+TEST(ConfigLoader, mistakes_name_file_and_key) {
+    const std::string unknown = error_of("[client]\nbodies_max = 3\n");
+    EXPECT_NE(unknown.find("test.toml"), std::string::npos) << unknown;
+    EXPECT_NE(unknown.find("bodies_max"), std::string::npos) << unknown;
+    const std::string type = error_of("drain_seconds = \"soon\"\n");
+    EXPECT_NE(type.find("drain_seconds"), std::string::npos) << type;
+    EXPECT_FALSE(error_of("drain_seconds = \n").empty());
+    Config config;
+    EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
+}
+
+TEST(ConfigLoader, a_file_with_a_mistake_changes_nothing) {
+    Config config;
+    EXPECT_FALSE(load_config_text(config, "drain_seconds = 1\nnonsense = 2\n", "t").ok());
+    EXPECT_EQ(config.drain_seconds, Config{}.drain_seconds);
+}
+
+TEST(Config, check_names_the_key_and_its_range) {
+    Config config;
+    config.client.inputs_per_batch_max = 0;
+    const auto checked = check(config);
+    ASSERT_FALSE(checked.ok());
+    EXPECT_NE(checked.error().message.find("client.inputs_per_batch_max is 0"), std::string::npos);
+    for (const char* address :
+         {"nowhere", ":80", "host:", "host:65536", "host:-1", "1:2:3", "host:8x"}) {
+        EXPECT_FALSE(parse_host_port(address).ok()) << address;
+    }
+    EXPECT_EQ(parse_host_port("[::1]:80")->host, "::1");
+    EXPECT_EQ(parse_host_port("localhost:0")->port, 0);
+}
+
+// The file is the list that operators read: each line must be the default, so the file with any one
+// line changed to itself loads, and the loaded settings are the defaults.
+TEST(Config, the_example_file_holds_the_defaults) {
+    Config config;
+    config.drain_seconds = 99;  // the file must say it again
+    config.client.bodies_owned_max = 99;
+    config.world.clients_max = 99;
+    config.stream.silence_seconds = 99;
+    const auto loaded = load_config(config, EXAMPLE_CONFIG);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+    const Config expected;
+    EXPECT_EQ(config.listen, expected.listen);
+    EXPECT_EQ(config.http, expected.http);
+    EXPECT_EQ(config.scenes, expected.scenes);
+    EXPECT_EQ(config.drain_seconds, expected.drain_seconds);
+    EXPECT_EQ(config.client.bodies_owned_max, expected.client.bodies_owned_max);
+    EXPECT_EQ(config.client.messages_per_second, expected.client.messages_per_second);
+    EXPECT_EQ(config.world.clients_max, expected.world.clients_max);
+    EXPECT_EQ(config.tick.catch_up_max, expected.tick.catch_up_max);
+    EXPECT_EQ(config.stream.silence_seconds, expected.stream.silence_seconds);
+    EXPECT_EQ(config.stream.ack_window_max, expected.stream.ack_window_max);
+}
+
+}  // namespace
+}  // namespace jostle::server

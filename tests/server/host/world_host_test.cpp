@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+//
+// The one place where threads meet: many clients push while the world ticks and others read its
+// frames.
+#include "host/world_host.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include "host/outcome_mailbox.h"
+#include "host/world_directory.h"
+#include "jostle/scenes/catalog.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool wait_until(const std::function<bool()>& condition) {
+    for (const auto end = Clock::now() + 20s; Clock::now() < end;
+         std::this_thread::sleep_for(2ms)) {
+        if (condition()) return true;
+    }
+    return false;
+}
+
+TEST(WorldHost, ticks_at_its_rate) {
+    std::atomic<int> frames{0};
+    WorldHostSettings settings;
+    settings.on_frame = [&] { frames++; };
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    const std::uint32_t first = host->frame()->tick;
+    const auto begin = Clock::now();
+    std::this_thread::sleep_for(1s);
+    const FramePtr last = host->frame();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    // Ticks that were given up on a busy machine count as well: the schedule is what must hold.
+    EXPECT_NEAR(last->tick - first + last->late_ticks, 60 * seconds, 3);
+    host->stop();
+    EXPECT_TRUE(host->stopped());
+    EXPECT_GE(frames, static_cast<int>(last->tick - first));
+    EXPECT_EQ(host->frame()->tick, host->frame()->tick) << "the last frame stays readable";
+}
+
+TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
+    constexpr int clients = 4, each = 50;
+    WorldHostSettings settings;
+    settings.command_queue_max = 16;  // so that pushes are refused at times
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    std::vector<std::shared_ptr<OutcomeMailbox>> mailboxes;
+    for (int c = 0; c < clients; ++c) mailboxes.push_back(std::make_shared<OutcomeMailbox>());
+    std::vector<std::thread> threads;
+    for (int c = 0; c < clients; ++c) {
+        threads.emplace_back([&, c] {
+            for (std::uint32_t i = 1; i <= each; ++i) {
+                SpawnCommand spawn;
+                spawn.shape.geometry = physics::Sphere{0.1};
+                spawn.pose.position = {c * 2.0, 5.0 + i, 0};
+                const Command command{.client = static_cast<ClientId>(c + 1),
+                                      .sequence = i,
+                                      .action = spawn,
+                                      .reply = mailboxes[static_cast<std::size_t>(c)]};
+                while (!host->push(command)) std::this_thread::sleep_for(1ms);
+            }
+        });
+    }
+    // A reader that looks all the while: what it sees is whole.
+    std::atomic<bool> done{false};
+    std::thread reader([&] {
+        while (!done) {
+            const FramePtr frame = host->frame();
+            ASSERT_EQ(frame->entities.size(), frame->roster->size());
+        }
+    });
+    for (std::thread& thread : threads) thread.join();
+    std::set<EntityId> spawned;
+    int outcomes = 0;
+    EXPECT_TRUE(wait_until([&] {
+        for (const auto& mailbox : mailboxes) {
+            for (const InputOutcome& outcome : mailbox->take()) {
+                outcomes++;
+                EXPECT_EQ(outcome.code, InputCode::applied) << outcome.message;
+                EXPECT_TRUE(spawned.insert(outcome.entity).second);
+            }
+        }
+        return outcomes == clients * each;
+    }));
+    done = true;
+    reader.join();
+    const FramePtr frame = host->frame();
+    EXPECT_EQ(std::ranges::count_if(*frame->roster, [](const auto& e) { return e->owner != 0; }),
+              clients * each);
+}
+
+TEST(WorldDirectory, worlds_have_ids_names_and_an_end) {
+    WorldDirectory worlds({}, 2);
+    EXPECT_EQ(worlds.find(""), nullptr);
+    const auto scene = *scenes::find_scene("stack");
+    const auto first = worlds.create("", scene);
+    ASSERT_TRUE(first.ok());
+    EXPECT_EQ((*first)->name(), "stack");
+    EXPECT_FALSE(worlds.create("stack", scene).ok()) << "the name is taken";
+    EXPECT_FALSE(worlds.create(std::string(65, 'x'), scene).ok());
+    ASSERT_TRUE(worlds.create("other", scene).ok());
+    EXPECT_FALSE(worlds.create("third", scene).ok()) << "two are allowed";
+    EXPECT_EQ(worlds.find("")->id(), "w1");
+    EXPECT_EQ(worlds.find("w2")->name(), "other");
+    EXPECT_EQ(worlds.remove("other")->id(), "w2");
+    EXPECT_EQ(worlds.remove("other"), nullptr);
+    EXPECT_EQ(worlds.remove(""), nullptr) << "never by accident";
+    EXPECT_EQ((*worlds.create("again", scene))->id(), "w3") << "ids are not used again";
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "replication/snapshot_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <thread>
+
+#include "replication/client_cursor.h"
+
+namespace jostle::server {
+namespace {
+
+// Forty bodies that move evenly, one of them asleep.
+FramePtr frame_at(std::uint32_t tick) {
+    auto frame = std::make_shared<Frame>();
+    frame->tick = tick;
+    for (EntityId id = 1; id <= 40; ++id) {
+        EntityPose entity{.id = id, .pose = {}, .awake = id != 7};
+        if (entity.awake) entity.pose.position = {0.01 * tick * id, 1.0 * id, -0.02 * tick};
+        frame->entities.push_back(entity);
+    }
+    return frame;
+}
+
+// Our bytes for the test: four numbers, then the packed frame.
+std::string serialize(const EncodedSnapshot& s) {
+    const std::uint32_t head[] = {s.frame, s.bases.base, s.bases.base2, s.bases.base3, s.crc};
+    std::string bytes(sizeof head + s.packed.size(), '\0');
+    std::memcpy(bytes.data(), head, sizeof head);
+    std::memcpy(bytes.data() + sizeof head, s.packed.data(), s.packed.size());
+    return bytes;
+}
+
+// A client that decodes what it is sent and keeps its last 32 frames.
+struct Receiver {
+    void take(const std::string& bytes) {
+        std::uint32_t head[5];
+        ASSERT_GE(bytes.size(), sizeof head);
+        std::memcpy(head, bytes.data(), sizeof head);
+        const auto base = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+            for (const auto& frame : ring) {
+                if (frame.frame == number) return &frame;
+            }
+            EXPECT_EQ(number, 0u) << "refers to a frame that was not sent";
+            return nullptr;
+        };
+        bases = {head[1], head[2], head[3]};
+        wire::QuantizedFrame frame;
+        const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
+        const auto error = wire::decode_frame(frame, head[0], packed,
+                                              {base(head[1]), base(head[2]), base(head[3])}, {});
+        ASSERT_FALSE(error) << *error;
+        EXPECT_EQ(wire::frame_crc(frame), head[4]);
+        ring.push_back(std::move(frame));
+        if (ring.size() > 32) ring.pop_front();
+    }
+    std::deque<wire::QuantizedFrame> ring;
+    BaseNumbers bases;
+};
+
+TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
+    SnapshotCache cache({}, serialize);
+    ClientCursor one, two;
+    for (std::uint32_t tick = 1; tick <= 50; ++tick) {
+        const FramePtr frame = frame_at(tick);
+        const SharedBytes a = cache.encoding(frame, one.bases_for(tick));
+        const SharedBytes b = cache.encoding(frame, two.bases_for(tick));
+        EXPECT_EQ(a, b) << "the same bytes, not equal ones";
+        one.sent(tick);
+        two.sent(tick);
+    }
+    EXPECT_EQ(cache.encodings_made(), 50u);
+}
+
+TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
+    SnapshotCache cache({}, serialize);
+    ClientCursor cursors[3];
+    Receiver receivers[3];
+    const std::uint32_t every[] = {1, 3, 7};
+    for (std::uint32_t tick = 1; tick <= 200; ++tick) {
+        const FramePtr frame = frame_at(tick);
+        for (int c = 0; c < 3; ++c) {
+            if (tick % every[c] != 0) continue;
+            receivers[c].take(*cache.encoding(frame, cursors[c].bases_for(tick)));
+            cursors[c].sent(tick);
+        }
+    }
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(receivers[c].bases.base, receivers[c].ring.rbegin()[1].frame)
+            << "the last one sent";
+        EXPECT_NE(receivers[c].bases.base3, 0u);
+    }
+}
+
+TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
+    SnapshotCache cache({}, serialize);
+    ClientCursor slow;
+    Receiver receiver;
+    receiver.take(*cache.encoding(frame_at(1), slow.bases_for(1)));
+    slow.sent(1);
+    for (std::uint32_t tick = 2; tick < 2 + SnapshotCache::ring; ++tick)
+        cache.encoding(frame_at(tick), {});
+    EXPECT_FALSE(cache.holds(1));
+    receiver.take(*cache.encoding(frame_at(60), slow.bases_for(60)));
+    EXPECT_EQ(receiver.bases, BaseNumbers{});
+}
+
+TEST(SnapshotCache, a_cursor_that_forgot_asks_for_an_absolute_frame) {
+    ClientCursor cursor;
+    EXPECT_EQ(cursor.bases_for(5), BaseNumbers{});
+    cursor.sent(5);
+    cursor.sent(6);
+    cursor.sent(7);
+    EXPECT_EQ(cursor.bases_for(8), (BaseNumbers{7, 6, 5}));
+    EXPECT_EQ(cursor.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
+    cursor.forget();
+    EXPECT_EQ(cursor.bases_for(8), BaseNumbers{});
+}
+
+TEST(SnapshotCache, network_threads_may_ask_at_once) {
+    SnapshotCache cache({}, serialize);
+    std::vector<FramePtr> frames;
+    for (std::uint32_t tick = 1; tick <= 200; ++tick) frames.push_back(frame_at(tick));
+    std::vector<std::thread> threads;
+    for (std::uint32_t t = 0; t < 4; ++t) {
+        threads.emplace_back([&, t] {
+            ClientCursor cursor;
+            Receiver receiver;
+            for (std::uint32_t tick = 1 + t; tick <= 200; tick += t + 1) {
+                receiver.take(*cache.encoding(frames[tick - 1], cursor.bases_for(tick)));
+                cursor.sent(tick);
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_GE(cache.encodings_made(), 200u);
+}
+
+}  // namespace
+}  // namespace jostle::server

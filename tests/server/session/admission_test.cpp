@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "session/admission.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+const Clock::time_point start{};
+
+SpawnCommand good_spawn() {
+    SpawnCommand spawn;
+    spawn.shape.geometry = physics::Box{{0.5, 0.5, 0.5}};
+    return spawn;
+}
+
+TEST(Admission, good_numbers_pass) {
+    EXPECT_FALSE(refuse_numbers(good_spawn()));
+    EXPECT_FALSE(refuse_numbers(ImpulseCommand{1, {1, 2, 3}, physics::Vec3{}}));
+    EXPECT_FALSE(refuse_numbers(ExplodeCommand{{}, 20, 20}));
+    EXPECT_FALSE(refuse_numbers(ReleaseCommand{}));
+}
+
+TEST(Admission, every_number_is_checked_and_named) {
+    const double bad_numbers[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e9, 1e9};
+    for (const double bad : bad_numbers) {
+        const auto refuses = [&](const char* name, const Action& action) {
+            const auto refusal = refuse_numbers(action);
+            ASSERT_TRUE(refusal) << name << " " << bad;
+            EXPECT_EQ(refusal->code, InputCode::invalid);
+            EXPECT_NE(refusal->message.find(name), std::string::npos) << refusal->message;
+        };
+        SpawnCommand spawn = good_spawn();
+        spawn.pose.position.y = bad;
+        refuses("position", spawn);
+        spawn = good_spawn();
+        spawn.linear_velocity.z = bad;
+        refuses("linear_velocity", spawn);
+        spawn = good_spawn();
+        spawn.angular_velocity.x = bad;
+        refuses("angular_velocity", spawn);
+        spawn = good_spawn();
+        spawn.shape.density = bad;
+        refuses("density", spawn);
+        spawn = good_spawn();
+        spawn.shape.material.friction = bad;
+        refuses("friction", spawn);
+        spawn = good_spawn();
+        spawn.shape.material.restitution = bad;
+        refuses("restitution", spawn);
+        spawn.shape.geometry = physics::Sphere{bad};
+        refuses("sphere.radius", spawn);
+        spawn.shape.geometry = physics::Capsule{0.5, bad};
+        refuses("capsule.half_length", spawn);
+        spawn.shape.geometry = physics::Box{{0.5, bad, 0.5}};
+        refuses("box.half_extents.y", spawn);
+        refuses("impulse", ImpulseCommand{1, {bad, 0, 0}, {}});
+        refuses("point", ImpulseCommand{1, {}, physics::Vec3{0, bad, 0}});
+        refuses("point", GrabCommand{1, {0, 0, bad}});
+        refuses("target", DragCommand{{bad, 0, 0}});
+        refuses("center", ExplodeCommand{{bad, 0, 0}, 1, 1});
+        refuses("radius", ExplodeCommand{{}, bad, 1});
+        refuses("speed", ExplodeCommand{{}, 1, bad});
+    }
+    SpawnCommand plane = good_spawn();
+    plane.shape.geometry = physics::Plane{};
+    EXPECT_TRUE(refuse_numbers(plane));
+}
+
+TEST(Admission, rates_allow_a_burst_of_one_second_and_refill) {
+    ClientLimits limits;
+    limits.messages_per_second = 10;
+    limits.inputs_per_second = 5;
+    Admission admission(limits, false, start);
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(admission.admit_message(1, start));
+    EXPECT_FALSE(admission.admit_message(1, start));
+    EXPECT_TRUE(admission.admit_message(1, start + 101ms));
+    EXPECT_FALSE(admission.admit_message(1, start + 102ms));
+    for (int i = 0; i < 5; ++i) EXPECT_FALSE(admission.refuse_input(ReleaseCommand{}, start));
+    EXPECT_EQ(admission.refuse_input(ReleaseCommand{}, start)->code, InputCode::limit);
+    EXPECT_FALSE(admission.refuse_input(ReleaseCommand{}, start + 300ms));
+}
+
+TEST(Admission, bytes_count_as_well) {
+    ClientLimits limits;
+    limits.bytes_per_second = 2000;
+    Admission admission(limits, false, start);
+    EXPECT_TRUE(admission.admit_message(1500, start));
+    EXPECT_FALSE(admission.admit_message(1500, start));
+    EXPECT_TRUE(admission.admit_message(1500, start + 1s));
+}
+
+TEST(Admission, a_spectator_may_not_touch) {
+    Admission admission({}, true, start);
+    EXPECT_TRUE(admission.admit_message(10, start)) << "acks are fine";
+    EXPECT_EQ(admission.refuse_input(ReleaseCommand{}, start)->code, InputCode::not_allowed);
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Reads every include of our sources and fails, naming both files, when an arrow points up.
+
+Usage: check_layers.py ROOT
+The floors are those of docs/architecture.md. A file may include its own floor and those listed for it.
+"""
+
+import pathlib
+import re
+import sys
+
+# Folder (longest prefix wins) -> floors it may include. A floor is named by its folder; "*.pb.h" files are "generated".
+PUBLIC = "physics/include"
+FLOORS = {
+    "physics/include": [],
+    "physics/src/foundation": [PUBLIC],
+    "physics/src/math": [PUBLIC, "physics/src/foundation"],
+    "physics/src/geometry": [PUBLIC, "physics/src/foundation", "physics/src/math"],
+    "physics/src/collision": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry"],
+    "physics/src/state": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision"],
+    "physics/src/constraints": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state"],
+    "physics/src/persist": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state"],
+    "physics/src/stages": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints"],
+    "physics/src/world": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/stages", "physics/src/persist"],
+    "physics/examples": [PUBLIC],
+    "proto/wire": [],
+    "scenes/include": [PUBLIC],
+    "scenes/src": [PUBLIC, "scenes/include", "generated"],
+    "sim": [PUBLIC, "scenes/include"],
+    "server/base": [],
+    "server/config": ["server/base", PUBLIC],
+    "server/host": ["server/base", "server/config", PUBLIC, "scenes/include"],
+    "server/session": ["server/base", "server/config", "server/host", PUBLIC],
+    "server/replication": ["server/base", "server/config", "server/host", "server/session", PUBLIC, "proto/wire"],
+    "server/protocol": ["server/base", "server/config", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],
+    "server/rpc": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
+    "server/gateway": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
+    "server/app": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include"],
+    "server": ["server/base", "server/config", "server/app", "scenes/include"],
+    "clients/cpp": ["proto/wire", "generated"],
+    "clients/bot": ["clients/cpp", "generated"],
+    "clients/load": ["clients/cpp", "clients/bot", "generated"],
+}
+# Only host/ includes the World; scene.h brings it to those who build worlds.
+WORLD = "jostle/physics/world.h"
+MAY_INCLUDE_WORLD = ("server/host",)
+# Only scenes/src/scene_* knows the generated Scene message.
+SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp")
+
+SEARCH = ["physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+          "clients/cpp/include", "clients/cpp/src"]
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
+
+
+def floor_of(path):
+    best = ""
+    for folder in FLOORS:
+        if (path == folder or path.startswith(folder + "/")) and len(folder) > len(best):
+            best = folder
+    return best
+
+
+def resolve(root, including, name):
+    """The file of ours that an include names, relative to the root; None for a library's."""
+    beside = (root / including).parent / name
+    if beside.exists():
+        return str(beside.resolve().relative_to(root.resolve()))
+    for folder in SEARCH:
+        if (root / folder / name).exists():
+            return f"{folder}/{name}"
+    return None
+
+
+def faults(root):
+    found = []
+    files = sorted(p for folder in ("physics", "proto/wire", "scenes", "sim", "server", "clients")
+                   for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
+    for path in files:
+        here = str(path.relative_to(root))
+        floor = floor_of(here)
+        if not floor:
+            found.append(f"{here}: stands on no floor that check_layers.py knows")
+            continue
+        for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+            if name.endswith(".pb.h"):
+                if "generated" not in FLOORS[floor]:
+                    found.append(f"{here} includes {name}: {floor} may not know generated messages")
+                elif floor == "scenes/src" and here not in SCENE_MESSAGE_FILES:
+                    found.append(f"{here} includes {name}: only {SCENE_MESSAGE_FILES[0]} knows the message")
+                continue
+            target = resolve(root, here, name)
+            if target is None:
+                continue
+            other = floor_of(target)
+            if other.startswith(("tests", "bench")) or target.startswith(("tests/", "bench/")):
+                found.append(f"{here} includes {target}: nothing may include tests")
+            elif other != floor and other not in FLOORS[floor]:
+                found.append(f"{here} includes {target}: {floor} may not see {other or 'that'}")
+            elif name == WORLD and floor.startswith("server/") and floor not in MAY_INCLUDE_WORLD:
+                found.append(f"{here} includes {target}: only {MAY_INCLUDE_WORLD[0]} may include the World")
+    return found, len(files)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    found, count = faults(root)
+    for fault in found:
+        print(fault)
+    print(f"layers: {count} files, {len(found)} arrows that point up")
+    return 1 if found or count == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""The checks can fail: each is run on a small tree with one fault of its kind, and must name it."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).parent
+CASES = [
+    ("check_layers.py", "physics/src/foundation/low.h", '// SPDX-License-Identifier: MIT\n#include "state/high.h"\n',
+     "physics/src/foundation/low.h includes physics/src/state/high.h"),
+    ("check_layers.py", "server/rpc/a.h", '// SPDX-License-Identifier: MIT\n#include "gateway/b.h"\n',
+     "server/rpc/a.h includes server/gateway/b.h"),
+    ("check_layers.py", "server/session/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
+     "only server/host may include the World"),
+    ("check_layers.py", "proto/wire/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/v1/play.pb.h"\n',
+     "may not know generated messages"),
+    ("check_names.py", "physics/src/BadName.h", "// SPDX-License-Identifier: MIT\n", "file names are snake_case"),
+    ("check_names.py", "physics/src/plain.h", "#pragma once\n", "does not begin with"),
+    ("check_names.py", "docs/a.md", "see /home" + "/somebody\n", "a path of somebody's machine"),
+    ("check_links.py", "docs/a.md", "[gone](gone.md)\n", "the link gone.md leads nowhere"),
+    ("check_links.py", "docs/a.md", "in `server/gone.cpp`\n", "there is no server/gone.cpp"),
+]
+# What the faulty files refer to.
+OTHERS = ["physics/src/state/high.h", "server/gateway/b.h", "physics/include/jostle/physics/world.h"]
+
+
+def main():
+    failed = 0
+    for check, name, text, expected in CASES:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for other in OTHERS:
+                (root / other).parent.mkdir(parents=True, exist_ok=True)
+                (root / other).write_text("// SPDX-License-Identifier: MIT\n")
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text)
+            run = subprocess.run([sys.executable, HERE / check, folder], capture_output=True, text=True)
+            if run.returncode == 0 or expected not in run.stdout:
+                failed += 1
+                print(f"{check} did not notice {name}: {expected!r}\n{run.stdout}{run.stderr}")
+    print(f"tidy self-test: {len(CASES) - failed} of {len(CASES)} faults noticed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -14,7 +14,7 @@ namespace jostle::server {
 
 // What one client may do. The defaults let a person play hard and stop a script that floods.
 struct ClientLimits {
-    double messages_per_second = 90;  // ClientMessages; three per frame at 30 Hz
+    double messages_per_second = 90;  // ClientMessages, beside one Ack per snapshot
     double bytes_per_second = 65536;
     double inputs_per_second = 300;
     int message_bytes_max = 65536;

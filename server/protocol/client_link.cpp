@@ -70,7 +70,7 @@ void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
 void ClientLink::drop_message(Clock::time_point now) {
     dropped_++;
     if (now - dropping_since_ < rate_notice_period) {
-        if (dropped_ > flood_factor * context_.config.client.messages_per_second) {
+        if (dropped_ > flood_factor * limits_.messages_per_second) {
             refuse({AnswerCode::resource_exhausted, "far too many messages"}, now);
         }
         return;
@@ -81,8 +81,7 @@ void ClientLink::drop_message(Clock::time_point now) {
         NoticeKind::rate_limit,
         fmt::format("more than {:g} messages or {:g} bytes a second: what is beyond that "
                     "is dropped; put several inputs into one batch",
-                    context_.config.client.messages_per_second,
-                    context_.config.client.bytes_per_second)));
+                    limits_.messages_per_second, limits_.bytes_per_second)));
 }
 
 void ClientLink::hear(const HelloWords& hello, Clock::time_point now) {
@@ -134,8 +133,11 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);
     mailbox_ = std::make_shared<OutcomeMailbox>();
-    admission_.emplace(context_.config.client, hello.spectator, now);
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
+    // A client may acknowledge each snapshot by itself, whatever the world's rate.
+    limits_ = context_.config.client;
+    limits_.messages_per_second += world->hz() / divider;
+    admission_.emplace(limits_, hello.spectator, now);
     pacing_.emplace(context_.config.stream, world->hz(), divider);
     const FramePtr frame = world->frame();
     say(write_welcome(

@@ -92,6 +92,7 @@ private:
     // From here on: of a client that said hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
     std::shared_ptr<WorldFeed> feed_;
+    ClientLimits limits_;
     std::optional<Admission> admission_;
     std::optional<Pacing> pacing_;
     std::shared_ptr<OutcomeMailbox> mailbox_;

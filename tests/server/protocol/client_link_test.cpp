@@ -326,9 +326,22 @@ TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
     client.listen();
     ASSERT_EQ(client.state.notices.size(), 1u) << "told once";
     EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_RATE_LIMIT);
-    for (int i = 0; i < 600; ++i) client.link.receive(message, now);
+    for (int i = 0; i < 1200; ++i) client.link.receive(message, now);
     ASSERT_TRUE(client.link.end());
     EXPECT_EQ(client.link.end()->code, AnswerCode::resource_exhausted);
+}
+
+TEST_F(ClientLinkTest, an_ack_for_each_snapshot_is_no_flood) {
+    scenes::SceneDescription fast = *scenes::find_scene("stack");
+    fast.name = "fast";
+    fast.hz = 240;
+    ASSERT_TRUE(worlds.create("", fast).ok());
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) { hello.set_world("fast"); });
+    const Clock::time_point now = Clock::now();
+    for (int i = 0; i < 300; ++i) client.link.receive(client.ack_bytes(), now);
+    client.listen();
+    EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
 }
 
 TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {

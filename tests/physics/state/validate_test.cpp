@@ -45,16 +45,18 @@ public:
         if (what > 0.19 && what < 0.22 && !bodies_.empty()) {
             const BodyId body = bodies_[pick()];
             const Vec3 impulse{in(-50, 50), in(0, 200), in(-50, 50)};
-            if (const auto state = world_.body(body); state->type == BodyType::dynamic)
+            if (const auto state = world_.body(body); state->type == BodyType::dynamic) {
                 EXPECT_TRUE(world_.apply_impulse(body, impulse, state->center).ok());
+            }
         }
-        if (what > 0.22 && what < 0.24 && !bodies_.empty())
-            EXPECT_TRUE(
-                world_.set_pose(bodies_[pick()], {{in(-4, 4), in(1, 4), in(-4, 4)}, {}}).ok());
-        if (what > 0.24 && what < 0.25)
-            EXPECT_TRUE(
-                world_.set_velocity(platform_, {in(0, 1) < 0.5 ? 0 : in(-0.5, 0.5), 0, 0}, {})
-                    .ok());
+        if (what > 0.22 && what < 0.24 && !bodies_.empty()) {
+            const Vec3 at{in(-4, 4), in(1, 4), in(-4, 4)};
+            EXPECT_TRUE(world_.set_pose(bodies_[pick()], {at, {}}).ok());
+        }
+        if (what > 0.24 && what < 0.25) {
+            const double speed = in(0, 1) < 0.5 ? 0 : in(-0.5, 0.5);
+            EXPECT_TRUE(world_.set_velocity(platform_, {speed, 0, 0}, {}).ok());
+        }
         if (what > 0.25 && what < 0.255)
             bodies_.push_back(*world_.create_body(
                 {.type = BodyType::fixed, .pose = {.position = {in(-4, 4), 0.2, in(-4, 4)}}},
@@ -76,11 +78,11 @@ private:
                                                  .linear_velocity = {in(-3, 3), in(-3, 3), 0}},
                                                 {.geometry = geometry, .material = material});
         bodies_.push_back(body);
-        if (in(0, 1) < 0.2)
-            EXPECT_TRUE(world_
-                            .create_shape(body, {.geometry = Box{{0.2, 0.2, 0.2}},
-                                                 .pose = {.position = {0.4, 0, 0}}})
-                            .ok());
+        if (in(0, 1) < 0.2) {
+            const ShapeDef second{.geometry = Box{{0.2, 0.2, 0.2}},
+                                  .pose = {.position = {0.4, 0, 0}}};
+            EXPECT_TRUE(world_.create_shape(body, second).ok());
+        }
     }
 
     test::Random random_;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/scenes/catalog.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace jostle::scenes {
+
+TEST(Catalog, every_scene_builds_and_survives_its_first_second) {
+    std::set<std::string_view> names;
+    for (const CatalogEntry& entry : catalog()) {
+        EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " twice";
+        EXPECT_FALSE(entry.description.empty());
+        const auto scene = find_scene(entry.name);
+        ASSERT_TRUE(scene) << entry.name;
+        auto built = build_scene(*scene);
+        ASSERT_TRUE(built.ok()) << entry.name << ": " << built.error().message;
+        ASSERT_EQ(built->bodies.size(), scene->bodies.size());
+        for (int step = 0; step < 60; step++) {
+            ASSERT_TRUE(built->world.step(1 / scene->hz).ok());
+            EXPECT_TRUE(built->world.events().quarantined.empty()) << entry.name;
+        }
+    }
+    for (const char* name : {"sandbox", "pyramid", "dominoes", "pile", "billiards", "stack"})
+        EXPECT_TRUE(names.contains(name)) << name;
+}
+
+TEST(Catalog, a_scene_that_is_not_there_is_nothing) {
+    EXPECT_FALSE(find_scene("nowhere"));
+}
+
+TEST(Catalog, pyramid_has_465_boxes_on_a_floor) {
+    EXPECT_EQ(find_scene("pyramid")->bodies.size(), 466u);
+}
+
+// The first domino is pushed and the last one falls: nothing in between may stop the wave.
+TEST(Catalog, all_120_dominoes_fall) {
+    const auto scene = find_scene("dominoes");
+    auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok());
+    for (int step = 0; step < 60 * 20; step++) ASSERT_TRUE(built->world.step(1.0 / 60).ok());
+    int fallen = 0;
+    for (const physics::BodyId id : built->bodies)
+        if (const auto body = built->world.body(id); body->type == physics::BodyType::dynamic)
+            fallen += body->pose.position.y < 0.45 ? 1 : 0;
+    EXPECT_EQ(fallen, 120);
+}
+
+TEST(Catalog, an_error_names_the_body) {
+    SceneDescription scene{.name = "bad"};
+    scene.bodies.push_back({.name = "ramp", .body = {}, .shapes = {}, .color = {}});
+    const auto built = build_scene(scene);
+    ASSERT_FALSE(built.ok());
+    EXPECT_EQ(built.error().message, "bodies[0] 'ramp': it has no shape; give it at least one");
+}
+
+}  // namespace jostle::scenes

@@ -13,6 +13,26 @@ Error in_body(const SceneDescription& scene, std::size_t i, const Error& error) 
             "bodies[" + std::to_string(i) + "] '" + scene.bodies[i].name + "': " + error.message};
 }
 
+// Files know no -0: adding 0 makes it 0, so that a scene and its file are the same world to the
+// last bit.
+physics::Vec3 plain(physics::Vec3 v) {
+    return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
+}
+physics::Transform plain(const physics::Transform& t) {
+    const physics::Quat q = t.rotation;
+    return {plain(t.position), {q.x + 0.0, q.y + 0.0, q.z + 0.0, q.w + 0.0}};
+}
+physics::BodyDef plain(physics::BodyDef def) {
+    def.pose = plain(def.pose);
+    def.linear_velocity = plain(def.linear_velocity);
+    def.angular_velocity = plain(def.angular_velocity);
+    return def;
+}
+physics::ShapeDef plain(physics::ShapeDef def) {
+    def.pose = plain(def.pose);
+    return def;
+}
+
 }  // namespace
 
 Result<BuiltScene> build_scene(const SceneDescription& scene) {
@@ -26,10 +46,12 @@ Result<BuiltScene> build_scene(const SceneDescription& scene) {
             return in_body(
                 scene, i,
                 {physics::ErrorCode::invalid_argument, "it has no shape; give it at least one"});
-        const Result<physics::BodyId> id = built.world.create_body(body.body, body.shapes.front());
+        const Result<physics::BodyId> id =
+            built.world.create_body(plain(body.body), plain(body.shapes.front()));
         if (!id.ok()) return in_body(scene, i, id.error());
         for (std::size_t k = 1; k < body.shapes.size(); k++)
-            if (const auto shape = built.world.create_shape(*id, body.shapes[k]); !shape.ok())
+            if (const auto shape = built.world.create_shape(*id, plain(body.shapes[k]));
+                !shape.ok())
                 return in_body(scene, i,
                                {shape.error().code,
                                 "shapes[" + std::to_string(k) + "]: " + shape.error().message});

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/clock_sync.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::client {
+
+TEST(ClockSync, believes_the_shortest_round_trip) {
+    ClockSync clock;
+    EXPECT_FALSE(clock.ready());
+    clock.add(0, 1'050'000, 100'000);        // 100 ms round trip; the true offset is 1 s
+    clock.add(200'000, 1'281'000, 280'000);  // lopsided: says 1.041 s
+    clock.add(300'000, 1'301'000, 302'000);
+    EXPECT_EQ(clock.offset_us(), 1'000'000);
+    EXPECT_DOUBLE_EQ(clock.rtt_ms(), 2);
+}
+
+TEST(ClockSync, forgets_after_half_a_minute_because_clocks_drift) {
+    ClockSync clock;
+    clock.add(0, 1'000'500, 1'000);
+    clock.add(40'000'000, 40'900'000 + 5'000, 40'010'000);
+    EXPECT_EQ(clock.offset_us(), 900'000);
+}
+
+TEST(ClockSync, takes_no_pong_from_the_future) {
+    ClockSync clock;
+    clock.add(500, 1, 400);
+    EXPECT_FALSE(clock.ready());
+}
+
+}  // namespace jostle::client

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+//
+// The client's half of the play stream, without a network: what it says, when, and what it makes of
+// what it hears.
+#include "conversation.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::client {
+namespace {
+
+using std::chrono::milliseconds;
+
+struct Stream {
+    Conversation conversation{ClientOptions{.world = "yard", .name = "me"}};
+    Clock::time_point now{std::chrono::seconds(1000)};
+
+    void hear(const v1::ServerMessage& message) {
+        conversation.receive(message.SerializeAsString(), now);
+    }
+    std::optional<v1::ClientMessage> next() {
+        const auto bytes = conversation.take_message(now);
+        if (!bytes) return std::nullopt;
+        v1::ClientMessage message;
+        EXPECT_TRUE(message.ParseFromString(*bytes));
+        return message;
+    }
+    void welcome() {
+        conversation.begin(now);
+        EXPECT_EQ(next()->hello().world(), "yard");
+        v1::ServerMessage message;
+        message.mutable_welcome()->set_client_id(7);
+        message.mutable_welcome()->mutable_quant()->set_units_per_meter(512);
+        message.mutable_welcome()->mutable_quant()->set_rotation_component(511);
+        hear(message);
+        EXPECT_TRUE(next()->has_ping());
+    }
+    // A snapshot of one body at x metres.
+    v1::ServerMessage snapshot(std::uint32_t frame, double x, const wire::QuantizedFrame* base) {
+        quantized = {.frame = frame,
+                     .entities = {wire::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
+        const auto packed = wire::encode_frame(quantized, {base, nullptr, nullptr}, {});
+        v1::ServerMessage message;
+        v1::Snapshot& s = *message.mutable_snapshot();
+        s.set_frame(frame);
+        s.set_base_frame(base ? base->frame : 0);
+        s.set_packed(packed.data(), packed.size());
+        s.set_crc(wire::frame_crc(quantized));
+        return message;
+    }
+    wire::QuantizedFrame quantized;
+};
+
+}  // namespace
+
+TEST(Conversation, says_nothing_but_hello_before_it_is_welcome) {
+    Stream stream;
+    stream.conversation.begin(stream.now);
+    stream.conversation.send({});
+    EXPECT_TRUE(stream.next()->has_hello());
+    EXPECT_FALSE(stream.next());
+}
+
+TEST(Conversation, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
+    Stream stream;
+    stream.welcome();
+    for (std::uint32_t i = 1; i <= 40; i++) EXPECT_EQ(stream.conversation.send({}), i);
+    const auto first = stream.next();
+    EXPECT_EQ(first->input().first_sequence(), 1u);
+    EXPECT_EQ(first->input().inputs_size(), 32);
+    EXPECT_FALSE(stream.next());  // not before a thirtieth of a second has passed
+    stream.now += milliseconds(34);
+    const auto second = stream.next();
+    EXPECT_EQ(second->input().first_sequence(), 33u);
+    EXPECT_EQ(second->input().inputs_size(), 8);
+}
+
+TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
+    Stream stream;
+    stream.welcome();
+    wire::QuantizedFrame base;
+    for (std::uint32_t frame = 10; frame < 60; frame++) {
+        stream.hear(stream.snapshot(frame, 0.1 * frame, frame == 10 ? nullptr : &base));
+        base = stream.quantized;
+        const auto ack = stream.next();
+        ASSERT_TRUE(ack && ack->has_ack());
+        EXPECT_EQ(ack->ack().frame(), frame);
+        EXPECT_FALSE(ack->ack().need_keyframe());
+    }
+    EXPECT_EQ(stream.conversation.stats().snapshots, 50u);
+    EXPECT_NEAR(stream.conversation.view().pose_of(1)->position[0], 5.9, 0.001);
+    EXPECT_FALSE(stream.conversation.view().pose_of(2));
+}
+
+TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
+    Stream stream;
+    stream.welcome();
+    stream.hear(stream.snapshot(10, 1, nullptr));
+    stream.next();
+    auto wrong = stream.snapshot(11, 2, nullptr);
+    wrong.mutable_snapshot()->set_crc(wrong.snapshot().crc() ^ 1);
+    stream.hear(wrong);
+    const auto ack = stream.next();
+    EXPECT_TRUE(ack->ack().need_keyframe());
+    EXPECT_EQ(ack->ack().frame(), 10u);  // the last one that was good
+    const wire::QuantizedFrame unknown{.frame = 9, .entities = {}};
+    stream.hear(stream.snapshot(12, 3, &unknown));
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    stream.hear(stream.snapshot(13, 4, nullptr));
+    EXPECT_EQ(stream.conversation.view().frame().frame, 13u);
+}
+
+TEST(Conversation, bytes_that_are_no_message_are_counted_and_change_nothing) {
+    Stream stream;
+    stream.welcome();
+    stream.conversation.receive(std::string("\xff\xff\xff\xff", 4), stream.now);
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    EXPECT_TRUE(stream.conversation.stats().connected);
+}
+
+TEST(Conversation, goodbye_comes_after_the_last_input) {
+    Stream stream;
+    stream.welcome();
+    stream.conversation.send({});
+    stream.conversation.leave();
+    EXPECT_TRUE(stream.next()->has_input());
+    EXPECT_FALSE(stream.conversation.goodbye_said());
+    EXPECT_TRUE(stream.next()->has_leave());
+    EXPECT_TRUE(stream.conversation.goodbye_said());
+    EXPECT_FALSE(stream.next());
+}
+
+}  // namespace jostle::client

@@ -110,9 +110,9 @@ try {
   expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot decoded with its CRC');
   expect(errors.length === 0, `no error on the page ${errors.join('; ')}`);
   if (screenshot) {
-    await page.goto(`http://127.0.0.1:${ports.http}/`);
-    await until('the fine picture', 60, () => page.evaluate(() => window.jostle?.snapshots > 200));
-    await page.screenshot({ path: screenshot, timeout: 120_000 });
+    await page.goto(`http://127.0.0.1:${ports.http}/?quality=medium`);
+    await until('a finer picture', 30, () => page.evaluate(() => window.jostle?.snapshots > 100));
+    await page.screenshot({ path: screenshot, timeout: 40_000 });
     console.log(`  wrote ${screenshot}`);
   }
 } catch (error) {

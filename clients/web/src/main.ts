@@ -16,10 +16,11 @@ const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 
 const canvas = byId<HTMLCanvasElement>('view');
 const stateLine = byId('state');
-// ?quality=low: no shadows, no smooth edges, half the pixels; for machines without a graphics processor.
-const lowQuality = new URLSearchParams(location.search).get('quality') === 'low';
-const renderer = new THREE.WebGLRenderer({ canvas, antialias: !lowQuality });
-renderer.shadowMap.enabled = !lowQuality;
+// ?quality=medium: no shadows, no smooth edges; ?quality=low: half the pixels as well. For machines without a graphics
+// processor.
+const quality = new URLSearchParams(location.search).get('quality') ?? 'high';
+const renderer = new THREE.WebGLRenderer({ canvas, antialias: quality === 'high' });
+renderer.shadowMap.enabled = quality === 'high';
 renderer.shadowMap.type = THREE.PCFShadowMap;
 renderer.toneMapping = THREE.ACESFilmicToneMapping;
 
@@ -100,7 +101,7 @@ addEventListener('keydown', (event) => {
 });
 
 function resize(): void {
-  renderer.setPixelRatio(lowQuality ? 0.5 : Math.min(2, devicePixelRatio));
+  renderer.setPixelRatio(quality === 'low' ? 0.5 : quality === 'medium' ? 1 : Math.min(2, devicePixelRatio));
   renderer.setSize(innerWidth, innerHeight, false);
   camera.resize(innerWidth, innerHeight);
 }

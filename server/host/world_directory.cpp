@@ -9,11 +9,24 @@ using physics::Error;
 using physics::ErrorCode;
 using physics::Result;
 
+namespace {
+
+// "w" and digits: as a name it would hide the world that has, or will have, that id.
+bool looks_like_id(const std::string& name) {
+    return name.size() > 1 && name[0] == 'w' &&
+           name.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
+}  // namespace
+
 Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
                                                           const scenes::SceneDescription& scene) {
     const std::string name = wanted.empty() ? scene.name : wanted;
     if (name.empty() || name.size() > 64)
         return Error{ErrorCode::invalid_argument, "a world's name has 1 to 64 bytes"};
+    if (looks_like_id(name))
+        return Error{ErrorCode::invalid_argument,
+                     "\"" + name + "\" is how ids look; choose another name"};
     std::uint32_t number;
     {
         const std::lock_guard lock(mutex_);

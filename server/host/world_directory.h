@@ -19,8 +19,8 @@ public:
         : settings_(std::move(settings)), worlds_max_(worlds_max) {}
     ~WorldDirectory() { stop_all(); }
 
-    // A world of that scene; an empty name takes the scene's. Errors: the name is taken, the
-    // directory is full, the scene cannot be built.
+    // A world of that scene; an empty name takes the scene's. Errors: the name is taken or
+    // looks like an id, the directory is full, the scene cannot be built.
     physics::Result<std::shared_ptr<WorldHost>> create(const std::string& name,
                                                        const scenes::SceneDescription& scene);
     // By id or name; empty: the first. Null when there is none.

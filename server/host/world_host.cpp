@@ -79,19 +79,25 @@ void WorldHost::run() {
         });
     };
     wait();
-    timer_->io.run();
+    // Out of memory, say: this world ends, its clients are told, and the others go on.
+    try {
+        timer_->io.run();
+    } catch (const std::exception& error) {
+        log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
+        stopping_.store(true);
+    }
 }
 
 // One tick of one world. Nothing outside this thread ever touches world_.
 void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     tick_++;
     commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
-    for (const Command& command : batch_) {
-        InputOutcome outcome = world_.apply(command, tick_);
-        if (command.reply) command.reply->put(std::move(outcome));
-    }
-    if (const auto stepped = world_.step(1 / hz_); !stepped.ok())
+    outcomes_.clear();
+    for (const Command& command : batch_) outcomes_.push_back(world_.apply(command, tick_));
+    if (const auto stepped = world_.step(1 / hz_); !stepped.ok() && !step_refused_) {
+        step_refused_ = true;  // said once; the world stands still but answers
         log_error("world {}: step refused: {}", id_, stepped.error().message);
+    }
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
@@ -115,6 +121,9 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
         const std::lock_guard lock(frame_mutex_);
         old = std::exchange(frame_, std::move(frame));
     }
+    // After the frame: who hears that a body was spawned finds it there.
+    for (std::size_t i = 0; i < batch_.size(); i++)
+        if (batch_[i].reply) batch_[i].reply->put(std::move(outcomes_[i]));
     if (settings_.on_frame) settings_.on_frame();
 }
 

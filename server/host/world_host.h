@@ -38,7 +38,7 @@ public:
     bool push(Command command) { return commands_.push(std::move(command)); }
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
-    // Any thread: whether the world was stopped.
+    // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
     // Ends the thread; the last frame stays readable.
     void stop();
@@ -54,6 +54,7 @@ private:
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick(Clock::time_point due, std::uint32_t late_ticks);
+    // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
     void measure(Frame& frame);
 
@@ -64,7 +65,9 @@ private:
 
     HostedWorld world_;  // the tick thread's own
     std::uint32_t tick_ = 0;
+    bool step_refused_ = false;
     std::vector<Command> batch_;
+    std::vector<InputOutcome> outcomes_;  // of batch_, one each
     std::vector<double> recent_step_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 

@@ -95,6 +95,57 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
               clients * each);
 }
 
+TEST(WorldHost, one_that_cannot_go_on_ends_alone) {
+    WorldHostSettings broken;
+    broken.on_frame = [] { throw std::bad_alloc(); };
+    const auto scene = *scenes::find_scene("stack");
+    const auto bad = *WorldHost::start("w1", "bad", scene, broken);
+    const auto good = *WorldHost::start("w2", "good", scene, {});
+    EXPECT_TRUE(wait_until([&] { return bad->stopped(); }));
+    const std::uint32_t tick = good->frame()->tick;
+    EXPECT_TRUE(wait_until([&] { return good->frame()->tick > tick + 5; }));
+    EXPECT_FALSE(good->stopped());
+    EXPECT_NE(bad->frame(), nullptr) << "its last frame stays readable";
+    bad->stop();
+}
+
+TEST(WorldDirectory, a_name_cannot_pass_for_an_id) {
+    WorldDirectory worlds({}, 4);
+    const auto scene = *scenes::find_scene("stack");
+    EXPECT_FALSE(worlds.create("w2", scene).ok()) << "would take the place of the second world";
+    EXPECT_FALSE(worlds.create("w17", scene).ok());
+    EXPECT_TRUE(worlds.create("w", scene).ok());
+    EXPECT_TRUE(worlds.create("w2b", scene).ok());
+}
+
+TEST(WorldDirectory, many_threads_may_create_find_and_remove_at_once) {
+    constexpr int threads_count = 4, rounds = 8, worlds_max = 6;
+    WorldDirectory worlds({}, worlds_max);
+    const auto scene = *scenes::find_scene("stack");
+    std::atomic<int> made{0}, removed{0}, won{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < threads_count; ++t) {
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < rounds; ++i) {
+                const std::string own = "own" + std::to_string(t) + "_" + std::to_string(i);
+                if (worlds.create(own, scene).ok()) {
+                    made++;
+                    EXPECT_EQ(worlds.find(own)->name(), own);
+                }
+                if (worlds.create("wanted by all", scene).ok()) won++;
+                EXPECT_LE(worlds.list().size(), static_cast<std::size_t>(worlds_max));
+                if (worlds.remove(own)) removed++;
+                if (worlds.remove("wanted by all")) won--;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(made, removed) << "each is removed by the one that made it";
+    EXPECT_EQ(won, 0) << "of equal names one at a time";
+    EXPECT_GT(made, 0);
+    EXPECT_TRUE(worlds.list().empty());
+}
+
 TEST(WorldDirectory, worlds_have_ids_names_and_an_end) {
     WorldDirectory worlds({}, 2);
     EXPECT_EQ(worlds.find(""), nullptr);

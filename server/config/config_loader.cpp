@@ -2,6 +2,7 @@
 #include "config/config_loader.h"
 
 #include <toml++/toml.h>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -130,8 +131,11 @@ Status load_config_text(Config& config, const std::string& text, const std::stri
 }
 
 Status load_config(Config& config, const std::string& path) {
+    std::error_code ignored;  // a path that cannot be looked at cannot be opened either
     std::ifstream in(path);
-    if (!in) return Error{ErrorCode::not_found, "cannot read the config file " + path};
+    // A directory opens, but reading from it throws.
+    if (!in || std::filesystem::is_directory(path, ignored))
+        return Error{ErrorCode::not_found, "cannot read the config file " + path};
     const std::string text((std::istreambuf_iterator<char>(in)), {});
     return load_config_text(config, text, path);
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "session/session_directory.h"
 
+#include <algorithm>
 #include <random>
 
 namespace jostle::server {
 namespace {
 
 constexpr auto ticket_life = std::chrono::seconds(30);
-constexpr std::size_t tickets_max = 10000;  // unused ones; the oldest to expire goes first
+constexpr std::size_t tickets_max = 10000;  // unused ones; the first to expire makes room
 
 std::string random_ticket() {
     static constexpr char digits[] = "0123456789abcdef";
@@ -25,7 +26,10 @@ std::string random_ticket() {
 std::string SessionDirectory::issue_ticket(const std::string& world_id, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     std::erase_if(tickets_, [&](const auto& entry) { return entry.second.expires <= now; });
-    if (tickets_.size() >= tickets_max) tickets_.erase(tickets_.begin());
+    if (tickets_.size() >= tickets_max)
+        tickets_.erase(std::min_element(
+            tickets_.begin(), tickets_.end(),
+            [](const auto& a, const auto& b) { return a.second.expires < b.second.expires; }));
     const std::string ticket = random_ticket();
     tickets_[ticket] = {world_id, now + ticket_life};
     return ticket;

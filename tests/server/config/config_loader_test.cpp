@@ -41,6 +41,12 @@ TEST(ConfigLoader, mistakes_name_file_and_key) {
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
 }
 
+TEST(ConfigLoader, what_cannot_be_read_is_an_error_and_no_crash) {
+    Config config;
+    EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
+    EXPECT_FALSE(load_config(config, testing::TempDir()).ok()) << "a directory";
+}
+
 TEST(ConfigLoader, a_file_with_a_mistake_changes_nothing) {
     Config config;
     EXPECT_FALSE(load_config_text(config, "drain_seconds = 1\nnonsense = 2\n", "t").ok());

@@ -37,5 +37,15 @@ TEST(SessionDirectory, a_ticket_is_good_once_and_for_half_a_minute) {
     EXPECT_FALSE(sessions.use_ticket("", now));
 }
 
+TEST(SessionDirectory, of_too_many_tickets_the_first_to_expire_makes_room) {
+    SessionDirectory sessions(2);
+    const Clock::time_point now{};
+    const std::string oldest = sessions.issue_ticket("w1", now);
+    std::string newest;
+    for (int i = 0; i < 10000; ++i) newest = sessions.issue_ticket("w2", now + 1ms);
+    EXPECT_FALSE(sessions.use_ticket(oldest, now + 2ms));
+    EXPECT_EQ(sessions.use_ticket(newest, now + 2ms), "w2");
+}
+
 }  // namespace
 }  // namespace jostle::server

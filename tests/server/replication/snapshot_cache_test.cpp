@@ -5,9 +5,11 @@
 
 #include <atomic>
 #include <cstring>
+#include <random>
 #include <thread>
 
 #include "replication/client_cursor.h"
+#include "session/pacing.h"
 
 namespace jostle::server {
 namespace {
@@ -117,6 +119,62 @@ TEST(SnapshotCache, a_cursor_that_forgot_asks_for_an_absolute_frame) {
     EXPECT_EQ(cursor.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
     cursor.forget();
     EXPECT_EQ(cursor.bases_for(8), BaseNumbers{});
+}
+
+TEST(SnapshotCache, bodies_at_rest_are_silent) {
+    std::size_t packed = 0;
+    SnapshotCache cache({}, [&](const EncodedSnapshot& s) {
+        packed = s.packed.size();
+        return serialize(s);
+    });
+    ClientCursor cursor;
+    for (std::uint32_t tick = 1; tick <= 5; ++tick) {
+        auto frame = std::make_shared<Frame>();
+        frame->tick = tick;
+        for (EntityId id = 1; id <= 1000; ++id)
+            frame->entities.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
+        cache.encoding(frame, cursor.bases_for(tick));
+        cursor.sent(tick);
+    }
+    EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
+}
+
+TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_state) {
+    using namespace std::chrono_literals;
+    constexpr std::uint32_t clients = 12, ticks = 600;
+    struct Client {
+        ClientCursor cursor;
+        Receiver receiver;
+        Pacing pacing{{}, 60, 1};
+        std::deque<std::uint32_t> unacked;
+        int received = 0;
+    };
+    SnapshotCache cache({}, serialize);
+    std::vector<Client> all(clients);
+    std::minstd_rand random(5);  // the same everywhere
+    for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
+        const FramePtr frame = frame_at(tick);
+        const Clock::time_point now{tick * 16667us};
+        for (std::uint32_t c = 0; c < clients; ++c) {
+            Client& client = all[c];
+            // The higher its number, the more rarely a client finds time to acknowledge.
+            if (random() % (c + 1) == 0) {
+                for (const std::uint32_t acked : client.unacked) client.pacing.acked(acked, now);
+                client.unacked.clear();
+            }
+            if (random() % 400 == 0) client.cursor.forget();  // a CRC that did not match
+            if (c > 5 && random() % 10 == 0) continue;        // a write is pending
+            if (!client.pacing.may_send(tick, now)) continue;
+            client.receiver.take(*cache.encoding(frame, client.cursor.bases_for(tick)));
+            client.cursor.sent(tick);
+            client.pacing.sent(tick, now);
+            client.unacked.push_back(tick);
+            client.received++;
+        }
+    }
+    EXPECT_EQ(all[0].received, static_cast<int>(ticks)) << "one that keeps up misses nothing";
+    EXPECT_GT(all[clients - 1].pacing.skipped(), 0u) << "one that does not is spared";
+    for (const Client& client : all) EXPECT_GT(client.received, 50);
 }
 
 TEST(SnapshotCache, network_threads_may_ask_at_once) {

@@ -101,6 +101,11 @@ Script default_script() {
         parse_script("wander weight=2\npush\nthrow\nbuilder\ndrag\n", "default"));
 }
 
+std::variant<Script, std::string> script_or_default(const std::string& path) {
+    if (path.empty()) return default_script();
+    return load_script(path);
+}
+
 const ScriptLine& line_for(const Script& script, int i) {
     double weights = 0;
     for (const ScriptLine& line : script) weights += line.weight;

@@ -37,6 +37,9 @@ std::variant<Script, std::string> load_script(const std::string& path);
 // What bots do when no script is given: a little of everything.
 Script default_script();
 
+// As load_script; an empty path gives the default.
+std::variant<Script, std::string> script_or_default(const std::string& path);
+
 // The line for bot number i of n: weights decide how many bots take each.
 const ScriptLine& line_for(const Script& script, int i);
 

@@ -185,15 +185,12 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    jostle::bots::Script script = jostle::bots::default_script();
-    if (!flags.script.empty()) {
-        auto loaded = jostle::bots::load_script(flags.script);
-        if (const auto* fault = std::get_if<std::string>(&loaded)) {
-            std::fprintf(stderr, "jostle-load: %s\n", fault->c_str());
-            return 2;
-        }
-        script = std::get<jostle::bots::Script>(std::move(loaded));
+    const auto loaded = jostle::bots::script_or_default(flags.script);
+    if (const auto* fault = std::get_if<std::string>(&loaded)) {
+        std::fprintf(stderr, "jostle-load: %s\n", fault->c_str());
+        return 2;
     }
+    const auto& script = std::get<jostle::bots::Script>(loaded);
     std::signal(SIGINT, [](int) { stop = true; });
     const Report report = run(flags, script);
     std::fputs(to_text(report).c_str(), stdout);

@@ -4,7 +4,9 @@
 namespace jostle::wire {
 namespace {
 
-std::uint64_t low_mask(unsigned count) { return (std::uint64_t{1} << count) - 1; }
+std::uint64_t low_mask(unsigned count) {
+    return (std::uint64_t{1} << count) - 1;
+}
 
 }  // namespace
 

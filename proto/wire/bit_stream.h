@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bits in, bits out, and the two codes of WIRE.md. Bits fill bytes from the least significant bit. Reading never trusts the
-// bytes: past the end it gives zeros and remembers that it did.
+// Bits in, bits out, and the two codes of WIRE.md. Bits fill bytes from the least significant bit.
+// Reading never trusts the bytes: past the end it gives zeros and remembers that it did.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,9 @@ inline std::int64_t un_zig_zag(std::uint64_t u) {
     return static_cast<std::int64_t>(u >> 1) ^ -static_cast<std::int64_t>(u & 1);
 }
 // Bits needed to write x: 0 1 2 2 3 3 3 3 4 ...
-inline unsigned bit_width(std::uint64_t x) { return static_cast<unsigned>(std::bit_width(x)); }
+inline unsigned bit_width(std::uint64_t x) {
+    return static_cast<unsigned>(std::bit_width(x));
+}
 
 class BitWriter {
 public:

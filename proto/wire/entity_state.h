@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What travels about one body, as integers. Quantised once per tick; deltas, hashes and recordings work on these only, so
-// that decode(encode(x)) is exact and sender and receiver cannot drift apart. WIRE.md is the format in prose.
+// What travels about one body, as integers. Quantised once per tick; deltas, hashes and recordings
+// work on these only, so that decode(encode(x)) is exact and sender and receiver cannot drift
+// apart. WIRE.md is the format in prose.
 #pragma once
 
 #include <array>
@@ -11,10 +12,10 @@
 namespace jostle::wire {
 
 struct EntityState {
-    std::uint32_t id = 0;                       // never reused in a world, never 0
-    std::array<std::int32_t, 3> position{};     // units of 1/units_per_meter m
-    std::uint8_t largest = 3;                   // which quaternion component was left out: 0 x, 1 y, 2 z, 3 w
-    std::array<std::int16_t, 3> rotation{};     // the other three, in -M..M
+    std::uint32_t id = 0;                    // never reused in a world, never 0
+    std::array<std::int32_t, 3> position{};  // units of 1/units_per_meter m
+    std::uint8_t largest = 3;  // which quaternion component was left out: 0 x, 1 y, 2 z, 3 w
+    std::array<std::int16_t, 3> rotation{};  // the other three, in -M..M
     bool at_rest = false;
 
     bool operator==(const EntityState&) const = default;
@@ -24,7 +25,8 @@ inline bool same_pose(const EntityState& a, const EntityState& b) {
     return a.position == b.position && a.largest == b.largest && a.rotation == b.rotation;
 }
 
-// A world at one tick: entities in rising order of id. Frame 0 is never sent; as a base it means "none".
+// A world at one tick: entities in rising order of id. Frame 0 is never sent; as a base it means
+// "none".
 struct QuantizedFrame {
     std::uint32_t frame = 0;
     std::vector<EntityState> entities;
@@ -32,6 +34,10 @@ struct QuantizedFrame {
     bool operator==(const QuantizedFrame&) const = default;
 };
 
+inline constexpr std::int32_t max_units_per_meter = 65536;
+inline constexpr std::int32_t max_rotation_component = 16383;  // 15 bits with the sign
+
+// How poses are made integers: the same on both sides, as the server's Welcome says.
 struct QuantSpec {
     std::int32_t units_per_meter = 512;
     std::int32_t rotation_component = 511;  // M

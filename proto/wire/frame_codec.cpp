@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writer and reader walk the same list of survivors (entities of the base that are still there) with the same helpers; what
-// differs is only who knows the new state.
+// Writer and reader walk the same list of survivors (entities of the base that are still there)
+// with the same helpers; what differs is only who knows the new state.
 #include "wire/frame_codec.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace jostle::wire {
 namespace {
 
-constexpr unsigned gap_order = 4;         // between ids, positions in a list
-constexpr unsigned still_order = 5;       // runs of still entities
-constexpr unsigned position_order = 12;   // absolute positions
+constexpr unsigned gap_order = 4;          // between ids, positions in a list
+constexpr unsigned still_order = 5;        // runs of still entities
+constexpr unsigned position_order = 12;    // absolute positions
 constexpr std::int64_t max_spacing = 255;  // ticks between a frame and its base
 
 // An entity of the base that is still there, with what the older bases say of it.
@@ -99,6 +99,12 @@ Widths widths_of(const Survivor& s, const Prediction& p, const Spacing& t) {
         return std::min(bit_width(static_cast<std::uint64_t>(change)), 11u);
     };
     return {for_position[clamp(position)], for_rotation[clamp(rotation)], rotation == 0};
+}
+
+// A server names the quantisation, so a client checks it: shifts, divisions and int16 rely on it.
+bool usable(const QuantSpec& spec) {
+    return spec.units_per_meter >= 1 && spec.units_per_meter <= max_units_per_meter &&
+           spec.rotation_component >= 1 && spec.rotation_component <= max_rotation_component;
 }
 
 unsigned component_bits(const QuantSpec& spec) {
@@ -253,8 +259,7 @@ private:
         for (std::int16_t& component : state.rotation) {
             const std::uint64_t raw = in_.bits(bits);
             const std::int64_t sign = std::int64_t{1} << (bits - 1);
-            component =
-                static_cast<std::int16_t>((static_cast<std::int64_t>(raw) ^ sign) - sign);
+            component = static_cast<std::int16_t>((static_cast<std::int64_t>(raw) ^ sign) - sign);
         }
         return is_rotation({state.rotation[0], state.rotation[1], state.rotation[2]}) ||
                fail("a rotation that is none");
@@ -382,6 +387,11 @@ std::optional<std::string> decode_frame(QuantizedFrame& out, std::uint32_t frame
                                         const QuantSpec& spec, std::size_t max_entities) {
     out.frame = frame_number;
     out.entities.clear();
+    if (!usable(spec))
+        return "the quantisation is out of range: " + std::to_string(spec.units_per_meter) +
+               " units per metre (1 to " + std::to_string(max_units_per_meter) +
+               "), largest rotation component " + std::to_string(spec.rotation_component) +
+               " (1 to " + std::to_string(max_rotation_component) + ")";
     const Spacing spacing = spacing_of(frame_number, bases);
     if (!in_range(spacing))
         return "frame " + std::to_string(frame_number) + " is not 1 to 255 ticks after its bases";

@@ -13,9 +13,12 @@ std::int64_t scaled(std::int64_t v, std::int64_t n, std::int64_t d) {
     return n == d ? v : divide_rounded(v * n, d);
 }
 
-std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
+std::int64_t magnitude(std::int64_t v) {
+    return v < 0 ? -v : v;
+}
 
-// floor(sqrt(x)), 0 for negative x. The argument is below 2^53, so the double's square root is off by less than one.
+// floor(sqrt(x)), 0 for negative x. The argument is below 2^53, so the double's square root is off
+// by less than one.
 std::int64_t root(std::int64_t x) {
     if (x <= 0) return 0;
     auto r = static_cast<std::int64_t>(std::sqrt(static_cast<double>(x)));
@@ -58,8 +61,8 @@ void predict_position(Prediction& p, const EntityState& base, const EntityState*
         const std::int64_t before =
             base3 ? scaled(std::int64_t{base2->position[k]} - base3->position[k], t.dt2, t.dt3) : d;
         // Kept within int32, so that a residual never needs more than 33 bits.
-        p.position[k] = std::clamp<std::int64_t>(b1 + scaled(d, t.dt1, t.dt2), -2147483648ll,
-                                                 2147483647ll);
+        p.position[k] =
+            std::clamp<std::int64_t>(b1 + scaled(d, t.dt1, t.dt2), -2147483648ll, 2147483647ll);
         p.position_change += magnitude(d - before);
     }
 }
@@ -70,8 +73,8 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
     const Four q1 = unpack(base, n);
     p.rotation = q1;
     Four change{};
-    const bool turned = base2 && !(same_rotation(base, *base2) &&
-                                   (!base3 || same_rotation(*base2, *base3)));
+    const bool turned =
+        base2 && !(same_rotation(base, *base2) && (!base3 || same_rotation(*base2, *base3)));
     if (turned) {
         Four q2 = unpack(*base2, n);
         face(q2, q1);
@@ -91,9 +94,8 @@ void predict_rotation(Prediction& p, const EntityState& base, const EntityState*
         if (step2 <= n / 2) {
             // The curvature term keeps the point on the unit sphere.
             const std::int64_t bend =
-                t.dt1 == t.dt2
-                    ? step2
-                    : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
+                t.dt1 == t.dt2 ? step2
+                               : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
             const bool bends = bend * m >= n / 4;
             for (std::size_t k = 0; k < 4; k++)
                 p.rotation[k] = q1[k] + scaled(step[k], t.dt1, t.dt2) -

@@ -7,10 +7,18 @@
 namespace jostle::wire {
 namespace {
 
-// Nearest integer within the range; NaN gives the lower bound.
+// Nearest integer within the range; 0 for what is no number.
 std::int32_t round_to(double x, double low, double high) {
-    if (!(x > low)) return static_cast<std::int32_t>(low);
-    return static_cast<std::int32_t>(std::nearbyint(std::min(x, high)));
+    if (std::isnan(x)) return 0;
+    return static_cast<std::int32_t>(std::nearbyint(std::clamp(x, low, high)));
+}
+
+// Three components of a unit quaternion never have a larger sum of squares than all four; a decoder
+// refuses a frame where they do, so what was no rotation must not leave here.
+bool is_rotation(const EntityState& state, const QuantSpec& spec) {
+    std::int64_t sum = 0;
+    for (const std::int64_t r : state.rotation) sum += r * r;
+    return sum <= 2 * std::int64_t{spec.rotation_component} * spec.rotation_component;
 }
 
 }  // namespace
@@ -32,6 +40,7 @@ EntityState quantize(std::uint32_t id, const Pose& pose, bool at_rest, const Qua
         if (k != largest)
             state.rotation[to++] =
                 static_cast<std::int16_t>(round_to(pose.rotation[k] * scale, -m, m));
+    if (!is_rotation(state, spec)) state.largest = 3, state.rotation = {};
     return state;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Poses to integers and back, with the error each costs: a position component is off by at most half a unit (0.98 mm at
-// 512 per metre), a rotation by at most 0.24 degrees at M = 511.
+// Poses to integers and back, with the error each costs: a position component is off by at most
+// half a unit (0.98 mm at 512 per metre), a rotation by at most 0.24 degrees at M = 511.
 #pragma once
 
 #include "wire/entity_state.h"
@@ -9,11 +9,12 @@
 namespace jostle::wire {
 
 struct Pose {
-    std::array<double, 3> position{};           // m
+    std::array<double, 3> position{};            // m
     std::array<double, 4> rotation{0, 0, 0, 1};  // x y z w, unit
 };
 
-// Positions beyond the range of int32 units are clamped to it.
+// Positions beyond the range of int32 units are clamped to it; what is no number becomes 0 and what
+// is no rotation the identity, so that every state made here can be sent.
 EntityState quantize(std::uint32_t id, const Pose& pose, bool at_rest, const QuantSpec& spec);
 
 Pose dequantize(const EntityState& state, const QuantSpec& spec);

@@ -34,7 +34,8 @@ void expect_round_trip(const QuantizedFrame& frame, const Bases& bases, const Qu
 TEST(FrameCodec, every_frame_of_a_restless_world_comes_back_at_any_spacing_of_bases) {
     for (const QuantSpec spec : {QuantSpec{512, 511}, QuantSpec{4096, 16383}}) {
         const auto frames = run(3, 60, 120, {}, spec);
-        const std::ptrdiff_t spacings[][3] = {{1, 1, 1}, {2, 2, 2}, {6, 1, 1}, {1, 3, 2}, {7, 5, 9}};
+        const std::ptrdiff_t spacings[][3] = {
+            {1, 1, 1}, {2, 2, 2}, {6, 1, 1}, {1, 3, 2}, {7, 5, 9}};
         for (const auto& s : spacings)
             for (std::ptrdiff_t i = 0; i < std::ssize(frames); i++) {
                 const QuantizedFrame* base = at(frames, i - s[0]);
@@ -71,7 +72,8 @@ TEST(FrameCodec, a_world_at_rest_costs_four_bytes_or_less) {
 
 TEST(FrameCodec, a_body_in_free_flight_costs_at_most_twelve_bits) {
     // Constant velocity is what the prediction expects; what is left is the noise of rounding.
-    const auto frames = run(9, 400, 60, {.calm = 0, .kick = 0, .rest = 0, .vanish = 0, .appear = 0});
+    const auto frames =
+        run(9, 400, 60, {.calm = 0, .kick = 0, .rest = 0, .vanish = 0, .appear = 0});
     std::size_t bytes = 0, moving = 0;
     for (std::ptrdiff_t i = 3; i < std::ssize(frames); i++) {
         bytes += encode_frame(frames[static_cast<std::size_t>(i)],
@@ -135,6 +137,20 @@ TEST(FrameCodec, bases_that_are_too_old_or_not_older_are_refused) {
     EXPECT_TRUE(decode_frame(back, 300, bytes, {&base, nullptr, nullptr}, {}));
     base.frame = 300;
     EXPECT_TRUE(decode_frame(back, 300, bytes, {&base, nullptr, nullptr}, {}));
+}
+
+TEST(FrameCodec, a_quantisation_that_would_break_the_arithmetic_is_refused) {
+    const auto frames = run(4, 20, 4, {.calm = 0});
+    const Bases bases{at(frames, 2), at(frames, 1), at(frames, 0)};
+    const auto bytes = encode_frame(frames[3], bases, {});
+    QuantizedFrame back;
+    for (const QuantSpec bad : {QuantSpec{0, 511}, QuantSpec{-1, 511}, QuantSpec{512, 0},
+                                QuantSpec{512, -1}, QuantSpec{512, 16384}, QuantSpec{65537, 511}}) {
+        const auto error = decode_frame(back, 4, bytes, bases, bad);
+        ASSERT_TRUE(error);
+        EXPECT_NE(error->find("quantisation"), std::string::npos) << *error;
+        EXPECT_TRUE(back.entities.empty());
+    }
 }
 
 }  // namespace jostle::wire

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The golden frames: sequences of frames chosen so that together they take every path of the codec. Each is a file
-// proto/golden/NAME.bin (WIRE.md, "Golden frames", has its layout) that C++ and TypeScript decode alike.
+// The golden frames: sequences of frames chosen so that together they take every path of the codec.
+// Each is a file proto/golden/NAME.bin (WIRE.md, "Golden frames", has its layout) that C++ and
+// TypeScript decode alike.
 #pragma once
 
 #include <string>
@@ -37,7 +38,12 @@ inline std::vector<GoldenSequence> golden_sequences() {
         {"skips", {}, 2, 12, {.calm = 0.1}, {1, 3, 6, 2}},
         {"all_moving", {}, 3, 16, {.calm = 0, .kick = 0.1, .rest = 0, .vanish = 0}, {1, 1, 2, 1}},
         {"fast_spin", {}, 4, 8, {.calm = 0, .spin = 150, .speed = 3000, .kick = 0.3}, {1, 1, 1, 2}},
-        {"restless", {}, 5, 10, {.calm = 0.5, .rest = 0.4, .vanish = 0.1, .appear = 1}, {1, 2, 1, 1}},
+        {"restless",
+         {},
+         5,
+         10,
+         {.calm = 0.5, .rest = 0.4, .vanish = 0.1, .appear = 1},
+         {1, 2, 1, 1}},
         {"precise", {4096, 16383}, 6, 8, {.calm = 0.2}, {1, 1, 3, 2}},
         {"empty", {}, 7, 0, {.appear = 0}, {1, 1, 1, 1}},
     };
@@ -64,8 +70,9 @@ inline std::vector<GoldenSequence> golden_sequences() {
     return sequences;
 }
 
-// The whole file: "JGLD", u32 version 1, u32 units_per_meter, u32 M, u32 frames; per frame u32 frame, base, base2, base3,
-// crc, entities, packed bytes, then per entity u32 id, i32 x y z, u8 largest, i16 r r r, u8 at_rest, then the packed bytes.
+// The whole file: "JGLD", u32 version 1, u32 units_per_meter, u32 M, u32 frames; per frame u32
+// frame, base, base2, base3, crc, entities, packed bytes, then per entity u32 id, i32 x y z, u8
+// largest, i16 r r r, u8 at_rest, then the packed bytes.
 inline std::vector<std::byte> golden_file(const GoldenSequence& sequence) {
     std::vector<std::byte> out;
     const auto put = [&](std::uint32_t value, int size = 4) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The committed golden files are what the encoder makes today, and the decoder reads them. clients/web decodes the same.
+// The committed golden files are what the encoder makes today, and the decoder reads them.
+// clients/web decodes the same.
 #include "wire/golden.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
+
+#include "wire/predict.h"
 
 namespace jostle::wire {
 
@@ -55,6 +58,55 @@ TEST(Golden, sequences_take_the_rare_paths) {
     EXPECT_GT(removed, 20);
     EXPECT_GT(rests, 50);
     EXPECT_GT(largest_changes, 50);
+}
+
+// The arithmetic that two languages could do differently: negative steps scaled over unequal
+// spacings, turns too fast to extrapolate, rotations written in full, bases at rest.
+TEST(Golden, sequences_reach_the_corners_of_the_arithmetic) {
+    int scaled_negative = 0, held_turns = 0, wrong_largest = 0, from_rest = 0, no_base2 = 0,
+        no_base3 = 0;
+    const auto find = [](const QuantizedFrame& frame, std::uint32_t id) -> const EntityState* {
+        for (const EntityState& e : frame.entities)
+            if (e.id == id) return &e;
+        return nullptr;
+    };
+    for (const GoldenSequence& sequence : golden_sequences()) {
+        const auto frame_of = [&](std::uint32_t number) {
+            for (const GoldenFrame& g : sequence.frames)
+                if (g.frame.frame == number) return g.frame;
+            return QuantizedFrame{};
+        };
+        const std::int64_t m = sequence.spec.rotation_component;
+        for (const GoldenFrame& g : sequence.frames) {
+            const QuantizedFrame base = frame_of(g.base), base2 = frame_of(g.base2),
+                                 base3 = frame_of(g.base3);
+            const Spacing t{g.base ? g.frame.frame - g.base : 1, g.base2 ? g.base - g.base2 : 1,
+                            g.base3 ? g.base2 - g.base3 : 1};
+            for (const EntityState& now : g.frame.entities) {
+                const EntityState* b1 = find(base, now.id);
+                if (!b1 || same_pose(now, *b1)) continue;
+                const EntityState* b2 = find(base2, now.id);
+                const EntityState* b3 = b2 ? find(base3, now.id) : nullptr;
+                from_rest += b1->at_rest ? 1 : 0;
+                no_base2 += b2 ? 0 : 1;
+                no_base3 += b2 && !b3 ? 1 : 0;
+                const Prediction p = predict(*b1, b2, b3, t, sequence.spec);
+                wrong_largest += p.largest != now.largest ? 1 : 0;
+                if (!b2 || b1->at_rest) continue;
+                if (t.dt1 != t.dt2 && b1->position[0] < b2->position[0]) scaled_negative++;
+                // Held: predicted where it was although it turned.
+                const Prediction still = predict(*b1, nullptr, nullptr, t, sequence.spec);
+                const bool turned = b1->largest != b2->largest || b1->rotation != b2->rotation;
+                if (turned && p.rotation == still.rotation && p.rotation_change > m) held_turns++;
+            }
+        }
+    }
+    EXPECT_GT(scaled_negative, 20);
+    EXPECT_GT(held_turns, 20);
+    EXPECT_GT(wrong_largest, 20);
+    EXPECT_GT(from_rest, 10);
+    EXPECT_GT(no_base2, 20);
+    EXPECT_GT(no_base3, 20);
 }
 
 }  // namespace jostle::wire

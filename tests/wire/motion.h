@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Seeded worlds that move, rest, appear and vanish: frames to code. Own generator, so that every machine makes the same.
+// Seeded worlds that move, rest, appear and vanish: frames to code. Own generator, so that every
+// machine makes the same.
 #pragma once
 
 #include <cmath>
@@ -26,13 +27,13 @@ private:
 
 // How restless a world is, as chances per body and tick.
 struct MotionStyle {
-    double calm = 0.3;      // share of bodies that do not move
-    double spin = 3;        // rad/s, up to
-    double speed = 4;       // m/s, up to
-    double kick = 0.02;     // velocity changes at once
-    double rest = 0.02;     // falls asleep or wakes
+    double calm = 0.3;   // share of bodies that do not move
+    double spin = 3;     // rad/s, up to
+    double speed = 4;    // m/s, up to
+    double kick = 0.02;  // velocity changes at once
+    double rest = 0.02;  // falls asleep or wakes
     double vanish = 0.005;
-    double appear = 0.3;    // one new body a tick
+    double appear = 0.3;  // one new body a tick
 };
 
 class MovingWorld {
@@ -95,9 +96,9 @@ private:
         for (std::size_t k = 0; k < 3; k++) b.pose.position[k] += h * b.v[k];
         auto& q = b.pose.rotation;
         const double x = b.w[0] * h / 2, y = b.w[1] * h / 2, z = b.w[2] * h / 2;
-        const std::array<double, 4> d{x * q[3] + y * q[2] - z * q[1], y * q[3] + z * q[0] - x * q[2],
-                                      z * q[3] + x * q[1] - y * q[0],
-                                      -x * q[0] - y * q[1] - z * q[2]};
+        const std::array<double, 4> d{
+            x * q[3] + y * q[2] - z * q[1], y * q[3] + z * q[0] - x * q[2],
+            z * q[3] + x * q[1] - y * q[0], -x * q[0] - y * q[1] - z * q[2]};
         double norm = 0;
         for (std::size_t k = 0; k < 4; k++) {
             q[k] += d[k];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "wire/frame_codec.h"
 #include "wire/motion.h"
 
 namespace jostle::wire {
@@ -39,8 +40,22 @@ TEST(Quantize, numbers_that_are_none_stay_in_range) {
     Pose pose;
     pose.position = {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300};
     const EntityState state = quantize(1, pose, false, {});
+    EXPECT_EQ(state.position[0], 0);
     EXPECT_EQ(state.position[1], 2147483647);
     EXPECT_EQ(state.position[2], -2147483647 - 1);
+}
+
+TEST(Quantize, what_is_no_rotation_becomes_one_that_decoders_take) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const std::array<double, 4> rotation :
+         {std::array{nan, nan, nan, nan}, {2.0, 2.0, 2.0, 2.0}, {0.0, 0.0, 0.0, 0.0}}) {
+        const QuantizedFrame frame{.frame = 1,
+                                   .entities = {quantize(1, {{0, 0, 0}, rotation}, false, {})}};
+        QuantizedFrame back;
+        const auto error = decode_frame(back, 1, encode_frame(frame, {}, {}), {}, {});
+        EXPECT_FALSE(error) << *error;
+        EXPECT_EQ(back, frame);
+    }
 }
 
 }  // namespace jostle::wire

@@ -7,11 +7,13 @@
 // Each bot takes one behaviour, in proportion to the weights. Behaviours and their keys, with
 // defaults:
 //
-//     wander   period=2        rolls a ball of its own about: a push every `period` s, strength=4
-//     m/s push     period=1        shoves something near the middle: strength=3 m/s throw period=2
-//     throws a ball over the yard: speed=12 m/s, at most keep=5 balls at a time builder  period=1
-//     stacks boxes: keep=8 boxes at a time, size=0.3 m drag     period=3        takes something and
-//     carries it about for half of the period watch                    sends nothing
+//     wander   period=2 strength=4        rolls a ball of its own about: a push of `strength` m/s
+//                                         every `period` s
+//     push     period=1 strength=3        shoves something towards the middle, by `strength` m/s
+//     throw    period=2 speed=12 keep=5   throws a ball over the yard; at most `keep` at a time
+//     builder  period=1 keep=8 size=0.3   stacks boxes of `size` m; at most `keep` at a time
+//     drag     period=3                   carries something about for half of each period
+//     watch                               sends nothing
 #pragma once
 
 #include <map>

@@ -137,8 +137,10 @@ Report run(const Flags& flags, const jostle::bots::Script& script) {
     report.inputs_sent = end.sent;
     report.inputs_accepted = end.applied;
     report.snapshots = end.snapshots;
-    report.kbit_per_second_per_client = static_cast<double>(end.bytes - at_ramp.bytes) * 8 / 1000 /
-                                        duration / std::max(1, flags.clients);
+    if (measured)
+        report.kbit_per_second_per_client = static_cast<double>(end.bytes - at_ramp.bytes) * 8 /
+                                            1000 / duration / std::max(1, flags.clients);
+    report.ages_measured = ages.size();
     report.age_ms_p50 = jostle::load::percentile(ages, 50);
     report.age_ms_p99 = jostle::load::percentile(ages, 99);
     report.errors = end.failures + end.decode + refusals;
@@ -192,6 +194,7 @@ int main(int argc, char** argv) {
     }
     const auto& script = std::get<jostle::bots::Script>(loaded);
     std::signal(SIGINT, [](int) { stop = true; });
+    std::signal(SIGTERM, [](int) { stop = true; });
     const Report report = run(flags, script);
     std::fputs(to_text(report).c_str(), stdout);
     if (!flags.json.empty()) {

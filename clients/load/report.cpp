@@ -64,7 +64,9 @@ std::vector<std::string> missed(const Report& r, const Plan& plan) {
         lines.push_back(std::to_string(r.errors) + " errors; the plan allows " +
                         std::to_string(plan.errors_max) +
                         (r.last_error.empty() ? "" : " (the last one: " + r.last_error + ")"));
-    if (plan.age_ms_p99_max && !(r.age_ms_p99 <= *plan.age_ms_p99_max))
+    if (plan.age_ms_p99_max && r.ages_measured == 0)
+        lines.push_back("no age was measured; the plan asks for an age_ms_p99");
+    else if (plan.age_ms_p99_max && !(r.age_ms_p99 <= *plan.age_ms_p99_max))
         lines.push_back("age_ms_p99 is " + std::to_string(r.age_ms_p99) + "; the plan allows " +
                         std::to_string(*plan.age_ms_p99_max));
     if (r.snapshots == 0) lines.push_back("no snapshot arrived");

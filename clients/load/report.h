@@ -14,6 +14,7 @@ struct Report {
     std::uint64_t inputs_sent = 0, inputs_accepted = 0, snapshots = 0;
     double kbit_per_second_per_client = 0;
     double age_ms_p50 = 0, age_ms_p99 = 0;
+    std::uint64_t ages_measured = 0;  // 0: age_ms says nothing
     std::uint64_t errors = 0;
     std::optional<double>
         server_cpu_percent;  // of one core; nothing: the server is not on this machine

@@ -75,6 +75,66 @@ TEST(Conversation, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
     EXPECT_EQ(second->input().inputs_size(), 8);
 }
 
+TEST(Conversation, a_client_that_sends_without_end_is_told_so_and_loses_nothing_it_was_promised) {
+    Stream stream;
+    stream.welcome();
+    std::uint32_t last = 0;
+    while (const std::uint32_t sequence = stream.conversation.send({})) last = sequence;
+    EXPECT_EQ(last, 4096u);
+    EXPECT_EQ(stream.next()->input().inputs_size(), 32);
+    EXPECT_EQ(stream.conversation.send({}), 4097u);
+}
+
+TEST(Conversation, results_that_nobody_takes_do_not_pile_up) {
+    Stream stream;
+    stream.welcome();
+    for (std::uint32_t i = 1; i <= 5000; i++) {
+        v1::ServerMessage message;
+        v1::InputResult& result = *message.mutable_input_results()->add_results();
+        result.set_sequence(i);
+        result.set_code(v1::INPUT_CODE_APPLIED);
+        stream.hear(message);
+    }
+    EXPECT_EQ(stream.conversation.stats().inputs_applied, 5000u);
+    const auto results = stream.conversation.take_results();
+    ASSERT_EQ(results.size(), 4096u);
+    EXPECT_EQ(results.back().sequence(), 5000u);
+    EXPECT_TRUE(stream.conversation.take_results().empty());
+}
+
+TEST(Conversation, a_quantisation_out_of_range_is_an_error_and_no_crash) {
+    Stream stream;
+    stream.welcome();
+    v1::ServerMessage welcome;
+    welcome.mutable_welcome()->mutable_quant()->set_units_per_meter(0);
+    welcome.mutable_welcome()->mutable_quant()->set_rotation_component(0xffffffff);
+    stream.hear(welcome);
+    stream.hear(stream.snapshot(10, 1, nullptr));
+    EXPECT_EQ(stream.conversation.stats().decode_errors, 1u);
+    EXPECT_NE(stream.conversation.stats().last_error.find("quantisation"), std::string::npos);
+    EXPECT_FALSE(stream.conversation.view().pose_of(1));
+}
+
+TEST(Conversation, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_new_numbers) {
+    Stream stream;
+    stream.welcome();
+    for (int i = 0; i < 40; i++) stream.conversation.send({});
+    EXPECT_EQ(stream.next()->input().inputs_size(), 32);
+    stream.conversation.ended("gone");
+    EXPECT_FALSE(stream.next());
+    stream.now += milliseconds(500);
+    stream.conversation.begin(stream.now);
+    EXPECT_TRUE(stream.next()->has_hello());
+    v1::ServerMessage welcome;
+    welcome.mutable_welcome()->set_client_id(8);
+    stream.hear(welcome);
+    const auto batch = stream.next();
+    EXPECT_EQ(batch->input().first_sequence(), 1u);
+    EXPECT_EQ(batch->input().inputs_size(), 8);
+    EXPECT_EQ(stream.conversation.send({}), 9u);
+    EXPECT_EQ(stream.conversation.stats().stream_failures, 1u);
+}
+
 TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
     Stream stream;
     stream.welcome();

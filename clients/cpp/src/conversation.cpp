@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "conversation.h"
 
+#include <iterator>
+
 namespace jostle::client {
 namespace {
 
@@ -10,7 +12,8 @@ constexpr std::size_t inputs_per_batch = 32;
 constexpr int quick_pings = 3;  // to have a clock soon
 constexpr auto quick_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
-constexpr std::size_t ages_max = 1u << 20;
+constexpr std::size_t inputs_max = 4096;  // waiting; two seconds' worth of full batches is 1920
+constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
 
 }  // namespace
 
@@ -34,6 +37,7 @@ void Conversation::ended(const std::string& error) {
 }
 
 std::uint32_t Conversation::send(v1::Input input) {
+    if (inputs_.size() >= inputs_max) return 0;
     inputs_.push_back(std::move(input));
     return next_sequence_++;
 }
@@ -105,7 +109,15 @@ void Conversation::on_results(const v1::InputResults& results) {
         else
             stats_.inputs_refused++;
         results_.push_back(result);
+        if (results_.size() > results_max) results_.pop_front();
     }
+}
+
+std::vector<v1::InputResult> Conversation::take_results() {
+    std::vector<v1::InputResult> taken(std::make_move_iterator(results_.begin()),
+                                       std::make_move_iterator(results_.end()));
+    results_.clear();
+    return taken;
 }
 
 void Conversation::put_ack(v1::Ack& ack) {

@@ -25,7 +25,7 @@ public:
     // The next message to write, if it is time for one.
     std::optional<std::string> take_message(Clock::time_point now);
 
-    std::uint32_t send(v1::Input input);
+    std::uint32_t send(v1::Input input);  // 0: too many are waiting
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
     // Hello was answered and the goodbye, if any, was handed out.
@@ -37,7 +37,7 @@ public:
     const ClientOptions& options() const { return options_; }
     const ClientStats& stats() const { return stats_; }
     const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
-    std::vector<v1::InputResult> take_results() { return std::exchange(results_, {}); }
+    std::vector<v1::InputResult> take_results();
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
@@ -52,7 +52,7 @@ private:
     InterpolationBuffer buffer_;
     ClientStats stats_;
     std::optional<v1::WorldStats> world_stats_;
-    std::vector<v1::InputResult> results_;
+    std::deque<v1::InputResult> results_;
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused: parsing then allocates rarely

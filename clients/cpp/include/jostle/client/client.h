@@ -49,7 +49,8 @@ public:
     static std::shared_ptr<Client> connect(Loop& loop, ClientOptions options);
     ~Client();
 
-    // Queues an input; returns its sequence number. Sent within a thirtieth of a second. Numbers
+    // Queues an input; returns its sequence number, or 0 when 4096 wait already (the server is away
+    // or slow) and this one was not taken. Sent within a thirtieth of a second. Numbers
     // begin anew with each connection: what was not sent before a reconnect is sent after it under
     // a new number.
     std::uint32_t send(v1::Input input);
@@ -59,8 +60,9 @@ public:
     // Calls with the view under the client's lock: do not keep references.
     void read(const std::function<void(const WorldView&)>& reader) const;
     std::vector<SmoothPose> interpolated(Clock::time_point now) const;
+    // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
-    // Age of each snapshot when it was decoded, since the last call; ms.
+    // Age of each snapshot when it was decoded, since the last call (at most 65536); ms.
     std::vector<float> take_ages_ms();
     ClientStats stats() const;
     std::optional<v1::WorldStats> world_stats() const;

@@ -60,6 +60,7 @@ struct Gateway::Impl {
     asio::thread_pool worker{1};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
+    bool ending = false;  // the thread's own
     const HttpSession::Services services;
     // The sessions keep themselves alive; these only know them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
@@ -100,12 +101,12 @@ void Gateway::Impl::accept() {
 }
 
 void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
-    if (error == asio::error::operation_aborted) return;
+    if (ending || error == asio::error::operation_aborted) return;
     if (error) {
         spdlog::warn("http: cannot take a connection: {}", error.message());
         accept_again.expires_after(accept_pause);
         accept_again.async_wait([this](beast::error_code stopped) {
-            if (!stopped) accept();
+            if (!stopped && !ending) accept();
         });
         return;
     }
@@ -127,6 +128,7 @@ void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession:
 }
 
 void Gateway::Impl::keep_house() {
+    if (ending) return;
     housekeeping.expires_after(housekeeping_period);
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
@@ -148,6 +150,9 @@ void Gateway::Impl::advance_all() {
 }
 
 void Gateway::Impl::cut_all() {
+    // Cancelling does not reach a timer whose handler is queued already: those look at this before
+    // they start anew.
+    ending = true;
     beast::error_code ignored;
     acceptor.close(ignored);
     housekeeping.cancel();

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "gateway/gateway.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace jostle::server {
+
+// A timer that was due at the moment of stopping once began anew and kept the thread for ever. Its
+// period is 20 ms: these stops fall all around it.
+TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
+    const Config config;
+    SessionDirectory sessions(10);
+    WorldDirectory worlds({}, 1);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    WorldControl control(context);
+    const HttpRoutes routes(
+        control, {.web_root = ".", .allowed_origins = {}, .is_ready = [] { return true; }});
+    for (int i = 0; i < 60; i++) {
+        Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
+        ASSERT_FALSE(gateway.start());
+        EXPECT_GT(gateway.port(), 0);
+        std::this_thread::sleep_for(std::chrono::microseconds(19'000 + 50 * i));
+        gateway.stop();
+    }
+}
+
+}  // namespace jostle::server

@@ -50,12 +50,12 @@ std::vector<std::byte> BitWriter::finish() {
 std::uint64_t BitReader::peek(unsigned count) const {
     std::uint64_t value = 0;
     const std::size_t first = at_ / 8;
-    if (std::endian::native == std::endian::little && first + 8 <= bytes_.size())
-        std::memcpy(&value, bytes_.data() + first,
-                    8);  // one load; below, the last bytes one by one
-    else
+    if (std::endian::native == std::endian::little && first + 8 <= bytes_.size()) {
+        std::memcpy(&value, bytes_.data() + first, 8);
+    } else {  // the last bytes one by one
         for (std::size_t k = 0; k < 8 && first + k < bytes_.size(); k++)
             value |= std::to_integer<std::uint64_t>(bytes_[first + k]) << (8 * k);
+    }
     return (value >> (at_ % 8)) & low_mask(count);
 }
 

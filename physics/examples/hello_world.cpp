@@ -18,8 +18,9 @@ int main() {
             std::fprintf(stderr, "%s\n", stepped.error().message.c_str());
             return 1;
         }
-        if (step % 20 == 19) std::printf("%.2f s: height %.3f m\n", (step + 1) / 60.0,
-                                         world.body(*ball)->pose.position.y);
+        if (step % 20 == 19)
+            std::printf("%.2f s: height %.3f m\n", (step + 1) / 60.0,
+                        world.body(*ball)->pose.position.y);
     }
     return 0;
 }

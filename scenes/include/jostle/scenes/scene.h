@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// SceneDescription: a world as plain data, before it is built. The catalogue makes them by name, a scene file is read
-// into one, and tests, benchmarks, server and viewer all build their worlds from one. Plain C++ types: no protobuf here.
+// SceneDescription: a world as plain data, before it is built. The catalogue makes them by name, a
+// scene file is read into one, and tests, benchmarks, server and viewer all build their worlds from
+// one. Plain C++ types: no protobuf here.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scene files: the JSON form of jostle.v1.Scene. The only part of scenes/ that knows the protobuf message.
+// Scene files: the JSON form of jostle.v1.Scene. The only part of scenes/ that knows the protobuf
+// message.
 #pragma once
 
 #include "jostle/scenes/scene.h"
@@ -11,7 +12,8 @@ class Scene;
 
 namespace jostle::scenes {
 
-// Foreign text. Errors name the field with its path ("bodies[2].shapes[0].box.half_extents.x: -1 ...") and what to do.
+// Foreign text. Errors name the field with its path ("bodies[2].shapes[0].box.half_extents.x: -1
+// ...") and what to do.
 physics::Result<SceneDescription> read_scene_json(std::string_view text);
 physics::Result<SceneDescription> read_scene_file(const std::string& path);
 physics::Result<SceneDescription> from_message(const v1::Scene& message);

@@ -49,6 +49,11 @@ describe('golden frames', () => {
   });
 });
 
+it.each([0, 16384, 2 ** 32 - 1])('a quantisation with M = %d is refused', (rotationComponent) => {
+  const decode = () => decodeFrame(1, new Uint8Array(1), {}, { unitsPerMeter: 512, rotationComponent });
+  expect(decode).toThrow('a quantisation out of range');
+});
+
 describe('damaged bytes', () => {
   it('are refused or have another CRC, never more entities than the limit', () => {
     const { spec, frames } = readGolden('restless.bin');

@@ -32,6 +32,11 @@ export interface Bases {
 
 export class DecodeError extends Error {}
 
+/** Whether the arithmetic below is exact with this quantisation (WIRE.md). */
+export function isSound({ unitsPerMeter: u, rotationComponent: m }: QuantSpec): boolean {
+  return Number.isInteger(u) && u >= 1 && u <= 65536 && Number.isInteger(m) && m >= 1 && m <= 16383;
+}
+
 const GAP_ORDER = 4;
 const STILL_ORDER = 5;
 const POSITION_ORDER = 12;
@@ -351,6 +356,7 @@ export function decodeFrame(
   spec: QuantSpec,
   maxEntities = 1 << 20,
 ): QuantizedFrame {
+  if (!isSound(spec)) throw new DecodeError('a quantisation out of range');
   const base2 = bases.base ? bases.base2 : undefined;
   const base3 = base2 ? bases.base3 : undefined;
   const t: Spacing = {

@@ -3,38 +3,55 @@
 
 const RICE_ESCAPE = 15;
 const RICE_ESCAPE_BITS = 33;
+const ALL_ONES = 2 ** RICE_ESCAPE - 1;
+const PIECE = 24; // bits that one look can always give, whatever bit it begins at
 
 export class BitReader {
   private at = 0; // bit
+  private readonly bytes: Uint8Array; // with zeros behind them, so that a look needs no check
+  private readonly end: number; // bit
 
-  constructor(private readonly bytes: Uint8Array) {}
+  constructor(bytes: Uint8Array) {
+    this.bytes = new Uint8Array(bytes.length + 4);
+    this.bytes.set(bytes);
+    this.end = bytes.length * 8;
+  }
+
+  /** The next 24 bits at least, and some more above them. */
+  private look(): number {
+    if (this.at > this.end) return 0;
+    const { bytes } = this;
+    const i = this.at >> 3;
+    const word = bytes[i]! | (bytes[i + 1]! << 8) | (bytes[i + 2]! << 16) | (bytes[i + 3]! << 24);
+    return word >>> (this.at & 7);
+  }
 
   /** The next `count` bits, least significant first; count at most 40. */
   bits(count: number): number {
-    let value = 0;
-    let have = 0;
-    while (have < count) {
-      const byte = this.bytes[this.at >> 3] ?? 0;
-      const offset = this.at & 7;
-      const take = Math.min(8 - offset, count - have);
-      value += ((byte >> offset) & ((1 << take) - 1)) * 2 ** have;
-      have += take;
-      this.at += take;
+    if (count > PIECE) {
+      const low = this.bits(PIECE);
+      return low + this.bits(count - PIECE) * 2 ** PIECE;
     }
+    const value = this.look() & ((1 << count) - 1);
+    this.at += count;
     return value;
   }
 
   rice(k: number): number {
-    let ones = 0;
-    while (ones < RICE_ESCAPE && this.bits(1) === 1) ones++;
-    if (ones === RICE_ESCAPE) return this.bits(RICE_ESCAPE_BITS);
-    return ones * 2 ** k + this.bits(k);
+    const zeros = ~this.look() & ALL_ONES; // where the ones end
+    if (zeros === 0) {
+      this.at += RICE_ESCAPE;
+      return this.bits(RICE_ESCAPE_BITS);
+    }
+    const ones = 31 - Math.clz32(zeros & -zeros);
+    this.at += ones + 1;
+    return (ones << k) + this.bits(k);
   }
 
   expGolomb(k: number): number {
     const low = this.rice(0) + k;
     if (low > 40) {
-      this.at = this.bytes.length * 8 + 1; // not ours: counts as past the end
+      this.at = this.end + 1; // not ours: counts as past the end
       return 0;
     }
     return this.bits(low) + 2 ** low - 2 ** k;
@@ -42,14 +59,13 @@ export class BitReader {
 
   /** Takes the next 15 bits when they are all ones. */
   takeEscape(): boolean {
-    const before = this.at;
-    if (this.bits(RICE_ESCAPE) === 2 ** RICE_ESCAPE - 1) return true;
-    this.at = before;
-    return false;
+    if ((this.look() & ALL_ONES) !== ALL_ONES) return false;
+    this.at += RICE_ESCAPE;
+    return true;
   }
 
   get pastEnd(): boolean {
-    return this.at > this.bytes.length * 8;
+    return this.at > this.end;
   }
 
   get position(): number {
@@ -58,7 +74,7 @@ export class BitReader {
 
   /** What is left is padding: fewer than eight bits, all zero. */
   atCleanEnd(): boolean {
-    const left = this.bytes.length * 8 - this.at;
+    const left = this.end - this.at;
     return left >= 0 && left < 8 && this.bits(left) === 0;
   }
 }
@@ -69,7 +85,5 @@ export function unZigZag(u: number): number {
 
 /** Bits needed to write x: 0 for 0, 1 for 1, 2 for 2 and 3, ... */
 export function bitWidth(x: number): number {
-  let bits = 0;
-  for (let rest = x; rest >= 1; rest = Math.floor(rest / 2)) bits++;
-  return bits;
+  return x < 2 ** 32 ? 32 - Math.clz32(x) : 32 + bitWidth(Math.floor(x / 2 ** 32));
 }

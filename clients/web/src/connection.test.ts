@@ -1,7 +1,7 @@
 import { create, fromBinary, toBinary } from '@bufbuild/protobuf';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Connection, type Socket, type State } from './connection';
-import { ClientMessageSchema, ServerMessageSchema } from './gen/jostle/v1/play_pb';
+import { ClientMessageSchema, InputCode, NoticeCode, ServerMessageSchema } from './gen/jostle/v1/play_pb';
 
 class FakeSocket implements Socket {
   binaryType = '';
@@ -12,7 +12,10 @@ class FakeSocket implements Socket {
   send(bytes: Uint8Array) {
     this.sent.push(bytes);
   }
-  close() {}
+  closed = false;
+  close() {
+    this.closed = true;
+  }
   take() {
     return this.sent.splice(0).map((bytes) => fromBinary(ClientMessageSchema, bytes).message);
   }
@@ -25,15 +28,23 @@ class FakeSocket implements Socket {
 describe('connection', () => {
   let sockets: FakeSocket[];
   let states: [State, string][];
+  let said: string[];
   let connection: Connection;
 
   beforeEach(() => {
     vi.useFakeTimers();
     sockets = [];
     states = [];
+    said = [];
     connection = new Connection(
       'ws://test/play',
-      { state: (s, why) => states.push([s, why]), roster: () => {}, stats: () => {}, refused: () => {} },
+      {
+        state: (s, why) => states.push([s, why]),
+        roster: () => {},
+        stats: () => {},
+        refused: (result) => said.push(result.message),
+        notice: (text) => said.push(text),
+      },
       () => {
         sockets.push(new FakeSocket());
         return sockets[sockets.length - 1]!;
@@ -89,9 +100,35 @@ describe('connection', () => {
     expect(connection.decodeErrors).toBe(1);
   });
 
+  it('acknowledges what it decoded, and is whole again after a keyframe', () => {
+    welcome();
+    sockets[0]!.take();
+    const emptyWorld = new Uint8Array(2); // its CRC is 0
+    const give = (frame: number, crc: number) =>
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, packed: emptyWorld, crc } } });
+    give(50, 1);
+    give(51, 0);
+    const acks = sockets[0]!.take().flatMap((m) => (m.case === 'ack' ? [m.value] : []));
+    expect(acks.map((a) => [a.frame, a.needKeyframe])).toEqual([
+      [0, true],
+      [51, false],
+    ]);
+    expect(connection.snapshots).toBe(1);
+  });
+
+  it('hands on what the server refused and what it has to say', () => {
+    welcome();
+    const refused = { sequence: 2, code: InputCode.LIMIT, message: 'you own 64 bodies already' };
+    sockets[0]!.give({
+      message: { case: 'inputResults', value: { results: [{ sequence: 1, code: InputCode.APPLIED }, refused] } },
+    });
+    sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.RATE_LIMIT, message: 'slow down' } } });
+    expect(said).toEqual(['you own 64 bodies already', 'slow down']);
+  });
+
   it('comes back after a loss, with growing pauses, and says why', () => {
     welcome();
-    sockets[0]!.give({ message: { case: 'notice', value: { code: 1, message: 'going down' } } });
+    sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.DRAINING, message: 'going down' } } });
     sockets[0]!.onclose?.({ code: 1006, reason: '' });
     expect(states[states.length - 1]).toEqual(['waiting', 'going down']);
     vi.advanceTimersByTime(249);
@@ -99,9 +136,59 @@ describe('connection', () => {
     vi.advanceTimersByTime(2);
     expect(sockets.length).toBe(2);
     sockets[1]!.onclose?.({ code: 1006, reason: '' });
+    expect(states[states.length - 1]).toEqual(['waiting', 'the server does not answer']);
     vi.advanceTimersByTime(400);
     expect(sockets.length).toBe(2);
     vi.advanceTimersByTime(200);
     expect(sockets.length).toBe(3);
+  });
+
+  it('takes five seconds of silence for a loss', () => {
+    welcome();
+    vi.advanceTimersByTime(4900);
+    expect(connection.state).toBe('playing');
+    vi.advanceTimersByTime(200);
+    expect(states[states.length - 1]).toEqual(['waiting', 'the server does not answer']);
+    expect(sockets[0]!.closed).toBe(true);
+    vi.advanceTimersByTime(300);
+    expect(sockets.length).toBe(2);
+  });
+
+  it('does not knock again where the world was closed or never was', () => {
+    welcome();
+    sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.WORLD_CLOSED, message: 'closed' } } });
+    sockets[0]!.onclose?.({ code: 1001, reason: 'closed' });
+    expect(states[states.length - 1]).toEqual(['stopped', 'closed']);
+    connection.join('nowhere');
+    sockets[1]!.onopen?.();
+    sockets[1]!.give({ message: { case: 'notice', value: { code: NoticeCode.REFUSED, message: 'no such world' } } });
+    sockets[1]!.onclose?.({ code: 1008, reason: 'no such world' });
+    expect(states[states.length - 1]).toEqual(['stopped', 'no such world']);
+    vi.advanceTimersByTime(60_000);
+    expect(sockets.length).toBe(2);
+  });
+
+  it('knocks again where the server is full', () => {
+    sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.REFUSED, message: 'full' } } });
+    sockets[0]!.onclose?.({ code: 1013, reason: 'full' });
+    expect(states[states.length - 1]).toEqual(['waiting', 'full']);
+    connection.retryNow();
+    expect(sockets.length).toBe(2);
+  });
+
+  it('survives bytes that are no message', () => {
+    welcome();
+    sockets[0]!.onmessage?.({ data: new Uint8Array([0xff, 0xff, 0xff]).buffer });
+    expect(connection.state).toBe('waiting');
+  });
+
+  it('leaves one world before it joins another', () => {
+    welcome();
+    sockets[0]!.take();
+    connection.join('pyramid');
+    expect(sockets[0]!.take().map((m) => m.case)).toEqual(['leave']);
+    expect(sockets[0]!.closed).toBe(true);
+    sockets[1]!.onopen?.();
+    expect(sockets[1]!.take()[0]).toMatchObject({ case: 'hello', value: { world: 'pyramid' } });
   });
 });

@@ -2,7 +2,7 @@
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
-import { DecodeError, decodeFrame, frameCrc, type QuantSpec } from './decode_frame';
+import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
 import {
@@ -14,7 +14,9 @@ import {
   type Entity,
   type InputResult,
   type InputSchema,
+  type Notice,
   type Roster,
+  type ServerMessage,
   type Snapshot,
   type Welcome,
   type WorldStats,
@@ -25,6 +27,9 @@ const BATCH_MS = 1000 / 30;
 const PING_MS = 1000;
 const INPUTS_PER_BATCH = 32;
 const PAUSES_MS = [250, 500, 1000, 2000, 5000];
+const SILENCE_MS = 5000; // a server says something ten times a second: after this it is gone
+const SETTLED_MS = 5000; // who was in a world for so long comes back without a pause
+const POLICY = 1008; // the close code of a refusal that asking again will not change
 
 export type Input = MessageInitShape<typeof InputSchema>;
 export type State = 'connecting' | 'playing' | 'waiting' | 'stopped';
@@ -34,6 +39,8 @@ export interface Events {
   roster(entities: ReadonlyMap<number, Entity>): void;
   stats(stats: WorldStats): void;
   refused(result: InputResult): void;
+  /** What the server has to say to the person. */
+  notice(text: string): void;
 }
 
 /** What a WebSocket is to us; tests bring their own. */
@@ -69,7 +76,9 @@ export class Connection {
   private attempt = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
   private retry: ReturnType<typeof setTimeout> | undefined;
-  private notice = '';
+  private lastHeard = 0;
+  private playingSince = 0;
+  private lastNotice: Notice | undefined;
 
   constructor(
     private readonly url: string,
@@ -86,14 +95,17 @@ export class Connection {
   }
 
   stop(): void {
-    clearInterval(this.timer);
+    if (this.state === 'playing') this.sendMessage({ case: 'leave', value: {} });
     clearTimeout(this.retry);
-    if (this.socket) {
-      this.socket.onclose = this.socket.onmessage = this.socket.onopen = null;
-      this.socket.close();
-      this.socket = undefined;
-    }
+    this.dropSocket();
     this.setState('stopped', '');
+  }
+
+  /** Asks again at once, while waiting for the next attempt. */
+  retryNow(): void {
+    if (this.state !== 'waiting') return;
+    clearTimeout(this.retry);
+    this.connect();
   }
 
   send(input: Input): void {
@@ -109,8 +121,19 @@ export class Connection {
     this.events.state(state, why);
   }
 
+  private dropSocket(): void {
+    clearInterval(this.timer);
+    if (!this.socket) return;
+    this.socket.onclose = this.socket.onmessage = this.socket.onopen = null;
+    this.socket.close();
+    this.socket = undefined;
+  }
+
   private connect(): void {
     this.setState('connecting', '');
+    this.lastNotice = undefined;
+    this.playingSince = 0;
+    this.lastHeard = nowUs();
     const socket = this.open(this.url);
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
@@ -118,14 +141,30 @@ export class Connection {
       this.sendMessage({ case: 'hello', value: { protocol: PROTOCOL, world: this.world, name: 'browser' } });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
-    socket.onclose = (event) => this.closed(event.reason);
+    socket.onclose = (event) => this.closed(event.code, event.reason);
+    this.timer = setInterval(() => this.pump(), BATCH_MS);
   }
 
-  private closed(reason: string): void {
-    clearInterval(this.timer);
-    this.socket = undefined;
-    const why = this.notice || reason || 'the connection was lost';
-    this.notice = '';
+  /** The server ended it, or nobody is there. */
+  private closed(code: number, reason: string): void {
+    const notice = this.lastNotice;
+    const last = notice?.code === NoticeCode.DRAINING ? reason || notice.message : notice?.message || reason;
+    const why = last || (this.playingSince > 0 ? 'the connection was lost' : 'the server does not answer');
+    // A world that is gone, or that would not have us, will not change its mind.
+    const forGood =
+      notice?.code === NoticeCode.WORLD_CLOSED ||
+      (notice?.code === NoticeCode.REFUSED && code === POLICY && this.playingSince === 0);
+    if (forGood) {
+      this.dropSocket();
+      this.setState('stopped', why);
+    } else {
+      this.comeBack(why);
+    }
+  }
+
+  private comeBack(why: string): void {
+    this.dropSocket();
+    if (this.playingSince > 0 && nowUs() - this.playingSince > SETTLED_MS * 1000) this.attempt = 0;
     const pause = PAUSES_MS[Math.min(this.attempt++, PAUSES_MS.length - 1)]!;
     this.setState('waiting', why);
     this.retry = setTimeout(() => this.connect(), pause);
@@ -137,7 +176,13 @@ export class Connection {
 
   private receive(bytes: Uint8Array): void {
     this.bytesReceived += bytes.length;
-    const { message } = fromBinary(ServerMessageSchema, bytes);
+    this.lastHeard = nowUs();
+    let message: ServerMessage['message'];
+    try {
+      message = fromBinary(ServerMessageSchema, bytes).message;
+    } catch {
+      return this.comeBack('the server sent what this viewer cannot read');
+    }
     switch (message.case) {
       case 'welcome':
         return this.onWelcome(message.value);
@@ -154,18 +199,25 @@ export class Connection {
       case 'stats':
         return this.events.stats(message.value);
       case 'notice':
-        if (message.value.code !== NoticeCode.RATE_LIMIT) this.notice = message.value.message;
-        return;
+        return this.onNotice(message.value);
     }
+  }
+
+  private onNotice(notice: Notice): void {
+    // The others end the stream, and are shown as what ended it.
+    if (notice.code === NoticeCode.RATE_LIMIT || notice.code === NoticeCode.DRAINING)
+      this.events.notice(notice.message);
+    if (notice.code !== NoticeCode.RATE_LIMIT) this.lastNotice = notice;
   }
 
   private onWelcome(welcome: Welcome): void {
     this.welcome = welcome;
-    if (welcome.quant)
-      this.spec = {
-        unitsPerMeter: welcome.quant.unitsPerMeter,
-        rotationComponent: welcome.quant.rotationComponent,
-      };
+    const { unitsPerMeter, rotationComponent } = welcome.quant ?? { unitsPerMeter: 512, rotationComponent: 511 };
+    this.spec = { unitsPerMeter, rotationComponent };
+    if (!isSound(this.spec)) {
+      this.dropSocket();
+      return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
+    }
     this.frames.clear();
     this.delay.reset();
     this.clock.reset();
@@ -173,10 +225,9 @@ export class Connection {
     this.inputs = [];
     this.nextSequence = 1;
     this.needKeyframe = this.ackDue = false;
-    this.attempt = 0;
     this.lastPing = 0;
+    this.playingSince = nowUs();
     this.setState('playing', '');
-    this.timer = setInterval(() => this.pump(), BATCH_MS);
     this.pump();
   }
 
@@ -223,9 +274,11 @@ export class Connection {
     this.sendMessage({ case: 'ack', value: this.ack() });
   }
 
-  /** Thirty times a second: what is to be said. */
+  /** Thirty times a second: what is to be said, and whether anybody is still there. */
   private pump(): void {
     const now = nowUs();
+    if (now - this.lastHeard > SILENCE_MS * 1000) return this.comeBack('the server does not answer');
+    if (this.state !== 'playing') return;
     if (now - this.lastPing >= PING_MS * 1000) {
       this.lastPing = now;
       this.sendMessage({ case: 'ping', value: { clientTimeUs: BigInt(Math.round(now)) } });

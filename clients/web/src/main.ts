@@ -41,10 +41,12 @@ const connection = new Connection(websocketUrl(), {
     const name = connection.welcome?.worldName ?? '';
     stateLine.textContent = state === 'playing' ? `in ${name}` : [why, STATE_WORDS[state]].filter(Boolean).join(' — ');
     stateLine.className = state;
+    if (state === 'stopped' && why) void worlds.show();
   },
   roster: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
   stats: (stats) => statsPanel.update(stats),
   refused: (result) => toasts.say(result.message || 'the server refused that'),
+  notice: (text) => toasts.say(text),
 });
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const tools = new Tools(canvas, camera, view, connection);

@@ -33,12 +33,19 @@ export class WorldsPanel {
   ) {}
 
   async toggle(): Promise<void> {
-    this.panel.hidden = !this.panel.hidden;
-    if (!this.panel.hidden) await this.refresh();
+    if (this.panel.hidden) await this.show();
+    else this.panel.hidden = true;
+  }
+
+  async show(): Promise<void> {
+    this.panel.hidden = false;
+    await this.refresh();
   }
 
   private async ask(path: string, init?: RequestInit): Promise<unknown> {
-    const response = await fetch(path, init);
+    const response = await fetch(path, init).catch(() => {
+      throw new Error('the server does not answer');
+    });
     const text = await response.text();
     let answer: { message?: string } = {};
     try {

@@ -10,6 +10,7 @@
 #include "jostle/physics/tuning.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
+#include "json_place.h"
 #include "scene_json.h"
 
 namespace jostle::scenes {
@@ -20,6 +21,10 @@ namespace {
 
 constexpr std::size_t bodies_max = 200000;  // after repeats
 constexpr std::size_t shapes_max = 64;      // of one body
+// A short file may ask for much: what repeats multiply is bounded as a whole.
+constexpr std::size_t all_shapes_max = 400000;
+constexpr std::size_t name_bytes_max = 64;
+constexpr std::size_t description_bytes_max = 1000;
 constexpr std::uint32_t repeat_max = 100000;
 constexpr std::size_t file_bytes_max = 64u << 20;
 
@@ -42,8 +47,10 @@ public:
 
     SceneDescription scene(const v1::Scene& m) {
         SceneDescription out{.name = m.name(), .description = m.description()};
-        if (m.name().empty() || m.name().size() > 64)
+        if (m.name().empty() || m.name().size() > name_bytes_max)
             note("name", "must be a text of 1 to 64 bytes");
+        if (m.description().size() > description_bytes_max)
+            note("description", "must be a text of at most 1000 bytes");
         world(out, m.world());
         for (int i = 0; i < m.bodies_size() && !fault_; i++)
             body(out, m.bodies(i), "bodies[" + std::to_string(i) + "]");
@@ -65,10 +72,10 @@ private:
                 number(path + ".y", v.y(), -limit, limit),
                 number(path + ".z", v.z(), -limit, limit)};
     }
-    Quat rotation(const std::string& path, const v1::Quat& m) {
+    Quat rotation(const std::string& path, bool given, const v1::Quat& m) {
+        if (!given) return {};
         const Quat q{m.x(), m.y(), m.z(), m.w()};
         const double norm = norm_squared(q);
-        if (norm == 0) return {};
         if (!is_finite(norm) || norm < 1e-6 || norm > 1e6)
             note(path, "is no rotation; give x, y, z, w of a unit quaternion");
         return q;
@@ -117,7 +124,7 @@ private:
         ShapeDef def;
         if (const auto g = geometry(path, m)) def.geometry = *g;
         def.pose = {vector(path + ".position", m.position(), max_shape_size),
-                    rotation(path + ".rotation", m.rotation())};
+                    rotation(path + ".rotation", m.has_rotation(), m.rotation())};
         if (m.has_density())
             def.density = number(path + ".density", m.density(), 1e-3, tuning::max_density);
         if (m.has_friction())
@@ -130,6 +137,8 @@ private:
     }
 
     void body(SceneDescription& scene, const v1::Body& m, const std::string& path) {
+        if (m.name().size() > name_bytes_max)
+            return note(path + ".name", "must be a text of at most 64 bytes");
         SceneBody out{.name = m.name(), .body = {}, .shapes = {}, .color = {}};
         switch (m.type()) {
             case v1::BODY_TYPE_FIXED:
@@ -146,7 +155,7 @@ private:
         }
         BodyDef& b = out.body;
         b.pose = {vector(path + ".position", m.position(), tuning::max_coordinate),
-                  rotation(path + ".rotation", m.rotation())};
+                  rotation(path + ".rotation", m.has_rotation(), m.rotation())};
         b.linear_velocity =
             vector(path + ".linear_velocity", m.linear_velocity(), tuning::max_speed);
         b.angular_velocity =
@@ -196,12 +205,17 @@ private:
         if (fault_) return;
         if (scene.bodies.size() + offsets.size() > bodies_max)
             return note(path, "makes more than " + std::to_string(bodies_max) + " bodies in all");
+        shapes_ += offsets.size() * body.shapes.size();
+        if (shapes_ > all_shapes_max)
+            return note(path,
+                        "makes more than " + std::to_string(all_shapes_max) + " shapes in all");
         for (const Vec3 offset : offsets) {
             scene.bodies.push_back(body);
             scene.bodies.back().body.pose.position += offset;
         }
     }
 
+    std::size_t shapes_ = 0;  // after repeats
     std::optional<Fault> fault_;
 };
 
@@ -273,6 +287,8 @@ Result<SceneDescription> from_message(const v1::Scene& message) {
 }
 
 Result<SceneDescription> read_scene_json(std::string_view text) {
+    // The mark that some editors put before UTF-8 text.
+    if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
     if (const auto fault = find_json_fault(text, *v1::Scene::descriptor())) return invalid(*fault);
     v1::Scene message;
     const auto parsed =
@@ -281,7 +297,7 @@ Result<SceneDescription> read_scene_json(std::string_view text) {
     Reader reader;
     SceneDescription scene = reader.scene(message);
     if (!reader.fault()) return scene;
-    const int line = line_of(text, reader.fault()->path);
+    const int line = line_of(text, place_of(reader.fault()->path));
     return invalid((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
                    reader.fault()->path + ": " + reader.fault()->what);
 }

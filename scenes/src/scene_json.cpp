@@ -4,8 +4,12 @@
 #include <google/protobuf/descriptor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
+
+#include "json_place.h"
 
 namespace jostle::scenes {
 
@@ -53,190 +57,162 @@ std::string suggestion(const Descriptor& message, const std::string& wrong) {
     return "its fields are " + fields_of(message);
 }
 
+std::string fault_at(std::string_view text, const JsonPlace& place, const std::string& what) {
+    const int line = line_of(text, place);
+    return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
+           (place.empty() ? "the scene" : to_text(place)) + ": " + what;
+}
+
+// Follows the parser through the text: knows where it is when it throws, and sees keys that come
+// twice, of which the parsed value keeps only one.
+class Follower {
+public:
+    void on(json::parse_event_t event, const json& parsed) {
+        switch (event) {
+            case json::parse_event_t::object_start:
+                levels_.push_back({});
+                return;
+            case json::parse_event_t::array_start:
+                levels_.push_back({.step = {.key = {}, .in_list = true}, .keys = {}});
+                return;
+            case json::parse_event_t::key:
+                levels_.back().step.key = parsed.get<std::string>();
+                if (!levels_.back().keys.insert(levels_.back().step.key).second && !twice_)
+                    twice_ = place();
+                return;
+            case json::parse_event_t::object_end:
+            case json::parse_event_t::array_end:
+                levels_.pop_back();
+                break;
+            case json::parse_event_t::value:
+                break;
+        }
+        if (!levels_.empty() && levels_.back().step.in_list) levels_.back().step.index++;
+    }
+    JsonPlace place() const {
+        JsonPlace place;
+        for (const Level& level : levels_) place.push_back(level.step);
+        return place;
+    }
+    const std::optional<JsonPlace>& twice() const { return twice_; }
+
+private:
+    struct Level {
+        JsonStep step;
+        std::set<std::string> keys;
+    };
+    std::vector<Level> levels_;
+    std::optional<JsonPlace> twice_;
+};
+
 class Walker {
 public:
     explicit Walker(std::string_view text) : text_(text) {}
 
-    std::optional<std::string> walk(const json& value, const Descriptor& message,
-                                    const std::string& path) {
+    std::optional<std::string> walk(const json& value, const Descriptor& message) {
         if (!value.is_object())
-            return fault(path, std::string("must be an object {...}, not ") + value.type_name());
+            return fault(std::string("must be an object {...}, not ") + value.type_name());
+        std::set<int> given;  // numbers of fields, and of kinds of which one may be given
         for (const auto& [key, inner] : value.items()) {
-            const std::string at = path.empty() ? key : path + "." + key;
+            place_.push_back({.key = key});
             const FieldDescriptor* field = message.FindFieldByName(key);
             if (!field) field = message.FindFieldByCamelcaseName(key);
-            if (!field) return fault(at, "there is no such field; " + suggestion(message, key));
-            if (auto found = check_field(inner, *field, at)) return found;
+            if (!field) return fault("there is no such field; " + suggestion(message, key));
+            if (!given.insert(field->number()).second)
+                return fault("is given twice, in two spellings; leave one out");
+            const auto* choice = field->real_containing_oneof();
+            if (choice && !given.insert(-1 - choice->index()).second)
+                return fault("is one " + choice->name() + " too many; give one only");
+            if (auto found = check_field(inner, *field)) return found;
+            place_.pop_back();
         }
         return {};
     }
 
 private:
-    std::optional<std::string> fault(const std::string& path, const std::string& what) const {
-        const int line = line_of(text_, path);
-        return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-               (path.empty() ? "the scene" : path) + ": " + what;
+    std::optional<std::string> fault(const std::string& what) const {
+        return fault_at(text_, place_, what);
     }
 
-    std::optional<std::string> check_field(const json& value, const FieldDescriptor& field,
-                                           const std::string& path) {
-        if (!field.is_repeated()) return check_value(value, field, path);
+    std::optional<std::string> check_field(const json& value, const FieldDescriptor& field) {
+        if (!field.is_repeated()) return check_value(value, field);
         if (!value.is_array())
-            return fault(path, std::string("must be a list [...], not ") + value.type_name());
-        for (std::size_t i = 0; i < value.size(); i++)
-            if (auto found = check_value(value[i], field, path + "[" + std::to_string(i) + "]"))
-                return found;
+            return fault(std::string("must be a list [...], not ") + value.type_name());
+        for (std::size_t i = 0; i < value.size(); i++) {
+            place_.push_back({.key = {}, .index = i, .in_list = true});
+            if (auto found = check_value(value[i], field)) return found;
+            place_.pop_back();
+        }
         return {};
     }
 
-    std::optional<std::string> check_value(const json& value, const FieldDescriptor& field,
-                                           const std::string& path) {
+    std::optional<std::string> check_value(const json& value, const FieldDescriptor& field) {
         switch (field.cpp_type()) {
             case FieldDescriptor::CPPTYPE_MESSAGE:
-                return walk(value, *field.message_type(), path);
+                return walk(value, *field.message_type());
             case FieldDescriptor::CPPTYPE_DOUBLE:
             case FieldDescriptor::CPPTYPE_FLOAT:
                 if (value.is_number()) return {};
-                return fault(path, std::string("must be a number, not ") + value.type_name());
+                return fault(std::string("must be a number, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_BOOL:
                 if (value.is_boolean()) return {};
-                return fault(path, std::string("must be true or false, not ") + value.type_name());
+                return fault(std::string("must be true or false, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_STRING:
                 if (value.is_string()) return {};
-                return fault(path,
-                             std::string("must be a text in quotes, not ") + value.type_name());
+                return fault(std::string("must be a text in quotes, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_ENUM:
-                return check_enum(value, field, path);
+                return check_enum(value, field);
             default:
-                if (value.is_number_unsigned() && value.get<std::uint64_t>() <= 0xffffffffull)
-                    return {};
-                return fault(path, "must be a whole number from 0 to 4294967295");
+                if (is_whole(value)) return {};
+                return fault("must be a whole number from 0 to 4294967295");
         }
     }
 
-    std::optional<std::string> check_enum(const json& value, const FieldDescriptor& field,
-                                          const std::string& path) {
+    // 8 and 8.0 are the same number.
+    static bool is_whole(const json& value) {
+        if (!value.is_number()) return false;
+        const double x = value.get<double>();
+        return x == std::floor(x) && 0 <= x && x <= 4294967295.0;
+    }
+
+    std::optional<std::string> check_enum(const json& value, const FieldDescriptor& field) {
         std::string names;
         for (int i = 1; i < field.enum_type()->value_count(); i++) {
             const std::string& name = field.enum_type()->value(i)->name();
             if (value.is_string() && value.get<std::string>() == name) return {};
             names += (i == 1 ? "" : ", ") + name;
         }
-        return fault(path, "must be one of " + names);
+        return fault("must be one of " + names);
     }
 
     std::string_view text_;
+    JsonPlace place_;
 };
 
-// Walks JSON text that is known to be well-formed, far enough to find one value.
-class Locator {
-public:
-    explicit Locator(std::string_view text) : text_(text) {}
-
-    int find(std::string_view path) {
-        skip_space();
-        while (!path.empty()) {
-            if (path.front() == '.') path.remove_prefix(1);
-            const std::size_t end = path.front() == '['
-                                        ? path.find(']') + 1
-                                        : std::min(path.find_first_of(".["), path.size());
-            const std::string_view step = path.substr(0, end);
-            path.remove_prefix(end);
-            if (!(step.front() == '[' ? enter_item(std::stoul(std::string(step.substr(1))))
-                                      : enter_key(step)))
-                return 0;
-        }
-        return 1 + static_cast<int>(std::count(
-                       text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
-    }
-
-private:
-    char now() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-    void skip_space() {
-        while (at_ < text_.size() &&
-               (now() == ' ' || now() == '\n' || now() == '\t' || now() == '\r'))
-            at_++;
-    }
-    std::string_view take_string() {
-        const std::size_t begin = ++at_;
-        while (at_ < text_.size() && now() != '"') at_ += now() == '\\' ? 2 : 1;
-        const std::string_view inside = text_.substr(begin, std::min(at_, text_.size()) - begin);
-        at_++;
-        return inside;
-    }
-    void skip_value() {
-        int depth = 0;
-        do {
-            skip_space();
-            if (now() == '"') {
-                take_string();
-            } else if (now() == '{' || now() == '[') {
-                depth++;
-                at_++;
-            } else if (now() == '}' || now() == ']') {
-                depth--;
-                at_++;
-            } else if (now() == ',' || now() == ':') {
-                at_++;
-                continue;
-            } else {
-                while (at_ < text_.size() &&
-                       std::string_view(",:]} \n\t\r").find(now()) == std::string_view::npos)
-                    at_++;
-            }
-        } while (depth > 0 && at_ < text_.size());
-    }
-    bool enter_key(std::string_view key) {
-        if (now() != '{') return false;
-        at_++;
-        for (skip_space(); now() == '"'; skip_space()) {
-            const std::string_view found = take_string();
-            skip_space();
-            at_++;  // the colon
-            skip_space();
-            if (found == key) return true;
-            skip_value();
-            skip_space();
-            if (now() == ',') at_++;
-        }
-        return false;
-    }
-    bool enter_item(std::size_t index) {
-        if (now() != '[') return false;
-        at_++;
-        skip_space();
-        for (std::size_t i = 0; i < index; i++) {
-            skip_value();
-            skip_space();
-            if (now() != ',') return false;
-            at_++;
-            skip_space();
-        }
-        return now() != ']';
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-};
+// nlohmann says "[json.exception.parse_error.101] parse error at line 3, column 5: ...": what
+// stands behind the bracket.
+std::string without_prefix(const std::string& what) {
+    const std::size_t at = what.find("] ");
+    return at == std::string::npos ? what : what.substr(at + 2);
+}
 
 }  // namespace
 
-int line_of(std::string_view text, std::string_view path) {
-    return Locator(text).find(path);
-}
-
 std::optional<std::string> find_json_fault(std::string_view text, const Descriptor& message) {
+    Follower follower;
     json parsed;
     try {
-        parsed = json::parse(text);
-    } catch (const json::parse_error& error) {
-        // "[json.exception.parse_error.101] parse error at line 3, column 5: ...": what stands
-        // behind the bracket.
-        const std::string what = error.what();
-        const std::size_t at = what.find("] ");
-        return "this is not JSON: " + (at == std::string::npos ? what : what.substr(at + 2));
+        parsed = json::parse(text, [&](int, json::parse_event_t event, const json& value) {
+            follower.on(event, value);
+            return true;
+        });
+    } catch (const json::out_of_range&) {
+        return fault_at(text, follower.place(), "is too large a number");
+    } catch (const json::exception& error) {
+        return "this is not JSON: " + without_prefix(error.what());
     }
-    return Walker(text).walk(parsed, message, {});
+    if (follower.twice()) return fault_at(text, *follower.twice(), "is given twice; leave one out");
+    return Walker(text).walk(parsed, message);
 }
 
 }  // namespace jostle::scenes

@@ -20,8 +20,4 @@ namespace jostle::scenes {
 std::optional<std::string> find_json_fault(std::string_view text,
                                            const google::protobuf::Descriptor& message);
 
-// The line (from 1) on which the value at a path like "bodies[2].position.x" begins; 0 when the
-// text has no such value.
-int line_of(std::string_view text, std::string_view path);
-
 }  // namespace jostle::scenes

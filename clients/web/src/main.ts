@@ -116,6 +116,7 @@ renderer.setAnimationLoop(() => {
   camera.controls.update();
   if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
   view.update(drawn);
+  view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   renderer.render(view.scene, camera.camera);
   statsPanel.pictureDrawn();
 });

@@ -1,0 +1,97 @@
+// Instances of one geometry: slots are taken and given back, so that a body that comes or goes costs its own parts only.
+
+import * as THREE from 'three';
+
+const FIRST_ROOM = 64;
+const NOWHERE = new THREE.Matrix4().makeScale(0, 0, 0);
+
+export class Instances {
+  mesh: THREE.InstancedMesh;
+  private entities = new Uint32Array(FIRST_ROOM);
+  private free: number[] = [];
+  private used = 0;
+  private moved = false;
+  private painted = false;
+
+  constructor(
+    private readonly scene: THREE.Scene,
+    geometry: THREE.BufferGeometry,
+    material: THREE.Material,
+    private readonly castShadow: boolean,
+  ) {
+    this.mesh = this.makeMesh(geometry, material, FIRST_ROOM);
+  }
+
+  private makeMesh(geometry: THREE.BufferGeometry, material: THREE.Material, room: number): THREE.InstancedMesh {
+    const mesh = new THREE.InstancedMesh(geometry, material, room);
+    mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
+    mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(room * 3).fill(1), 3);
+    mesh.castShadow = this.castShadow;
+    mesh.receiveShadow = true;
+    mesh.frustumCulled = false; // instances are all over the place
+    mesh.count = 0;
+    mesh.userData['instances'] = this;
+    this.scene.add(mesh);
+    return mesh;
+  }
+
+  /** A slot for a part of that entity; invisible until it is placed. */
+  take(entity: number): number {
+    const slot = this.free.pop() ?? this.mesh.count;
+    if (slot === this.mesh.instanceMatrix.count) this.grow();
+    if (slot === this.mesh.count) this.mesh.count++;
+    this.used++;
+    this.entities[slot] = entity;
+    this.place(slot, NOWHERE);
+    return slot;
+  }
+
+  giveBack(slot: number): void {
+    this.place(slot, NOWHERE);
+    this.entities[slot] = 0;
+    this.used--;
+    this.free.push(slot);
+    if (this.used > 0) return;
+    this.free = [];
+    this.mesh.count = 0;
+  }
+
+  entityAt(slot: number): number {
+    return this.entities[slot] ?? 0;
+  }
+
+  place(slot: number, matrix: THREE.Matrix4): void {
+    matrix.toArray(this.mesh.instanceMatrix.array, slot * 16);
+    this.moved = true;
+  }
+
+  paint(slot: number, color: THREE.Color): void {
+    color.toArray(this.mesh.instanceColor!.array, slot * 3);
+    this.painted = true;
+  }
+
+  /** Tells the graphics processor what changed since the last picture. */
+  publish(): void {
+    if (this.moved) {
+      this.mesh.instanceMatrix.needsUpdate = true;
+      this.mesh.boundingSphere = null; // picking computes it anew
+    }
+    if (this.painted) this.mesh.instanceColor!.needsUpdate = true;
+    this.moved = this.painted = false;
+  }
+
+  private grow(): void {
+    const old = this.mesh;
+    const room = old.instanceMatrix.count * 2;
+    this.scene.remove(old);
+    this.mesh = this.makeMesh(old.geometry, old.material as THREE.Material, room);
+    this.mesh.count = old.count;
+    this.mesh.instanceMatrix.array.set(old.instanceMatrix.array);
+    this.mesh.instanceColor!.array.set(old.instanceColor!.array);
+    const entities = new Uint32Array(room);
+    entities.set(this.entities);
+    this.entities = entities;
+    this.moved = this.painted = true;
+    old.dispose();
+  }
+}

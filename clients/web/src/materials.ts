@@ -1,0 +1,89 @@
+// How bodies are painted. Marks that show which way a body is turned are drawn by the shader from where a pixel lies on the
+// unit geometry, so that instances of every size share one: dark edges on boxes, a belt on balls, lines on the ground.
+
+import * as THREE from 'three';
+import type { Kind } from './shape_parts';
+
+const VERTEX_HEAD = `
+varying vec3 vUnit;  // on the unit geometry
+varying vec3 vSize;  // m from its middle to its side
+`;
+const VERTEX_BODY = `
+vUnit = position;
+vSize = vec3(length(instanceMatrix[0].xyz), length(instanceMatrix[1].xyz), length(instanceMatrix[2].xyz));
+`;
+
+const EDGES = `
+vec3 inward = (1.0 - abs(vUnit)) * vSize;
+float toEdge = max(min(inward.x, inward.y), min(max(inward.x, inward.y), inward.z));
+float width = 0.018;
+float blur = max(fwidth(toEdge), 1e-5);
+float edge = (1.0 - smoothstep(width - blur, width + blur, toEdge)) * min(1.0, width / blur);
+diffuseColor.rgb *= 1.0 - 0.45 * edge;
+`;
+const BELT = `
+float across = abs(vUnit.y);
+float soft = max(fwidth(across), 1e-5);
+float belt = 1.0 - smoothstep(0.26 - soft, 0.26 + soft, across);
+diffuseColor.rgb = mix(diffuseColor.rgb, vec3(1.0), 0.42 * belt);
+`;
+const LINES = `
+vec2 metres = vUnit.xz * vSize.xz;
+for (int i = 0; i < 2; i++) {
+  float spacing = i == 0 ? 1.0 : 5.0;
+  vec2 at = metres / spacing;
+  vec2 blur = max(fwidth(at), vec2(1e-6));
+  vec2 away = abs(fract(at - 0.5) - 0.5) / blur;
+  vec2 line = (1.0 - min(away, 1.0)) * (1.0 - smoothstep(0.15, 0.5, blur));
+  diffuseColor.rgb *= 1.0 - (i == 0 ? 0.10 : 0.16) * max(line.x, line.y);
+}
+`;
+const MARKS: Partial<Record<Kind, string>> = { box: EDGES, sphere: BELT, slab: LINES, plane: LINES };
+
+export function materialFor(kind: Kind): THREE.Material {
+  const ground = kind === 'slab' || kind === 'plane';
+  const material = new THREE.MeshStandardMaterial({ roughness: ground ? 0.95 : 0.6, metalness: 0 });
+  const marks = MARKS[kind];
+  if (marks === undefined) return material;
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', `#include <common>${VERTEX_HEAD}`)
+      .replace('#include <begin_vertex>', `#include <begin_vertex>${VERTEX_BODY}`);
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', `#include <common>${VERTEX_HEAD}`)
+      .replace('#include <color_fragment>', `#include <color_fragment>${marks}`);
+  };
+  material.customProgramCacheKey = () => marks;
+  return material;
+}
+
+/** The sky: the colour of the fog at the horizon, darker above. */
+export function makeSky(horizon: THREE.Color, above: THREE.Color): THREE.Mesh {
+  const material = new THREE.ShaderMaterial({
+    side: THREE.BackSide,
+    depthWrite: false,
+    depthTest: false,
+    fog: false,
+    toneMapped: false,
+    uniforms: { horizon: { value: horizon }, above: { value: above } },
+    vertexShader: `
+      varying vec3 vDirection;
+      void main() {
+        vDirection = position;
+        gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * position, 1.0);
+      }`,
+    fragmentShader: `
+      uniform vec3 horizon;
+      uniform vec3 above;
+      varying vec3 vDirection;
+      void main() {
+        float height = max(0.0, normalize(vDirection).y);
+        gl_FragColor = vec4(mix(horizon, above, pow(min(1.0, height * 2.2), 0.7)), 1.0);
+        #include <colorspace_fragment>
+      }`,
+  });
+  const sky = new THREE.Mesh(new THREE.SphereGeometry(100, 24, 16), material);
+  sky.frustumCulled = false;
+  sky.renderOrder = -1;
+  return sky;
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "json_place.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace jostle::scenes {
+
+namespace {
+
+// The other spelling that protobuf's JSON allows: halfLength for half_length.
+std::string camel_case(const std::string& key) {
+    std::string out;
+    bool upper = false;
+    for (const char c : key) {
+        if (c == '_') {
+            upper = true;
+            continue;
+        }
+        out += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        upper = false;
+    }
+    return out;
+}
+
+// A key as a message may show it: no control characters, no end of it out of sight.
+std::string shown(const std::string& key) {
+    constexpr std::size_t longest = 64;
+    std::string out = key.substr(0, longest);
+    for (char& c : out)
+        if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = '?';
+    return key.size() > longest ? out + "..." : out;
+}
+
+// Walks JSON text that is known to be well-formed, far enough to find one value.
+class Locator {
+public:
+    explicit Locator(std::string_view text) : text_(text) {}
+
+    // The line of the value, 0 when it is not there.
+    int find(const JsonPlace& place) {
+        skip_space();
+        for (const JsonStep& step : place)
+            if (!(step.in_list ? enter_item(step.index) : enter_key(step.key))) return 0;
+        return 1 + static_cast<int>(std::count(
+                       text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
+    }
+
+private:
+    char now() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+    void skip_space() {
+        while (at_ < text_.size() &&
+               (now() == ' ' || now() == '\n' || now() == '\t' || now() == '\r'))
+            at_++;
+    }
+    std::string_view take_string() {
+        const std::size_t begin = ++at_;
+        while (at_ < text_.size() && now() != '"') at_ += now() == '\\' ? 2 : 1;
+        const std::string_view inside = text_.substr(begin, std::min(at_, text_.size()) - begin);
+        at_++;
+        return inside;
+    }
+    void skip_value() {
+        int depth = 0;
+        do {
+            skip_space();
+            if (now() == '"') {
+                take_string();
+            } else if (now() == '{' || now() == '[') {
+                depth++;
+                at_++;
+            } else if (now() == '}' || now() == ']') {
+                depth--;
+                at_++;
+            } else if (now() == ',' || now() == ':') {
+                at_++;
+                continue;
+            } else {
+                while (at_ < text_.size() &&
+                       std::string_view(",:]} \n\t\r").find(now()) == std::string_view::npos)
+                    at_++;
+            }
+        } while (depth > 0 && at_ < text_.size());
+    }
+    bool enter_key(const std::string& key) {
+        if (now() != '{') return false;
+        const std::string other = camel_case(key);
+        at_++;
+        for (skip_space(); now() == '"'; skip_space()) {
+            const std::string_view found = take_string();
+            skip_space();
+            at_++;  // the colon
+            skip_space();
+            if (found == key || found == other) return true;
+            skip_value();
+            skip_space();
+            if (now() == ',') at_++;
+        }
+        return false;
+    }
+    bool enter_item(std::size_t index) {
+        if (now() != '[') return false;
+        at_++;
+        skip_space();
+        for (std::size_t i = 0; i < index; i++) {
+            skip_value();
+            skip_space();
+            if (now() != ',') return false;
+            at_++;
+            skip_space();
+        }
+        return now() != ']';
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::string to_text(const JsonPlace& place) {
+    std::string out;
+    for (const JsonStep& step : place) {
+        if (step.in_list)
+            out += "[" + std::to_string(step.index) + "]";
+        else
+            out += (out.empty() ? "" : ".") + shown(step.key);
+    }
+    return out;
+}
+
+JsonPlace place_of(std::string_view path) {
+    JsonPlace place;
+    std::size_t at = 0;
+    while (at < path.size()) {
+        if (path[at] == '[') {
+            std::size_t index = 0;
+            for (at++; at < path.size() && path[at] != ']'; at++)
+                index = 10 * index + static_cast<std::size_t>(path[at] - '0');
+            at++;
+            place.push_back({.key = {}, .index = index, .in_list = true});
+            continue;
+        }
+        if (path[at] == '.') at++;
+        const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
+        place.push_back({.key = std::string(path.substr(at, end - at))});
+        at = end;
+    }
+    return place;
+}
+
+int line_of(std::string_view text, const JsonPlace& place) {
+    return Locator(text).find(place);
+}
+
+}  // namespace jostle::scenes

@@ -38,7 +38,7 @@ physics::ShapeDef plain(physics::ShapeDef def) {
 Result<BuiltScene> build_scene(const SceneDescription& scene) {
     Result<physics::World> world = physics::World::create(scene.world);
     if (!world.ok()) return Error{world.error().code, "world: " + world.error().message};
-    BuiltScene built{std::move(*world), {}};
+    BuiltScene built{std::move(*world), {}, {}};
     built.bodies.reserve(scene.bodies.size());
     for (std::size_t i = 0; i < scene.bodies.size(); i++) {
         const SceneBody& body = scene.bodies[i];
@@ -56,6 +56,19 @@ Result<BuiltScene> build_scene(const SceneDescription& scene) {
                                {shape.error().code,
                                 "shapes[" + std::to_string(k) + "]: " + shape.error().message});
         built.bodies.push_back(*id);
+    }
+    for (std::size_t i = 0; i < scene.joints.size(); i++) {
+        const SceneJoint& joint = scene.joints[i];
+        physics::JointDef def = joint.joint;
+        def.frame_a = plain(def.frame_a);
+        def.frame_b = plain(def.frame_b);
+        def.body_a = built.bodies.at(joint.body_a);
+        def.body_b = built.bodies.at(joint.body_b);
+        const auto id = built.world.create_joint(def);
+        if (!id.ok())
+            return Error{id.error().code, "joints[" + std::to_string(i) + "] '" + joint.name +
+                                              "': " + id.error().message};
+        built.joints.push_back(*id);
     }
     return built;
 }

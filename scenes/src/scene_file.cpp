@@ -11,7 +11,10 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
 #include "json_place.h"
+#include "joint_message.h"
 #include "scene_json.h"
+#include "jostle/scenes/shape_message.h"
+#include "shape_reader.h"
 
 namespace jostle::scenes {
 
@@ -28,23 +31,27 @@ constexpr std::size_t description_bytes_max = 1000;
 constexpr std::uint32_t repeat_max = 100000;
 constexpr std::size_t file_bytes_max = 64u << 20;
 
-// The first fault found while a message is read, with the path of its field.
-struct Fault {
-    std::string path, what;
-};
+constexpr struct {
+    AxisLocks bit;
+    bool (v1::Locks::*get)() const;
+    void (v1::Locks::*set)(bool);
+} lock_fields[] = {{lock_x, &v1::Locks::x, &v1::Locks::set_x},
+                   {lock_y, &v1::Locks::y, &v1::Locks::set_y},
+                   {lock_z, &v1::Locks::z, &v1::Locks::set_z},
+                   {lock_turn_x, &v1::Locks::turn_x, &v1::Locks::set_turn_x},
+                   {lock_turn_y, &v1::Locks::turn_y, &v1::Locks::set_turn_y},
+                   {lock_turn_z, &v1::Locks::turn_z, &v1::Locks::set_turn_z}};
 
-std::string text_of(double x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", x);
-    return buffer;
+AxisLocks locks_of(const v1::Locks& m) {
+    AxisLocks locks = 0;
+    for (const auto& field : lock_fields)
+        if ((m.*field.get)()) locks = static_cast<AxisLocks>(locks | field.bit);
+    return locks;
 }
 
-// Reads one message, noting the first fault. What comes after a fault is read as well and thrown
-// away.
-class Reader {
+// Reads one message, noting the first fault.
+class Reader : public FieldReader {
 public:
-    const std::optional<Fault>& fault() const { return fault_; }
-
     SceneDescription scene(const v1::Scene& m) {
         SceneDescription out{.name = m.name(), .description = m.description()};
         if (m.name().empty() || m.name().size() > name_bytes_max)
@@ -52,38 +59,14 @@ public:
         if (m.description().size() > description_bytes_max)
             note("description", "must be a text of at most 1000 bytes");
         world(out, m.world());
-        for (int i = 0; i < m.bodies_size() && !fault_; i++)
+        for (int i = 0; i < m.bodies_size() && !failed(); i++)
             body(out, m.bodies(i), "bodies[" + std::to_string(i) + "]");
+        for (int i = 0; i < m.joints_size() && !failed(); i++)
+            read_joint(*this, out, "joints[" + std::to_string(i) + "]", m.joints(i));
         return out;
     }
 
 private:
-    void note(const std::string& path, std::string what) {
-        if (!fault_) fault_ = {path, std::move(what)};
-    }
-    double number(const std::string& path, double x, double low, double high) {
-        if (!(low <= x && x <= high))
-            note(path, text_of(x) + " is out of range; it must be from " + text_of(low) + " to " +
-                           text_of(high));
-        return x;
-    }
-    Vec3 vector(const std::string& path, const v1::Vec3& v, double limit) {
-        return {number(path + ".x", v.x(), -limit, limit),
-                number(path + ".y", v.y(), -limit, limit),
-                number(path + ".z", v.z(), -limit, limit)};
-    }
-    Quat rotation(const std::string& path, bool given, const v1::Quat& m) {
-        if (!given) return {};
-        const Quat q{m.x(), m.y(), m.z(), m.w()};
-        const double norm = norm_squared(q);
-        if (!is_finite(norm) || norm < 1e-6 || norm > 1e6)
-            note(path, "is no rotation; give x, y, z, w of a unit quaternion");
-        return q;
-    }
-    double size(const std::string& path, double x) {
-        return number(path, x, min_shape_size, max_shape_size);
-    }
-
     void world(SceneDescription& out, const v1::WorldSettings& m) {
         if (m.has_gravity()) out.world.gravity = vector("world.gravity", m.gravity(), 1000);
         if (m.has_substeps())
@@ -91,48 +74,35 @@ private:
                 static_cast<int>(number("world.substeps", m.substeps(), 1, tuning::max_substeps));
         if (m.has_hz()) out.hz = number("world.hz", m.hz(), 4, 1000);
         if (m.has_sleeping()) out.world.sleeping = m.sleeping();
+        if (m.has_continuous()) out.world.continuous = m.continuous();
+        out.world.planar = m.planar();
+        out.world.broad_phase = broad_phase(m.broad_phase());
+        if (m.has_hit_speed())
+            out.world.hit_speed = number("world.hit_speed", m.hit_speed(), 0, 1e6);
     }
 
-    std::optional<Geometry> geometry(const std::string& path, const v1::Shape& m) {
-        switch (m.kind_case()) {
-            case v1::Shape::kSphere:
-                return Sphere{size(path + ".sphere.radius", m.sphere().radius())};
-            case v1::Shape::kCapsule:
-                return Capsule{size(path + ".capsule.radius", m.capsule().radius()),
-                               size(path + ".capsule.half_length", m.capsule().half_length())};
-            case v1::Shape::kBox: {
-                const std::string at = path + ".box.half_extents";
-                const v1::Vec3& h = m.box().half_extents();
-                return Box{
-                    {size(at + ".x", h.x()), size(at + ".y", h.y()), size(at + ".z", h.z())}};
-            }
-            case v1::Shape::kPlane: {
-                if (!m.plane().has_normal()) return Plane{};
-                const Vec3 n = vector(path + ".plane.normal", m.plane().normal(), 1e6);
-                if (length(n) < 1e-6)
-                    note(path + ".plane.normal", "is zero; it must have a direction");
-                return Plane{n};
-            }
-            case v1::Shape::KIND_NOT_SET:
-                break;
+    BroadPhase broad_phase(v1::BroadPhase kind) {
+        switch (kind) {
+            case v1::BROAD_PHASE_UNSPECIFIED:
+            case v1::BROAD_PHASE_DYNAMIC_TREE:
+                return BroadPhase::dynamic_tree;
+            case v1::BROAD_PHASE_SORT_AND_SWEEP:
+                return BroadPhase::sort_and_sweep;
+            case v1::BROAD_PHASE_UNIFORM_GRID:
+                return BroadPhase::uniform_grid;
+            default:
+                note("world.broad_phase", "is no broad phase");
         }
-        note(path, "has no kind; give one of sphere, capsule, box, plane");
-        return std::nullopt;
+        return BroadPhase::dynamic_tree;
     }
 
     void shape(SceneBody& out, const v1::Shape& m, const std::string& path) {
-        ShapeDef def;
-        if (const auto g = geometry(path, m)) def.geometry = *g;
-        def.pose = {vector(path + ".position", m.position(), max_shape_size),
-                    rotation(path + ".rotation", m.has_rotation(), m.rotation())};
-        if (m.has_density())
-            def.density = number(path + ".density", m.density(), 1e-3, tuning::max_density);
-        if (m.has_friction())
-            def.material.friction = number(path + ".friction", m.friction(), 0, 100);
-        if (m.has_restitution())
-            def.material.restitution = number(path + ".restitution", m.restitution(), 0, 1);
+        const ShapeDef def = read_shape(*this, path, m);
+        const bool surface = m.has_mesh() || m.has_height_field();
         if (m.has_plane() && out.body.type != BodyType::fixed)
             note(path + ".plane", "is infinite; only a body of type BODY_TYPE_FIXED may have one");
+        if (surface && out.body.type == BodyType::dynamic)
+            note(path, "is a surface without mass; give a dynamic body hulls or a compound");
         out.shapes.push_back(def);
     }
 
@@ -171,13 +141,16 @@ private:
         if (m.has_gravity_scale())
             b.gravity_scale = number(path + ".gravity_scale", m.gravity_scale(), -1e3, 1e3);
         if (m.has_may_sleep()) b.may_sleep = m.may_sleep();
+        if (m.has_continuous()) b.continuous = m.continuous();
+        if (m.has_mass()) b.mass = number(path + ".mass", m.mass(), 1e-9, 1e15);
+        b.locks = locks_of(m.locks());
         if (m.has_color())
             out.color = static_cast<std::uint32_t>(number(path + ".color", m.color(), 0, 0xffffff));
         if (m.shapes_size() == 0)
             note(path + ".shapes", "is empty; give the body at least one shape");
         if (static_cast<std::size_t>(m.shapes_size()) > shapes_max)
             note(path + ".shapes", "has more than " + std::to_string(shapes_max) + " shapes");
-        for (int i = 0; i < m.shapes_size() && !fault_; i++)
+        for (int i = 0; i < m.shapes_size() && !failed(); i++)
             shape(out, m.shapes(i), path + ".shapes[" + std::to_string(i) + "]");
         add_copies(scene, out, m, path);
     }
@@ -186,12 +159,12 @@ private:
     void add_copies(SceneDescription& scene, const SceneBody& body, const v1::Body& m,
                     const std::string& path) {
         std::vector<Vec3> offsets{{}};
-        for (int i = 0; i < m.repeat_size() && !fault_; i++) {
+        for (int i = 0; i < m.repeat_size() && !failed(); i++) {
             const std::string at = path + ".repeat[" + std::to_string(i) + "]";
             const auto count =
                 static_cast<std::size_t>(number(at + ".count", m.repeat(i).count(), 1, repeat_max));
             const Vec3 step = vector(at + ".offset", m.repeat(i).offset(), 1e6);
-            if (fault_) return;
+            if (failed()) return;
             if (offsets.size() * count > bodies_max)
                 return note(at + ".count",
                             "makes more than " + std::to_string(bodies_max) + " bodies");
@@ -202,7 +175,7 @@ private:
                     all.push_back(offset + step * static_cast<double>(k));
             offsets = std::move(all);
         }
-        if (fault_) return;
+        if (failed()) return;
         if (scene.bodies.size() + offsets.size() > bodies_max)
             return note(path, "makes more than " + std::to_string(bodies_max) + " bodies in all");
         shapes_ += offsets.size() * body.shapes.size();
@@ -216,45 +189,10 @@ private:
     }
 
     std::size_t shapes_ = 0;  // after repeats
-    std::optional<Fault> fault_;
 };
 
 Error invalid(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
-}
-
-v1::Vec3 to_message(Vec3 v) {
-    v1::Vec3 out;
-    out.set_x(v.x);
-    out.set_y(v.y);
-    out.set_z(v.z);
-    return out;
-}
-v1::Quat to_message(Quat q) {
-    v1::Quat out;
-    out.set_x(q.x);
-    out.set_y(q.y);
-    out.set_z(q.z);
-    out.set_w(q.w);
-    return out;
-}
-
-void write_shape(v1::Shape& out, const ShapeDef& def) {
-    if (const auto* sphere = std::get_if<Sphere>(&def.geometry))
-        out.mutable_sphere()->set_radius(sphere->radius);
-    if (const auto* capsule = std::get_if<Capsule>(&def.geometry)) {
-        out.mutable_capsule()->set_radius(capsule->radius);
-        out.mutable_capsule()->set_half_length(capsule->half_length);
-    }
-    if (const auto* box = std::get_if<Box>(&def.geometry))
-        *out.mutable_box()->mutable_half_extents() = to_message(box->half_extents);
-    if (const auto* plane = std::get_if<Plane>(&def.geometry))
-        *out.mutable_plane()->mutable_normal() = to_message(plane->normal);
-    if (!(def.pose.position == Vec3{})) *out.mutable_position() = to_message(def.pose.position);
-    if (!(def.pose.rotation == Quat{})) *out.mutable_rotation() = to_message(def.pose.rotation);
-    out.set_density(def.density);
-    out.set_friction(def.material.friction);
-    out.set_restitution(def.material.restitution);
 }
 
 void write_body(v1::Body& out, const SceneBody& body) {
@@ -263,16 +201,18 @@ void write_body(v1::Body& out, const SceneBody& body) {
     out.set_type(b.type == BodyType::fixed       ? v1::BODY_TYPE_FIXED
                  : b.type == BodyType::kinematic ? v1::BODY_TYPE_KINEMATIC
                                                  : v1::BODY_TYPE_DYNAMIC);
-    *out.mutable_position() = to_message(b.pose.position);
-    if (!(b.pose.rotation == Quat{})) *out.mutable_rotation() = to_message(b.pose.rotation);
-    if (!(b.linear_velocity == Vec3{}))
-        *out.mutable_linear_velocity() = to_message(b.linear_velocity);
-    if (!(b.angular_velocity == Vec3{}))
-        *out.mutable_angular_velocity() = to_message(b.angular_velocity);
+    set(*out.mutable_position(), b.pose.position);
+    if (!(b.pose.rotation == Quat{})) set(*out.mutable_rotation(), b.pose.rotation);
+    if (!(b.linear_velocity == Vec3{})) set(*out.mutable_linear_velocity(), b.linear_velocity);
+    if (!(b.angular_velocity == Vec3{})) set(*out.mutable_angular_velocity(), b.angular_velocity);
     if (b.linear_damping != 0) out.set_linear_damping(b.linear_damping);
     if (b.angular_damping != 0) out.set_angular_damping(b.angular_damping);
     if (b.gravity_scale != 1) out.set_gravity_scale(b.gravity_scale);
     if (!b.may_sleep) out.set_may_sleep(false);
+    if (!b.continuous) out.set_continuous(false);
+    if (b.mass > 0) out.set_mass(b.mass);
+    for (const auto& field : lock_fields)
+        if ((b.locks & field.bit) != 0) (out.mutable_locks()->*field.set)(true);
     if (body.color) out.set_color(*body.color);
     for (const ShapeDef& def : body.shapes) write_shape(*out.add_shapes(), def);
 }
@@ -323,11 +263,19 @@ v1::Scene to_message(const SceneDescription& scene) {
     v1::Scene out;
     out.set_name(scene.name);
     out.set_description(scene.description);
-    *out.mutable_world()->mutable_gravity() = to_message(scene.world.gravity);
+    set(*out.mutable_world()->mutable_gravity(), scene.world.gravity);
+    if (scene.world.planar) out.mutable_world()->set_planar(true);
+    if (!scene.world.continuous) out.mutable_world()->set_continuous(false);
+    if (scene.world.broad_phase == BroadPhase::sort_and_sweep)
+        out.mutable_world()->set_broad_phase(v1::BROAD_PHASE_SORT_AND_SWEEP);
+    if (scene.world.broad_phase == BroadPhase::uniform_grid)
+        out.mutable_world()->set_broad_phase(v1::BROAD_PHASE_UNIFORM_GRID);
+    out.mutable_world()->set_hit_speed(scene.world.hit_speed);
     out.mutable_world()->set_substeps(static_cast<std::uint32_t>(scene.world.substeps));
     out.mutable_world()->set_hz(scene.hz);
     out.mutable_world()->set_sleeping(scene.world.sleeping);
     for (const SceneBody& body : scene.bodies) write_body(*out.add_bodies(), body);
+    for (const SceneJoint& joint : scene.joints) write_joint(*out.add_joints(), scene, joint);
     return out;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <utility>
 
+#include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 
 namespace jostle::server {
@@ -38,39 +39,8 @@ Result<physics::Quat> from_message(const v1::Quat& q) {
     return normalized(quat);
 }
 
-Result<physics::Geometry> geometry_of(const v1::Shape& shape) {
-    switch (shape.kind_case()) {
-        case v1::Shape::kSphere:
-            return physics::Geometry{physics::Sphere{shape.sphere().radius()}};
-        case v1::Shape::kCapsule:
-            return physics::Geometry{
-                physics::Capsule{shape.capsule().radius(), shape.capsule().half_length()}};
-        case v1::Shape::kBox:
-            return physics::Geometry{physics::Box{from_message(shape.box().half_extents())}};
-        case v1::Shape::kPlane:
-            return physics::Geometry{physics::Plane{from_message(shape.plane().normal())}};
-        case v1::Shape::KIND_NOT_SET:
-            break;
-    }
-    return invalid("spawn.shape names no kind; use a sphere, a capsule or a box");
-}
-
-Result<physics::ShapeDef> shape_of(const v1::Shape& shape) {
-    const Result<physics::Geometry> geometry = geometry_of(shape);
-    if (!geometry.ok()) return geometry.error();
-    const Result<physics::Quat> rotation = from_message(shape.rotation());
-    if (!rotation.ok()) return rotation.error();
-    physics::ShapeDef def;
-    def.geometry = *geometry;
-    def.pose = {from_message(shape.position()), *rotation};
-    if (shape.has_density()) def.density = shape.density();
-    if (shape.has_friction()) def.material.friction = shape.friction();
-    if (shape.has_restitution()) def.material.restitution = shape.restitution();
-    return def;
-}
-
 Result<Action> action_of(const v1::SpawnInput& spawn) {
-    Result<physics::ShapeDef> shape = shape_of(spawn.shape());
+    Result<physics::ShapeDef> shape = scenes::shape_from_message(spawn.shape(), "spawn.shape");
     if (!shape.ok()) return shape.error();
     const Result<physics::Quat> rotation = from_message(spawn.rotation());
     if (!rotation.ok()) return rotation.error();
@@ -166,40 +136,12 @@ void set(v1::Vec3& to, physics::Vec3 from) {
     to.set_z(from.z);
 }
 
-void set(v1::Quat& to, physics::Quat from) {
-    to.set_x(from.x);
-    to.set_y(from.y);
-    to.set_z(from.z);
-    to.set_w(from.w);
-}
-
-struct SetGeometry {
-    v1::Shape& to;
-
-    void operator()(const physics::Sphere& s) const { to.mutable_sphere()->set_radius(s.radius); }
-    void operator()(const physics::Capsule& c) const {
-        to.mutable_capsule()->set_radius(c.radius);
-        to.mutable_capsule()->set_half_length(c.half_length);
-    }
-    void operator()(const physics::Box& b) const {
-        set(*to.mutable_box()->mutable_half_extents(), b.half_extents);
-    }
-    void operator()(const physics::Plane& p) const {
-        set(*to.mutable_plane()->mutable_normal(), p.normal);
-    }
-};
-
-// Only what a viewer draws: where it is and how big. Density and material stay with the server.
-void set(v1::Shape& to, const physics::ShapeState& from) {
-    std::visit(SetGeometry{to}, from.geometry);
-    if (from.pose.position != physics::Vec3{}) set(*to.mutable_position(), from.pose.position);
-    if (from.pose.rotation != physics::Quat{}) set(*to.mutable_rotation(), from.pose.rotation);
-}
-
 void set(v1::Entity& to, const EntityDescription& from) {
     to.set_id(from.id);
     to.set_type(to_message(from.type));
-    for (const physics::ShapeState& shape : from.shapes) set(*to.add_shapes(), shape);
+    // Only what a viewer draws: where it is and how big. Density and material stay with the server.
+    for (const physics::ShapeState& shape : from.shapes)
+        scenes::write_outline(*to.add_shapes(), shape.geometry, shape.pose);
     to.set_owner(from.owner);
     if (from.color) to.set_color(*from.color);
     to.set_name(from.name);

@@ -114,7 +114,7 @@ TEST(SaveLoadMoments, queries_answer_the_same) {
     Random random(4);
     for (int i = 0; i < 200; i++) {
         const Ray ray{random.vector(5) + Vec3{0, 5, 0}, random.vector(10)};
-        const auto a = must(world.cast_ray(ray)), b = must(copy.cast_ray(ray));
+        const auto a = must(world.queries().cast_ray(ray)), b = must(copy.queries().cast_ray(ray));
         ASSERT_EQ(a.has_value(), b.has_value());
         if (!a) continue;
         EXPECT_EQ(a->shape, b->shape);

@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "jostle/physics/geometry.h"
+#include "jostle/physics/hull.h"
 #include "jostle/physics/transform.h"
+#include "support/distance_field.h"
 
 namespace jostle::test {
 
@@ -28,6 +30,17 @@ inline double support(const physics::Geometry& geometry, const physics::Transfor
         return center + sphere->radius * length(n);
     if (const auto* capsule = std::get_if<Capsule>(&geometry))
         return center + capsule->half_length * std::fabs(d.y) + capsule->radius * length(n);
+    if (const auto* cylinder = std::get_if<Cylinder>(&geometry))
+        return center + cylinder->half_length * std::fabs(d.y) +
+               cylinder->radius * std::hypot(d.x, d.z);
+    if (const auto* cone = std::get_if<Cone>(&geometry))
+        return center + std::max(cone->half_length * d.y, cone->radius * std::hypot(d.x, d.z) -
+                                                              cone->half_length * d.y);
+    if (const auto* hull = std::get_if<Hull>(&geometry)) {
+        double most = -1e300;
+        for (const Vec3 v : hull->data->vertices) most = std::max(most, dot(v, d));
+        return center + most;
+    }
     const Vec3 h = std::get<Box>(geometry).half_extents;
     return center + h.x * std::fabs(d.x) + h.y * std::fabs(d.y) + h.z * std::fabs(d.z);
 }
@@ -131,6 +144,18 @@ inline physics::Vec3 nearest_point(const physics::Geometry& geometry,
     if (const auto* box = std::get_if<Box>(&geometry)) {
         const Vec3 h = box->half_extents;
         return apply(pose, {clamp(q.x, -h.x, h.x), clamp(q.y, -h.y, h.y), clamp(q.z, -h.z, h.z)});
+    }
+    if (const auto* hull = std::get_if<Hull>(&geometry))
+        return signed_distance(geometry, q) <= 0 ? p : apply(pose, nearest_on_border(*hull->data, q));
+    if (std::holds_alternative<Cylinder>(geometry) || std::holds_alternative<Cone>(geometry)) {
+        const auto outline = std::holds_alternative<Cone>(geometry)
+                                 ? outline_of(std::get<Cone>(geometry))
+                                 : outline_of(std::get<Cylinder>(geometry));
+        const double r = std::hypot(q.x, q.z);
+        Flat at{};
+        if (distance_to_outline(outline, {r, q.y}, at) <= 0) return p;
+        const double scale = r > 0 ? at.r / r : 0;
+        return apply(pose, {q.x * scale, at.y, q.z * scale});
     }
     if (const auto* sphere = std::get_if<Sphere>(&geometry)) radius = sphere->radius;
     if (const auto* capsule = std::get_if<Capsule>(&geometry)) {

@@ -6,11 +6,77 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "jostle/physics/geometry.h"
+#include "jostle/physics/hull.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::test {
+
+// The point of a triangle nearest to p: its inside when p stands over it, else the nearest of its
+// sides.
+inline physics::Vec3 nearest_on_triangle(physics::Vec3 p, physics::Vec3 a, physics::Vec3 b,
+                                         physics::Vec3 c) {
+    using physics::Vec3;
+    const Vec3 n = cross(b - a, c - a);
+    const auto left_of = [&](Vec3 from, Vec3 to) { return dot(cross(n, to - from), p - from) >= 0; };
+    if (left_of(a, b) && left_of(b, c) && left_of(c, a))
+        return p - n * (dot(p - a, n) / dot(n, n));
+    Vec3 best;
+    double nearest = 1e300;
+    const Vec3 ends[3][2] = {{a, b}, {b, c}, {c, a}};
+    for (const auto& e : ends) {
+        const Vec3 side = e[1] - e[0];
+        const double t = std::clamp(dot(p - e[0], side) / dot(side, side), 0.0, 1.0);
+        const Vec3 q = e[0] + side * t;
+        if (length(p - q) < nearest) nearest = length(p - q), best = q;
+    }
+    return best;
+}
+
+// The point of the hull's border nearest to p.
+inline physics::Vec3 nearest_on_border(const physics::ConvexHull& hull, physics::Vec3 p) {
+    physics::Vec3 best;
+    double nearest = 1e300;
+    for (const physics::HullFace& face : hull.faces) {
+        const auto loop = hull.vertices_of(face);
+        for (std::size_t k = 1; k + 1 < loop.size(); k++) {
+            const physics::Vec3 q = nearest_on_triangle(
+                p, hull.vertices[loop[0]], hull.vertices[loop[k]], hull.vertices[loop[k + 1]]);
+            if (length(p - q) < nearest) nearest = length(p - q), best = q;
+        }
+    }
+    return best;
+}
+
+// The nearest point of a convex polygon in the half plane (r, y), corners in order: what turns round
+// the y axis is its outline.
+struct Flat {
+    double r, y;
+};
+inline double distance_to_outline(const std::vector<Flat>& corners, Flat p, Flat& nearest) {
+    double best = 1e300;
+    bool inside = true;
+    for (std::size_t k = 0; k < corners.size(); k++) {
+        const Flat a = corners[k], b = corners[(k + 1) % corners.size()];
+        const double ur = b.r - a.r, uy = b.y - a.y, l2 = ur * ur + uy * uy;
+        if (ur * (p.y - a.y) - uy * (p.r - a.r) < 0) inside = false;
+        if (a.r == 0 && b.r == 0) continue;  // the axis itself is no border
+        const double t = std::clamp(((p.r - a.r) * ur + (p.y - a.y) * uy) / l2, 0.0, 1.0);
+        const Flat q{a.r + t * ur, a.y + t * uy};
+        const double d = std::hypot(p.r - q.r, p.y - q.y);
+        if (d < best) best = d, nearest = q;
+    }
+    return inside ? -best : best;
+}
+inline std::vector<Flat> outline_of(const physics::Cylinder& c) {
+    return {{0, -c.half_length}, {c.radius, -c.half_length}, {c.radius, c.half_length},
+            {0, c.half_length}};
+}
+inline std::vector<Flat> outline_of(const physics::Cone& c) {
+    return {{0, -c.half_length}, {c.radius, -c.half_length}, {0, c.half_length}};
+}
 
 // In the shape's own frame, m; negative inside.
 inline double signed_distance(const physics::Geometry& geometry, physics::Vec3 p) {
@@ -31,6 +97,25 @@ inline double signed_distance(const physics::Geometry& geometry, physics::Vec3 p
         }
         case physics::ShapeKind::plane:
             return dot(p, std::get<physics::Plane>(geometry).normal);
+        case physics::ShapeKind::cylinder: {
+            Flat nearest{};
+            return distance_to_outline(outline_of(std::get<physics::Cylinder>(geometry)),
+                                       {std::hypot(p.x, p.z), p.y}, nearest);
+        }
+        case physics::ShapeKind::cone: {
+            Flat nearest{};
+            return distance_to_outline(outline_of(std::get<physics::Cone>(geometry)),
+                                       {std::hypot(p.x, p.z), p.y}, nearest);
+        }
+        case physics::ShapeKind::hull: {
+            const physics::ConvexHull& hull = *std::get<physics::Hull>(geometry).data;
+            double deepest = -1e300;
+            for (const physics::HullFace& face : hull.faces)
+                deepest = std::max(deepest, dot(face.normal, p) - face.offset);
+            return deepest <= 0 ? deepest : length(p - nearest_on_border(hull, p));
+        }
+        default:
+            break;  // surfaces and compounds have tests of their own
     }
     return 0;
 }

@@ -57,6 +57,9 @@ void PlayState::take(const v1::ServerMessage& message) {
         case v1::ServerMessage::kNotice:
             notices.push_back(message.notice());
             break;
+        case v1::ServerMessage::kEvents:
+            expect(false, "events that nobody asked for");
+            break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
             expect(false, "an empty message");
             break;

@@ -75,6 +75,8 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
         case v1::ServerMessage::kNotice:
             stats_.last_error = message_.notice().message();
             break;
+        case v1::ServerMessage::kEvents:
+            break;  // not asked for
         case v1::ServerMessage::MESSAGE_NOT_SET:
             break;  // of a newer server; not for us
     }

@@ -13,28 +13,40 @@
 
 namespace jostle::physics {
 
+// What the bodies of a block need of the masses: decides what is loaded.
+enum class Inertia : unsigned char {
+    isotropic,  // one number each for mass and spin
+    full,       // a matrix
+    locked,     // a matrix, and a mass per axis
+};
+
 struct WideSide {
     const float* rows[8];
     Wide state[8];    // row 0
     Wide inertia[8];  // row 2
     Wide3 v, w;
+    Wide free_z;  // locked: whether it may move along z; along x and y is in row 2
 };
 
 JOSTLE_INLINE Wide3 load3(const float (*rows)[8]) {
     return {load(rows[0]), load(rows[1]), load(rows[2])};
 }
 
-template <bool kTurning>
+template <Inertia kInertia>
+JOSTLE_INLINE void load_inertia(WideSide& s) {
+    if constexpr (kInertia == Inertia::isotropic) return;
+    const float* rows[8];
+    for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 16;
+    load_rows(rows, s.inertia);
+    if constexpr (kInertia == Inertia::locked)
+        for (int k = 0; k < 8; k++) s.free_z[k] = s.rows[k][8 + 6];
+}
+
 JOSTLE_INLINE void load_side(WideSide& s, const HotBody* bodies, const std::int32_t* index) {
     for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
     load_rows(s.rows, s.state);
     s.v = {s.state[0], s.state[1], s.state[2]};
     s.w = {s.state[3], s.state[4], s.state[5]};
-    if constexpr (kTurning) {
-        const float* rows[8];
-        for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 16;
-        load_rows(rows, s.inertia);
-    }
 }
 
 JOSTLE_INLINE void load_motion(const WideSide& s, Wide3& dp, Wide3& dr) {
@@ -53,28 +65,33 @@ JOSTLE_INLINE void store_side(WideSide& s) {
 }
 
 // Change of spin by the angular impulse l.
-template <bool kTurning>
+template <Inertia kInertia>
 JOSTLE_INLINE Wide3 spin(const WideSide& s, Wide3 l) {
-    if constexpr (!kTurning) return l * s.state[7];
+    if constexpr (kInertia == Inertia::isotropic) return l * s.state[7];
     const Wide* i = s.inertia;
     return {i[0] * l.x + i[3] * l.y + i[4] * l.z, i[3] * l.x + i[1] * l.y + i[5] * l.z,
             i[4] * l.x + i[5] * l.y + i[2] * l.z};
 }
 
+// Change of velocity by the impulse p.
+template <Inertia kInertia>
+JOSTLE_INLINE Wide3 push(const WideSide& s, Wide3 p) {
+    const Wide3 d = p * s.state[6];
+    if constexpr (kInertia != Inertia::locked) return d;
+    return {d.x * s.inertia[6], d.y * s.inertia[7], d.z * s.free_z};
+}
+
 // The two bodies of a block and where their manifolds are.
-template <Second kSecond, bool kTurning>
+template <Second kSecond, Inertia kInertia>
 struct BlockBodies {
     WideSide a, b;
     Wide3 n, t1, t2, arm_a, arm_b;
 
     JOSTLE_INLINE BlockBodies(const ManifoldBlock& m, const HotBody* bodies) {
-        load_side<kTurning>(a, bodies, m.a);
-        if constexpr (kSecond != Second::fixed) load_side<false>(b, bodies, m.b);
-        if constexpr (kSecond == Second::moving && kTurning) {
-            const float* rows[8];
-            for (int k = 0; k < 8; k++) rows[k] = b.rows[k] + 16;
-            load_rows(rows, b.inertia);
-        }
+        load_side(a, bodies, m.a);
+        load_inertia<kInertia>(a);
+        if constexpr (kSecond != Second::fixed) load_side(b, bodies, m.b);
+        if constexpr (kSecond == Second::moving) load_inertia<kInertia>(b);
         n = load3(m.normal);
         t1 = load3(m.tangent);
         t2 = cross(n, t1);
@@ -95,11 +112,11 @@ struct BlockBodies {
 
     // Impulse p at the centre and angular impulse l, against a and for b.
     JOSTLE_INLINE void apply(Wide3 p, Wide3 l) {
-        a.v = a.v - p * a.state[6];
-        a.w = a.w - spin<kTurning>(a, cross(arm_a, p) + l);
+        a.v = a.v - push<kInertia>(a, p);
+        a.w = a.w - spin<kInertia>(a, cross(arm_a, p) + l);
         if constexpr (kSecond == Second::moving) {
-            b.v = b.v + p * b.state[6];
-            b.w = b.w + spin<kTurning>(b, cross(arm_b, p) + l);
+            b.v = b.v + push<kInertia>(b, p);
+            b.w = b.w + spin<kInertia>(b, cross(arm_b, p) + l);
         }
     }
     JOSTLE_INLINE void store() {
@@ -132,23 +149,59 @@ struct PointResponse {
     }
 };
 
-template <Second kSecond, bool kTurning>
-void warm_start_block(ManifoldBlock& m, HotBody* bodies) {
-    BlockBodies<kSecond, kTurning> pair(m, bodies);
+template <Second kSecond, Inertia kInertia>
+void warm_start_block(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies) {
+    BlockBodies<kSecond, kInertia> pair(m, bodies);
     WideImpulse sum;
     for (int i = 0; i < 4; i++) sum.add(load(m.x[i]), load(m.y[i]), load(m.lambda[i]));
+    if (rough != nullptr) {
+        sum.m1 += load(rough->roll[0]);
+        sum.m2 += load(rough->roll[1]);
+    }
     pair.apply(pair.n * sum.total + pair.t1 * load(m.friction[0]) + pair.t2 * load(m.friction[1]),
                pair.t1 * sum.m1 + pair.t2 * sum.m2 + pair.n * load(m.twist));
     pair.store();
 }
 
+// Resistance to rolling: an angular impulse about the tangents, of which the material holds so much
+// per normal impulse.
+template <Second kSecond, Inertia kInertia>
+JOSTLE_INLINE void solve_rolling(ManifoldBlock& m, BlockRough& rough, Wide normal_impulse,
+                                 BlockBodies<kSecond, kInertia>& pair) {
+    const Wide3 w = pair.relative_spin();
+    const Wide w1 = dot(pair.t1, w), w2 = dot(pair.t2, w);
+    const Wide k00 = load(m.g[3]), k01 = load(m.g[4]), k11 = load(m.g[5]);
+    // Bodies that cannot turn have no such matrix.
+    const Wide det = max(k00 * k11 - k01 * k01, splat(1e-30f));
+    const Wide old1 = load(rough.roll[0]), old2 = load(rough.roll[1]);
+    Wide r1 = old1 - (k11 * w1 - k01 * w2) / det;
+    Wide r2 = old2 - (k00 * w2 - k01 * w1) / det;
+    const Wide limit = load(rough.rolling) * normal_impulse, length2 = r1 * r1 + r2 * r2;
+    const Wide scale =
+        select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
+    r1 = r1 * scale;
+    r2 = r2 * scale;
+    store(rough.roll[0], r1);
+    store(rough.roll[1], r2);
+    const Wide zero = splat(0);
+    pair.apply({zero, zero, zero}, pair.t1 * (r1 - old1) + pair.t2 * (r2 - old2));
+}
+
 // Cone at the centre, then twist. The limit is the normal impulse that the pass before found.
-template <Second kSecond, bool kTurning>
-JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockBodies<kSecond, kTurning>& pair) {
+template <Second kSecond, Inertia kInertia>
+JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
+                                  BlockBodies<kSecond, kInertia>& pair) {
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
-    const Wide limit = load(m.mu) * ((load(m.lambda[0]) + load(m.lambda[1])) +
-                                     (load(m.lambda[2]) + load(m.lambda[3])));
-    const Wide u1 = dot(pair.t1, u), u2 = dot(pair.t2, u);
+    const Wide normal_impulse =
+        (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+    const Wide limit = load(m.mu) * normal_impulse;
+    Wide u1 = dot(pair.t1, u), u2 = dot(pair.t2, u);
+    Wide twist_limit = limit * load(m.lever);
+    if (rough != nullptr) {
+        u1 += load(rough->surface[0]);
+        u2 += load(rough->surface[1]);
+        twist_limit = max(twist_limit, load(rough->torsion) * normal_impulse);
+    }
     const Wide m00 = load(m.friction_mass[0]), m01 = load(m.friction_mass[1]),
                m11 = load(m.friction_mass[2]);
     const Wide old1 = load(m.friction[0]), old2 = load(m.friction[1]), old_twist = load(m.twist);
@@ -159,13 +212,13 @@ JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockBodies<kSecond, kTurnin
         select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
     f1 = f1 * scale;
     f2 = f2 * scale;
-    const Wide twist_limit = limit * load(m.lever);
     const Wide twist =
         max(-twist_limit, min(old_twist - load(m.twist_mass) * dot(pair.n, w), twist_limit));
     store(m.friction[0], f1);
     store(m.friction[1], f2);
     store(m.twist, twist);
     pair.apply(pair.t1 * (f1 - old1) + pair.t2 * (f2 - old2), pair.n * (twist - old_twist));
+    if (rough != nullptr) solve_rolling(m, *rough, normal_impulse, pair);
 }
 
 struct BlockReport {
@@ -175,12 +228,12 @@ struct BlockReport {
 // kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
 // moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
 // press.
-template <Second kSecond, bool kTurning, bool kRelax, bool kLast>
-BlockReport solve_block(ManifoldBlock& m, BlockSide& side, HotBody* bodies,
+template <Second kSecond, Inertia kInertia, bool kRelax, bool kLast>
+BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, HotBody* bodies,
                         const ContactSettings& set, int sweeps) {
-    BlockBodies<kSecond, kTurning> pair(m, bodies);
+    BlockBodies<kSecond, kInertia> pair(m, bodies);
     const Wide zero = splat(0);
-    if constexpr (kRelax) solve_friction<kSecond, kTurning>(m, pair);
+    if constexpr (kRelax) solve_friction<kSecond, kInertia>(m, rough, pair);
 
     Wide3 dp_a, dr_a, dp_b{}, dr_b{};
     load_motion(pair.a, dp_a, dr_a);
@@ -258,9 +311,9 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, HotBody* bodies,
 }
 
 // Notes the approach speed of each point at the start of the step.
-template <Second kSecond, bool kTurning>
+template <Second kSecond, Inertia kInertia>
 void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bodies) {
-    const BlockBodies<kSecond, kTurning> pair(m, bodies);
+    const BlockBodies<kSecond, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
@@ -272,10 +325,10 @@ void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bo
 // After the first acceleration by h: what free fall over the gap adds to the approach. Without it a
 // ball that meets the floor late in a step loses what it gained in that step, up to g dt each
 // bounce.
-template <Second kSecond, bool kTurning>
+template <Second kSecond, Inertia kInertia>
 void foresee_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bodies,
                     const ContactSettings& set) {
-    const BlockBodies<kSecond, kTurning> pair(m, bodies);
+    const BlockBodies<kSecond, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
@@ -297,10 +350,10 @@ inline void note_peaks(const ManifoldBlock& m, BlockBounce& bounce) {
 // At the end of the step, points that were hit leave with restitution times their approach
 // (Newton's hypothesis). A bouncing manifold carries no impulse into the next step: it is about to
 // part.
-template <Second kSecond, bool kTurning>
+template <Second kSecond, Inertia kInertia>
 void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restitution,
                 HotBody* bodies, const ContactSettings& set) {
-    BlockBodies<kSecond, kTurning> pair(m, bodies);
+    BlockBodies<kSecond, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     WideImpulse sum;

@@ -17,10 +17,13 @@ void for_each_block(ManifoldStore& store, TaskTeam& team, Pass&& pass) {
     const auto with_inertia = [&](Colour& colour, int begin, int end, auto second) {
         for (int k = begin; k < end; k++) {
             const auto block = static_cast<std::size_t>(k);
-            if (colour.sides[block].turning != 0)
-                pass(colour, block, second, std::true_type{});
+            const BlockSide& side = colour.sides[block];
+            if (side.locked != 0)
+                pass(colour, block, second, std::integral_constant<Inertia, Inertia::locked>{});
+            else if (side.turning != 0)
+                pass(colour, block, second, std::integral_constant<Inertia, Inertia::full>{});
             else
-                pass(colour, block, second, std::false_type{});
+                pass(colour, block, second, std::integral_constant<Inertia, Inertia::isotropic>{});
         }
     };
     for (const int c : solve_order) {
@@ -48,13 +51,18 @@ void for_each_block(ManifoldStore& store, TaskTeam& team, Pass&& pass) {
     }
 }
 
+BlockRough* rough_of(Colour& colour, std::size_t block) {
+    return colour.sides[block].rough != 0 ? &colour.roughs[block] : nullptr;
+}
+
 template <bool kRelax, bool kLast>
 void solve_all(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
                TaskTeam& team) {
-    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
         BlockSide& side = colour.sides[k];
-        const BlockReport report = solve_block<second(), turning(), kRelax, kLast>(
-            colour.blocks[k], side, bodies.data(), set, tuning::manifold_sweeps);
+        const BlockReport report = solve_block<second(), inertia(), kRelax, kLast>(
+            colour.blocks[k], side, rough_of(colour, k), bodies.data(), set,
+            tuning::manifold_sweeps);
         if constexpr (kLast) {
             side.aged = static_cast<std::uint8_t>(report.aged);
             side.pressing = static_cast<std::uint8_t>(report.touching);
@@ -72,8 +80,9 @@ bool any_bouncy(const ManifoldStore& store) {
 }  // namespace
 
 void warm_start(ManifoldStore& store, std::span<HotBody> bodies, TaskTeam& team) {
-    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
-        warm_start_block<second(), turning()>(colour.blocks[k], bodies.data());
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
+        warm_start_block<second(), inertia()>(colour.blocks[k], rough_of(colour, k),
+                                              bodies.data());
     });
 }
 
@@ -92,18 +101,18 @@ void relax(ManifoldStore& store, std::span<HotBody> bodies, const ContactSetting
 
 bool begin_bounces(ManifoldStore& store, std::span<const HotBody> bodies, TaskTeam& team) {
     if (!any_bouncy(store)) return false;
-    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
         if (colour.sides[k].bouncy != 0)
-            begin_bounce<second(), turning()>(colour.blocks[k], colour.bounces[k], bodies.data());
+            begin_bounce<second(), inertia()>(colour.blocks[k], colour.bounces[k], bodies.data());
     });
     return true;
 }
 
 void foresee_bounces(ManifoldStore& store, std::span<const HotBody> bodies,
                      const ContactSettings& set, TaskTeam& team) {
-    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
         if (colour.sides[k].bouncy != 0)
-            foresee_bounce<second(), turning()>(colour.blocks[k], colour.bounces[k], bodies.data(),
+            foresee_bounce<second(), inertia()>(colour.blocks[k], colour.bounces[k], bodies.data(),
                                                 set);
     });
 }
@@ -116,9 +125,9 @@ void note_bounce_peaks(ManifoldStore& store, TaskTeam& team) {
 
 void end_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
                  TaskTeam& team) {
-    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto turning) {
+    for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
         if (colour.sides[k].bouncy != 0)
-            end_bounce<second(), turning()>(colour.blocks[k], colour.bounces[k],
+            end_bounce<second(), inertia()>(colour.blocks[k], colour.bounces[k],
                                             colour.sides[k].restitution, bodies.data(), set);
     });
 }

@@ -4,7 +4,8 @@
 namespace jostle::physics {
 
 Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
-    return gravity * cold.gravity_scale + warm.force * cold.inverse_mass;
+    const Vec3 a = gravity * cold.gravity_scale + warm.force * cold.inverse_mass;
+    return cold.locks == 0 ? a : scaled(a, free_directions(cold));
 }
 
 double damping_factor(double damping, double dt) {
@@ -12,7 +13,22 @@ double damping_factor(double damping, double dt) {
     return c < 1 ? (1 - 0.5 * c) / (1 + 0.5 * c) : 1 / (1 + c);
 }
 
+namespace {
+
+// With locked turns the spin keeps to the directions that are left; no gyroscopic term couples into
+// a locked one.
+FreeSpin locked_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
+    const Vec3 w = warm.w + world_inverse_inertia(warm, cold) * warm.torque * dt;
+    if (w == Vec3{} && warm.w == Vec3{}) return {warm.rotation, w};
+    const Vec3 mean = (warm.w + w) * 0.5;
+    return {normalized(from_rotation_vector(mean * dt) * warm.rotation), w};
+}
+
+}  // namespace
+
 FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
+    if ((cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) != 0)
+        return locked_spin(warm, cold, dt);
     if (cold.isotropic) {
         const Vec3 w = warm.w + cold.inverse_inertia * warm.torque * dt;
         if (w == Vec3{} && warm.w == Vec3{}) return {warm.rotation, w};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/write_manifold.h"
 
+#include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
 #include "state/lanes.h"
 
@@ -10,7 +11,7 @@ namespace {
 // One side of the pair as effective masses see it: all zero for what contacts cannot push.
 struct Side {
     Vec3 center;
-    double inverse_mass = 0;
+    Vec3 inverse_mass;  // along each world axis
     Mat3 inverse_inertia = diagonal({0, 0, 0});
 };
 
@@ -18,7 +19,8 @@ Side side_of(const WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     const BodyWarm& warm = warm_of(world, body);
     if (cold.inverse_mass == 0) return {.center = warm.center};
-    return {warm.center, cold.inverse_mass, world_inverse_inertia(warm, cold)};
+    return {warm.center, free_directions(cold) * cold.inverse_mass,
+            world_inverse_inertia(warm, cold)};
 }
 
 float as_float(double x) {
@@ -39,13 +41,14 @@ struct Carried {
     int count = 0;
     Vec3 point[4];  // from a's centre of mass
     double lambda[4] = {};
-    Vec3 friction;
+    Vec3 friction, roll;
 };
 
-Carried carried(const ManifoldBlock& block, int lane) {
+Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
     Carried c;
     const Vec3 n = get(block.normal, lane), t1 = get(block.tangent, lane), t2 = cross(n, t1);
     const Vec3 arm = get(block.arm_a, lane);
+    c.roll = t1 * double{rough.roll[0][lane]} + t2 * double{rough.roll[1][lane]};
     c.friction = t1 * double{block.friction[0][lane]} + t2 * double{block.friction[1][lane]};
     for (int i = 0; i < 4; i++) {
         if (block.gap[i][lane] > 0.5f * no_point) continue;
@@ -76,10 +79,11 @@ void write_masses(ManifoldBlock& block, int lane, const Side& a, const Side& b, 
     const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
         return dot(ja, a.inverse_inertia * ka) + dot(jb, b.inverse_inertia * kb);
     };
-    const double mass = a.inverse_mass + b.inverse_mass;
+    const Vec3 mass = a.inverse_mass + b.inverse_mass;
+    const auto along = [&](Vec3 u, Vec3 v) { return dot(scaled(mass, u), v); };
     // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of twist: n.
     const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
-    block.g[0][lane] = as_float(mass + both(na, nb, na, nb));
+    block.g[0][lane] = as_float(maximum(along(n, n) + both(na, nb, na, nb), 1e-30));
     block.g[1][lane] = as_float(both(na, nb, t1, t1));
     block.g[2][lane] = as_float(both(na, nb, t2, t2));
     block.g[3][lane] = as_float(both(t1, t1, t1, t1));
@@ -87,13 +91,46 @@ void write_masses(ManifoldBlock& block, int lane, const Side& a, const Side& b, 
     block.g[5][lane] = as_float(both(t2, t2, t2, t2));
     const Vec3 pa = cross(arm_a, t1), pb = cross(arm_b, t1);
     const Vec3 qa = cross(arm_a, t2), qb = cross(arm_b, t2);
-    const double f00 = mass + both(pa, pb, pa, pb), f01 = both(pa, pb, qa, qb);
-    const double f11 = mass + both(qa, qb, qa, qb), det = f00 * f11 - f01 * f01;
-    block.friction_mass[0][lane] = as_float(f11 / det);
-    block.friction_mass[1][lane] = as_float(-f01 / det);
-    block.friction_mass[2][lane] = as_float(f00 / det);
+    const double f00 = along(t1, t1) + both(pa, pb, pa, pb);
+    const double f01 = along(t1, t2) + both(pa, pb, qa, qb);
+    const double f11 = along(t2, t2) + both(qa, qb, qa, qb), det = f00 * f11 - f01 * f01;
+    if (det > 1e-12 * f00 * f11) {
+        block.friction_mass[0][lane] = as_float(f11 / det);
+        block.friction_mass[1][lane] = as_float(-f01 / det);
+        block.friction_mass[2][lane] = as_float(f00 / det);
+    } else {
+        // Locked axes leave one direction in which anything can slide, or none.
+        const double trace = f00 + f11, scale = trace > 0 ? 1 / (trace * trace) : 0;
+        block.friction_mass[0][lane] = as_float(f00 * scale);
+        block.friction_mass[1][lane] = as_float(f01 * scale);
+        block.friction_mass[2][lane] = as_float(f11 * scale);
+    }
     const double k = both(n, n, n, n);
     block.twist_mass[lane] = k > 0 ? as_float(1 / k) : 0;
+}
+
+// Rolling, turning and moving surfaces.
+void write_rough(const WorldState& world, const Contact& contact, const LanePlace& place,
+                 const Material& ma, const Material& mb, Vec3 roll) {
+    BlockRough& rough = *place.rough;
+    const int lane = place.lane;
+    const Vec3 n = get(place.block->normal, lane), t1 = get(place.block->tangent, lane);
+    const Vec3 t2 = cross(n, t1);
+    Vec3 surface;
+    if (ma.surface_velocity != Vec3{} || mb.surface_velocity != Vec3{})
+        surface = warm_of(world, contact.body_b).axes * mb.surface_velocity -
+                  warm_of(world, contact.body_a).axes * ma.surface_velocity;
+    rough.surface[0][lane] = as_float(dot(surface, t1));
+    rough.surface[1][lane] = as_float(dot(surface, t2));
+    rough.rolling[lane] = as_float(maximum(ma.rolling_friction, mb.rolling_friction));
+    rough.torsion[lane] = as_float(maximum(ma.torsional_friction, mb.torsional_friction));
+    rough.roll[0][lane] = as_float(dot(roll, t1));
+    rough.roll[1][lane] = as_float(dot(roll, t2));
+}
+
+bool is_rough(const BlockRough& rough, int lane) {
+    return rough.surface[0][lane] != 0 || rough.surface[1][lane] != 0 ||
+           rough.rolling[lane] != 0 || rough.torsion[lane] != 0;
 }
 
 }  // namespace
@@ -102,7 +139,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const LanePlace place = place_of(world, contact);
     ManifoldBlock& block = *place.block;
     const int lane = place.lane;
-    const Carried old = fresh ? Carried{} : carried(block, lane);
+    const Carried old = fresh ? Carried{} : carried(block, *place.rough, lane);
     const Side a = side_of(world, contact.body_a), b = side_of(world, contact.body_b);
 
     Vec3 centre;
@@ -139,8 +176,9 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
-    block.mu[lane] = as_float(square_root(ma.friction * mb.friction));
-    place.side->restitution[lane] = as_float(maximum(ma.restitution, mb.restitution));
+    block.mu[lane] = as_float(pair_friction(ma, mb));
+    write_rough(world, contact, place, ma, mb, old.roll);
+    place.side->restitution[lane] = as_float(pair_restitution(ma, mb));
     place.side->moved[lane] = 0;
 }
 
@@ -152,6 +190,10 @@ void finish_manifold(WorldState& world, const Contact& contact) {
     else
         place.side->bouncy &= static_cast<std::uint8_t>(~bit);
     place.side->aged &= static_cast<std::uint8_t>(~bit);
+    if (is_rough(*place.rough, place.lane))
+        place.side->rough |= bit;
+    else
+        place.side->rough &= static_cast<std::uint8_t>(~bit);
 }
 
 }  // namespace jostle::physics

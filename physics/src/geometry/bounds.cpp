@@ -2,8 +2,44 @@
 #include "geometry/bounds.h"
 
 #include "foundation/check.h"
+#include "jostle/physics/compound.h"
+#include "jostle/physics/height_field.h"
+#include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
 
 namespace jostle::physics {
+namespace {
+
+// How far a disc about the axis `y` reaches along each world axis.
+Vec3 disc_reach(Vec3 y, double radius) {
+    const auto across = [](double c) { return square_root(maximum(0, 1 - c * c)); };
+    return Vec3{across(y.x), across(y.y), across(y.z)} * radius;
+}
+
+// The box of a local box in the pose: not the tightest, but cheap for many points.
+Aabb turned(const Placed& shape, const Aabb& local) {
+    const Vec3 middle = (local.low + local.high) * 0.5, half = (local.high - local.low) * 0.5;
+    const Vec3 center = shape.position + shape.axes * middle;
+    const Vec3 reach =
+        abs(shape.axes.x) * half.x + abs(shape.axes.y) * half.y + abs(shape.axes.z) * half.z;
+    return {center - reach, center + reach};
+}
+
+Aabb bounds_of_points(const Placed& shape, const std::vector<Vec3>& points) {
+    Aabb box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    for (const Vec3 p : points) {
+        const Vec3 q = shape.axes * p;
+        box = unite(box, {q, q});
+    }
+    return {shape.position + box.low, shape.position + box.high};
+}
+
+// The corner of a box that is furthest from the origin.
+double furthest_corner(const Aabb& box) {
+    return length(max(abs(box.low), abs(box.high)));
+}
+
+}  // namespace
 
 Aabb bounds_of(const Placed& shape) {
     Vec3 reach;
@@ -23,6 +59,26 @@ Aabb bounds_of(const Placed& shape) {
             reach = abs(shape.axes.x) * h.x + abs(shape.axes.y) * h.y + abs(shape.axes.z) * h.z;
             break;
         }
+        case ShapeKind::cylinder: {
+            const Cylinder& c = std::get<Cylinder>(*shape.geometry);
+            reach = abs(shape.axes.y) * c.half_length + disc_reach(shape.axes.y, c.radius);
+            break;
+        }
+        case ShapeKind::cone: {
+            const Cone& c = std::get<Cone>(*shape.geometry);
+            const Vec3 tip = shape.position + shape.axes.y * c.half_length;
+            const Vec3 base = shape.position - shape.axes.y * c.half_length;
+            const Vec3 disc = disc_reach(shape.axes.y, c.radius);
+            return {min(tip, base - disc), max(tip, base + disc)};
+        }
+        case ShapeKind::hull:
+            return bounds_of_points(shape, std::get<Hull>(*shape.geometry).data->vertices);
+        case ShapeKind::mesh:
+            return turned(shape, std::get<Mesh>(*shape.geometry).data->bounds);
+        case ShapeKind::height_field:
+            return turned(shape, std::get<HeightField>(*shape.geometry).data->bounds);
+        case ShapeKind::compound:
+            return turned(shape, std::get<Compound>(*shape.geometry).data->bounds);
         case ShapeKind::plane:
             ASSERT(false);
     }
@@ -39,6 +95,26 @@ double radius_of(const Geometry& geometry) {
         }
         case ShapeKind::box:
             return length(std::get<Box>(geometry).half_extents);
+        case ShapeKind::cylinder: {
+            const Cylinder& c = std::get<Cylinder>(geometry);
+            return length(Vec3{c.radius, c.half_length, 0});
+        }
+        case ShapeKind::cone: {
+            const Cone& c = std::get<Cone>(geometry);
+            return length(Vec3{c.radius, c.half_length, 0});
+        }
+        case ShapeKind::hull: {
+            double furthest = 0;
+            for (const Vec3 p : std::get<Hull>(geometry).data->vertices)
+                furthest = maximum(furthest, length_squared(p));
+            return square_root(furthest);
+        }
+        case ShapeKind::mesh:
+            return furthest_corner(std::get<Mesh>(geometry).data->bounds);
+        case ShapeKind::height_field:
+            return furthest_corner(std::get<HeightField>(geometry).data->bounds);
+        case ShapeKind::compound:
+            return furthest_corner(std::get<Compound>(geometry).data->bounds);
         case ShapeKind::plane:
             ASSERT(false);
     }

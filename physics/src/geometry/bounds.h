@@ -8,7 +8,8 @@
 
 namespace jostle::physics {
 
-// The tightest axis-aligned box. A plane has none (it is infinite): not to be asked.
+// An axis-aligned box that holds the shape; the tightest one for convex kinds. A plane has none (it
+// is infinite): not to be asked.
 Aabb bounds_of(const Placed& shape);
 
 // The distance of the shape's furthest point from its origin. Not for planes.

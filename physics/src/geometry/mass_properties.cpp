@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/mass_properties.h"
 
+#include "jostle/physics/compound.h"
+#include "jostle/physics/hull.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -31,6 +34,30 @@ MassProperties mass_of_box(const Box& b, double density) {
                       third * (h.x * h.x + h.y * h.y)})};
 }
 
+MassProperties mass_of_cylinder(const Cylinder& c, double density) {
+    const double r2 = c.radius * c.radius, h = 2 * c.half_length;
+    const double m = density * pi * r2 * h, across = m * (3 * r2 + h * h) / 12;
+    return {m, {}, diagonal({across, 0.5 * m * r2, across})};
+}
+
+// The centre of mass is a quarter of the height above the base.
+MassProperties mass_of_cone(const Cone& c, double density) {
+    const double r2 = c.radius * c.radius, h = 2 * c.half_length;
+    const double m = density * pi * r2 * h / 3, across = m * (0.15 * r2 + 0.0375 * h * h);
+    return {m, {0, -0.5 * c.half_length, 0}, diagonal({across, 0.3 * m * r2, across})};
+}
+
+MassProperties mass_of_hull(const ConvexHull& hull, double density) {
+    return {density * hull.volume, hull.center, hull.unit_inertia * density};
+}
+
+MassProperties mass_of_compound(const CompoundShape& compound, double density) {
+    MassProperties sum;
+    for (const CompoundChild& child : compound.children)
+        sum = combined(sum, moved(mass_of(child.geometry, density), child.pose));
+    return sum;
+}
+
 // What a mass m at offset d adds to the inertia: m (|d|^2 1 - d d^T).
 Mat3 offset_inertia(double m, Vec3 d) {
     const double d2 = length_squared(d);
@@ -50,7 +77,17 @@ MassProperties mass_of(const Geometry& geometry, double density) {
             return mass_of_capsule(std::get<Capsule>(geometry), density);
         case ShapeKind::box:
             return mass_of_box(std::get<Box>(geometry), density);
+        case ShapeKind::cylinder:
+            return mass_of_cylinder(std::get<Cylinder>(geometry), density);
+        case ShapeKind::cone:
+            return mass_of_cone(std::get<Cone>(geometry), density);
+        case ShapeKind::hull:
+            return mass_of_hull(*std::get<Hull>(geometry).data, density);
+        case ShapeKind::compound:
+            return mass_of_compound(*std::get<Compound>(geometry).data, density);
         case ShapeKind::plane:
+        case ShapeKind::mesh:
+        case ShapeKind::height_field:
             break;
     }
     return {};

@@ -14,7 +14,7 @@ struct MassProperties {
     Mat3 inertia = diagonal({0, 0, 0});  // kg m^2 about `center`
 };
 
-// In the shape's own frame. A plane has no mass.
+// In the shape's own frame. Planes, meshes and height fields have no mass.
 MassProperties mass_of(const Geometry& geometry, double density);
 
 // The same body seen from the parent of `pose`.

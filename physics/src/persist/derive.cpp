@@ -18,9 +18,11 @@ void derive_shapes(WorldState& world) {
         derive_shape(world.bodies.cold[shape.body], shape);
         // The list of moved shapes was saved in its order; entering a tree must not add to it.
         const bool moved = shape.moved;
+        const std::size_t fresh = world.triggers.fresh.size();
         shape.moved = true;
         enter_tree(world, i);
         shape.moved = moved;
+        world.triggers.fresh.resize(fresh);
     }
 }
 
@@ -28,7 +30,7 @@ void derive_lanes(WorldState& world) {
     for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
         if (!world.contacts.ids.alive(i)) continue;
         const Contact& c = world.contacts.contacts[i];
-        world.contacts.by_pair.emplace(pair_key(c.shape_a, c.shape_b), i);
+        if (c.parent == none) world.contacts.by_pair.emplace(pair_key(c.shape_a, c.shape_b), i);
         if (c.colour < 0) continue;
         write_body_indices(world, c);
         const LanePlace place = place_of(world, c);
@@ -36,6 +38,8 @@ void derive_lanes(WorldState& world) {
         const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
         const bool b_turns = b.type == BodyType::dynamic && !b.isotropic;
         if (!a.isotropic || b_turns) place.side->turning |= bit;
+        if (a.locks != 0 || (b.type == BodyType::dynamic && b.locks != 0))
+            place.side->locked |= bit;
         if (place.side->restitution[place.lane] > 0) place.side->bouncy |= bit;
         if (c.touching) place.side->touching |= bit;
         place.side->pressing = place.side->touching;
@@ -48,6 +52,7 @@ void derive_all(WorldState& world) {
     world.bodies.ids.rebuild_free_list();
     world.shapes.ids.rebuild_free_list();
     world.contacts.ids.rebuild_free_list();
+    world.joints.ids.rebuild_free_list();
     world.islands.ids.rebuild_free_list();
     derive_axes(world.bodies.fixed);
     derive_axes(world.bodies.awake);

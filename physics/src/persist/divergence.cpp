@@ -8,6 +8,7 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/physics/world.h"
 #include "persist/field_list.h"
+#include "persist/shared_geometry.h"
 #include "persist/path.h"
 
 namespace jostle::physics {
@@ -27,6 +28,10 @@ struct Recorder {
     std::size_t count(std::string_view, std::size_t size) {
         bits.push_back(size);
         return size;
+    }
+    template <class Data>
+    void shared(std::string_view, std::shared_ptr<const Data>& data) {
+        bits.push_back(data->content_hash);
     }
 };
 
@@ -69,6 +74,11 @@ struct Comparer {
                          text_of(value);
         }
         at++;
+    }
+    template <class Data>
+    void shared(std::string_view name, std::shared_ptr<const Data>& data) {
+        auto hash = data->content_hash;
+        field(name, hash);
     }
     std::size_t count(std::string_view name, std::size_t size) {
         auto wide = static_cast<std::uint64_t>(size);

@@ -49,6 +49,14 @@ void visit(V& v, std::string_view name, Aabb& box) {
     v.leave();
 }
 
+// The variant's alternative by its number, with default content; false when there is none.
+template <class... Kinds>
+bool make_kind(std::size_t kind, std::variant<Kinds...>& value) {
+    std::size_t at = 0;
+    ((at++ == kind ? (value = Kinds{}, true) : false) || ...);
+    return kind < sizeof...(Kinds);
+}
+
 // An array of records: its length, then each under its index.
 template <class V, class T, class Each>
 void visit_all(V& v, std::string_view name, std::vector<T>& items, Each&& each) {
@@ -78,6 +86,9 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("linear_damping", b.linear_damping);
     v.field("angular_damping", b.angular_damping);
     v.field("gravity_scale", b.gravity_scale);
+    v.field("continuous", b.continuous);
+    v.field("locks", b.locks);
+    v.field("wanted_mass", b.wanted_mass);
     v.field("user_data", b.user_data);
     v.field("mass", b.mass);
     v.field("inverse_mass", b.inverse_mass);
@@ -85,12 +96,14 @@ void visit_fields(V& v, BodyCold& b) {
     visit(v, "inverse_inertia", b.inverse_inertia);
     visit(v, "local_center", b.local_center);
     v.field("radius", b.radius);
+    v.field("inner_radius", b.inner_radius);
     v.field("isotropic", b.isotropic);
     v.field("set", b.set);
     v.field("at", b.at);
     v.field("first_shape", b.first_shape);
     v.field("last_shape", b.last_shape);
     v.field("first_edge", b.first_edge);
+    v.field("first_joint", b.first_joint);
     v.field("island", b.island);
     v.field("island_prev", b.island_prev);
     v.field("island_next", b.island_next);
@@ -110,28 +123,25 @@ void visit_fields(V& v, BodyWarm& b) {
     v.field("quiet", b.quiet);
 }
 
-// A loader makes the kind first; an unknown kind is its error to report.
+template <class V>
+void visit(V& v, std::string_view name, Transform& t) {
+    v.enter(name);
+    visit(v, "position", t.position);
+    visit(v, "rotation", t.rotation);
+    v.leave();
+}
+
+// A loader makes the kind first; an unknown kind is its error to report. Shared data go by
+// reference: v.shared writes or reads where they are in the table of shared geometry, and hashes
+// their content.
 template <class V>
 void visit_geometry(V& v, Geometry& geometry) {
     auto kind = static_cast<std::uint8_t>(geometry.index());
     v.field("kind", kind);
     if constexpr (V::kLoading) {
-        switch (kind) {
-            case 0:
-                geometry = Sphere{};
-                break;
-            case 1:
-                geometry = Capsule{};
-                break;
-            case 2:
-                geometry = Box{};
-                break;
-            case 3:
-                geometry = Plane{};
-                break;
-            default:
-                v.fail("kind", "is not a shape kind");
-                return;
+        if (!make_kind(kind, geometry)) {
+            v.fail("kind", "is not a shape kind");
+            return;
         }
     }
     if (auto* sphere = std::get_if<Sphere>(&geometry)) v.field("radius", sphere->radius);
@@ -141,6 +151,29 @@ void visit_geometry(V& v, Geometry& geometry) {
     }
     if (auto* box = std::get_if<Box>(&geometry)) visit(v, "half_extents", box->half_extents);
     if (auto* plane = std::get_if<Plane>(&geometry)) visit(v, "normal", plane->normal);
+    if (auto* cylinder = std::get_if<Cylinder>(&geometry)) {
+        v.field("radius", cylinder->radius);
+        v.field("half_length", cylinder->half_length);
+    }
+    if (auto* cone = std::get_if<Cone>(&geometry)) {
+        v.field("radius", cone->radius);
+        v.field("half_length", cone->half_length);
+    }
+    if (auto* hull = std::get_if<Hull>(&geometry)) v.shared("hull", hull->data);
+    if (auto* mesh = std::get_if<Mesh>(&geometry)) v.shared("mesh", mesh->data);
+    if (auto* field = std::get_if<HeightField>(&geometry)) v.shared("height_field", field->data);
+    if (auto* compound = std::get_if<Compound>(&geometry)) v.shared("compound", compound->data);
+}
+
+template <class V>
+void visit_fields(V& v, Material& m) {
+    v.field("friction", m.friction);
+    v.field("restitution", m.restitution);
+    v.field("rolling_friction", m.rolling_friction);
+    v.field("torsional_friction", m.torsional_friction);
+    visit(v, "surface_velocity", m.surface_velocity);
+    v.field("friction_rule", m.friction_rule);
+    v.field("restitution_rule", m.restitution_rule);
 }
 
 template <class V>
@@ -148,13 +181,95 @@ void visit_fields(V& v, ShapeRecord& s) {
     visit_geometry(v, s.geometry);
     visit(v, "position", s.pose.position);
     visit(v, "rotation", s.pose.rotation);
-    v.field("friction", s.material.friction);
-    v.field("restitution", s.material.restitution);
+    visit_fields(v, s.material);
     v.field("density", s.density);
+    v.field("mass", s.mass);
+    v.field("category", s.filter.category);
+    v.field("mask", s.filter.mask);
+    v.field("group", s.filter.group);
+    v.field("trigger", s.trigger);
+    v.field("report_stays", s.report_stays);
     v.field("body", s.body);
     v.field("next", s.next);
     visit(v, "fat", s.fat);
     v.field("moved", s.moved);
+}
+
+template <class V>
+void visit(V& v, std::string_view name, JointSpring& spring) {
+    v.enter(name);
+    v.field("hertz", spring.hertz);
+    v.field("damping_ratio", spring.damping_ratio);
+    v.leave();
+}
+template <class V>
+void visit(V& v, std::string_view name, JointLimit& limit) {
+    v.enter(name);
+    v.field("enabled", limit.enabled);
+    v.field("lower", limit.lower);
+    v.field("upper", limit.upper);
+    v.leave();
+}
+
+template <class V>
+void visit_kind(V& v, JointKind& joint) {
+    auto kind = static_cast<std::uint8_t>(joint.index());
+    v.field("kind", kind);
+    if constexpr (V::kLoading) {
+        if (!make_kind(kind, joint)) {
+            v.fail("kind", "is not a joint kind");
+            return;
+        }
+    }
+    if (auto* hinge = std::get_if<HingeJoint>(&joint)) {
+        visit(v, "limit", hinge->limit);
+        v.field("motor_enabled", hinge->motor.enabled);
+        v.field("motor_speed", hinge->motor.speed);
+        v.field("motor_max_torque", hinge->motor.max_torque);
+        visit(v, "spring", hinge->spring);
+        v.field("spring_angle", hinge->spring_angle);
+    }
+    if (auto* cone = std::get_if<ConeTwistJoint>(&joint)) {
+        v.field("swing", cone->swing);
+        visit(v, "twist", cone->twist);
+        v.field("friction_torque", cone->friction_torque);
+    }
+    if (auto* fixed = std::get_if<FixedJoint>(&joint)) {
+        visit(v, "linear", fixed->linear);
+        visit(v, "angular", fixed->angular);
+    }
+    if (auto* distance = std::get_if<DistanceJoint>(&joint)) {
+        v.field("min_length", distance->min_length);
+        v.field("max_length", distance->max_length);
+        visit(v, "spring", distance->spring);
+        v.field("rest_length", distance->rest_length);
+    }
+}
+
+template <class V>
+void visit_fields(V& v, Joint& j) {
+    v.field("body_a", j.body_a);
+    v.field("body_b", j.body_b);
+    visit(v, "frame_a", j.frame_a);
+    visit(v, "frame_b", j.frame_b);
+    visit_kind(v, j.kind);
+    v.field("collide_connected", j.collide_connected);
+    v.field("break_force", j.break_force);
+    v.field("break_torque", j.break_torque);
+    v.field("user_data", j.user_data);
+    visit(v, "point", j.point);
+    visit(v, "turn", j.turn);
+    v.field("lower", j.lower);
+    v.field("upper", j.upper);
+    v.field("swing_impulse", j.swing);
+    v.field("spring_impulse", j.spring);
+    visit(v, "drive", j.drive);
+    visit(v, "force", j.force);
+    visit(v, "torque", j.torque);
+    for (int side = 0; side < 2; side++) {
+        v.field("next", j.next[side]);
+        v.field("prev", j.prev[side]);
+    }
 }
 
 template <class V>
@@ -165,11 +280,18 @@ void visit_fields(V& v, Contact& c) {
     v.field("body_b", c.body_b);
     v.field("colour", c.colour);
     v.field("slot", c.slot);
-    v.field("axis", c.axis);
+    v.field("axis", c.cache.axis);
+    visit(v, "direction", c.cache.direction);
     v.field("touching", c.touching);
     v.field("waiting", c.waiting);
     v.field("dormant", c.dormant);
     v.field("limit", c.limit);
+    v.field("composite", c.composite);
+    v.field("parent", c.parent);
+    v.field("first_part", c.first_part);
+    v.field("next_part", c.next_part);
+    v.field("key", c.key);
+    v.field("parts_touching", c.parts_touching);
     for (int side = 0; side < 2; side++) {
         v.field("next", c.next[side]);
         v.field("prev", c.prev[side]);
@@ -180,6 +302,9 @@ template <class V>
 void visit_fields(V& v, SavedManifold& m) {
     v.field("contact", m.contact);
     for (float& row : m.rows) v.field("row", row);
+    v.field("rough", m.rough);
+    if (m.rough)
+        for (float& row : m.rough_values) v.field("rough_value", row);
     v.field("moved", m.moved);
     v.field("restitution", m.restitution);
     v.field("aged", m.aged);
@@ -202,6 +327,12 @@ void visit_fields(V& v, Colour& colour, int index) {
         v.field("contact", side.contact[lane]);
         for (int row = 2; row < manifold_rows; row++)
             v.field("row", *lane_float(colour.blocks[block], row, lane));
+        auto rough = static_cast<std::uint8_t>(side.rough >> lane & 1);
+        v.field("rough", rough);
+        if constexpr (V::kLoading) side.rough |= static_cast<std::uint8_t>((rough & 1) << lane);
+        if ((rough & 1) != 0)
+            for (int row = 0; row < rough_rows; row++)
+                v.field("rough_value", *lane_float(colour.roughs[block], row, lane));
         v.field("moved", side.moved[lane]);
         v.field("restitution", side.restitution[lane]);
         auto aged = static_cast<std::uint8_t>(side.aged >> lane & 1);
@@ -228,6 +359,9 @@ void visit_world(V& v, WorldState& world) {
     visit(v, "gravity", world.def.gravity);
     v.field("substeps", world.def.substeps);
     v.field("sleeping", world.def.sleeping);
+    v.field("continuous", world.def.continuous);
+    v.field("planar", world.def.planar);
+    v.field("hit_speed", world.def.hit_speed);
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
     v.leave();
@@ -247,6 +381,19 @@ void visit_world(V& v, WorldState& world) {
     visit(v, "ids", world.shapes.ids);
     visit_all(v, "shapes", world.shapes.shapes, [&](ShapeRecord& s) { visit_fields(v, s); });
     visit_all(v, "moved", world.shapes.moved, [&](std::uint32_t& s) { v.field("", s); });
+    v.leave();
+
+    v.enter("joints");
+    visit(v, "ids", world.joints.ids);
+    visit_all(v, "joints", world.joints.joints, [&](Joint& j) { visit_fields(v, j); });
+    v.leave();
+
+    v.enter("triggers");
+    visit_all(v, "inside", world.triggers.inside, [&](Inside& pair) {
+        v.field("trigger", pair.trigger);
+        v.field("shape", pair.shape);
+    });
+    visit_all(v, "fresh", world.triggers.fresh, [&](std::uint32_t& s) { v.field("", s); });
     v.leave();
 
     v.enter("contacts");

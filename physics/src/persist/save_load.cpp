@@ -11,18 +11,20 @@
 #include "persist/derive.h"
 #include "persist/field_list.h"
 #include "persist/path.h"
+#include "persist/shared_geometry.h"
 #include "state/validate.h"
 
 namespace jostle::physics {
 namespace {
 
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
-constexpr std::uint32_t version = 1;  // docs/format_changes.md has one line for each
+constexpr std::uint32_t version = 2;  // docs/format_changes.md has one line for each
 constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
 
 struct Saver {
     static constexpr bool kLoading = false;
     ByteWriter out;
+    SharedGeometry table;
 
     void enter(std::string_view) {}
     void enter(std::size_t) {}
@@ -35,11 +37,22 @@ struct Saver {
         out.write(static_cast<std::uint64_t>(size));
         return size;
     }
+    template <class Data>
+    void shared(std::string_view, std::shared_ptr<const Data>& data) {
+        out.write(table.index_of(data));
+    }
 };
+
+template <class T>
+constexpr std::uint64_t largest_value() {
+    if constexpr (std::is_same_v<T, Combine>) return 4;
+    return 2;  // BodyType, BodySet
+}
 
 struct Loader {
     static constexpr bool kLoading = true;
     ByteReader in;
+    SharedGeometry table;
     Path path;
     std::string error;
 
@@ -61,7 +74,8 @@ struct Loader {
             if (bits > 1) return fail(name, "is neither 0 nor 1");
             value = bits == 1;
         } else if constexpr (std::is_enum_v<T>) {
-            if (bits > 2) return fail(name, "is not one of its three values");
+            // Enumerations count from 0.
+            if (bits > largest_value<T>()) return fail(name, "is not one of its values");
             value = static_cast<T>(bits);
         } else if constexpr (std::is_floating_point_v<T>) {
             value = std::bit_cast<T>(bits);
@@ -69,6 +83,14 @@ struct Loader {
         } else {
             value = static_cast<T>(bits);
         }
+    }
+    template <class Data>
+    void shared(std::string_view name, std::shared_ptr<const Data>& data) {
+        std::uint32_t index = 0;
+        field(name, index);
+        if (!error.empty()) return;
+        data = table.at<Data>(index);
+        if (!data) fail(name, "names no shared geometry of its kind");
     }
     // No array is longer than the bytes that are left: what a file can make us allocate is bounded
     // by its own size.
@@ -108,7 +130,10 @@ Error corrupt(std::string message) {
 std::vector<std::byte> save(const World& world) {
     Saver body;
     // The list is shared with loading, so it takes references; saving changes nothing.
-    visit_world(body, const_cast<WorldState&>(world.state()));
+    auto& state = const_cast<WorldState&>(world.state());
+    body.table.collect(state);
+    body.table.write(body.out);
+    visit_world(body, state);
     ByteWriter out;
     out.write(magic);
     out.write(version);
@@ -139,7 +164,8 @@ Result<World> load(std::span<const std::byte> bytes) {
         return corrupt("its checksum does not match: bytes were changed");
 
     auto state = std::make_unique<WorldState>();
-    Loader loader{.in = ByteReader(rest), .path = {}, .error = {}};
+    Loader loader{.in = ByteReader(rest), .table = {}, .path = {}, .error = {}};
+    if (const auto fault = loader.table.read(loader.in)) return corrupt(*fault);
     visit_world(loader, *state);
     if (!loader.error.empty()) return corrupt(loader.error);
     if (loader.in.left() != 0)

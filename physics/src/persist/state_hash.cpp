@@ -4,6 +4,7 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/physics/world.h"
 #include "persist/field_list.h"
+#include "persist/shared_geometry.h"
 
 namespace jostle::physics {
 namespace {
@@ -22,6 +23,10 @@ struct HashVisitor {
     std::size_t count(std::string_view, std::size_t size) {
         hasher.add(size);
         return size;
+    }
+    template <class Data>
+    void shared(std::string_view, std::shared_ptr<const Data>& data) {
+        hasher.add(data->content_hash);
     }
 };
 

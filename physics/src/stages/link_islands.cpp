@@ -29,17 +29,46 @@ ContactBegin begin_event(WorldState& world, const Contact& c) {
             .approach = maximum(0, -dot(normal, vb - va))};
 }
 
+void report_begin(WorldState& world, const Contact& c) {
+    const ContactBegin begin = begin_event(world, c);
+    world.events.contacts_began.push_back(begin);
+    if (begin.approach >= world.def.hit_speed)
+        world.events.hits.push_back({begin.shape_a, begin.shape_b, begin.body_a, begin.body_b,
+                                     begin.point, begin.normal, begin.approach});
+}
+
 void change_touch(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
     if (!c.touching) {
-        world.events.contacts_began.push_back(begin_event(world, c));
+        if (c.parent == none)
+            report_begin(world, c);
+        else
+            world.scratch.pairs_changed.push_back(c.parent);
         begin_touch(world, contact);
     } else {
-        world.events.contacts_ended.push_back({shape_id(world, c.shape_a),
-                                               shape_id(world, c.shape_b), body_id(world, c.body_a),
-                                               body_id(world, c.body_b)});
+        if (c.parent == none) report_end(world, c, world.events.contacts_ended);
         end_touch(world, contact);
     }
+}
+
+// A pair of many parts begins with the first of them and ends with the last.
+void report_composites(WorldState& world) {
+    auto& changed = world.scratch.pairs_changed;
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const std::uint32_t pair : changed) {
+        if (!world.contacts.ids.alive(pair)) continue;
+        Contact& c = world.contacts.contacts[pair];
+        if (!c.composite) continue;
+        settle_pair(world, pair);
+        if (c.touching || c.parts_touching == 0) continue;
+        std::uint32_t first = c.first_part;
+        while (!world.contacts.contacts[first].touching)
+            first = world.contacts.contacts[first].next_part;
+        report_begin(world, world.contacts.contacts[first]);
+        c.touching = true;
+    }
+    changed.clear();
 }
 
 }  // namespace
@@ -64,6 +93,7 @@ void link_islands(StepContext& step) {
     // By index of contact: the order decides which island takes in which.
     std::sort(changes.begin(), changes.end());
     for (const std::uint32_t contact : changes) change_touch(world, contact);
+    report_composites(world);
     world.profile.manifolds = manifolds;
     world.profile.touching = touching;
 }

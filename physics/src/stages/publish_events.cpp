@@ -8,9 +8,76 @@ namespace {
 
 template <class Event>
 void sort_by_shapes(std::vector<Event>& events) {
-    std::sort(events.begin(), events.end(), [](const Event& x, const Event& y) {
+    std::stable_sort(events.begin(), events.end(), [](const Event& x, const Event& y) {
         return std::pair(x.shape_a, x.shape_b) < std::pair(y.shape_a, y.shape_b);
     });
+}
+
+template <class Event>
+void sort_by_trigger(std::vector<Event>& events) {
+    std::sort(events.begin(), events.end(), [](const Event& x, const Event& y) {
+        return std::pair(x.trigger, x.shape) < std::pair(y.trigger, y.shape);
+    });
+}
+
+Vec3 row3(const float (*rows)[8], int lane) {
+    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
+}
+
+// One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
+ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
+                    int lane) {
+    const double substeps = world.def.substeps;
+    double normal = 0, deepest = 1e300;
+    for (int k = 0; k < 4; k++) {
+        normal += double{block.lambda[k][lane]};
+        deepest = minimum(deepest, double{block.gap[k][lane]});
+    }
+    const double f1 = double{block.friction[0][lane]}, f2 = double{block.friction[1][lane]};
+    return {.shape_a = shape_id(world, c.shape_a),
+            .shape_b = shape_id(world, c.shape_b),
+            .body_a = body_id(world, c.body_a),
+            .body_b = body_id(world, c.body_b),
+            .point = warm_of(world, c.body_a).center + row3(block.arm_a, lane),
+            .normal = row3(block.normal, lane),
+            .normal_impulse = normal * substeps,
+            .friction_impulse = square_root(f1 * f1 + f2 * f2) * substeps,
+            .penetration = -deepest};
+}
+
+void report_stays(WorldState& world) {
+    auto& stays = world.events.contacts;
+    for (const Colour& colour : world.manifolds.colours)
+        for (std::size_t k = 0; k < colour.blocks.size(); k++)
+            for (int lane = 0; lane < 8; lane++) {
+                const BlockSide& side = colour.sides[k];
+                if ((side.touching >> lane & 1) == 0 || side.contact[lane] == none) continue;
+                const Contact& c = world.contacts.contacts[side.contact[lane]];
+                if (!world.shapes.shapes[c.shape_a].report_stays &&
+                    !world.shapes.shapes[c.shape_b].report_stays)
+                    continue;
+                stays.push_back(stay_of(world, c, colour.blocks[k], lane));
+            }
+    sort_by_shapes(stays);
+    // The manifolds of one pair are one contact: the point and normal are those of the hardest.
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < stays.size(); k++) {
+        const bool same = kept > 0 && stays[kept - 1].shape_a == stays[k].shape_a &&
+                          stays[kept - 1].shape_b == stays[k].shape_b;
+        if (!same) {
+            stays[kept++] = stays[k];
+            continue;
+        }
+        ContactStay& sum = stays[kept - 1];
+        if (stays[k].normal_impulse > sum.normal_impulse) {
+            sum.point = stays[k].point;
+            sum.normal = stays[k].normal;
+        }
+        sum.normal_impulse += stays[k].normal_impulse;
+        sum.friction_impulse += stays[k].friction_impulse;
+        sum.penetration = maximum(sum.penetration, stays[k].penetration);
+    }
+    stays.resize(kept);
 }
 
 }  // namespace
@@ -19,6 +86,13 @@ void publish_events(StepContext& step) {
     EventStore& events = step.world.events;
     sort_by_shapes(events.contacts_began);
     sort_by_shapes(events.contacts_ended);
+    sort_by_shapes(events.hits);
+    if (step.world.shapes.reporters > 0) report_stays(step.world);
+    sort_by_trigger(events.triggers_entered);
+    sort_by_trigger(events.triggers_stayed);
+    sort_by_trigger(events.triggers_left);
+    std::sort(events.joints_broke.begin(), events.joints_broke.end(),
+              [](const JointBreak& x, const JointBreak& y) { return x.joint < y.joint; });
     std::sort(events.fell_asleep.begin(), events.fell_asleep.end());
     std::sort(events.woke.begin(), events.woke.end());
     std::sort(events.quarantined.begin(), events.quarantined.end());

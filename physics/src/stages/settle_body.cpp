@@ -27,6 +27,10 @@ bool left_fat_box(const WorldState& world, const BodyWarm& warm, const BodyCold&
 void begin_settling(WorldState& world) {
     world.scratch.left_fat_box.assign(world.bodies.awake.size(), 0);
     world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
+    world.scratch.fast.assign(world.bodies.awake.size(), 0);
+    world.scratch.any_fast = 0;
+    if (world.scratch.before.size() < world.bodies.awake.size())
+        world.scratch.before.resize(world.bodies.awake.size());
 }
 
 void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
@@ -49,6 +53,11 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     const double angle = 2.2 * square_root(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
     const double way =
         length(motion.displacement) + maximum(angle, length(motion.w) * step.dt) * cold.radius;
+    if (way > tuning::sweep_fraction * cold.inner_radius && cold.continuous) {
+        world.scratch.before[awake_index] = warm;
+        world.scratch.fast[awake_index] = 1;
+        world.scratch.any_fast = 1;
+    }
     warm.center = center;
     warm.rotation = motion.rotation;
     warm.axes = to_matrix(warm.rotation);

@@ -3,6 +3,7 @@
 
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
+#include "stages/solve_joints.h"
 
 namespace jostle::physics {
 namespace {
@@ -23,9 +24,11 @@ void sort_out_bodies(WorldState& world) {
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
         // Kinematic bodies fly free; the solver reads them when something may touch them.
-        if (cold.lanes > 0 || (cold.type == BodyType::kinematic && cold.first_edge != none))
+        const bool held = cold.lanes > 0 || cold.first_joint != none;
+        if (held || (cold.type == BodyType::kinematic && cold.first_edge != none))
             scratch.in_solver.push_back(i);
-        if (cold.lanes == 0) scratch.free.push_back(i);
+        // Kinematic bodies are moved by their velocity, whatever touches them.
+        if (!held || cold.type == BodyType::kinematic) scratch.free.push_back(i);
     }
     world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size());
     world.profile.bodies_in_solver =
@@ -51,6 +54,11 @@ void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, Bo
     hot.inertia[3] = as_float(inertia.x.y);
     hot.inertia[4] = as_float(inertia.x.z);
     hot.inertia[5] = as_float(inertia.y.z);
+
+    const Vec3 free = free_directions(cold);
+    hot.free_x = as_float(free.x);
+    hot.free_y = as_float(free.y);
+    hot.free_z = as_float(free.z);
 
     const double h = step.dt / step.contacts.substeps;
     const double linear = damping_factor(cold.linear_damping, h);
@@ -101,6 +109,7 @@ void solve_constraints(StepContext& step) {
     each_body(
         [&](std::uint32_t i) { prepare_body(step, i, scratch.hot[i + 1], scratch.drive[i + 1]); });
 
+    prepare_joints(step);
     ManifoldStore& manifolds = world.manifolds;
     const std::span<HotBody> bodies = scratch.hot;
     const bool bouncy = begin_bounces(manifolds, bodies, step.team);
@@ -112,13 +121,17 @@ void solve_constraints(StepContext& step) {
             [&](std::uint32_t i) { accelerate(scratch.hot[i + 1], scratch.drive[i + 1], first); });
         if (first && bouncy) foresee_bounces(manifolds, bodies, step.contacts, step.team);
         // Later sub-steps are warm started by accelerate().
+        if (first) warm_start_joints(step);
         if (first) warm_start(manifolds, bodies, step.team);
+        solve_joints(step, false);
         solve(manifolds, bodies, step.contacts, step.team);
         each_body([&](std::uint32_t i) { advance(scratch.hot[i + 1], pace); });
+        solve_joints(step, true);
         relax(manifolds, bodies, step.contacts, last, step.team);
         if (bouncy) note_bounce_peaks(manifolds, step.team);
     }
     if (bouncy) end_bounces(manifolds, bodies, step.contacts, step.team);
+    finish_joints(step);
 }
 
 }  // namespace jostle::physics

@@ -9,9 +9,11 @@
 #include "stages/publish_events.h"
 #include "stages/quarantine.h"
 #include "stages/solve_constraints.h"
+#include "stages/stop_fast_bodies.h"
 #include "stages/update_contacts.h"
 #include "stages/update_pairs.h"
 #include "stages/update_sleep.h"
+#include "stages/update_triggers.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -47,8 +49,10 @@ void step_world(WorldState& world, double dt) {
     run<link_islands>(step, Stage::link_islands);            // what hangs together
     run<integrate_free>(step, Stage::integrate_free);        // all that touches nothing
     run<finalize>(step, Stage::finalize);                    // poses, bounds, rest time
+    run<stop_fast_bodies>(step, Stage::stop_fast_bodies);    // nothing passes through a wall
     run<quarantine>(step, Stage::quarantine);                // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);            // resting islands leave the awake set
+    run<update_triggers>(step, Stage::update_triggers);      // what is inside which trigger
     run<publish_events>(step, Stage::publish_events);        // sorted, ready to read
     world.steps++;
     world.profile.step_ms = timer.lap_ms();

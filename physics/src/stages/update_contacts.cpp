@@ -2,10 +2,10 @@
 #include "stages/update_contacts.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "collision/narrowphase/collide.h"
 #include "constraints/write_manifold.h"
-#include "geometry/ray.h"
 #include "jostle/physics/tuning.h"
 #include "state/lanes.h"
 #include "state/links.h"
@@ -15,8 +15,15 @@ namespace {
 
 // ---- which pairs to look at ----
 
+void queue(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    if (c.queued) return;
+    c.queued = true;
+    world.scratch.checks.push_back({.contact = contact, .manifold = {}});
+}
+
 // Takes the due entries off the waiting list, and drops those whose bodies all fell asleep.
-void take_due_pairs(WorldState& world, std::vector<ContactCheck>& checks) {
+void take_due_pairs(WorldState& world) {
     std::vector<Waiting>& waiting = world.contacts.waiting;
     const std::vector<BodyReach>& reach = world.bodies.reach;
     std::size_t kept = 0;
@@ -28,7 +35,7 @@ void take_due_pairs(WorldState& world, std::vector<ContactCheck>& checks) {
             c.limit = w.limit;
         } else if (reach[w.body_a].reach + reach[w.body_b].reach > w.limit) {
             c.waiting = false;
-            checks.push_back({.contact = w.contact});
+            queue(world, w.contact);
         } else {
             waiting[kept++] = w;
         }
@@ -36,14 +43,26 @@ void take_due_pairs(WorldState& world, std::vector<ContactCheck>& checks) {
     waiting.resize(kept);
 }
 
-void take_aged_manifolds(const WorldState& world, std::vector<ContactCheck>& checks) {
+// A composite pair is looked at as a whole when any of its parts has aged.
+void take_aged_manifolds(WorldState& world) {
     for (const Colour& colour : world.manifolds.colours)
         for (const BlockSide& side : colour.sides) {
             if (side.aged == 0) continue;
-            for (int lane = 0; lane < 8; lane++)
-                if ((side.aged >> lane & 1) != 0 && side.contact[lane] != none)
-                    checks.push_back({.contact = side.contact[lane]});
+            for (int lane = 0; lane < 8; lane++) {
+                if ((side.aged >> lane & 1) == 0 || side.contact[lane] == none) continue;
+                const Contact& c = world.contacts.contacts[side.contact[lane]];
+                queue(world, c.parent == none ? side.contact[lane] : c.parent);
+            }
         }
+}
+
+// Room for the parts of every composite pair, given out before threads look at them.
+void give_out_lists(WorldState& world) {
+    std::int32_t lists = 0;
+    for (ContactCheck& check : world.scratch.checks)
+        if (world.contacts.contacts[check.contact].composite) check.list = lists++;
+    if (world.scratch.parts.size() < static_cast<std::size_t>(lists))
+        world.scratch.parts.resize(static_cast<std::size_t>(lists));
 }
 
 // ---- looking at one pair ----
@@ -57,21 +76,15 @@ Motion motion_of(const WorldState& world, std::uint32_t body) {
 }
 
 // How far ahead to look for contacts: the way the pair closes in a step, but no more than the
-// smaller body's size. Beyond that a manifold would see a plane where there is an edge to fly past,
-// so the whole way counts only when a centre would run into the other shape: without it a fast ball
-// is before a thin wall in one step and behind it in the next.
-double closing_reach(const WorldState& world, const Contact& c, const Placed& shape_a,
-                     const Placed& shape_b, double dt) {
+// smaller body's thickness. Beyond that a manifold would see a plane where there is an edge to fly
+// past; what moves further in a step is swept (stages/stop_fast_bodies.h).
+double closing_reach(const WorldState& world, const Contact& c, double dt) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const Motion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
-    const Vec3 motion = (ma.v - mb.v) * dt;
-    const double way = length(motion) + (length(ma.w) * a.radius + length(mb.w) * b.radius) * dt;
+    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
+    const double way = (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
     const double size = b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
-    if (way <= size) return way;
-    if (length(motion) <= size) return size;  // it is the turn that is fast
-    const bool runs_into = cast_ray(shape_b, ma.center, motion).has_value() ||
-                           cast_ray(shape_a, mb.center, -motion).has_value();
-    return runs_into ? way : size;
+    return minimum(way, size);
 }
 
 // The smallest gap that any point may have at the end of the step, as the bodies move now.
@@ -87,13 +100,63 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
     return smallest;
 }
 
+// A composite pair is looked at a little further than it needs, so that it need not be looked at
+// in every step.
+constexpr double composite_slack = 0.01;  // m
+
+Vec3 normal_of(WorldState& world, const Contact& part) {
+    const LanePlace place = place_of(world, part);
+    return {double{place.block->normal[0][place.lane]}, double{place.block->normal[1][place.lane]},
+            double{place.block->normal[2][place.lane]}};
+}
+
+// Finds for each part that exists the manifold that continues it: the same child, and of pieces of
+// a surface the one with the nearest normal.
+void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>& found) {
+    for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part) {
+        const Contact& part = world.contacts.contacts[p];
+        if (part.colour < 0) continue;
+        const Vec3 normal = normal_of(world, part);
+        FoundPart* best = nullptr;
+        double most = 0.9;
+        for (FoundPart& f : found) {
+            if (f.contact != none || f.part.key != part.key) continue;
+            const double like = dot(f.part.manifold.normal, normal);
+            if (like > most) {
+                most = like;
+                best = &f;
+            }
+        }
+        if (best == nullptr) continue;
+        best->contact = p;
+        write_manifold(world, part, best->part.manifold, false);
+    }
+}
+
+void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, const Placed& b,
+                       double dt) {
+    const Contact& c = world.contacts.contacts[check.contact];
+    check.sure = closing_reach(world, c, dt) + composite_slack;
+    std::vector<PartManifold> parts;
+    collide_composite(a, b, tuning::speculative_margin + check.sure, parts);
+    std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
+    found.clear();
+    check.gap_ahead = 1e300;
+    for (const PartManifold& part : parts) {
+        found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
+        check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
+    }
+    match_parts(world, c, found);
+}
+
 void look(WorldState& world, ContactCheck& check, double dt) {
     Contact& c = world.contacts.contacts[check.contact];
     const ShapeRecord& sa = world.shapes.shapes[c.shape_a];
     const ShapeRecord& sb = world.shapes.shapes[c.shape_b];
     const Placed a = placed(sa, warm_of(world, c.body_a)), b = placed(sb, warm_of(world, c.body_b));
-    const double margin = tuning::speculative_margin + closing_reach(world, c, a, b, dt);
-    check.manifold = collide(a, b, margin, c.axis);
+    if (c.composite) return look_at_composite(world, check, a, b, dt);
+    const double margin = tuning::speculative_margin + closing_reach(world, c, dt);
+    check.manifold = collide(a, b, margin, c.cache);
     check.gap_ahead = expected_gap(world, c, check.manifold, dt);
     check.expected = check.gap_ahead < tuning::speculative_margin;
     if (c.colour >= 0 && check.manifold.count > 0) write_manifold(world, c, check.manifold, false);
@@ -124,9 +187,7 @@ double smallest_gap(const Manifold& m) {
 void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
     Contact& c = world.contacts.contacts[check.contact];
     if (c.touching) {
-        world.events.contacts_ended.push_back({shape_id(world, c.shape_a),
-                                               shape_id(world, c.shape_b), body_id(world, c.body_a),
-                                               body_id(world, c.body_b)});
+        report_end(world, c, world.events.contacts_ended);
         end_touch(world, check.contact);
     }
     if (c.colour >= 0) release_lane(world, check.contact);
@@ -138,15 +199,65 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
     put_on_waiting_list(world, check.contact, travel + smallest_gap(check.manifold) - near);
 }
 
+std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
+    return static_cast<std::uint32_t>(&check - world.scratch.checks.data());
+}
+
+void wake_sleepers(WorldState& world, const Contact& c) {
+    for (const std::uint32_t body : {c.body_a, c.body_b})
+        if (world.bodies.cold[body].set == BodySet::sleeping)
+            world.scratch.to_wake.push_back(world.bodies.cold[body].island);
+}
+
+// Parts that found no manifold end, manifolds without a part begin one when they may touch in this
+// step, and the pair waits until something new may come near.
+void decide_composite(WorldState& world, ContactCheck& check) {
+    auto& contacts = world.contacts.contacts;
+    const auto& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
+    const double travel = world.bodies.reach[contacts[check.contact].body_a].travel +
+                          world.bodies.reach[contacts[check.contact].body_b].travel;
+    const bool asleep = has_sleeper(world, contacts[check.contact]);
+    if (asleep && check.gap_ahead >= tuning::wake_gap) {
+        if (!boxes_overlap(world, contacts[check.contact]))
+            return destroy_contact(world, check.contact, world.events.contacts_ended);
+        const double clear = found.empty() ? check.sure : check.gap_ahead - tuning::wake_gap;
+        return put_on_waiting_list(world, check.contact, travel + minimum(check.sure, clear));
+    }
+    if (asleep) wake_sleepers(world, contacts[check.contact]);
+    for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
+        const std::uint32_t next = contacts[p].next_part;
+        const bool goes_on = std::any_of(found.begin(), found.end(),
+                                         [&](const FoundPart& f) { return f.contact == p; });
+        if (goes_on)
+            finish_manifold(world, contacts[p]);
+        else
+            destroy_contact(world, p, world.events.contacts_ended);
+        p = next;
+    }
+    if (found.empty() && !boxes_overlap(world, contacts[check.contact])) {
+        return destroy_contact(world, check.contact, world.events.contacts_ended);
+    }
+    double clear = check.sure;
+    for (std::size_t k = 0; k < found.size(); k++) {
+        if (found[k].contact != none) continue;
+        if (found[k].gap_ahead < tuning::speculative_margin)
+            world.scratch.new_lanes.push_back(
+                {index_of(world, check), static_cast<std::int32_t>(k)});
+        else
+            clear = minimum(clear, found[k].gap_ahead - tuning::speculative_margin);
+    }
+    put_on_waiting_list(world, check.contact, travel + clear);
+}
+
 void decide(WorldState& world, ContactCheck& check) {
     Contact& c = world.contacts.contacts[check.contact];
+    c.queued = false;
+    if (c.composite) return decide_composite(world, check);
     StepScratch& scratch = world.scratch;
     if (has_sleeper(world, c)) {
         if (check.gap_ahead < tuning::wake_gap) {
-            for (const std::uint32_t body : {c.body_a, c.body_b})
-                if (world.bodies.cold[body].set == BodySet::sleeping)
-                    scratch.to_wake.push_back(world.bodies.cold[body].island);
-            scratch.new_lanes.push_back(static_cast<std::uint32_t>(&check - scratch.checks.data()));
+            wake_sleepers(world, c);
+            scratch.new_lanes.push_back({index_of(world, check), -1});
         } else {
             wait_or_end(world, check, tuning::wake_gap);
         }
@@ -158,7 +269,7 @@ void decide(WorldState& world, ContactCheck& check) {
         if (c.colour >= 0)
             finish_manifold(world, c);
         else
-            scratch.new_lanes.push_back(static_cast<std::uint32_t>(&check - scratch.checks.data()));
+            scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
     }
     wait_or_end(world, check, tuning::speculative_margin);
@@ -174,17 +285,27 @@ void wake_islands(WorldState& world) {
 // In order of shapes, so that colours and lanes do not depend on the order of the waiting list.
 void begin_manifolds(WorldState& world) {
     auto& fresh = world.scratch.new_lanes;
-    const auto key = [&](std::uint32_t check) {
-        const Contact& c = world.contacts.contacts[world.scratch.checks[check].contact];
-        return std::pair(c.shape_a, c.shape_b);
+    const auto key = [&](const NewLane& lane) {
+        const Contact& c = world.contacts.contacts[world.scratch.checks[lane.check].contact];
+        return std::tuple(c.shape_a, c.shape_b, lane.part);
     };
     std::sort(fresh.begin(), fresh.end(),
-              [&](std::uint32_t x, std::uint32_t y) { return key(x) < key(y); });
-    for (const std::uint32_t index : fresh) {
-        const ContactCheck& check = world.scratch.checks[index];
-        take_lane(world, check.contact);
-        const Contact& c = world.contacts.contacts[check.contact];
-        write_manifold(world, c, check.manifold, true);
+              [&](const NewLane& x, const NewLane& y) { return key(x) < key(y); });
+    for (const NewLane& lane : fresh) {
+        const ContactCheck& check = world.scratch.checks[lane.check];
+        std::uint32_t contact = check.contact;
+        const Manifold* manifold = &check.manifold;
+        if (lane.part >= 0) {
+            const PartManifold& part = world.scratch
+                                           .parts[static_cast<std::size_t>(check.list)]
+                                                 [static_cast<std::size_t>(lane.part)]
+                                           .part;
+            contact = create_part(world, check.contact, part.key);
+            manifold = &part.manifold;
+        }
+        take_lane(world, contact);
+        const Contact& c = world.contacts.contacts[contact];
+        write_manifold(world, c, *manifold, true);
         finish_manifold(world, c);
     }
 }
@@ -197,8 +318,9 @@ void update_contacts(StepContext& step) {
     checks.clear();
     world.scratch.new_lanes.clear();
     world.scratch.to_wake.clear();
-    take_due_pairs(world, checks);
-    take_aged_manifolds(world, checks);
+    take_due_pairs(world);
+    take_aged_manifolds(world);
+    give_out_lists(world);
     step.team.run(static_cast<int>(checks.size()), 32, [&](int begin, int end) {
         for (int k = begin; k < end; k++) look(world, checks[static_cast<std::size_t>(k)], step.dt);
     });

@@ -9,18 +9,21 @@ namespace jostle::physics {
 namespace {
 
 void add_pair(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t body_a = world.shapes.shapes[a].body, body_b = world.shapes.shapes[b].body;
-    if (body_a == body_b) return;
-    if (world.bodies.cold[body_a].type != BodyType::dynamic &&
-        world.bodies.cold[body_b].type != BodyType::dynamic)
+    const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
+    if (sa.body == sb.body) return;
+    if (world.bodies.cold[sa.body].type != BodyType::dynamic &&
+        world.bodies.cold[sb.body].type != BodyType::dynamic)
         return;
+    if (!may_meet(sa.filter, sb.filter) || sa.trigger || sb.trigger) return;
     if (world.contacts.by_pair.contains(pair_key(a, b))) return;
+    if (joined_without_contact(world, sa.body, sb.body)) return;
     world.scratch.new_pairs.emplace_back(std::min(a, b), std::max(a, b));
 }
 
 void find_neighbours(WorldState& world, std::uint32_t index) {
     const ShapeStore& store = world.shapes;
     const ShapeRecord& shape = store.shapes[index];
+    if (shape.trigger) return;  // looked at by update_triggers
     const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
     if (is_plane(shape)) {
         for (std::uint32_t other = 0; other < store.ids.size(); other++)
@@ -29,12 +32,16 @@ void find_neighbours(WorldState& world, std::uint32_t index) {
                 add_pair(world, index, other);
         return;
     }
-    const auto add = [&](std::uint32_t other) { add_pair(world, index, other); };
-    store.moving_tree.query(shape.fat, add);
+    // A positive group collides whatever the mask says.
+    const std::uint32_t mask = shape.filter.group > 0 ? 0xffffffff : shape.filter.mask;
+    std::vector<std::uint32_t>& found = world.scratch.found;
+    found.clear();
+    store.moving->query(shape.fat, mask, found);
+    if (!fixed) store.fixed->query(shape.fat, mask, found);
+    for (const std::uint32_t other : found) add_pair(world, index, other);
     if (fixed) return;
-    store.fixed_tree.query(shape.fat, add);
     for (const std::uint32_t plane : store.planes)
-        if (reaches_plane(world, store.shapes[plane], shape.fat)) add(plane);
+        if (reaches_plane(world, store.shapes[plane], shape.fat)) add_pair(world, index, plane);
 }
 
 // A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
@@ -50,6 +57,8 @@ void update_pairs(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t>& moved = world.shapes.moved;
     if (!moved.empty()) {
+        world.shapes.fixed->settle();
+        world.shapes.moving->settle();
         auto& pairs = world.scratch.new_pairs;
         pairs.clear();
         for (const std::uint32_t shape : moved) find_neighbours(world, shape);

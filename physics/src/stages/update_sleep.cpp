@@ -7,6 +7,19 @@
 namespace jostle::physics {
 namespace {
 
+// ... and what is tied to one.
+void keep_towed_awake(WorldState& world) {
+    if (world.joints.ids.alive_count() == 0) return;
+    for (BodyWarm& warm : world.bodies.awake)
+        for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
+            const Joint& j = world.joints.joints[joint];
+            const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
+            if (world.bodies.cold[other].type != BodyType::kinematic) return;
+            const BodyWarm& driver = warm_of(world, other);
+            if (driver.v != Vec3{} || driver.w != Vec3{}) warm.quiet = 0;
+        });
+}
+
 // What touches a moving kinematic body is not at rest, however slowly that moves.
 void keep_carried_awake(WorldState& world) {
     for (int c = 0; c < colour_count; c++) {
@@ -43,14 +56,19 @@ void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
     while (!stack.empty()) {
         const std::uint32_t body = stack.back();
         stack.pop_back();
-        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
-            const Contact& c = world.contacts.contacts[contact];
-            if (!c.touching) return;
-            const std::uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+        const auto reach = [&](std::uint32_t other) {
             const BodyCold& cold = world.bodies.cold[other];
             if (cold.type != BodyType::dynamic || cold.island != none) return;
             add_to_island(world, island, other);
             stack.push_back(other);
+        };
+        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            if (c.touching) reach(c.body_a == body ? c.body_b : c.body_a);
+        });
+        for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t joint) {
+            const Joint& j = world.joints.joints[joint];
+            reach(j.body_a == body ? j.body_b : j.body_a);
         });
     }
 }
@@ -83,6 +101,7 @@ void update_sleep(StepContext& step) {
     WorldState& world = step.world;
     if (!world.def.sleeping || world.bodies.awake.empty()) return;
     keep_carried_awake(world);
+    keep_towed_awake(world);
     measure_rest(world);
     const StepScratch& scratch = world.scratch;
     // Splitting adds islands at the end or in holes; those wait for the next step's measure.

@@ -27,7 +27,10 @@ struct BodyCold {
     // What the user set.
     BodyType type = BodyType::dynamic;
     bool may_sleep = true;
+    bool continuous = true;
+    AxisLocks locks = 0;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
+    double wanted_mass = 0;  // kg; 0: what the shapes give
     std::uint64_t user_data = 0;
 
     // What its shapes make of it. Infinite mass and inertia are zero inverses.
@@ -36,15 +39,18 @@ struct BodyCold {
          inverse_inertia = diagonal({0, 0, 0});  // about the centre, body axes
     Vec3 local_center;                           // of mass, from the body's origin
     double radius = 0;                           // m from the centre of mass to the furthest point
+    double inner_radius = 0;                     // m: of its thinnest shape
     bool isotropic =
-        true;  // inertia is a multiple of the identity: no gyroscopic term, no inertia to turn
+        true;  // inertia is a multiple of the identity: no gyroscopic term, no inertia to turn.
+               // Never of bodies with locks: those need the full matrix
 
     // Where it is and what hangs on it.
     BodySet set = BodySet::fixed;
     std::uint32_t at = 0;  // index in its set
     std::uint32_t first_shape = none,
                   last_shape = none;  // list through ShapeRecord::next, in order of creation
-    std::uint32_t first_edge = none;  // list of contacts: contact * 2 + side
+    std::uint32_t first_edge = none;   // list of contacts: contact * 2 + side
+    std::uint32_t first_joint = none;  // list of joints: joint * 2 + side
     std::uint32_t island = none;      // dynamic bodies always have one
     std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
     std::uint64_t colours = 0;                             // colours its lanes take
@@ -81,10 +87,36 @@ inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
     return {warm.center - warm.axes * cold.local_center, warm.rotation};
 }
 
-// Inverse inertia in world axes.
+// A body whose axes are locked: what pushes it along or about one does nothing.
+inline Vec3 free_directions(const BodyCold& cold) {
+    return {(cold.locks & lock_x) != 0 ? 0.0 : 1.0, (cold.locks & lock_y) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_z) != 0 ? 0.0 : 1.0};
+}
+inline Vec3 free_turns(const BodyCold& cold) {
+    return {(cold.locks & lock_turn_x) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_turn_y) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_turn_z) != 0 ? 0.0 : 1.0};
+}
+inline Vec3 scaled(Vec3 a, Vec3 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+// Inverse inertia in world axes. With locked turns: the inverse of what is left of the inertia when
+// the locked rows and columns are taken out, not a part of the full inverse.
 inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
-    if (cold.isotropic) return cold.inverse_inertia;
-    return warm.axes * cold.inverse_inertia * transpose(warm.axes);
+    constexpr AxisLocks turns = lock_turn_x | lock_turn_y | lock_turn_z;
+    if ((cold.locks & turns) == 0) {
+        if (cold.isotropic) return cold.inverse_inertia;
+        return warm.axes * cold.inverse_inertia * transpose(warm.axes);
+    }
+    if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
+    const Vec3 free = free_turns(cold);
+    Mat3 left = warm.axes * cold.inertia * transpose(warm.axes);
+    left = {scaled(left.x, free) * free.x, scaled(left.y, free) * free.y,
+            scaled(left.z, free) * free.z};
+    const Mat3 inverted = inverse(left + diagonal(Vec3{1, 1, 1} - free));
+    return {scaled(inverted.x, free) * free.x, scaled(inverted.y, free) * free.y,
+            scaled(inverted.z, free) * free.z};
 }
 
 }  // namespace jostle::physics

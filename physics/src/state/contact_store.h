@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Contacts: one record per pair of shapes whose fat boxes overlap, from that moment until they
-// part. A contact is in one of three places: in a lane of the solver (it has a manifold), on the
+// part; and one per manifold of pairs that have several. A contact is in one of three places: in a lane of the solver (it has a manifold), on the
 // waiting list (too far apart for one), or dormant (no body of it is awake; its manifold, if any,
 // is kept by the sleeping island).
 #pragma once
@@ -21,11 +21,22 @@ struct Contact {
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
     std::int32_t colour = -1;                    // of its lane; -1: no lane
     std::int32_t slot = 0;                       // in that colour
-    AxisCache axis = no_axis;
+    PairCache cache;
     bool touching = false;  // pressed in the last step; binds the two bodies into one island
     bool waiting = false;   // has an entry on the waiting list
     bool dormant = false;
     double limit = -1;  // m: to be checked when reach_a + reach_b exceeds it
+
+    // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
+    // of its own, a part, that names it as parent.
+    bool composite = false;
+    std::uint32_t parent = none;
+    std::uint32_t first_part = none;      // of a composite
+    std::uint32_t next_part = none;       // of the same parent
+    std::uint64_t key = 0;                // which part: PartManifold::key
+    std::uint32_t parts_touching = 0;     // of a composite; `touching` is what was last reported
+    bool queued = false;                  // within a step: already among the pairs to look at
+
     // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
 };

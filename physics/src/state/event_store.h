@@ -13,18 +13,30 @@ namespace jostle::physics {
 struct EventStore {
     std::vector<ContactBegin> contacts_began;
     std::vector<ContactEnd> contacts_ended;
+    std::vector<ContactStay> contacts;
+    std::vector<ContactHit> hits;
+    std::vector<TriggerEvent> triggers_entered, triggers_stayed, triggers_left;
+    std::vector<JointBreak> joints_broke;
     std::vector<BodyId> fell_asleep, woke, quarantined;
     // Ended between steps by destroying or moving a body; published with the next step.
     std::vector<ContactEnd> pending_ended;
+    std::vector<TriggerEvent> pending_left;
     std::vector<BodyId> pending_woke;
 
     void begin_step() {
         contacts_began.clear();
         contacts_ended.clear();
+        contacts.clear();
+        hits.clear();
+        triggers_entered.clear();
+        triggers_stayed.clear();
+        triggers_left.clear();
+        joints_broke.clear();
         fell_asleep.clear();
         woke.clear();
         quarantined.clear();
         contacts_ended.swap(pending_ended);
+        triggers_left.swap(pending_left);
         woke.swap(pending_woke);
     }
 };

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int first_saved_row = 2;  // after a and b
 
-void clear_lane(ManifoldBlock& block, BlockSide& side, int lane) {
+void clear_lane(ManifoldBlock& block, BlockSide& side, BlockRough& rough, int lane) {
+    for (int row = 0; row < rough_rows; row++) *lane_float(rough, row, lane) = 0;
     block.a[lane] = block.b[lane] = 0;
     for (int row = first_saved_row; row < manifold_rows; row++) *lane_float(block, row, lane) = 0;
     for (auto& gap : block.gap) gap[lane] = no_point;
@@ -23,7 +24,9 @@ void clear_lane(ManifoldBlock& block, BlockSide& side, int lane) {
     side.touching &= keep;
     side.pressing &= keep;
     side.turning &= keep;
+    side.locked &= keep;
     side.bouncy &= keep;
+    side.rough &= keep;
 }
 
 std::uint8_t with_bit(std::uint8_t bits, int lane, bool on) {
@@ -38,6 +41,8 @@ void copy_lane(const LanePlace& to, const LanePlace& from) {
     for (std::size_t row = 0; row < manifold_rows; row++)
         std::memcpy(target + row * row_bytes + 4 * static_cast<std::size_t>(to.lane),
                     source + row * row_bytes + 4 * static_cast<std::size_t>(from.lane), 4);
+    for (int row = 0; row < rough_rows; row++)
+        *lane_float(*to.rough, row, to.lane) = *lane_float(*from.rough, row, from.lane);
     to.side->moved[to.lane] = from.side->moved[from.lane];
     to.side->restitution[to.lane] = from.side->restitution[from.lane];
     to.side->contact[to.lane] = from.side->contact[from.lane];
@@ -49,12 +54,14 @@ void copy_lane(const LanePlace& to, const LanePlace& from) {
     copy(&BlockSide::touching);
     copy(&BlockSide::pressing);
     copy(&BlockSide::turning);
+    copy(&BlockSide::locked);
     copy(&BlockSide::bouncy);
+    copy(&BlockSide::rough);
 }
 
 LanePlace place_at(Colour& colour, int colour_index, std::int32_t slot) {
     const auto block = static_cast<std::size_t>(slot / lanes_per_block(colour_index));
-    return {&colour, &colour.blocks[block], &colour.sides[block],
+    return {&colour, &colour.blocks[block], &colour.sides[block], &colour.roughs[block],
             slot % lanes_per_block(colour_index)};
 }
 
@@ -78,10 +85,11 @@ void add_block(Colour& colour) {
     colour.blocks.emplace_back();
     colour.sides.emplace_back();
     colour.bounces.emplace_back();
+    colour.roughs.emplace_back();
     std::memset(static_cast<void*>(&colour.blocks.back()), 0, sizeof(ManifoldBlock));
     std::memset(static_cast<void*>(&colour.bounces.back()), 0, sizeof(BlockBounce));
     for (int lane = 0; lane < 8; lane++)
-        clear_lane(colour.blocks.back(), colour.sides.back(), lane);
+        clear_lane(colour.blocks.back(), colour.sides.back(), colour.roughs.back(), lane);
 }
 
 LanePlace place_of(WorldState& world, const Contact& contact) {
@@ -122,6 +130,8 @@ void take_lane(WorldState& world, std::uint32_t contact_index) {
     place.side->contact[place.lane] = contact_index;
     const bool turning = !a.isotropic || (kind == Second::moving && !b.isotropic);
     place.side->turning = with_bit(place.side->turning, place.lane, turning);
+    const bool locked = a.locks != 0 || (kind == Second::moving && b.locks != 0);
+    place.side->locked = with_bit(place.side->locked, place.lane, locked);
     write_body_indices(world, contact);
 }
 
@@ -145,12 +155,13 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
         copy_lane(hole, last);
         world.contacts.contacts[hole.side->contact[hole.lane]].slot = contact.slot;
     }
-    clear_lane(*last.block, *last.side, last.lane);
+    clear_lane(*last.block, *last.side, *last.rough, last.lane);
     colour.lanes--;
     if (last.lane == 0) {
         colour.blocks.pop_back();
         colour.sides.pop_back();
         colour.bounces.pop_back();
+        colour.roughs.pop_back();
     }
     contact.colour = -1;
     contact.slot = 0;
@@ -162,7 +173,11 @@ SavedManifold save_lane(const WorldState& world, std::uint32_t contact_index) {
     SavedManifold saved{.contact = contact_index,
                         .moved = place.side->moved[place.lane],
                         .restitution = place.side->restitution[place.lane],
-                        .aged = (place.side->aged >> place.lane & 1) != 0};
+                        .aged = (place.side->aged >> place.lane & 1) != 0,
+                        .rough = (place.side->rough >> place.lane & 1) != 0};
+    for (int row = 0; row < rough_rows; row++)
+        saved.rough_values[static_cast<std::size_t>(row)] =
+            *lane_float(*place.rough, row, place.lane);
     for (int row = first_saved_row; row < manifold_rows; row++)
         saved.rows[static_cast<std::size_t>(row - first_saved_row)] =
             *lane_float(*place.block, row, place.lane);
@@ -176,6 +191,10 @@ void restore_lane(WorldState& world, const SavedManifold& saved) {
     for (int row = first_saved_row; row < manifold_rows; row++)
         *lane_float(*place.block, row, place.lane) =
             saved.rows[static_cast<std::size_t>(row - first_saved_row)];
+    for (int row = 0; row < rough_rows; row++)
+        *lane_float(*place.rough, row, place.lane) =
+            saved.rough_values[static_cast<std::size_t>(row)];
+    place.side->rough = with_bit(place.side->rough, place.lane, saved.rough);
     place.side->moved[place.lane] = saved.moved;
     place.side->restitution[place.lane] = saved.restitution;
     place.side->aged = with_bit(place.side->aged, place.lane, saved.aged);

@@ -31,6 +31,7 @@ struct LanePlace {
     Colour* colour;
     ManifoldBlock* block;
     BlockSide* side;
+    BlockRough* rough;
     int lane;
 };
 LanePlace place_of(WorldState& world, const Contact& contact);
@@ -38,6 +39,9 @@ LanePlace place_of(WorldState& world, const Contact& contact);
 // Row `row` of a block's lane as one float; rows 0 and 1 hold the body indices.
 inline float* lane_float(ManifoldBlock& block, int row, int lane) {
     return reinterpret_cast<float*>(&block) + row * 8 + lane;
+}
+inline float* lane_float(BlockRough& rough, int row, int lane) {
+    return reinterpret_cast<float*>(&rough) + row * 8 + lane;
 }
 
 }  // namespace jostle::physics

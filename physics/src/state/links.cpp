@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "collision/narrowphase/collide_composite.h"
 #include "foundation/check.h"
 #include "geometry/bounds.h"
 #include "jostle/physics/tuning.h"
@@ -41,13 +42,8 @@ void unlink_edge(ContactStore& store, std::uint32_t contact, unsigned side, Body
         body.first_edge = next;
 }
 
-}  // namespace
-
-// --- contacts ---
-
-std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
     ContactStore& store = world.contacts;
-    if (!is_dynamic(world, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
     const std::uint32_t index = store.ids.take();
     if (index == store.contacts.size()) store.contacts.emplace_back();
     Contact& c = store.contacts[index];
@@ -58,8 +54,47 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
     ASSERT(is_dynamic(world, c.body_a));
     link_edge(store, index, 0, world.bodies.cold[c.body_a]);
     link_edge(store, index, 1, world.bodies.cold[c.body_b]);
+    return index;
+}
+
+// Where the shape's box is found.
+BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
+    const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+    return fixed ? *world.shapes.fixed : *world.shapes.moving;
+}
+
+void unlink_part(ContactStore& store, std::uint32_t part) {
+    std::uint32_t* at = &store.contacts[store.contacts[part].parent].first_part;
+    while (*at != part) at = &store.contacts[*at].next_part;
+    *at = store.contacts[part].next_part;
+}
+
+}  // namespace
+
+// --- contacts ---
+
+std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+    ContactStore& store = world.contacts;
+    if (!is_dynamic(world, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
+    const std::uint32_t index = new_contact(world, shape_a, shape_b);
+    store.contacts[index].composite =
+        is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
+        is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
     store.by_pair.emplace(pair_key(shape_a, shape_b), index);
     put_on_waiting_list(world, index, -1);
+    return index;
+}
+
+std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key) {
+    auto& contacts = world.contacts.contacts;
+    const std::uint32_t index =
+        new_contact(world, contacts[parent].shape_a, contacts[parent].shape_b);
+    contacts[index].parent = parent;
+    contacts[index].key = key;
+    // At the end: parts keep the order in which they came.
+    std::uint32_t* last = &contacts[parent].first_part;
+    while (*last != none) last = &contacts[*last].next_part;
+    *last = index;
     return index;
 }
 
@@ -77,11 +112,15 @@ void put_on_waiting_list(WorldState& world, std::uint32_t contact, double limit)
 
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended) {
     ContactStore& store = world.contacts;
+    while (store.contacts[contact].first_part != none)
+        destroy_contact(world, store.contacts[contact].first_part, ended);
     Contact& c = store.contacts[contact];
-    if (c.touching) {
-        ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
-                         body_id(world, c.body_a), body_id(world, c.body_b)});
-        end_touch(world, contact);
+    if (c.parent != none) {
+        if (c.touching) end_touch(world, contact);
+        unlink_part(store, contact);
+    } else if (c.touching) {
+        report_end(world, c, ended);
+        if (!c.composite) end_touch(world, contact);
     }
     if (c.colour >= 0) release_lane(world, contact);
     if (c.waiting)
@@ -93,23 +132,115 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     }
     unlink_edge(store, contact, 0, world.bodies.cold[c.body_a]);
     unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
-    store.by_pair.erase(pair_key(c.shape_a, c.shape_b));
+    if (c.parent == none) store.by_pair.erase(pair_key(c.shape_a, c.shape_b));
     c = Contact{};
     store.ids.give_back(contact);
 }
 
+void settle_pair(WorldState& world, std::uint32_t pair) {
+    Contact& c = world.contacts.contacts[pair];
+    if (!c.touching || c.parts_touching > 0) return;
+    c.touching = false;
+    report_end(world, c, world.events.contacts_ended);
+}
+
+void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {
+    ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
+                     body_id(world, c.body_a), body_id(world, c.body_b)});
+}
+
+namespace {
+
+// Destroying a pair takes its parts along, so the list is read first.
+template <class Which>
+void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactEnd>& ended,
+                   Which&& which) {
+    std::vector<std::uint32_t> pairs;
+    for_each_contact(world.contacts, body, [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        if (c.parent == none && which(c)) pairs.push_back(contact);
+    });
+    for (const std::uint32_t contact : pairs) destroy_contact(world, contact, ended);
+}
+
+}  // namespace
+
 void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended) {
-    for_each_contact(world.contacts, world.bodies.cold[body],
-                     [&](std::uint32_t contact) { destroy_contact(world, contact, ended); });
+    destroy_pairs(world, world.bodies.cold[body], ended, [](const Contact&) { return true; });
 }
 
 void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape,
                                std::vector<ContactEnd>& ended) {
-    const BodyCold& body = world.bodies.cold[world.shapes.shapes[shape].body];
-    for_each_contact(world.contacts, body, [&](std::uint32_t contact) {
-        const Contact& c = world.contacts.contacts[contact];
-        if (c.shape_a == shape || c.shape_b == shape) destroy_contact(world, contact, ended);
+    destroy_pairs(world, world.bodies.cold[world.shapes.shapes[shape].body], ended,
+                  [&](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
+}
+
+void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32_t other,
+                              std::vector<ContactEnd>& ended) {
+    destroy_pairs(world, world.bodies.cold[body], ended,
+                  [&](const Contact& c) { return c.body_a == other || c.body_b == other; });
+}
+
+// --- joints ---
+
+namespace {
+
+void link_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
+    Joint& j = store.joints[joint];
+    j.prev[side] = none;
+    j.next[side] = body.first_joint;
+    if (body.first_joint != none)
+        store.joints[body.first_joint / 2].prev[body.first_joint % 2] = joint * 2 + side;
+    body.first_joint = joint * 2 + side;
+}
+
+void unlink_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
+    const std::uint32_t next = store.joints[joint].next[side],
+                        prev = store.joints[joint].prev[side];
+    if (next != none) store.joints[next / 2].prev[next % 2] = prev;
+    if (prev != none)
+        store.joints[prev / 2].next[prev % 2] = next;
+    else
+        body.first_joint = next;
+}
+
+}  // namespace
+
+void link_joint(WorldState& world, std::uint32_t joint) {
+    const Joint& j = world.joints.joints[joint];
+    link_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
+    link_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
+    if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
+        join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
+}
+
+void destroy_joint(WorldState& world, std::uint32_t joint) {
+    Joint& j = world.joints.joints[joint];
+    const std::uint32_t a = j.body_a, b = j.body_b;
+    unlink_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
+    unlink_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
+    if (is_dynamic(world, a) && is_dynamic(world, b))
+        world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
+    const bool collided = j.collide_connected;
+    j = Joint{};
+    world.joints.ids.give_back(joint);
+    if (collided) return;
+    // Their shapes may meet from now on.
+    for (const std::uint32_t body : {a, b})
+        for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
+             s = world.shapes.shapes[s].next)
+            ask_for_pairs(world, s);
+}
+
+bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (world.bodies.cold[a].first_joint == none || world.bodies.cold[b].first_joint == none)
+        return false;
+    bool joined = false;
+    for_each_joint(world.joints, world.bodies.cold[a], [&](std::uint32_t joint) {
+        const Joint& j = world.joints.joints[joint];
+        joined = joined || (!j.collide_connected && (j.body_a == b || j.body_b == b));
     });
+    return joined;
 }
 
 // --- islands ---
@@ -175,6 +306,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
 void begin_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     c.touching = true;
+    if (c.parent != none) world.contacts.contacts[c.parent].parts_touching++;
     if (is_dynamic(world, c.body_b))
         join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
 }
@@ -182,6 +314,12 @@ void begin_touch(WorldState& world, std::uint32_t contact) {
 void end_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     c.touching = false;
+    if (c.parent != none) {
+        Contact& parent = world.contacts.contacts[c.parent];
+        // Whether the pair as a whole parted is seen when the step's changes are all in.
+        parent.parts_touching--;
+        world.scratch.pairs_changed.push_back(c.parent);
+    }
     if (is_dynamic(world, c.body_b))
         world.islands.islands[world.bodies.cold[c.body_a].island].may_be_split = true;
 }
@@ -267,7 +405,16 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
                 if (keep) island.manifolds.push_back(save_lane(world, contact));
                 release_lane(world, contact);
                 if (!keep) {
-                    if (c.touching) end_touch(world, contact);
+                    if (c.parent != none) {
+                        const std::uint32_t parent = c.parent;
+                        destroy_contact(world, contact, world.events.contacts_ended);
+                        settle_pair(world, parent);
+                        return;
+                    }
+                    if (c.touching) {
+                        report_end(world, c, world.events.contacts_ended);
+                        end_touch(world, contact);
+                    }
                     put_on_waiting_list(world, contact, -1);
                     return;
                 }
@@ -298,6 +445,10 @@ void wake_body(WorldState& world, std::uint32_t body) {
 
 void wake_neighbours(WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t> others;
+    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t joint) {
+        const Joint& j = world.joints.joints[joint];
+        others.push_back(j.body_a == body ? j.body_b : j.body_a);
+    });
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
         const Contact& c = world.contacts.contacts[contact];
         others.push_back(c.body_a == body ? c.body_b : c.body_a);
@@ -314,20 +465,28 @@ void derive_shape(const BodyCold& cold, ShapeRecord& shape) {
     shape.aligned = shape.pose.rotation == Quat{};
 }
 
+void ask_for_pairs(WorldState& world, std::uint32_t index) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (shape.trigger) world.triggers.fresh.push_back(index);
+    if (shape.moved) return;
+    shape.moved = true;
+    world.shapes.moved.push_back(index);
+}
+
 void enter_tree(WorldState& world, std::uint32_t index) {
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) {
         auto& planes = world.shapes.planes;
         planes.insert(std::lower_bound(planes.begin(), planes.end(), index), index);
     } else {
-        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
-        shape.leaf =
-            (fixed ? world.shapes.fixed_tree : world.shapes.moving_tree).insert(shape.fat, index);
+        shape.leaf = index_of(world, shape).insert(shape.fat, index, shape.filter.category);
     }
-    if (!shape.moved) {
-        shape.moved = true;
-        world.shapes.moved.push_back(index);
+    world.shapes.reporters += shape.report_stays ? 1 : 0;
+    if (shape.trigger) {
+        auto& triggers = world.shapes.triggers;
+        triggers.insert(std::lower_bound(triggers.begin(), triggers.end(), index), index);
     }
+    ask_for_pairs(world, index);
 }
 
 void leave_tree(WorldState& world, std::uint32_t index) {
@@ -335,10 +494,23 @@ void leave_tree(WorldState& world, std::uint32_t index) {
     if (is_plane(shape)) {
         std::erase(world.shapes.planes, index);
     } else {
-        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
-        (fixed ? world.shapes.fixed_tree : world.shapes.moving_tree).remove(shape.leaf);
-        shape.leaf = DynamicTree::null_node;
+        index_of(world, shape).remove(shape.leaf);
+        shape.leaf = -1;
     }
+    world.shapes.reporters -= shape.report_stays ? 1 : 0;
+    if (shape.trigger) {
+        std::erase(world.shapes.triggers, index);
+        std::erase(world.triggers.fresh, index);
+    }
+    // What it was in, or what was in it, is told with the next step, while its id still means it.
+    std::erase_if(world.triggers.inside, [&](const Inside& pair) {
+        if (pair.trigger != index && pair.shape != index) return false;
+        world.events.pending_left.push_back(
+            {shape_id(world, pair.trigger), shape_id(world, pair.shape),
+             body_id(world, world.shapes.shapes[pair.trigger].body),
+             body_id(world, world.shapes.shapes[pair.shape].body)});
+        return true;
+    });
     if (shape.moved) {
         shape.moved = false;
         std::erase(world.shapes.moved, index);
@@ -356,13 +528,9 @@ void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, doub
             fat = {fat.low + min(ahead, Vec3{}), fat.high + max(ahead, Vec3{})};
         }
         shape.fat = fat;
-        if (shape.leaf != DynamicTree::null_node)
-            (fixed ? world.shapes.fixed_tree : world.shapes.moving_tree).move(shape.leaf, fat);
+        if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, fat);
     }
-    if (!shape.moved) {
-        shape.moved = true;
-        world.shapes.moved.push_back(index);
-    }
+    ask_for_pairs(world, index);
 }
 
 bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {

@@ -12,12 +12,27 @@ namespace jostle::physics {
 // A new contact on the waiting list, to be checked in the next step. Orders the shapes so that a is
 // dynamic.
 std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b);
-// Frees its lane, unbinds the islands, reports the end when it was touching (to `ended`).
+// A manifold of a composite pair; it has no lane yet.
+std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key);
+// Destroys its parts, frees its lane, unbinds the islands, reports the end when it was touching (to `ended`).
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended);
 void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended);
 void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape,
                                std::vector<ContactEnd>& ended);
+// All contacts between two bodies.
+void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32_t other,
+                              std::vector<ContactEnd>& ended);
+void report_end(const WorldState& world, const Contact& contact, std::vector<ContactEnd>& ended);
+// Reports the end of a composite pair none of whose parts touches any more.
+void settle_pair(WorldState& world, std::uint32_t pair);
 void put_on_waiting_list(WorldState& world, std::uint32_t contact, double limit);
+
+// --- joints ---
+// The joint's record is filled: puts it on its bodies' lists and joins their islands (both awake).
+void link_joint(WorldState& world, std::uint32_t joint);
+void destroy_joint(WorldState& world, std::uint32_t joint);
+// Whether a joint forbids the two bodies to collide.
+bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b);
 
 // --- islands ---
 std::uint32_t create_island(WorldState& world);
@@ -50,6 +65,8 @@ void derive_shape(const BodyCold& cold, ShapeRecord& shape);
 // Puts a new shape into its tree (or the plane list) and asks for its pairs.
 void enter_tree(WorldState& world, std::uint32_t shape);
 void leave_tree(WorldState& world, std::uint32_t shape);
+// Its pairs are looked for in the next step.
+void ask_for_pairs(WorldState& world, std::uint32_t shape);
 // Gives the shape a new fat box that looks ahead along the body's velocity, and asks for its pairs.
 void refatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
 // Whether the shape is in its fat box now and after the next step: pairs are found before it moves.

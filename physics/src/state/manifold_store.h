@@ -52,8 +52,21 @@ struct alignas(64) BlockSide {
     std::uint8_t pressing =
         0;  // what the last pass found; becomes `touching` when the islands are linked
     std::uint8_t turning = 0;  // lanes with a body whose inertia is not isotropic
+    std::uint8_t locked = 0;   // lanes with a body whose axes are locked
     std::uint8_t bouncy = 0;   // lanes with restitution > 0
+    std::uint8_t rough = 0;    // lanes whose BlockRough means something
 };
+
+// What few materials ask for: resistance to rolling and turning, moving surfaces. Not read where no
+// lane is rough.
+struct alignas(64) BlockRough {
+    float surface[2][8];  // m/s along the tangents: of b's surface against a's
+    float rolling[8];     // m: torque held per unit of normal force
+    float torsion[8];     // m, about the normal
+    float roll[2][8];     // accumulated angular impulse about the tangents, N m s
+};
+inline constexpr int rough_rows = 6;
+static_assert(sizeof(BlockRough) == rough_rows * 32);
 
 // Scratch of bouncy blocks within one step.
 struct alignas(64) BlockBounce {
@@ -71,8 +84,9 @@ enum class Second : std::uint8_t {
 struct Colour {
     std::vector<ManifoldBlock> blocks;
     std::vector<BlockSide> sides;
-    std::vector<BlockBounce>
-        bounces;  // as many as blocks; contents mean something for bouncy blocks only
+    // As many as blocks; contents mean something for bouncy and for rough blocks only.
+    std::vector<BlockBounce> bounces;
+    std::vector<BlockRough> roughs;
     std::int32_t lanes = 0;
 };
 
@@ -113,8 +127,9 @@ inline constexpr std::array<int, colour_count> solve_order = make_solve_order();
 struct SavedManifold {
     std::uint32_t contact = 0xffffffff;
     std::array<float, manifold_rows - 2> rows{};  // of ManifoldBlock, without a and b
+    std::array<float, rough_rows> rough_values{};
     float moved = 0, restitution = 0;
-    bool aged = false;
+    bool aged = false, rough = false;
 };
 
 struct ManifoldStore {

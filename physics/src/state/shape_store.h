@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/dynamic_tree.h"
+#include "collision/broadphase/broad_phase.h"
 #include "foundation/id_pool.h"
 #include "geometry/placed.h"
 #include "jostle/physics/defs.h"
@@ -19,7 +19,11 @@ struct ShapeRecord {
     Geometry geometry;
     Transform pose;  // in the body, as the user gave it
     Material material;
-    double density = 0;
+    double density = 0;  // kg/m^3
+    double mass = 0;     // kg; above 0 it replaces the density
+    Filter filter;
+    bool trigger = false;
+    bool report_stays = false;
     std::uint32_t body = none;
     std::uint32_t next = none;  // shape of the same body
     Aabb fat;                   // bounds plus margin; unused by planes
@@ -29,7 +33,7 @@ struct ShapeRecord {
     Vec3 offset;          // of the shape's origin from the centre of mass, body axes
     Mat3 axes;            // to_matrix(pose.rotation)
     bool aligned = true;  // axes is the identity
-    std::int32_t leaf = DynamicTree::null_node;  // in its tree
+    std::int32_t leaf = -1;  // in its broad phase
 };
 
 struct ShapeStore {
@@ -38,7 +42,11 @@ struct ShapeStore {
     std::vector<std::uint32_t>
         moved;  // shapes that are new or left their fat box, in order of index after sorting
     std::vector<std::uint32_t> planes;    // indices, rising; derived
-    DynamicTree fixed_tree, moving_tree;  // derived
+    std::vector<std::uint32_t> triggers;  // indices, rising; derived
+    std::uint32_t reporters = 0;          // shapes with report_stays; derived
+    // Where boxes are found: what never moves apart from all else. Derived.
+    std::unique_ptr<BroadPhaseIndex> fixed = make_broad_phase(BroadPhase::dynamic_tree),
+                                     moving = make_broad_phase(BroadPhase::dynamic_tree);
 };
 
 inline bool is_plane(const ShapeRecord& shape) {

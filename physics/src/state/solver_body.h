@@ -19,10 +19,11 @@ struct alignas(64) HotBody {
     // sub-step
     float dp[3];  // m
     float dr[3];  // rad, rotation vector
-    float unused1[2];
+    float free_z;  // 0 when it cannot move along z, else 1
+    float unused;
     // row 2: inverse inertia in world axes, constant over the step
     float inertia[6];  // xx yy zz xy xz yz
-    float unused2[2];
+    float free_x, free_y;
     // row 3: velocity before any contact of this sub-step acted. v - free is what all contacts
     // together did, which is exactly what warm starting the next sub-step would add again: warm
     // starting costs one subtraction per body.

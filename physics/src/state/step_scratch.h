@@ -4,11 +4,14 @@
 // never hashed.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "collision/narrowphase/manifold.h"
+#include "collision/narrowphase/collide_composite.h"
+#include "state/body_store.h"
+#include "state/joint_work.h"
 #include "state/solver_body.h"
 
 namespace jostle::physics {
@@ -20,6 +23,23 @@ struct ContactCheck {
     double gap_ahead =
         0;  // m: smallest gap of any point at the end of the step, as the bodies move now
     bool expected = false;  // near enough for a manifold
+    // Of a composite pair: its parts are in StepScratch::parts[list], and everything nearer than
+    // `sure` beyond the speculative margin is among them.
+    std::int32_t list = -1;
+    double sure = 0;
+};
+
+// One manifold of a composite pair.
+struct FoundPart {
+    PartManifold part;
+    double gap_ahead = 0;
+    std::uint32_t contact = 0xffffffff;  // that had it before
+};
+
+// A manifold that gets a lane: of a check, and which part of it (-1: the check's own).
+struct NewLane {
+    std::uint32_t check = 0;
+    std::int32_t part = -1;
 };
 
 struct StepScratch {
@@ -29,7 +49,14 @@ struct StepScratch {
     std::vector<std::uint32_t> free;       // the other awake bodies
     std::vector<std::pair<std::uint32_t, std::uint32_t>> new_pairs;  // shapes
     std::vector<ContactCheck> checks;
-    std::vector<std::uint32_t> new_lanes, to_wake;
+    std::vector<std::vector<FoundPart>> parts;
+    std::vector<NewLane> new_lanes;
+    std::vector<std::uint32_t> to_wake, pairs_changed, found;
+    std::vector<std::uint32_t> joints;  // that have an awake body, rising
+    std::vector<JointWork> joint_work;  // one each
+    std::vector<std::uint8_t> fast;     // by awake body: moved far, to be swept
+    std::vector<BodyWarm> before;       // by awake body: as it was before the step, of the fast ones
+    std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     std::vector<std::uint8_t> left_fat_box;    // by awake body: some shape of it did
     std::vector<std::uint8_t> not_finite;      // by awake body

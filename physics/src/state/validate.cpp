@@ -100,6 +100,10 @@ Fault check_shapes(const WorldState& world) {
     for (std::uint32_t s = 0; s < shapes.size(); s++) {
         if (!world.shapes.ids.alive(s)) continue;
         moved += shapes[s].moved ? 1 : 0;
+        const ShapeKind kind = kind_of(shapes[s].geometry);
+        if ((kind == ShapeKind::mesh || kind == ShapeKind::height_field) &&
+            world.bodies.cold[shapes[s].body].type == BodyType::dynamic)
+            return at("shapes", s, "is a surface on a dynamic body");
         if (kind_of(shapes[s].geometry) == ShapeKind::plane &&
             world.bodies.cold[shapes[s].body].type != BodyType::fixed)
             return at("shapes", s, "is a plane on a body that moves");
@@ -108,6 +112,93 @@ Fault check_shapes(const WorldState& world) {
         if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved)
             return at("shapes.moved", s, "is not a shape that moved");
     if (moved != world.shapes.moved.size()) return "shapes.moved: not every moved shape is there";
+    return {};
+}
+
+// A part is on its parent's list once, and the parent counts those that touch.
+Fault check_parts(const WorldState& world, std::uint32_t i) {
+    const auto& contacts = world.contacts.contacts;
+    const Contact& c = contacts[i];
+    const auto exists = [&](std::uint32_t k) {
+        return k < contacts.size() && world.contacts.ids.alive(k);
+    };
+    if (c.parent != none) {
+        if (!exists(c.parent) || !contacts[c.parent].composite || c.composite || c.waiting ||
+            c.first_part != none || contacts[c.parent].shape_a != c.shape_a ||
+            contacts[c.parent].shape_b != c.shape_b)
+            return at("contacts", i, "is a part of a pair that is none");
+        std::size_t met = 0, steps = 0;
+        for (std::uint32_t p = contacts[c.parent].first_part; p != none;
+             p = contacts[p].next_part) {
+            if (!exists(p) || ++steps > contacts.size())
+                return at("contacts", c.parent, "has a broken list of parts");
+            met += p == i ? 1 : 0;
+        }
+        if (met != 1) return at("contacts", i, "is not on its pair's list of parts");
+    } else if (!c.composite && (c.first_part != none || c.parts_touching != 0)) {
+        return at("contacts", i, "has parts but is not composite");
+    }
+    if (!c.composite) return {};
+    if (c.colour >= 0) return at("contacts", i, "is composite but has a manifold");
+    std::uint32_t touching = 0;
+    std::size_t steps = 0;
+    for (std::uint32_t p = c.first_part; p != none; p = contacts[p].next_part) {
+        if (!exists(p) || contacts[p].parent != i || ++steps > contacts.size())
+            return at("contacts", i, "has a broken list of parts");
+        touching += contacts[p].touching ? 1 : 0;
+    }
+    if (touching != c.parts_touching)
+        return at("contacts", i, "counts its touching parts wrongly");
+    return {};
+}
+
+// Joint lists: every joint is on the lists of both its bodies, one of which is dynamic.
+Fault check_joints(const WorldState& world) {
+    const auto& joints = world.joints.joints;
+    std::size_t edges = 0;
+    for (std::uint32_t i = 0; i < joints.size(); i++) {
+        if (!world.joints.ids.alive(i)) continue;
+        const Joint& j = joints[i];
+        if (!body_alive(world, j.body_a) || !body_alive(world, j.body_b) || j.body_a == j.body_b)
+            return at("joints", i, "names bodies that do not exist");
+        const BodyCold &a = world.bodies.cold[j.body_a], &b = world.bodies.cold[j.body_b];
+        if (a.type != BodyType::dynamic && b.type != BodyType::dynamic)
+            return at("joints", i, "joins no dynamic body");
+        if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
+            return at("joints", i, "joins two islands");
+    }
+    for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
+        if (!world.bodies.ids.alive(i)) continue;
+        std::uint32_t previous = none;
+        std::size_t steps = 0;
+        for (std::uint32_t e = world.bodies.cold[i].first_joint; e != none;) {
+            if (e / 2 >= joints.size() || !world.joints.ids.alive(e / 2) ||
+                ++steps > 2 * joints.size())
+                return at("bodies", i, "has a broken list of joints");
+            const Joint& j = joints[e / 2];
+            if ((e % 2 == 0 ? j.body_a : j.body_b) != i || j.prev[e % 2] != previous)
+                return at("bodies", i, "has a broken list of joints");
+            previous = e;
+            e = j.next[e % 2];
+        }
+        edges += steps;
+    }
+    if (edges != 2 * world.joints.ids.alive_count_slow())
+        return "joints: some are on no body's list";
+    return {};
+}
+
+Fault check_triggers(const WorldState& world) {
+    const auto& inside = world.triggers.inside;
+    for (std::size_t k = 0; k < inside.size(); k++) {
+        if (!world.shapes.ids.alive(inside[k].trigger) || !world.shapes.ids.alive(inside[k].shape) ||
+            !world.shapes.shapes[inside[k].trigger].trigger ||
+            (k > 0 && !(inside[k - 1] < inside[k])))
+            return at("triggers.inside", k, "is out of order or names no trigger");
+    }
+    for (const std::uint32_t s : world.triggers.fresh)
+        if (!world.shapes.ids.alive(s) || !world.shapes.shapes[s].trigger)
+            return at("triggers.fresh", s, "is no trigger");
     return {};
 }
 
@@ -138,7 +229,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             world.bodies.cold[c.body_b].set == BodySet::sleeping)
             return at("contacts", i, "is in the solver with a sleeping body");
     }
-    if (c.axis < no_axis || c.axis > 6) return at("contacts", i, "has an axis that does not exist");
+    if (Fault f = check_parts(world, i)) return f;
     if (c.touching && world.bodies.cold[c.body_b].type == BodyType::dynamic &&
         world.bodies.cold[c.body_a].island != world.bodies.cold[c.body_b].island)
         return at("contacts", i, "touches across two islands");
@@ -264,10 +355,12 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (Fault f = check_pool("bodies", world.bodies.ids, world.bodies.cold)) return f;
     if (Fault f = check_pool("shapes", world.shapes.ids, world.shapes.shapes)) return f;
     if (Fault f = check_pool("contacts", world.contacts.ids, world.contacts.contacts)) return f;
+    if (Fault f = check_pool("joints", world.joints.ids, world.joints.joints)) return f;
     if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
     // In this order: each relies on what those before it found sound.
     for (const auto check :
-         {check_bodies, check_sets, check_shapes, check_contacts, check_manifolds, check_islands})
+         {check_bodies, check_sets, check_shapes, check_joints, check_triggers, check_contacts,
+          check_manifolds, check_islands})
         if (Fault f = check(world)) return f;
     return {};
 }

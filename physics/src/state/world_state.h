@@ -13,9 +13,11 @@
 #include "state/contact_store.h"
 #include "state/event_store.h"
 #include "state/island_store.h"
+#include "state/joint_store.h"
 #include "state/manifold_store.h"
 #include "state/shape_store.h"
 #include "state/step_scratch.h"
+#include "state/trigger_store.h"
 
 namespace jostle::physics {
 
@@ -28,6 +30,8 @@ struct WorldState {
     ShapeStore shapes;
     ContactStore contacts;
     ManifoldStore manifolds;
+    JointStore joints;
+    TriggerStore triggers;
     IslandStore islands;
 
     // Not part of the state.
@@ -55,6 +59,9 @@ inline const BodyWarm& warm_of(const WorldState& world, std::uint32_t body) {
 
 inline BodyId body_id(const WorldState& world, std::uint32_t body) {
     return {body, world.bodies.ids.generation(body)};
+}
+inline JointId joint_id(const WorldState& world, std::uint32_t joint) {
+    return {joint, world.joints.ids.generation(joint)};
 }
 inline ShapeId shape_id(const WorldState& world, std::uint32_t shape) {
     return {shape, world.shapes.ids.generation(shape)};

@@ -36,6 +36,13 @@ void speed_up(WorldState& world, std::uint32_t body) {
             refatten(world, s, warm, look_ahead_dt(world));
 }
 
+// Velocities along and about locked axes are none. Kinematic bodies know no locks.
+void obey_locks(const BodyCold& cold, BodyWarm& warm) {
+    if (cold.locks == 0 || cold.type != BodyType::dynamic) return;
+    warm.v = scaled(warm.v, free_directions(cold));
+    warm.w = scaled(warm.w, free_turns(cold));
+}
+
 // The body awake and its velocity about to change.
 BodyWarm& stir(WorldState& world, std::uint32_t body) {
     wake_body(world, body);
@@ -62,6 +69,7 @@ BodyState state_of(const WorldState& world, std::uint32_t index) {
             .mass = cold.mass,
             .inertia = warm.axes * cold.inertia * transpose(warm.axes),
             .awake = cold.set == BodySet::awake,
+            .locks = cold.locks,
             .user_data = cold.user_data};
 }
 
@@ -71,6 +79,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
     wake_neighbours(world, body);
     wake_body(world, body);
     destroy_contacts_of(world, body, world.events.pending_ended);
+    while (cold.first_joint != none) destroy_joint(world, cold.first_joint / 2);
     for (std::uint32_t s = cold.first_shape; s != none;) {
         const std::uint32_t next = world.shapes.shapes[s].next;
         leave_tree(world, s);
@@ -97,9 +106,12 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     }
     world.bodies.cold[index] = BodyCold{.type = def.type,
                                         .may_sleep = def.may_sleep,
+                                        .continuous = def.continuous,
+                                        .locks = def.locks,
                                         .linear_damping = def.linear_damping,
                                         .angular_damping = def.angular_damping,
                                         .gravity_scale = def.gravity_scale,
+                                        .wanted_mass = def.mass,
                                         .user_data = def.user_data};
     world.bodies.reach[index] = {};
     BodyWarm warm{.body = index,
@@ -108,6 +120,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
                   .v = def.linear_velocity,
                   .w = def.angular_velocity};
     warm.axes = to_matrix(warm.rotation);
+    obey_locks(world.bodies.cold[index], warm);
     if (def.type == BodyType::fixed)
         enter_fixed(world, warm);
     else
@@ -140,6 +153,10 @@ Result<ShapeId> World::create_shape(BodyId body, const ShapeDef& def) {
                         .pose = {def.pose.position, unit(def.pose.rotation)},
                         .material = def.material,
                         .density = def.density,
+                        .mass = def.mass,
+                        .filter = def.filter,
+                        .trigger = def.trigger,
+                        .report_stays = def.report_stays,
                         .body = body.index};
     if (cold.last_shape == none)
         cold.first_shape = index;
@@ -207,7 +224,11 @@ Result<ShapeState> World::shape(ShapeId id) const {
                       .geometry = shape.geometry,
                       .pose = shape.pose,
                       .material = shape.material,
-                      .density = shape.density};
+                      .density = shape.density,
+                      .mass = shape.mass,
+                      .filter = shape.filter,
+                      .trigger = shape.trigger,
+                      .report_stays = shape.report_stays};
 }
 
 std::vector<ShapeId> World::shapes_of(BodyId body) const {
@@ -261,7 +282,91 @@ Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
     BodyWarm& warm = stir(world, body.index);
     warm.v = linear;
     warm.w = angular;
+    obey_locks(world.bodies.cold[body.index], warm);
     speed_up(world, body.index);
+    return {};
+}
+
+Status World::move_to(BodyId body, const Transform& pose, double dt) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_pose("pose", pose); !s.ok()) return s;
+    if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
+    const BodyCold& cold = world.bodies.cold[body.index];
+    if (cold.type != BodyType::kinematic)
+        return Error{ErrorCode::failed_precondition,
+                     "body {" + std::to_string(body.index) + ", " +
+                         std::to_string(body.generation) +
+                         "} is not kinematic; move dynamic bodies by forces, fixed ones not at all"};
+    const BodyWarm& warm = warm_of(world, body.index);
+    const Quat q = unit(pose.rotation) * conjugate(warm.rotation);
+    const Vec3 axis{q.x, q.y, q.z};
+    const double l = length(axis), sign = q.w < 0 ? -1 : 1;  // the shorter way round
+    const Vec3 turn = l > 1e-15 ? axis * (2 * sign * arc_tangent(l, q.w * sign) / l) : Vec3{};
+    const Vec3 way = pose.position - warm.center;  // kinematic bodies turn about their origin
+    return set_velocity(body, way * (1 / dt), turn * (1 / dt));
+}
+
+Status World::set_material(ShapeId shape, const Material& material) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, shape); !s.ok()) return s;
+    if (Status s = check_material(material); !s.ok()) return s;
+    ShapeRecord& record = world.shapes.shapes[shape.index];
+    wake_neighbours(world, record.body);
+    wake_body(world, record.body);
+    // Manifolds hold what the two materials make together: they are built anew.
+    destroy_contacts_of_shape(world, shape.index, world.events.pending_ended);
+    record.material = material;
+    ask_for_pairs(world, shape.index);
+    return {};
+}
+
+Status World::set_filter(ShapeId shape, const Filter& filter) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, shape); !s.ok()) return s;
+    ShapeRecord& record = world.shapes.shapes[shape.index];
+    wake_neighbours(world, record.body);
+    wake_body(world, record.body);
+    destroy_contacts_of_shape(world, shape.index, world.events.pending_ended);
+    leave_tree(world, shape.index);
+    record.filter = filter;
+    enter_tree(world, shape.index);
+    return {};
+}
+
+Status World::set_damping(BodyId body, double linear, double angular) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_range("linear", linear, 0, 1e4); !s.ok()) return s;
+    if (Status s = check_range("angular", angular, 0, 1e4); !s.ok()) return s;
+    wake_body(world, body.index);
+    world.bodies.cold[body.index].linear_damping = linear;
+    world.bodies.cold[body.index].angular_damping = angular;
+    return {};
+}
+
+Status World::set_gravity_scale(BodyId body, double scale) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_range("scale", scale, -1e3, 1e3); !s.ok()) return s;
+    wake_body(world, body.index);
+    world.bodies.cold[body.index].gravity_scale = scale;
+    look_ahead(world, body.index, look_ahead_dt(world));
+    return {};
+}
+
+Status World::set_locks(BodyId body, AxisLocks locks) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (locks >= 64)
+        return Error{ErrorCode::invalid_argument, "locks has bits beyond the six axes"};
+    wake_neighbours(world, body.index);
+    BodyWarm& warm = stir(world, body.index);
+    destroy_contacts_of(world, body.index, world.events.pending_ended);
+    world.bodies.cold[body.index].locks = locks;
+    obey_locks(world.bodies.cold[body.index], warm);
+    update_mass(world, body.index);
+    touch_up(world, body.index);
     return {};
 }
 
@@ -272,7 +377,7 @@ Status World::apply_impulse(BodyId body, Vec3 impulse, Vec3 point) {
     if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s;
     const BodyCold& cold = world.bodies.cold[body.index];
     BodyWarm& warm = stir(world, body.index);
-    warm.v += impulse * cold.inverse_mass;
+    warm.v += scaled(impulse, free_directions(cold)) * cold.inverse_mass;
     warm.w += world_inverse_inertia(warm, cold) * cross(point - warm.center, impulse);
     speed_up(world, body.index);
     return {};

@@ -21,18 +21,7 @@ Error invalid(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
 
-Status check_size(const char* name, const char* field, double size) {
-    return check_range((std::string(name) + "." + field).c_str(), size, min_shape_size,
-                       max_shape_size);
-}
-
 }  // namespace
-
-Status check_range(const char* name, double value, double low, double high) {
-    if (low <= value && value <= high) return {};
-    return invalid(std::string(name) + " is " + text(value) + "; it must be from " + text(low) +
-                   " to " + text(high));
-}
 
 Status check_vector(const char* name, Vec3 value, double limit) {
     const Vec3 size = abs(value);
@@ -56,6 +45,9 @@ Status check_pose(const char* name, const Transform& pose) {
 
 Status check_world(const WorldDef& def) {
     if (Status s = check_vector("gravity", def.gravity, 1e4); !s.ok()) return s;
+    if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
+    if (def.broad_phase > BroadPhase::uniform_grid)
+        return invalid("broad_phase is of no known kind");
     if (Status s = check_range("substeps", def.substeps, 1, tuning::max_substeps); !s.ok())
         return s;
     return check_range("threads", def.threads, 1, tuning::max_threads);
@@ -71,6 +63,8 @@ Status check_body(const BodyDef& def) {
     if (Status s = check_range("linear_damping", def.linear_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("angular_damping", def.angular_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("gravity_scale", def.gravity_scale, -1e3, 1e3); !s.ok()) return s;
+    if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
+    if (def.locks >= 64) return invalid("locks has bits beyond the six axes");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
     if (def.type == BodyType::fixed && moves)
         return invalid(
@@ -78,40 +72,36 @@ Status check_body(const BodyDef& def) {
     return {};
 }
 
-Status check_geometry(const char* name, const Geometry& geometry) {
-    switch (kind_of(geometry)) {
-        case ShapeKind::sphere:
-            return check_size(name, "radius", std::get<Sphere>(geometry).radius);
-        case ShapeKind::capsule: {
-            const Capsule& c = std::get<Capsule>(geometry);
-            if (Status s = check_size(name, "radius", c.radius); !s.ok()) return s;
-            return check_size(name, "half_length", c.half_length);
-        }
-        case ShapeKind::box: {
-            const Vec3 h = std::get<Box>(geometry).half_extents;
-            if (Status s = check_size(name, "half_extents.x", h.x); !s.ok()) return s;
-            if (Status s = check_size(name, "half_extents.y", h.y); !s.ok()) return s;
-            return check_size(name, "half_extents.z", h.z);
-        }
-        case ShapeKind::plane: {
-            const Vec3 n = std::get<Plane>(geometry).normal;
-            const double l2 = length_squared(n);
-            if (is_finite(l2) && l2 > 1e-12 && l2 < 1e12) return {};
-            return invalid(std::string(name) + ".normal is " + text(n) +
-                           "; it must be finite and not zero");
-        }
-    }
-    return invalid(std::string(name) + " is of no known kind");
+Status check_material(const Material& m) {
+    if (Status s = check_range("friction", m.friction, 0, 100); !s.ok()) return s;
+    if (Status s = check_range("restitution", m.restitution, 0, 1); !s.ok()) return s;
+    if (Status s = check_range("rolling_friction", m.rolling_friction, 0, 100); !s.ok()) return s;
+    if (Status s = check_range("torsional_friction", m.torsional_friction, 0, 100); !s.ok())
+        return s;
+    if (Status s = check_vector("surface_velocity", m.surface_velocity, tuning::max_speed);
+        !s.ok())
+        return s;
+    if (m.friction_rule > Combine::maximum || m.restitution_rule > Combine::maximum)
+        return invalid("friction_rule or restitution_rule is of no known kind");
+    return {};
 }
 
 Status check_shape(const ShapeDef& def, BodyType type) {
     if (Status s = check_geometry("geometry", def.geometry); !s.ok()) return s;
     if (Status s = check_pose("shape pose", def.pose); !s.ok()) return s;
-    if (Status s = check_range("friction", def.material.friction, 0, 100); !s.ok()) return s;
-    if (Status s = check_range("restitution", def.material.restitution, 0, 1); !s.ok()) return s;
-    if (kind_of(def.geometry) == ShapeKind::plane && type != BodyType::fixed)
+    if (Status s = check_material(def.material); !s.ok()) return s;
+    const ShapeKind kind = kind_of(def.geometry);
+    if (kind == ShapeKind::plane && type != BodyType::fixed)
         return invalid("a plane is infinite; only a fixed body may carry one");
-    if (type != BodyType::dynamic)
+    const bool surface = kind == ShapeKind::mesh || kind == ShapeKind::height_field;
+    if (surface && type == BodyType::dynamic)
+        return invalid(std::string("a ") + kind_name(kind) +
+                       " has no inside and no mass; give a dynamic body hulls or a compound");
+    if (surface && def.trigger)
+        return invalid(std::string("a ") + kind_name(kind) +
+                       " has no inside; a trigger needs a solid shape");
+    if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
+    if (type != BodyType::dynamic || def.trigger || def.mass > 0)
         return check_range("density", def.density, 0, tuning::max_density);
     if (!(def.density > 0))
         return invalid("density is " + text(def.density) +
@@ -131,6 +121,13 @@ Status check_id(const WorldState& world, ShapeId id) {
     return Error{ErrorCode::not_found, "no shape has the id {" + std::to_string(id.index) + ", " +
                                            std::to_string(id.generation) +
                                            "}; it never existed or was destroyed"};
+}
+
+Status check_id(const WorldState& world, JointId id) {
+    if (world.joints.ids.matches(id.index, id.generation)) return {};
+    return Error{ErrorCode::not_found, "no joint has the id {" + std::to_string(id.index) + ", " +
+                                           std::to_string(id.generation) +
+                                           "}; it never existed, broke or was destroyed"};
 }
 
 Quat unit(Quat q) {

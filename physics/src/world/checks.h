@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "geometry/geometry_checks.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/result.h"
@@ -13,17 +14,17 @@
 
 namespace jostle::physics {
 
-Status check_range(const char* name, double value, double low, double high);
 Status check_vector(const char* name, Vec3 value, double limit);
 // Finite, and a rotation that is not zero.
 Status check_pose(const char* name, const Transform& pose);
 Status check_world(const WorldDef& def);
 Status check_body(const BodyDef& def);
 Status check_shape(const ShapeDef& def, BodyType type);
-Status check_geometry(const char* name, const Geometry& geometry);
 
 Status check_id(const WorldState& world, BodyId id);
 Status check_id(const WorldState& world, ShapeId id);
+Status check_id(const WorldState& world, JointId id);
+Status check_material(const Material& material);
 
 // The rotation with unit length; exactly unit ones keep their bits.
 Quat unit(Quat q);

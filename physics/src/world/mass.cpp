@@ -2,6 +2,7 @@
 #include "world/mass.h"
 
 #include "geometry/bounds.h"
+#include "geometry/inner_radius.h"
 #include "geometry/mass_properties.h"
 #include "state/links.h"
 
@@ -12,6 +13,15 @@ bool is_isotropic(const Mat3& m) {
     return m.x.x == m.y.y && m.y.y == m.z.z && m.x.y == 0 && m.x.z == 0 && m.y.z == 0;
 }
 
+MassProperties scaled_to(const MassProperties& p, double mass) {
+    return {mass, p.center, p.inertia * (mass / p.mass)};
+}
+
+MassProperties mass_of_shape(const ShapeRecord& shape) {
+    const MassProperties p = mass_of(shape.geometry, shape.density);
+    return shape.mass > 0 && p.mass > 0 ? scaled_to(p, shape.mass) : p;
+}
+
 }  // namespace
 
 void update_mass(WorldState& world, std::uint32_t body) {
@@ -20,8 +30,10 @@ void update_mass(WorldState& world, std::uint32_t body) {
     MassProperties total;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         const ShapeRecord& shape = world.shapes.shapes[s];
-        total = combined(total, moved(mass_of(shape.geometry, shape.density), shape.pose));
+        if (!shape.trigger) total = combined(total, moved(mass_of_shape(shape), shape.pose));
     }
+    if (cold.wanted_mass > 0 && total.mass > 0)
+        total = scaled_to(total, cold.wanted_mass);
     const bool dynamic = cold.type == BodyType::dynamic && total.mass > 0;
     const Vec3 origin = warm.center - warm.axes * cold.local_center;
     const Vec3 old_center = warm.center;
@@ -29,7 +41,7 @@ void update_mass(WorldState& world, std::uint32_t body) {
     cold.mass = dynamic ? total.mass : 0;
     cold.inverse_mass = dynamic ? 1 / total.mass : 0;
     cold.inertia = dynamic ? total.inertia : diagonal({0, 0, 0});
-    cold.isotropic = is_isotropic(cold.inertia);
+    cold.isotropic = is_isotropic(cold.inertia) && cold.locks == 0;
     const double spin = cold.inertia.x.x;
     if (!cold.isotropic)
         cold.inverse_inertia = inverse(cold.inertia);
@@ -40,11 +52,14 @@ void update_mass(WorldState& world, std::uint32_t body) {
     warm.v += cross(warm.w, warm.center - old_center);
 
     cold.radius = 0;
+    cold.inner_radius = 1e300;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         ShapeRecord& shape = world.shapes.shapes[s];
         derive_shape(cold, shape);
         if (!is_plane(shape))
             cold.radius = maximum(cold.radius, length(shape.offset) + radius_of(shape.geometry));
+        if (!shape.trigger)
+            cold.inner_radius = minimum(cold.inner_radius, inner_radius_of(shape.geometry));
     }
 }
 

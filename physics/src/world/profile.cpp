@@ -17,10 +17,14 @@ const char* stage_name(Stage stage) {
             return "integrate_free";
         case Stage::finalize:
             return "finalize";
+        case Stage::stop_fast_bodies:
+            return "stop_fast_bodies";
         case Stage::quarantine:
             return "quarantine";
         case Stage::update_sleep:
             return "update_sleep";
+        case Stage::update_triggers:
+            return "update_triggers";
         case Stage::publish_events:
             return "publish_events";
     }

@@ -1,76 +1,288 @@
 // SPDX-License-Identifier: MIT
 //
-// Ray casts and overlaps: the trees first, then the shapes.
+// Queries: the broad phases first, then the shapes.
 #include <algorithm>
 
 #include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_composite.h"
+#include "collision/narrowphase/nearest_point.h"
+#include "collision/narrowphase/shape_distance.h"
+#include "collision/narrowphase/time_of_impact.h"
 #include "geometry/bounds.h"
 #include "geometry/ray.h"
 #include "jostle/physics/tuning.h"
-#include "jostle/physics/world.h"
-#include "state/links.h"
 #include "world/checks.h"
+#include "world/query_source.h"
 
 namespace jostle::physics {
 namespace {
 
-Placed placed_shape(const WorldState& world, std::uint32_t index) {
-    const ShapeRecord& shape = world.shapes.shapes[index];
-    return placed(shape, warm_of(world, shape.body));
+bool sees(const QueryFilter& filter, const QueryShape& shape) {
+    if ((shape.filter.category & filter.categories) == 0) return false;
+    if (shape.trigger && !filter.triggers) return false;
+    return is_null(filter.ignore) || shape.body != filter.ignore;
 }
 
-std::vector<ShapeId> sorted_ids(const WorldState& world, std::vector<std::uint32_t> shapes) {
-    std::sort(shapes.begin(), shapes.end());
-    std::vector<ShapeId> ids;
-    ids.reserve(shapes.size());
-    for (const std::uint32_t shape : shapes) ids.push_back(shape_id(world, shape));
-    return ids;
+bool reaches(const Placed& plane, const Aabb& box) {
+    const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
+    const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
+                      n.z > 0 ? box.low.z : box.high.z};
+    return dot(lowest - plane.position, n) <= 0;
 }
 
-// Every shape whose fat box overlaps, and every plane that reaches into the box.
+// Every shape that the filter sees near the box, by index.
+std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
+                                    const QueryFilter& filter) {
+    std::vector<std::uint32_t> found;
+    source.fixed().query(box, filter.categories, found);
+    source.moving().query(box, filter.categories, found);
+    for (const std::uint32_t plane : source.planes())
+        if (reaches(source.shape(plane).placed, box)) found.push_back(plane);
+    std::sort(found.begin(), found.end());
+    std::vector<QueryShape> shapes;
+    for (const std::uint32_t index : found) {
+        const QueryShape shape = source.shape(index);
+        if (sees(filter, shape)) shapes.push_back(shape);
+    }
+    return shapes;
+}
+
+bool touch(const Placed& a, const Placed& b) {
+    if (is_composite(kind_of(*a.geometry)) || is_composite(kind_of(*b.geometry))) {
+        std::vector<PartManifold> parts;
+        collide_composite(a, b, 0, parts);
+        return !parts.empty();
+    }
+    PairCache cache;
+    return collide(a, b, 0, cache).count > 0;
+}
+
+Status check_ray(const Ray& ray) {
+    if (Status s = check_vector("ray.origin", ray.origin, tuning::max_coordinate); !s.ok())
+        return s;
+    if (Status s = check_vector("ray.motion", ray.motion, tuning::max_coordinate); !s.ok())
+        return s;
+    if (ray.motion == Vec3{})
+        return Error{ErrorCode::invalid_argument, "ray.motion is zero; it must have a length"};
+    return {};
+}
+
+Status check_probe(const char* name, const Geometry& geometry) {
+    if (Status s = check_geometry(name, geometry); !s.ok()) return s;
+    if (is_convex(kind_of(geometry))) return {};
+    return Error{ErrorCode::invalid_argument,
+                 std::string(name) + " is a " + kind_name(kind_of(geometry)) +
+                     "; ask with a sphere, capsule, box, cylinder, cone or hull"};
+}
+
+RayHit hit_of(const QueryShape& shape, const Ray& ray, const ShapeRayHit& hit) {
+    return {.shape = shape.shape,
+            .body = shape.body,
+            .fraction = hit.fraction,
+            .point = ray.origin + ray.motion * hit.fraction,
+            .normal = hit.normal};
+}
+
+// Calls visit(shape, hit) -> new limit for every shape that the ray meets.
 template <class Visit>
-void visit_near(const WorldState& world, const Aabb& box, Visit&& visit) {
-    world.shapes.fixed_tree.query(box, visit);
-    world.shapes.moving_tree.query(box, visit);
-    for (const std::uint32_t plane : world.shapes.planes)
-        if (reaches_plane(world, world.shapes.shapes[plane], box)) visit(plane);
+void along_ray(const QuerySource& source, const Ray& ray, const QueryFilter& filter,
+               Visit&& visit) {
+    const auto look = [&](std::uint32_t index, double limit) {
+        const QueryShape shape = source.shape(index);
+        if (!sees(filter, shape)) return limit;
+        const auto hit = physics::cast_ray(shape.placed, ray.origin, ray.motion);
+        return hit ? visit(shape, *hit, limit) : limit;
+    };
+    source.fixed().cast_ray(ray.origin, ray.motion, filter.categories, look);
+    source.moving().cast_ray(ray.origin, ray.motion, filter.categories, look);
+    for (const std::uint32_t plane : source.planes()) look(plane, 1);
+}
+
+std::optional<RayHit> first_hit(const QuerySource& source, const Ray& ray,
+                                const QueryFilter& filter) {
+    std::optional<RayHit> best;
+    along_ray(source, ray, filter,
+              [&](const QueryShape& shape, const ShapeRayHit& hit, double limit) {
+                  const bool closer =
+                      !best || hit.fraction < best->fraction ||
+                      (hit.fraction == best->fraction && shape.shape < best->shape);
+                  if (!closer) return limit;
+                  best = hit_of(shape, ray, hit);
+                  return minimum(limit, hit.fraction);
+              });
+    return best;
+}
+
+Status check_cast(const ShapeCast& cast) {
+    if (Status s = check_probe("cast.geometry", cast.geometry); !s.ok()) return s;
+    if (Status s = check_pose("cast.pose", cast.pose); !s.ok()) return s;
+    return check_vector("cast.motion", cast.motion, tuning::max_coordinate);
+}
+
+// When the moving shape first touches this one.
+std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& shape) {
+    const Placed probe = placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
+    const double size = radius_of(cast.geometry), gap = 1e-6 * size;
+    double fraction = 0;
+    if (!touch(probe, shape.placed)) {
+        const SweptShape moving{.geometry = &cast.geometry,
+                                .offset = {},
+                                .axes = {},
+                                .radius = size,
+                                .sweep = {0, cast.pose.position, unit(cast.pose.rotation),
+                                          cast.motion, {}}};
+        const SweptShape still{.geometry = shape.placed.geometry,
+                               .offset = {},
+                               .axes = shape.placed.axes,
+                               .sweep = {0, shape.placed.position, {}, {}, {}}};
+        const auto impact = time_of_impact(moving, still, 0, gap);
+        if (!impact) return std::nullopt;
+        fraction = impact->fraction;
+    }
+    Placed there = probe;
+    there.position += cast.motion * fraction;
+    ShapeCastHit hit{.shape = shape.shape, .body = shape.body, .fraction = fraction};
+    if (is_composite(kind_of(*shape.placed.geometry))) {
+        std::vector<PartManifold> parts;
+        collide_composite(there, shape.placed, 10 * gap, parts);
+        const Manifold* best = nullptr;
+        for (const PartManifold& part : parts)
+            if (best == nullptr || part.manifold.distance < best->distance) best = &part.manifold;
+        if (best != nullptr) {
+            hit.point = best->point[0];
+            hit.normal = -best->normal;
+        } else {
+            hit.normal = normalized(-cast.motion);
+            hit.point = there.position;
+        }
+        return hit;
+    }
+    PairCache cache;
+    const SignedDistance d = signed_distance(there, shape.placed, cache);
+    hit.point = d.on_b;
+    hit.normal = -d.normal;
+    return hit;
+}
+
+Aabb way_of(const ShapeCast& cast) {
+    const Aabb box = bounds_of(placed(cast.geometry, {cast.pose.position,
+                                                      unit(cast.pose.rotation)}));
+    return grow({box.low + min(cast.motion, Vec3{}), box.high + max(cast.motion, Vec3{})}, 1e-6);
+}
+
+std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast& cast,
+                                      const QueryFilter& filter) {
+    std::vector<ShapeCastHit> hits;
+    for (const QueryShape& shape : shapes_near(source, way_of(cast), filter))
+        if (const auto hit = touch_of(cast, shape)) hits.push_back(*hit);
+    std::sort(hits.begin(), hits.end(), [](const ShapeCastHit& x, const ShapeCastHit& y) {
+        return x.fraction < y.fraction || (x.fraction == y.fraction && x.shape < y.shape);
+    });
+    return hits;
+}
+
+std::optional<ShapeCastHit> first_touch(const QuerySource& source, const ShapeCast& cast,
+                                        const QueryFilter& filter) {
+    std::optional<ShapeCastHit> best;
+    for (const QueryShape& shape : shapes_near(source, way_of(cast), filter)) {
+        const auto hit = touch_of(cast, shape);
+        if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
+    }
+    return best;
+}
+
+std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, double max_distance,
+                                    const QueryFilter& filter) {
+    std::optional<ClosestPoint> best;
+    const Vec3 reach{max_distance, max_distance, max_distance};
+    for (const QueryShape& shape : shapes_near(source, {point - reach, point + reach}, filter)) {
+        const SurfacePoint p = nearest_point(shape.placed, point);
+        if (p.distance > max_distance || (best && p.distance >= best->distance)) continue;
+        best = ClosestPoint{shape.shape, shape.body, p.distance, p.point, p.normal};
+    }
+    return best;
+}
+
+// One answer per question, or the first error with the number of its question.
+template <class Answer, class Question, class Ask>
+Result<std::vector<Answer>> each(std::span<const Question> questions, const char* name, Ask&& ask) {
+    std::vector<Answer> answers;
+    answers.reserve(questions.size());
+    for (std::size_t k = 0; k < questions.size(); k++) {
+        Result<Answer> answer = ask(questions[k]);
+        if (!answer.ok())
+            return Error{answer.error().code, std::string(name) + "[" + std::to_string(k) +
+                                                  "]: " + answer.error().message};
+        answers.push_back(*answer);
+    }
+    return answers;
 }
 
 }  // namespace
 
-Result<std::optional<RayHit>> World::cast_ray(const Ray& ray) const {
-    if (Status s = check_vector("ray.origin", ray.origin, tuning::max_coordinate); !s.ok())
-        return s.error();
-    if (Status s = check_vector("ray.motion", ray.motion, tuning::max_coordinate); !s.ok())
-        return s.error();
-    if (ray.motion == Vec3{})
-        return Error{ErrorCode::invalid_argument, "ray.motion is zero; it must have a length"};
-    const WorldState& world = *state_;
-    std::optional<ShapeRayHit> best;
-    std::uint32_t best_shape = none;
-    const auto visit = [&](std::uint32_t shape, double limit) {
-        const auto hit = physics::cast_ray(placed_shape(world, shape), ray.origin, ray.motion);
-        if (!hit) return limit;
-        const bool closer = !best || hit->fraction < best->fraction ||
-                            (hit->fraction == best->fraction && shape < best_shape);
-        if (!closer) return limit;
-        best = hit;
-        best_shape = shape;
-        return minimum(limit, hit->fraction);
-    };
-    world.shapes.fixed_tree.cast_ray(ray.origin, ray.motion, visit);
-    world.shapes.moving_tree.cast_ray(ray.origin, ray.motion, visit);
-    for (const std::uint32_t plane : world.shapes.planes) visit(plane, 1);
-    if (!best) return std::optional<RayHit>{};
-    return std::optional<RayHit>{
-        RayHit{.shape = shape_id(world, best_shape),
-               .body = body_id(world, world.shapes.shapes[best_shape].body),
-               .fraction = best->fraction,
-               .point = ray.origin + ray.motion * best->fraction,
-               .normal = best->normal}};
+Queries::Queries(std::shared_ptr<const QuerySource> source) : source_(std::move(source)) {}
+
+std::uint64_t Queries::step() const {
+    return source_->step();
 }
 
-Result<std::vector<ShapeId>> World::overlap_box(const Aabb& box) const {
+Result<std::optional<RayHit>> Queries::cast_ray(const Ray& ray, const QueryFilter& filter) const {
+    if (Status s = check_ray(ray); !s.ok()) return s.error();
+    return first_hit(*source_, ray, filter);
+}
+
+Result<bool> Queries::ray_hits_any(const Ray& ray, const QueryFilter& filter) const {
+    if (Status s = check_ray(ray); !s.ok()) return s.error();
+    bool any = false;
+    // A negative limit ends the walk.
+    along_ray(*source_, ray, filter, [&](const QueryShape&, const ShapeRayHit&, double) {
+        any = true;
+        return -1.0;
+    });
+    return any;
+}
+
+Result<std::vector<RayHit>> Queries::cast_ray_all(const Ray& ray,
+                                                  const QueryFilter& filter) const {
+    if (Status s = check_ray(ray); !s.ok()) return s.error();
+    std::vector<RayHit> hits;
+    along_ray(*source_, ray, filter,
+              [&](const QueryShape& shape, const ShapeRayHit& hit, double limit) {
+                  hits.push_back(hit_of(shape, ray, hit));
+                  return limit;
+              });
+    std::sort(hits.begin(), hits.end(), [](const RayHit& x, const RayHit& y) {
+        return x.fraction < y.fraction || (x.fraction == y.fraction && x.shape < y.shape);
+    });
+    return hits;
+}
+
+Result<std::vector<std::optional<RayHit>>> Queries::cast_rays(std::span<const Ray> rays,
+                                                              const QueryFilter& filter) const {
+    return each<std::optional<RayHit>>(
+        rays, "rays", [&](const Ray& ray) { return cast_ray(ray, filter); });
+}
+
+Result<std::optional<ShapeCastHit>> Queries::cast_shape(const ShapeCast& cast,
+                                                        const QueryFilter& filter) const {
+    if (Status s = check_cast(cast); !s.ok()) return s.error();
+    return first_touch(*source_, cast, filter);
+}
+
+Result<std::vector<ShapeCastHit>> Queries::cast_shape_all(const ShapeCast& cast,
+                                                          const QueryFilter& filter) const {
+    if (Status s = check_cast(cast); !s.ok()) return s.error();
+    return all_touches(*source_, cast, filter);
+}
+
+Result<std::vector<std::optional<ShapeCastHit>>> Queries::cast_shapes(
+    std::span<const ShapeCast> casts, const QueryFilter& filter) const {
+    return each<std::optional<ShapeCastHit>>(
+        casts, "casts", [&](const ShapeCast& cast) { return cast_shape(cast, filter); });
+}
+
+Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,
+                                                  const QueryFilter& filter) const {
     if (Status s = check_vector("box.low", box.low, tuning::max_coordinate); !s.ok())
         return s.error();
     if (Status s = check_vector("box.high", box.high, tuning::max_coordinate); !s.ok())
@@ -78,31 +290,100 @@ Result<std::vector<ShapeId>> World::overlap_box(const Aabb& box) const {
     if (box.high.x < box.low.x || box.high.y < box.low.y || box.high.z < box.low.z)
         return Error{ErrorCode::invalid_argument,
                      "box.high is below box.low; give the lower corner first"};
-    const WorldState& world = *state_;
-    std::vector<std::uint32_t> found;
-    visit_near(world, box, [&](std::uint32_t shape) {
-        if (is_plane(world.shapes.shapes[shape]) ||
-            overlap(bounds_of(placed_shape(world, shape)), box))
-            found.push_back(shape);
-    });
-    return sorted_ids(world, std::move(found));
+    std::vector<ShapeId> ids;
+    for (const QueryShape& shape : shapes_near(*source_, box, filter))
+        if (kind_of(*shape.placed.geometry) == ShapeKind::plane ||
+            overlap(bounds_of(shape.placed), box))
+            ids.push_back(shape.shape);
+    return ids;
 }
 
-Result<std::vector<ShapeId>> World::overlap_shape(const Geometry& geometry,
-                                                  const Transform& pose) const {
-    if (Status s = check_geometry("geometry", geometry); !s.ok()) return s.error();
+Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry,
+                                                    const Transform& pose,
+                                                    const QueryFilter& filter) const {
+    if (Status s = check_probe("geometry", geometry); !s.ok()) return s.error();
     if (Status s = check_pose("pose", pose); !s.ok()) return s.error();
-    if (kind_of(geometry) == ShapeKind::plane)
-        return Error{ErrorCode::invalid_argument,
-                     "geometry is a plane; ask with a sphere, a capsule or a box"};
-    const WorldState& world = *state_;
     const Placed probe = placed(geometry, {pose.position, unit(pose.rotation)});
-    std::vector<std::uint32_t> found;
-    visit_near(world, bounds_of(probe), [&](std::uint32_t shape) {
-        AxisCache axis = no_axis;
-        if (collide(probe, placed_shape(world, shape), 0, axis).count > 0) found.push_back(shape);
+    std::vector<ShapeId> ids;
+    for (const QueryShape& shape : shapes_near(*source_, bounds_of(probe), filter))
+        if (touch(probe, shape.placed)) ids.push_back(shape.shape);
+    return ids;
+}
+
+Result<std::vector<ShapeId>> Queries::shapes_at(Vec3 point, const QueryFilter& filter) const {
+    if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s.error();
+    std::vector<ShapeId> ids;
+    for (const QueryShape& shape : shapes_near(*source_, {point, point}, filter)) {
+        const ShapeKind kind = kind_of(*shape.placed.geometry);
+        if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) continue;
+        if (nearest_point(shape.placed, point).distance <= 0) ids.push_back(shape.shape);
+    }
+    return ids;
+}
+
+Result<std::optional<ClosestPoint>> Queries::closest_point(Vec3 point, double max_distance,
+                                                           const QueryFilter& filter) const {
+    if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s.error();
+    if (Status s = check_range("max_distance", max_distance, 0, tuning::max_coordinate); !s.ok())
+        return s.error();
+    return nearest(*source_, point, max_distance, filter);
+}
+
+Result<std::vector<std::optional<ClosestPoint>>> Queries::closest_points(
+    std::span<const Vec3> points, double max_distance, const QueryFilter& filter) const {
+    return each<std::optional<ClosestPoint>>(points, "points", [&](Vec3 point) {
+        return closest_point(point, max_distance, filter);
     });
-    return sorted_ids(world, std::move(found));
+}
+
+Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const Geometry& b,
+                               const Transform& pose_b) {
+    for (const auto& [name, geometry] : {std::pair("a", &a), std::pair("b", &b)}) {
+        if (Status s = check_geometry(name, *geometry); !s.ok()) return s.error();
+        if (!is_convex(kind_of(*geometry)) && kind_of(*geometry) != ShapeKind::plane)
+            return Error{ErrorCode::invalid_argument,
+                         std::string(name) + " is a " + kind_name(kind_of(*geometry)) +
+                             "; the distance is that of convex shapes and planes"};
+    }
+    if (kind_of(a) == ShapeKind::plane && kind_of(b) == ShapeKind::plane)
+        return Error{ErrorCode::invalid_argument, "a and b are both planes"};
+    if (Status s = check_pose("pose_a", pose_a); !s.ok()) return s.error();
+    if (Status s = check_pose("pose_b", pose_b); !s.ok()) return s.error();
+    const Geometry ga = stored(a), gb = stored(b);
+    PairCache cache;
+    const SignedDistance d =
+        signed_distance(placed(ga, {pose_a.position, unit(pose_a.rotation)}),
+                        placed(gb, {pose_b.position, unit(pose_b.rotation)}), cache);
+    return ShapeDistance{d.distance, d.normal, d.on_a, d.on_b};
+}
+
+Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Transform& pose_a,
+                                                    const Geometry& b, const Transform& pose_b,
+                                                    double margin) {
+    if (Status s = check_geometry("a", a); !s.ok()) return s.error();
+    if (Status s = check_geometry("b", b); !s.ok()) return s.error();
+    if (Status s = check_pose("pose_a", pose_a); !s.ok()) return s.error();
+    if (Status s = check_pose("pose_b", pose_b); !s.ok()) return s.error();
+    if (Status s = check_range("margin", margin, 0, 1e6); !s.ok()) return s.error();
+    const Geometry ga = stored(a), gb = stored(b);
+    const Placed pa = placed(ga, {pose_a.position, unit(pose_a.rotation)}),
+                 pb = placed(gb, {pose_b.position, unit(pose_b.rotation)});
+    std::vector<PartManifold> parts;
+    if (is_composite(kind_of(a)) || is_composite(kind_of(b))) {
+        collide_composite(pa, pb, margin, parts);
+    } else {
+        PairCache cache;
+        parts.push_back({0, collide(pa, pb, margin, cache)});
+    }
+    std::vector<ContactManifold> manifolds;
+    for (const PartManifold& part : parts) {
+        if (part.manifold.count == 0) continue;
+        ContactManifold m{.normal = part.manifold.normal, .points = {}};
+        for (int k = 0; k < part.manifold.count; k++)
+            m.points.push_back({part.manifold.point[k], part.manifold.gap[k]});
+        manifolds.push_back(std::move(m));
+    }
+    return manifolds;
 }
 
 }  // namespace jostle::physics

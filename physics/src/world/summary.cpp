@@ -42,8 +42,23 @@ WorldSummary World::summary() const {
         add_body(sum, world, world.bodies.cold[i], warm_of(world, i));
     }
     for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++)
-        if (world.contacts.ids.alive(i) && world.contacts.contacts[i].touching) sum.contacts++;
+        if (world.contacts.ids.alive(i) && world.contacts.contacts[i].touching &&
+            !world.contacts.contacts[i].composite)
+            sum.contacts++;
     sum.max_penetration = deepest(world);
+    for (const JointId id : joints()) {
+        sum.joints++;
+        const JointState j = *joint(id);
+        // A distance joint's anchors are meant to be apart.
+        if (!std::holds_alternative<DistanceJoint>(j.def.kind)) {
+            sum.max_joint_error = maximum(sum.max_joint_error, j.separation);
+            continue;
+        }
+        const auto& d = std::get<DistanceJoint>(j.def.kind);
+        sum.max_joint_error = maximum(
+            sum.max_joint_error,
+            maximum(d.min_length - j.separation, j.separation - d.max_length));
+    }
     return sum;
 }
 

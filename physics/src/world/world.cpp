@@ -18,6 +18,8 @@ Result<World> World::create(const WorldDef& def) {
     if (Status s = check_world(def); !s.ok()) return s.error();
     auto state = std::make_unique<WorldState>();
     state->def = def;
+    state->shapes.fixed = make_broad_phase(def.broad_phase);
+    state->shapes.moving = make_broad_phase(def.broad_phase);
     state->team = std::make_unique<TaskTeam>(def.threads);
     return World(std::move(state));
 }
@@ -48,7 +50,17 @@ Status World::set_threads(int threads) {
 
 Events World::events() const {
     const EventStore& e = state_->events;
-    return {e.contacts_began, e.contacts_ended, e.fell_asleep, e.woke, e.quarantined};
+    return {.contacts_began = e.contacts_began,
+            .contacts_ended = e.contacts_ended,
+            .contacts = e.contacts,
+            .hits = e.hits,
+            .triggers_entered = e.triggers_entered,
+            .triggers_stayed = e.triggers_stayed,
+            .triggers_left = e.triggers_left,
+            .joints_broke = e.joints_broke,
+            .fell_asleep = e.fell_asleep,
+            .woke = e.woke,
+            .quarantined = e.quarantined};
 }
 
 const StepProfile& World::profile() const {

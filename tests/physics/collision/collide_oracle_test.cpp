@@ -9,6 +9,7 @@
 #include "support/convex_oracle.h"
 #include "support/distance_field.h"
 #include "support/random.h"
+#include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
@@ -26,6 +27,11 @@ double size_of(const Geometry& g) {
     if (const auto* capsule = std::get_if<Capsule>(&g))
         return capsule->radius + capsule->half_length;
     if (const auto* box = std::get_if<Box>(&g)) return length(box->half_extents);
+    if (const auto* cylinder = std::get_if<Cylinder>(&g))
+        return std::hypot(cylinder->radius, cylinder->half_length);
+    if (const auto* cone = std::get_if<Cone>(&g)) return std::hypot(cone->radius, cone->half_length);
+    if (const auto* hull = std::get_if<Hull>(&g))
+        return length(hull->data->bounds.high - hull->data->bounds.low) / 2;
     return 1e300;
 }
 
@@ -39,6 +45,22 @@ Geometry random_geometry(ShapeKind kind, Random& random) {
             return Box{{random.in(0.1, 1), random.in(0.1, 1), random.in(0.1, 1)}};
         case ShapeKind::plane:
             return Plane{random.direction()};
+        case ShapeKind::cylinder:
+            return Cylinder{random.in(0.1, 1), random.in(0.1, 1)};
+        case ShapeKind::cone:
+            return Cone{random.in(0.1, 1), random.in(0.1, 1)};
+        case ShapeKind::hull: {
+            std::vector<Vec3> points;
+            const auto count = 4 + random.below(20);
+            const Vec3 stretch{random.in(0.3, 1), random.in(0.3, 1), random.in(0.3, 1)};
+            while (points.size() < count) {
+                const Vec3 p = random.vector(1);
+                points.push_back({p.x * stretch.x, p.y * stretch.y, p.z * stretch.z});
+            }
+            return Hull{must(build_hull(points))};
+        }
+        default:
+            break;
     }
     return Sphere{};
 }
@@ -100,8 +122,8 @@ struct Report {
 };
 
 void check(const Pair& p, Report& report) {
-    AxisCache axis = no_axis;
-    const Manifold m = collide(placed(p.a, p.pose_a), placed(p.b, p.pose_b), margin, axis);
+    PairCache cache;
+    const Manifold m = collide(placed(p.a, p.pose_a), placed(p.b, p.pose_b), margin, cache);
     const Separation truth = separation(p.a, p.pose_a, p.b, p.pose_b);
     const double size = std::min(size_of(p.a), size_of(p.b));
     const double tolerance = 1e-4 * size + 1e-6;
@@ -110,19 +132,10 @@ void check(const Pair& p, Report& report) {
                                ? truth.distance
                                : distance_at_most(p.a, p.pose_a, p.b, p.pose_b);
     ASSERT_LE(truth.distance, at_most + tolerance) << "the oracle contradicts itself";
-    // Boxes prefer faces to edges that are a little better, and the axis of the last step: rest
-    // before exactness.
-    const bool boxes = kind_of(p.a) == ShapeKind::box && kind_of(p.b) == ShapeKind::box;
-    const double depth = std::max(0.0, -truth.distance);
-    // Axes of capsules that are parallel within 1e-4 rad count as parallel.
-    const double preference = boxes ? 0.0025 + 0.12 * depth : 0.01 * depth;
-
     ASSERT_GE(m.count, 0);
     ASSERT_LE(m.count, 4);
     if (m.count == 0) {
-        // Two corners of boxes that come near without overlapping have no face points yet: they are
-        // looked at again.
-        EXPECT_GT(at_most, (boxes ? 0.5 * margin : margin) - tolerance) << "missed";
+        EXPECT_GT(at_most, margin - tolerance) << "missed";
         EXPECT_LE(m.distance, at_most + tolerance) << "the bound must be below the distance";
         return;
     }
@@ -140,16 +153,23 @@ void check(const Pair& p, Report& report) {
         const double excess = outside - std::max(m.gap[i], 0.0) / 2;
         report.worst_point = std::max(report.worst_point, excess / size);
     }
-    EXPECT_LE(deepest, at_most + preference + tolerance)
+    EXPECT_LE(deepest, at_most + tolerance)
         << "shapes are nearer than the manifold says";
     if (truth.distance >= 0) return;  // beyond touching, any separating normal is a good one
     report.touching++;
     report.worst_depth = std::max(report.worst_depth, std::fabs(deepest - truth.distance) / size);
-    EXPECT_NEAR(deepest, truth.distance, preference + tolerance);
+    EXPECT_NEAR(deepest, truth.distance, tolerance);
     // The normal is as good as the best: it leaves the same depth.
     const double worse = truth.distance - gap_along(p, m.normal);
     report.worst_normal = std::max(report.worst_normal, worse / size);
-    EXPECT_LE(worse, preference + tolerance);
+    EXPECT_LE(worse, tolerance);
+}
+
+// How many pairs of each two kinds: few in every run of the tests, 100,000 with
+// JOSTLE_ORACLE_PAIRS=100000.
+std::uint64_t pairs_of_each() {
+    const char* text = std::getenv("JOSTLE_ORACLE_PAIRS");
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : 150;
 }
 
 class CollideOracle : public testing::TestWithParam<std::pair<ShapeKind, ShapeKind>> {};
@@ -157,8 +177,8 @@ class CollideOracle : public testing::TestWithParam<std::pair<ShapeKind, ShapeKi
 TEST_P(CollideOracle, agrees_with_a_search_over_all_directions) {
     const auto [ka, kb] = GetParam();
     Report report;
-    for (std::uint64_t seed = 0; seed < 200 && !HasFailure(); seed++) {
-        Random random(seed * 16 + static_cast<std::uint64_t>(ka) * 4 +
+    for (std::uint64_t seed = 0; seed < pairs_of_each() && !HasFailure(); seed++) {
+        Random random(seed * 256 + static_cast<std::uint64_t>(ka) * 16 +
                       static_cast<std::uint64_t>(kb));
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         check(random_pair(ka, kb, random), report);
@@ -171,21 +191,27 @@ TEST_P(CollideOracle, agrees_with_a_search_over_all_directions) {
     EXPECT_LT(report.worst_point, 0.02);
 }
 
-constexpr auto sphere = ShapeKind::sphere, capsule = ShapeKind::capsule, box = ShapeKind::box,
-               plane = ShapeKind::plane;
-INSTANTIATE_TEST_SUITE_P(every_pair, CollideOracle,
-                         testing::Values(std::pair(sphere, sphere), std::pair(sphere, capsule),
-                                         std::pair(sphere, box), std::pair(sphere, plane),
-                                         std::pair(capsule, sphere), std::pair(capsule, capsule),
-                                         std::pair(capsule, box), std::pair(capsule, plane),
-                                         std::pair(box, sphere), std::pair(box, capsule),
-                                         std::pair(box, box), std::pair(box, plane)));
+std::vector<std::pair<ShapeKind, ShapeKind>> every_pair() {
+    std::vector<std::pair<ShapeKind, ShapeKind>> pairs;
+    for (int a = 0; a < shape_kinds; a++)
+        for (int b = 0; b < shape_kinds; b++) {
+            const auto ka = static_cast<ShapeKind>(a), kb = static_cast<ShapeKind>(b);
+            if (is_convex(ka) && (is_convex(kb) || kb == ShapeKind::plane))
+                pairs.emplace_back(ka, kb);
+        }
+    return pairs;
+}
+INSTANTIATE_TEST_SUITE_P(every_pair, CollideOracle, testing::ValuesIn(every_pair()),
+                         [](const auto& pair) {
+                             return std::string(kind_name(pair.param.first)) + "_" +
+                                    kind_name(pair.param.second);
+                         });
 
 // Where the normal is unique it is known exactly.
 TEST(Collide, normals_of_plain_cases) {
     const auto normal = [](const Geometry& a, Vec3 pa, const Geometry& b, Vec3 pb) {
-        AxisCache axis = no_axis;
-        const Manifold m = collide(placed(a, {pa, {}}), placed(b, {pb, {}}), margin, axis);
+        PairCache cache;
+        const Manifold m = collide(placed(a, {pa, {}}), placed(b, {pb, {}}), margin, cache);
         EXPECT_GT(m.count, 0);
         return m.normal;
     };
@@ -198,10 +224,10 @@ TEST(Collide, normals_of_plain_cases) {
 
 // A face on a face is held at its four corners.
 TEST(Collide, resting_box_has_four_points) {
-    AxisCache axis = no_axis;
+    PairCache cache;
     const Geometry box_geometry = Box{}, ground = Box{{5, 1, 5}};
     const Manifold m = collide(placed(box_geometry, {{0.3, 0.5, 0.2}, {}}),
-                               placed(ground, {{0, -1, 0}, {}}), margin, axis);
+                               placed(ground, {{0, -1, 0}, {}}), margin, cache);
     ASSERT_EQ(m.count, 4);
     for (int i = 0; i < 4; i++) {
         EXPECT_NEAR(m.gap[i], 0, 1e-12);
@@ -211,11 +237,11 @@ TEST(Collide, resting_box_has_four_points) {
 }
 
 TEST(Collide, lying_capsule_has_two_points) {
-    AxisCache axis = no_axis;
+    PairCache cache;
     const Geometry lying = Capsule{0.25, 0.5}, ground = Plane{};
     const Quat along_x = from_rotation_vector({0, 0, pi / 2});
     const Manifold m =
-        collide(placed(lying, {{0, 0.25, 0}, along_x}), placed(ground, {}), margin, axis);
+        collide(placed(lying, {{0, 0.25, 0}, along_x}), placed(ground, {}), margin, cache);
     ASSERT_EQ(m.count, 2);
     EXPECT_NEAR(std::fabs(m.point[0].x - m.point[1].x), 1, 1e-9);
 }

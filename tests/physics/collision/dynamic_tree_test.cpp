@@ -20,7 +20,7 @@ Aabb random_box(Random& random) {
 
 std::vector<std::uint32_t> asked(const DynamicTree& tree, const Aabb& box) {
     std::vector<std::uint32_t> found;
-    tree.query(box, [&](std::uint32_t item) { found.push_back(item); });
+    tree.query(box, 1, [&](std::uint32_t item) { found.push_back(item); });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -72,7 +72,7 @@ TEST(DynamicTree, ray_meets_every_box_on_its_way) {
     for (int k = 0; k < 300; k++) {
         const Vec3 origin = random.vector(25), motion = random.vector(40);
         std::vector<std::uint32_t> met, expected;
-        tree.cast_ray(origin, motion, [&](std::uint32_t item, double limit) {
+        tree.cast_ray(origin, motion, 1, [&](std::uint32_t item, double limit) {
             met.push_back(item);
             return limit;
         });

@@ -179,14 +179,14 @@ TEST_F(BadInput, steps_and_threads) {
 }
 
 TEST_F(BadInput, queries) {
-    refuses(world_.cast_ray({{nan, 0, 0}, {1, 0, 0}}), "origin");
-    refuses(world_.cast_ray({{0, 0, 0}, {inf, 0, 0}}), "motion");
-    refuses(world_.cast_ray({{0, 0, 0}, {0, 0, 0}}), "motion");
-    refuses(world_.overlap_box({{nan, 0, 0}, {1, 1, 1}}), "box");
-    refuses(world_.overlap_box({{1, 1, 1}, {0, 2, 2}}), "box");
-    refuses(world_.overlap_shape(Sphere{-1}, {}), "radius");
-    refuses(world_.overlap_shape(Plane{}, {}), "plane");
-    refuses(world_.overlap_shape(Sphere{}, {{nan, 0, 0}, {}}), "position");
+    refuses(world_.queries().cast_ray({{nan, 0, 0}, {1, 0, 0}}), "origin");
+    refuses(world_.queries().cast_ray({{0, 0, 0}, {inf, 0, 0}}), "motion");
+    refuses(world_.queries().cast_ray({{0, 0, 0}, {0, 0, 0}}), "motion");
+    refuses(world_.queries().overlap_box({{nan, 0, 0}, {1, 1, 1}}), "box");
+    refuses(world_.queries().overlap_box({{1, 1, 1}, {0, 2, 2}}), "box");
+    refuses(world_.queries().overlap_shape(Sphere{-1}, {}), "radius");
+    refuses(world_.queries().overlap_shape(Plane{}, {}), "plane");
+    refuses(world_.queries().overlap_shape(Sphere{}, {{nan, 0, 0}, {}}), "position");
 }
 
 // A quaternion of any length but zero is a rotation: it is stored as a unit one.

@@ -77,7 +77,7 @@ TEST(Queries, rays_hit_what_marching_hits) {
                 ray.motion = {0, -random.in(1, 20), 0};  // along an axis: zero components
             const Placement* expected = nullptr;
             const double fraction = march(scene.shapes, ray, expected);
-            const auto hit = must(scene.world.cast_ray(ray));
+            const auto hit = must(scene.world.queries().cast_ray(ray));
             if (fraction > 1) {
                 // A grazing ray may be seen as a hit at the last moment by one and not the other.
                 EXPECT_TRUE(!hit || hit->fraction > 1 - 1e-6);
@@ -116,7 +116,7 @@ TEST(Queries, ties_go_to_the_lower_id) {
     World world = make_world();
     const BodyId first = add(world, {.position = {0, 0, 0}});
     add(world, {.position = {0, 0, 0}});
-    const auto hit = must(world.cast_ray({{-5, 0, 0}, {10, 0, 0}}));
+    const auto hit = must(world.queries().cast_ray({{-5, 0, 0}, {10, 0, 0}}));
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->body, first);
     EXPECT_NEAR(hit->fraction, 0.45, 1e-12);
@@ -126,8 +126,8 @@ TEST(Queries, ties_go_to_the_lower_id) {
 TEST(Queries, ray_ends_where_its_motion_ends) {
     World world = make_world();
     add(world, {.geometry = Sphere{0.5}, .position = {10, 0, 0}});
-    EXPECT_FALSE(must(world.cast_ray({{0, 0, 0}, {9.49, 0, 0}})));
-    EXPECT_TRUE(must(world.cast_ray({{0, 0, 0}, {9.51, 0, 0}})));
+    EXPECT_FALSE(must(world.queries().cast_ray({{0, 0, 0}, {9.49, 0, 0}})));
+    EXPECT_TRUE(must(world.queries().cast_ray({{0, 0, 0}, {9.51, 0, 0}})));
 }
 
 Aabb bounds_by_support(const Placement& s) {
@@ -150,7 +150,7 @@ TEST(Queries, overlap_box_finds_the_bounds_that_overlap) {
                 expected.push_back(s.id);
         }
         std::sort(expected.begin(), expected.end());
-        EXPECT_EQ(must(scene.world.overlap_box(box)), expected);
+        EXPECT_EQ(must(scene.world.queries().overlap_box(box)), expected);
         found += expected.size();
     }
     EXPECT_GT(found, 200u);
@@ -166,7 +166,7 @@ TEST(Queries, overlap_shape_finds_what_touches) {
                                   Box{{random.in(0.1, 1), random.in(0.1, 1), random.in(0.1, 1)}}};
         const Geometry& probe = kinds[i % 3];
         const Transform pose{random.vector(5), random.rotation()};
-        const auto touched = must(scene.world.overlap_shape(probe, pose));
+        const auto touched = must(scene.world.queries().overlap_shape(probe, pose));
         EXPECT_TRUE(std::is_sorted(touched.begin(), touched.end()));
         for (const Placement& s : scene.shapes) {
             const double distance = separation(probe, pose, s.geometry, s.pose).distance;

@@ -17,12 +17,47 @@ enum class BodyType {
     dynamic,    // moves by forces, impulses and contacts
 };
 
+// How a pair makes one coefficient of two. When the two materials ask for different rules the one
+// further down this list wins.
+enum class Combine : std::uint8_t {
+    average,
+    geometric_mean,
+    minimum,
+    multiply,
+    maximum,
+};
+
 struct Material {
-    double friction = 0.5;     // Coulomb coefficient, >= 0; a pair uses sqrt(a b)
-    double restitution = 0.0;  // 0 (no bounce) to 1 (keeps all speed); a pair uses the larger
+    double friction = 0.5;     // Coulomb coefficient, >= 0
+    double restitution = 0.0;  // 0 (no bounce) to 1 (keeps all speed)
+    // Resistance against rolling and against turning on the spot: the torque that a normal force of
+    // 1 N holds, N m / N = m. A pair uses the larger.
+    double rolling_friction = 0;
+    double torsional_friction = 0;
+    // Of the surface against its body, m/s in the body's axes: a conveyor belt. Contacts drive
+    // what touches along their tangent plane.
+    Vec3 surface_velocity;
+    Combine friction_rule = Combine::geometric_mean;
+    Combine restitution_rule = Combine::maximum;
 
     bool operator==(const Material&) const = default;
 };
+
+// Which shapes meet. Two shapes of the same group other than 0 always collide when it is positive
+// and never when it is negative; otherwise they collide when each one's category has a bit in the
+// other's mask.
+struct Filter {
+    std::uint32_t category = 1;
+    std::uint32_t mask = 0xffffffff;
+    std::int32_t group = 0;
+
+    bool operator==(const Filter&) const = default;
+};
+
+inline bool may_meet(const Filter& a, const Filter& b) {
+    if (a.group != 0 && a.group == b.group) return a.group > 0;
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
 
 struct ShapeDef {
     Geometry geometry = Box{};
@@ -30,7 +65,17 @@ struct ShapeDef {
     Material material;
     double density =
         1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
+    double mass = 0;  // kg; above 0 it replaces the density
+    Filter filter;
+    bool trigger = false;       // touches nothing; reports what is inside it. Adds no mass
+    bool report_stays = false;  // its touching contacts are listed in Events::contacts after each
+                                // step, with their impulses
 };
+
+// Directions in which a body cannot move, as bits: along the world's axes, and about them.
+using AxisLocks = std::uint8_t;
+inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;                 // motion along
+inline constexpr AxisLocks lock_turn_x = 8, lock_turn_y = 16, lock_turn_z = 32;  // turns about
 
 struct BodyDef {
     BodyType type = BodyType::dynamic;
@@ -41,7 +86,17 @@ struct BodyDef {
     double angular_damping = 0;  // 1/s, >= 0
     double gravity_scale = 1;    // 0 floats, -1 rises
     bool may_sleep = true;
+    AxisLocks locks = 0;
+    bool continuous = true;  // swept when it moves further than its own thickness in a step
+    double mass = 0;         // kg; above 0: what the shapes give is scaled to it
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
+};
+
+// How pairs are found. The result is the same, the cost is not: docs/performance.md.
+enum class BroadPhase : std::uint8_t {
+    dynamic_tree,
+    sort_and_sweep,
+    uniform_grid,
 };
 
 struct WorldDef {
@@ -49,6 +104,12 @@ struct WorldDef {
     int substeps = 8;           // 1 to 64 solver passes per step: more is stiffer and more exact
     int threads = 1;            // 1 to 64; the result has the same bits for every number
     bool sleeping = true;       // bodies at rest leave the step
+    bool continuous = true;     // fast bodies are swept, so that nothing tunnels
+    // Everything happens in the xy plane: bodies move along x and y and turn about z, shapes are
+    // their cross-sections, 1 m deep. Spheres (discs), capsules, boxes, hulls and planes only.
+    bool planar = false;
+    BroadPhase broad_phase = BroadPhase::dynamic_tree;
+    double hit_speed = 1;  // m/s: contacts that begin faster are listed in Events::hits
 };
 
 }  // namespace jostle::physics

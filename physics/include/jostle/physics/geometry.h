@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The shape kinds as plain data, each in its own local frame, sizes in metres.
+// The shape kinds as plain data, each in its own local frame, sizes in metres. Small kinds are
+// values; hulls, meshes, height fields and compounds are immutable and shared, made by build_hull,
+// build_mesh, build_height_field and build_compound.
 #pragma once
 
+#include <memory>
 #include <variant>
 
 #include "jostle/physics/vec3.h"
@@ -41,12 +44,83 @@ struct Plane {
     bool operator==(const Plane&) const = default;
 };
 
-using Geometry = std::variant<Sphere, Capsule, Box, Plane>;
+// Along the local y axis, flat ends at -half_length and +half_length.
+struct Cylinder {
+    double radius = 0.5;
+    double half_length = 0.5;
 
-enum class ShapeKind { sphere, capsule, box, plane };  // in the order of Geometry's alternatives
+    bool operator==(const Cylinder&) const = default;
+};
+
+// Along the local y axis: a disc of the radius at -half_length, the tip at +half_length.
+struct Cone {
+    double radius = 0.5;
+    double half_length = 0.5;
+
+    bool operator==(const Cone&) const = default;
+};
+
+struct ConvexHull;     // hull.h
+struct TriangleMesh;   // mesh.h
+struct HeightGrid;     // height_field.h
+struct CompoundShape;  // compound.h
+
+// The convex hull of a set of points.
+struct Hull {
+    std::shared_ptr<const ConvexHull> data;  // not null
+
+    bool operator==(const Hull& other) const;  // of content
+};
+
+// Triangles. Fixed and kinematic bodies only; both sides collide.
+struct Mesh {
+    std::shared_ptr<const TriangleMesh> data;  // not null
+
+    bool operator==(const Mesh& other) const;
+};
+
+// Heights on a regular grid in the local xz plane. Fixed and kinematic bodies only; both sides
+// collide.
+struct HeightField {
+    std::shared_ptr<const HeightGrid> data;  // not null
+
+    bool operator==(const HeightField& other) const;
+};
+
+// Several convex shapes as one, found through a tree: for bodies of many parts.
+struct Compound {
+    std::shared_ptr<const CompoundShape> data;  // not null
+
+    bool operator==(const Compound& other) const;
+};
+
+using Geometry = std::variant<Sphere, Capsule, Box, Plane, Cylinder, Cone, Hull, Mesh, HeightField,
+                              Compound>;
+
+// In the order of Geometry's alternatives.
+enum class ShapeKind {
+    sphere,
+    capsule,
+    box,
+    plane,
+    cylinder,
+    cone,
+    hull,
+    mesh,
+    height_field,
+    compound
+};
+inline constexpr int shape_kinds = 10;
 
 inline ShapeKind kind_of(const Geometry& geometry) {
     return static_cast<ShapeKind>(geometry.index());
+}
+const char* kind_name(ShapeKind kind);  // "sphere", "height_field", ...
+
+// Sphere, capsule, box, cylinder, cone or hull: what a moving body, a compound's child, a shape
+// cast and an overlap query are made of.
+inline bool is_convex(ShapeKind kind) {
+    return kind <= ShapeKind::hull && kind != ShapeKind::plane;
 }
 
 }  // namespace jostle::physics

@@ -24,10 +24,20 @@ struct ShapeId {
     auto operator<=>(const ShapeId&) const = default;
 };
 
+struct JointId {
+    std::uint32_t index = 0xffffffff;
+    std::uint32_t generation = 0;
+
+    auto operator<=>(const JointId&) const = default;
+};
+
 inline bool is_null(BodyId id) {
     return id.index == 0xffffffff;
 }
 inline bool is_null(ShapeId id) {
+    return id.index == 0xffffffff;
+}
+inline bool is_null(JointId id) {
     return id.index == 0xffffffff;
 }
 

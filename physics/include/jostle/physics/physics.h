@@ -4,11 +4,16 @@
 #pragma once
 
 #include "jostle/physics/aabb.h"
+#include "jostle/physics/compound.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/events.h"
 #include "jostle/physics/geometry.h"
+#include "jostle/physics/height_field.h"
+#include "jostle/physics/hull.h"
 #include "jostle/physics/ids.h"
+#include "jostle/physics/joint_defs.h"
 #include "jostle/physics/mat3.h"
+#include "jostle/physics/mesh.h"
 #include "jostle/physics/profile.h"
 #include "jostle/physics/quat.h"
 #include "jostle/physics/queries.h"

@@ -15,11 +15,13 @@ enum class Stage {
     solve_constraints,
     integrate_free,
     finalize,
+    stop_fast_bodies,
     quarantine,
     update_sleep,
+    update_triggers,
     publish_events,
 };
-inline constexpr int stage_count = 9;
+inline constexpr int stage_count = 11;
 
 // The stage's name as in the enumeration.
 const char* stage_name(Stage stage);
@@ -34,6 +36,7 @@ struct StepProfile {
     int manifolds = 0;         // awake manifolds in the solver
     int touching = 0;          // of those, the ones that press
     int islands_awake = 0;
+    int joints = 0;  // of awake bodies
 };
 
 }  // namespace jostle::physics

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to a world between steps. Answers do not depend on the broad phase's internals: ties go
-// to the lower id.
+// Questions to a world between steps, or to a frozen copy of it. Answers do not depend on the broad
+// phase's internals: ties go to the lower id.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "jostle/physics/aabb.h"
 #include "jostle/physics/geometry.h"
 #include "jostle/physics/ids.h"
+#include "jostle/physics/result.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::physics {
+
+// Which shapes a query sees.
+struct QueryFilter {
+    std::uint32_t categories = 0xffffffff;  // shapes whose Filter::category has a bit in here
+    bool triggers = false;                  // whether triggers are seen
+    BodyId ignore;                          // a body that is not seen
+};
 
 struct Ray {
     Vec3 origin;  // m
@@ -21,6 +36,104 @@ struct RayHit {
     double fraction = 0;  // 0..1 of the motion; 0 when the origin is inside the shape
     Vec3 point;           // m, world
     Vec3 normal;  // unit, out of the shape; opposite to the motion when the origin is inside
+};
+
+// A convex shape that moves without turning.
+struct ShapeCast {
+    Geometry geometry;  // convex
+    Transform pose;     // where it starts
+    Vec3 motion;        // m
+};
+
+struct ShapeCastHit {
+    ShapeId shape;
+    BodyId body;
+    double fraction = 0;  // 0..1 of the motion when they touch; 0 when they overlap at the start
+    Vec3 point;           // m, world: where they touch
+    Vec3 normal;          // unit, out of the shape that was hit
+};
+
+struct ClosestPoint {
+    ShapeId shape;
+    BodyId body;
+    double distance = 0;  // m; negative inside a solid shape: the way out
+    Vec3 point;           // m, world, on the shape's surface
+    Vec3 normal;          // unit, out of the shape
+};
+
+// How two shapes stand to each other.
+struct ShapeDistance {
+    double distance = 0;  // m; negative: the depth of the overlap (least way to part them)
+    Vec3 normal;          // unit, from a to b
+    Vec3 point_a, point_b;  // m, world, on the surfaces; the closest or the deepest pair
+};
+
+// The points where two shapes touch: what the solver works on.
+struct ContactManifold {
+    Vec3 normal;  // unit, from a to b
+    struct Point {
+        Vec3 position;   // m, world, halfway between the surfaces
+        double gap = 0;  // m along the normal; negative: overlap
+    };
+    std::vector<Point> points;
+};
+
+// Convex kinds and planes (not both planes). Signed distance of the two solids.
+Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const Geometry& b,
+                               const Transform& pose_b);
+
+// What the narrow phase finds, for any two kinds; one manifold per flat piece of a mesh, height
+// field or compound. Points further apart than `margin` (m, >= 0) are left out.
+Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Transform& pose_a,
+                                                    const Geometry& b, const Transform& pose_b,
+                                                    double margin);
+
+class QuerySource;
+
+// Queries on one moment of a world: on the world itself (World::queries, good until the world
+// changes) or on a copy of it (World::query_frame, good for ever). Const calls may come from many
+// threads at once. Each checks its arguments; an Error names the one that was wrong.
+class Queries {
+public:
+    explicit Queries(std::shared_ptr<const QuerySource> source);
+
+    // The step after which this moment was taken.
+    std::uint64_t step() const;
+
+    // The first shape along the ray; nothing when it meets none.
+    Result<std::optional<RayHit>> cast_ray(const Ray& ray, const QueryFilter& filter = {}) const;
+    // Whether it meets any shape: cheaper.
+    Result<bool> ray_hits_any(const Ray& ray, const QueryFilter& filter = {}) const;
+    // Every shape along the ray, each once where it is entered, by fraction, then by id.
+    Result<std::vector<RayHit>> cast_ray_all(const Ray& ray, const QueryFilter& filter = {}) const;
+    // One answer per ray, in their order.
+    Result<std::vector<std::optional<RayHit>>> cast_rays(std::span<const Ray> rays,
+                                                         const QueryFilter& filter = {}) const;
+
+    // The first shape that the moving one touches.
+    Result<std::optional<ShapeCastHit>> cast_shape(const ShapeCast& cast,
+                                                   const QueryFilter& filter = {}) const;
+    // Every shape that it touches, each once, by fraction, then by id.
+    Result<std::vector<ShapeCastHit>> cast_shape_all(const ShapeCast& cast,
+                                                     const QueryFilter& filter = {}) const;
+    Result<std::vector<std::optional<ShapeCastHit>>> cast_shapes(
+        std::span<const ShapeCast> casts, const QueryFilter& filter = {}) const;
+
+    // Shapes whose bounds overlap the box, by id. Exact for the bounds, not for the shapes.
+    Result<std::vector<ShapeId>> overlap_box(const Aabb& box, const QueryFilter& filter = {}) const;
+    // Shapes that a convex shape in that pose touches, by id.
+    Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry, const Transform& pose,
+                                               const QueryFilter& filter = {}) const;
+    // Shapes that hold the point, by id. Meshes and height fields are surfaces and hold none.
+    Result<std::vector<ShapeId>> shapes_at(Vec3 point, const QueryFilter& filter = {}) const;
+    // The nearest shape within max_distance of the point.
+    Result<std::optional<ClosestPoint>> closest_point(Vec3 point, double max_distance,
+                                                      const QueryFilter& filter = {}) const;
+    Result<std::vector<std::optional<ClosestPoint>>> closest_points(
+        std::span<const Vec3> points, double max_distance, const QueryFilter& filter = {}) const;
+
+private:
+    std::shared_ptr<const QuerySource> source_;
 };
 
 }  // namespace jostle::physics

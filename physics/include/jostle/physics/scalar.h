@@ -65,4 +65,24 @@ inline SinCos sin_cos(double angle) {
     return {-c, s};
 }
 
+// The angle of the point (x, y) against the x axis, -pi..pi; 0 for the origin. Error below 1e-14.
+// Reduction to |t| <= tan(pi/8), then the series of the arc tangent.
+inline double arc_tangent(double y, double x) {
+    const double ax = absolute(x), ay = absolute(y);
+    if (ax == 0 && ay == 0) return 0;
+    const bool steep = ay > ax;
+    double t = steep ? ax / ay : ay / ax, base = 0;
+    if (t > 0.41421356237309504880) {
+        t = (t - 1) / (t + 1);
+        base = pi / 4;
+    }
+    const double t2 = t * t;
+    double sum = 0;
+    for (int k = 37; k >= 1; k -= 2) sum = 1.0 / k - t2 * sum;
+    double angle = base + t * sum;
+    if (steep) angle = pi / 2 - angle;
+    if (x < 0) angle = pi - angle;
+    return y < 0 ? -angle : angle;
+}
+
 }  // namespace jostle::physics

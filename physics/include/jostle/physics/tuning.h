@@ -47,6 +47,18 @@ inline constexpr double wake_gap = 0.001;  // m
 // A contact that pressed counts as touching until its gap exceeds this.
 inline constexpr double touch_gap = 0.002;  // m
 
+// --- joints ---
+// Joint frequency as a fraction of the sub-step rate, and its damping.
+inline constexpr double joint_stiffness = 0.25;
+inline constexpr double joint_damping_ratio = 2;
+
+// --- continuous collision ---
+// A body is swept when a point of it may have moved further than this part of its thickness.
+inline constexpr double sweep_fraction = 0.5;
+// A sweep stops this far before the surfaces meet.
+inline constexpr double sweep_gap = 1e-4;  // m
+inline constexpr int sweep_impacts = 16;   // of one body in one step; then it stays where it is
+
 // --- sleep ---
 // An island sleeps when none of its bodies moved faster than this for that long. Speed of the
 // fastest point.

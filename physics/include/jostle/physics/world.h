@@ -21,6 +21,7 @@
 #include "jostle/physics/defs.h"
 #include "jostle/physics/events.h"
 #include "jostle/physics/ids.h"
+#include "jostle/physics/joint_defs.h"
 #include "jostle/physics/profile.h"
 #include "jostle/physics/queries.h"
 #include "jostle/physics/result.h"
@@ -41,6 +42,7 @@ struct BodyState {
     Mat3 inertia;  // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic
                    // bodies
     bool awake = false;  // false for fixed bodies
+    AxisLocks locks = 0;
     std::uint64_t user_data = 0;
 };
 
@@ -50,13 +52,32 @@ struct ShapeState {
     Geometry geometry;
     Transform pose;  // of the shape in its body
     Material material;
-    double density = 0;
+    double density = 0;  // kg/m^3
+    double mass = 0;     // kg, when the shape was given one instead of a density
+    Filter filter;
+    bool trigger = false;
+    bool report_stays = false;
+};
+
+// A contact of the present moment, for debug views and tests.
+struct ContactInfo {
+    ShapeId shape_a, shape_b;
+    BodyId body_a, body_b;
+    Vec3 normal;  // unit, from a to b
+    int count = 0;
+    Vec3 point[4];            // m, world
+    double gap[4] = {};       // m; negative: overlap
+    double impulse[4] = {};   // N s along the normal, of the last sub-step
+    bool touching = false;
+    bool asleep = false;
 };
 
 // Sums over the world, for reports and tests.
 struct WorldSummary {
     int bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
     int contacts = 0;             // touching manifolds, awake and asleep
+    int joints = 0;
+    double max_joint_error = 0;   // m: furthest that two anchors that belong together are apart
     double kinetic_energy = 0;    // J
     double potential_energy = 0;  // J, zero at the origin
     Vec3 linear_momentum;         // kg m/s
@@ -89,9 +110,29 @@ public:
     void copy_bodies(std::vector<BodyState>& out) const;
     std::vector<BodyId> bodies() const;
 
+    // Mass and inertia are those of the shapes (BodyDef::mass included); these change the rest.
+    Status set_material(ShapeId shape, const Material& material);
+    Status set_filter(ShapeId shape, const Filter& filter);
+    Status set_damping(BodyId body, double linear, double angular);
+    Status set_gravity_scale(BodyId body, double scale);
+    Status set_locks(BodyId body, AxisLocks locks);  // what is locked stops
+
+    // --- joints ---
+    Result<JointId> create_joint(const JointDef& def);
+    Status destroy_joint(JointId joint);
+    // Other limits, motor or spring for a joint of the same kind.
+    Status set_joint(JointId joint, const JointKind& kind);
+    bool contains(JointId joint) const;
+    Result<JointState> joint(JointId joint) const;
+    std::vector<JointId> joints() const;
+    std::vector<JointId> joints_of(BodyId body) const;
+
     // --- pushing bodies about; each wakes the body ---
     Status set_pose(BodyId body, const Transform& pose);
     Status set_velocity(BodyId body, Vec3 linear, Vec3 angular);
+    // Gives a kinematic body the velocity that takes it to the pose within dt (a step): unlike
+    // set_pose it pushes what is in the way.
+    Status move_to(BodyId body, const Transform& pose, double dt);
     Status apply_impulse(BodyId body, Vec3 impulse, Vec3 point);  // N s at a world point, at once
     Status apply_angular_impulse(BodyId body, Vec3 impulse);      // N m s, at once
     Status apply_force(BodyId body, Vec3 force,
@@ -113,14 +154,18 @@ public:
     const StepProfile& profile() const;
     WorldSummary summary() const;
 
-    // --- queries, between steps ---
-    // The first shape along the ray; nothing when it meets none.
-    Result<std::optional<RayHit>> cast_ray(const Ray& ray) const;
-    // Shapes whose bounds overlap the box, by id. Exact for the bounds, not for the shapes.
-    Result<std::vector<ShapeId>> overlap_box(const Aabb& box) const;
-    // Shapes that a convex shape in that pose touches, by id.
-    Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry,
-                                               const Transform& pose) const;
+    // --- queries ---
+    // About the present moment: good until the world changes.
+    Queries queries() const;
+    // About this moment for ever: a copy that may be asked while the world steps on.
+    Queries query_frame() const;
+
+    // --- for debug views ---
+    std::vector<ContactInfo> contacts() const;                // by shapes
+    std::vector<std::vector<BodyId>> islands() const;         // each by id
+    std::vector<Aabb> broad_phase_cells() const;              // how the broad phase is organised
+    Result<Aabb> bounds(ShapeId shape) const;                 // not of planes
+    Result<Aabb> fat_bounds(ShapeId shape) const;
 
     // For the library's own files (snapshot, tests): the stores behind this world.
     const WorldState& state() const { return *state_; }

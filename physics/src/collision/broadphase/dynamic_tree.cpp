@@ -21,10 +21,12 @@ void DynamicTree::release(std::int32_t i) {
     free_ = i;
 }
 
-std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item) {
+std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item,
+                                 std::uint32_t category) {
     const std::int32_t leaf = allocate();
     node(leaf).box = box;
     node(leaf).item = item;
+    node(leaf).categories = category;
     link(leaf);
     leaf_count_++;
     return leaf;
@@ -114,6 +116,7 @@ void DynamicTree::update(std::int32_t i) {
     Node& n = node(i);
     const Node &l = node(n.left), &r = node(n.right);
     n.box = unite(l.box, r.box);
+    n.categories = l.categories | r.categories;
     n.height = 1 + (l.height > r.height ? l.height : r.height);
 }
 

@@ -20,7 +20,7 @@ public:
     static constexpr std::int32_t null_node = -1;
 
     // Returns the leaf's handle.
-    std::int32_t insert(const Aabb& box, std::uint32_t item);
+    std::int32_t insert(const Aabb& box, std::uint32_t item, std::uint32_t category = 1);
     void remove(std::int32_t leaf);
     void move(std::int32_t leaf, const Aabb& box);  // handle stays
     void clear();
@@ -29,15 +29,31 @@ public:
     int height() const { return root_ == null_node ? 0 : node(root_).height; }
     int leaf_count() const { return leaf_count_; }
 
-    // Calls visit(item) for every leaf whose box overlaps.
+    // Calls visit(box, height) for every inner node.
     template <class Visit>
-    void query(const Aabb& box, Visit&& visit) const {
+    void for_each_branch(Visit&& visit) const {
         if (root_ == null_node) return;
         Stack stack;
         stack.push(root_);
         while (!stack.empty()) {
             const Node& n = node(stack.pop());
-            if (!overlap(n.box, box)) continue;
+            if (n.left == null_node) continue;
+            visit(n.box, n.height);
+            stack.push(n.left);
+            stack.push(n.right);
+        }
+    }
+
+    // Calls visit(item) for every leaf whose box overlaps and whose category has a bit in the mask;
+    // whole branches without such a bit are left out.
+    template <class Visit>
+    void query(const Aabb& box, std::uint32_t mask, Visit&& visit) const {
+        if (root_ == null_node) return;
+        Stack stack;
+        stack.push(root_);
+        while (!stack.empty()) {
+            const Node& n = node(stack.pop());
+            if ((n.categories & mask) == 0 || !overlap(n.box, box)) continue;
             if (n.left == null_node) {
                 visit(n.item);
             } else {
@@ -50,14 +66,15 @@ public:
     // Calls visit(item, limit) for every leaf that the segment meets within [0, limit]; visit
     // returns the new limit (the fraction of its best hit so far, or the old limit).
     template <class Visit>
-    void cast_ray(Vec3 origin, Vec3 motion, Visit&& visit) const {
+    void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask, Visit&& visit) const {
         if (root_ == null_node) return;
         double limit = 1;
         Stack stack;
         stack.push(root_);
         while (!stack.empty()) {
             const Node& n = node(stack.pop());
-            if (ray_enters(n.box, origin, motion, limit) > limit) continue;
+            if ((n.categories & mask) == 0 || ray_enters(n.box, origin, motion, limit) > limit)
+                continue;
             if (n.left == null_node) {
                 limit = visit(n.item, limit);
             } else {
@@ -74,6 +91,7 @@ private:
         std::int32_t left = null_node, right = null_node;
         std::int32_t height = 0;  // leaf 0
         std::uint32_t item = 0;
+        std::uint32_t categories = 0;  // of all leaves below
     };
 
     // Depth-first order needs at most height + 1 entries; the array is enough for any tree of a

@@ -40,7 +40,7 @@ struct FaceAxis {
     double separation = -1e300;  // largest over all six
 };
 
-FaceAxis best_face(const BoxPair& p, AxisCache cached) {
+FaceAxis best_face(const BoxPair& p, int cached) {
     constexpr double preference = 0.0005;  // m
     constexpr double tie = 1e-6;           // m: of equal axes the first wins
     FaceAxis best;
@@ -87,25 +87,6 @@ EdgeAxis best_edge(const BoxPair& p) {
             if (s > best.separation + 1e-6) best = {i, j, c < 0 ? -n : n, s};
         }
     return best;
-}
-
-// One point in the middle of the shortest segment between the two edges.
-Manifold edge_contact(const Placed& a, const BoxPair& p, const EdgeAxis& edge) {
-    Vec3 on_a, on_b = p.between;  // a point of each edge, from a's centre
-    for (int k = 0; k < 3; k++) {
-        if (k != edge.i)
-            on_a += p.axis_a[k] * (dot(edge.normal, p.axis_a[k]) > 0 ? p.half_a[k] : -p.half_a[k]);
-        if (k != edge.j)
-            on_b += p.axis_b[k] * (dot(edge.normal, p.axis_b[k]) > 0 ? -p.half_b[k] : p.half_b[k]);
-    }
-    const Vec3 r = on_b - on_a, u = p.axis_a[edge.i], v = p.axis_b[edge.j];
-    const double c = p.r[edge.i][edge.j], det = 1 - c * c, ru = dot(r, u), rv = dot(r, v);
-    const double s = clamp((ru - c * rv) / det, -p.half_a[edge.i], p.half_a[edge.i]);
-    const double t = clamp((c * ru - rv) / det, -p.half_b[edge.j], p.half_b[edge.j]);
-    Manifold m{.count = 1, .normal = edge.normal, .distance = edge.separation};
-    m.gap[0] = edge.separation;
-    m.point[0] = a.position + (on_a + u * s + on_b + v * t) * 0.5;
-    return m;
 }
 
 // Cuts the polygon to one side of the reference face: sign * coordinate <= limit.
@@ -183,23 +164,27 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
 
 }  // namespace
 
-Manifold collide_boxes(const Placed& a, const Placed& b, double margin, AxisCache& axis) {
-    constexpr AxisCache edge_axis = 6;
+Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCache& cache) {
     const BoxPair pair = make_pair(a, b);
-    const FaceAxis face = best_face(pair, axis);
+    const FaceAxis face = best_face(pair, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin) return {.distance = face.separation};
     const EdgeAxis edge = best_edge(pair);
     const double separation = maximum(face.separation, edge.separation);
     if (separation > margin) return {.distance = separation};
 
-    // An edge axis must be clearly better than the face axes: faces give stable manifolds of
-    // several points.
-    const double lead = 0.002 + 0.1 * maximum(0.0, -face.preferred);
-    if (edge.separation > face.preferred + lead && edge.separation > face.separation + 1e-4) {
-        axis = edge_axis;
-        return edge_contact(a, pair, edge);
+    // Edges must be better by more than rounding, or resting faces would flicker. And boxes that
+    // are apart may be nearest at corners, where an axis shows less than the distance.
+    const double size = minimum(length(pair.half_a), length(pair.half_b));
+    const bool edges = edge.separation > face.preferred + 2e-5 * size;
+    if (edges || separation > 0.01 * size) {
+        cache.axis = edges ? 7 : 0;
+        PairCache free;
+        Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin,
+                                    free);
+        for (int k = 0; k < m.count; k++) m.point[k] += a.position;
+        return m;
     }
-    axis = static_cast<AxisCache>(face.axis);
+    cache.axis = static_cast<AxisCode>(face.axis) + 1;
     Manifold m = face_contact(a, pair, face.axis, margin);
     // Near the margin the clipped face may leave nothing although the boxes are within it.
     m.distance = m.count > 0 ? separation : maximum(separation, margin * 0.5);

@@ -4,10 +4,10 @@
 // (Gottschalk 1996 for the fifteen axes; Sutherland and Hodgman 1974 for the clipping).
 #pragma once
 
-#include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_convex.h"
 
 namespace jostle::physics {
 
-Manifold collide_boxes(const Placed& a, const Placed& b, double margin, AxisCache& axis);
+Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCache& cache);
 
 }  // namespace jostle::physics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collision/narrowphase/collide_plane.h"
 
+#include "collision/narrowphase/clip.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -52,6 +54,33 @@ Manifold collide_plane_box(const Placed& a, const Placed& b, double margin) {
         corner[v] = sign_v[k] * h[v];
         add_point(m, a, b.position + b.axes * corner, 0, margin);
     }
+    return m;
+}
+
+// The corners of the feature that looks at the plane, and the lowest point of all.
+Manifold collide_plane_convex(const Placed& a, const Placed& b, double margin) {
+    const Vec3 n = world_normal(a);
+    const Convex shape = convex_of(b, b.position);
+    const double height = dot(b.position - a.position, n);
+    const Vec3 lowest = support(shape, -n);
+    const double deepest = height + dot(lowest, n);
+    if (deepest > margin) return {.distance = deepest};
+    ContactPoints points;
+    const Feature feature = feature_along(shape, -n);
+    const auto add = [&](Vec3 p) {
+        const double gap = height + dot(p, n);
+        if (gap > margin) return;
+        points.gap[points.count] = gap;
+        points.point[points.count++] = p - n * (0.5 * gap);
+    };
+    double least = 1e300;
+    for (int k = 0; k < feature.count; k++) {
+        add(feature.corner[k]);
+        least = minimum(least, height + dot(feature.corner[k], n));
+    }
+    if (least > deepest + 1e-6 * size_of(shape)) add(lowest);
+    Manifold m = manifold_of(points, n);
+    for (int k = 0; k < m.count; k++) m.point[k] += b.position;
     return m;
 }
 

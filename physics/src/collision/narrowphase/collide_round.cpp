@@ -99,32 +99,6 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
     return {half, distance2(half)};
 }
 
-struct AxisDepth {
-    Vec3 normal;           // in the box's frame, out of the box towards the segment
-    double depth = 1e300;  // of the segment below the box's surface along it
-};
-
-// The direction in which a segment that pierces the box gets out soonest: three faces and three
-// edge crossings.
-AxisDepth shallowest_exit(Vec3 p, Vec3 d, double half, Vec3 h) {
-    AxisDepth best;
-    const auto consider = [&](Vec3 n) {
-        if (dot(n, p) < 0) n = -n;
-        const double box = absolute(n.x) * h.x + absolute(n.y) * h.y + absolute(n.z) * h.z;
-        const double depth = box - (dot(n, p) - half * absolute(dot(n, d)));
-        if (depth < best.depth - 1e-9) best = {n, depth};
-    };
-    consider({1, 0, 0});
-    consider({0, 1, 0});
-    consider({0, 0, 1});
-    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-        const Vec3 n = cross(axis, d);
-        const double l = length(n);
-        if (l > 1e-3) consider(n * (1 / l));
-    }
-    return best;
-}
-
 struct Span {
     double low, high;
 };
@@ -218,7 +192,7 @@ Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {
     return m;
 }
 
-Manifold collide_box_capsule(const Placed& a, const Placed& b, double margin) {
+std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, double margin) {
     const Vec3 h = std::get<Box>(*a.geometry).half_extents;
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const double r = capsule.radius, half = capsule.half_length;
@@ -226,20 +200,11 @@ Manifold collide_box_capsule(const Placed& a, const Placed& b, double margin) {
     const Vec3 d = transposed_times(a.axes, b.axes.y);
 
     const BoxSegment near = closest_on_segment_to_box(p, d, half, h);
-    Vec3 n;
-    double gap, t = near.t;
-    if (near.distance2 > 1e-20) {
-        const Vec3 q = p + d * t;
-        const Vec3 out{outside(q.x, h.x), outside(q.y, h.y), outside(q.z, h.z)};
-        const double distance = square_root(near.distance2);
-        n = out * (1 / distance);
-        gap = distance - r;
-    } else {
-        const AxisDepth exit = shallowest_exit(p, d, half, h);
-        n = exit.normal;
-        gap = -exit.depth - r;
-        t = dot(n, d) > 0 ? -half : half;  // the deepest end
-    }
+    if (near.distance2 <= 1e-20) return std::nullopt;
+    const Vec3 q = p + d * near.t;
+    const Vec3 out{outside(q.x, h.x), outside(q.y, h.y), outside(q.z, h.z)};
+    const double distance = square_root(near.distance2), gap = distance - r;
+    const Vec3 n = out * (1 / distance);
     Manifold m{.distance = gap};
     if (gap > margin) return m;
     m.normal = a.axes * n;
@@ -261,27 +226,7 @@ Manifold collide_box_capsule(const Placed& a, const Placed& b, double margin) {
         }
         if (m.count > 0) return m;
     }
-    // An edge that pierced crosses the segment where the two lines are closest; otherwise the
-    // closest or deepest point.
-    if (near.distance2 <= 1e-20 && absolute(dot(n, d)) < 1e-3) {
-        t = near.t;
-        double best = 1e300;
-        for (int k = 0; k < 3; k++) {
-            const Vec3 edge{k == 0 ? 0.0 : (n.x > 0 ? h.x : -h.x),
-                            k == 1 ? 0.0 : (n.y > 0 ? h.y : -h.y),
-                            k == 2 ? 0.0 : (n.z > 0 ? h.z : -h.z)};
-            Vec3 along;
-            along[k] = 1;
-            const SegmentPair at = closest_on_segments(edge, along, h[k], p, d, half);
-            const Vec3 gap_vector = (p + d * at.t) - (edge + along * at.s);
-            const Vec3 off = gap_vector - n * dot(gap_vector, n);
-            if (length_squared(off) < best) {
-                best = length_squared(off);
-                t = at.t;
-            }
-        }
-    }
-    add(t, gap);
+    add(near.t, gap);
     return m;
 }
 

@@ -3,6 +3,8 @@
 // Spheres and capsules against each other and against boxes: closed forms.
 #pragma once
 
+#include <optional>
+
 #include "collision/narrowphase/manifold.h"
 #include "geometry/placed.h"
 
@@ -12,6 +14,7 @@ Manifold collide_spheres(const Placed& a, const Placed& b, double margin);
 Manifold collide_sphere_capsule(const Placed& a, const Placed& b, double margin);
 Manifold collide_capsules(const Placed& a, const Placed& b, double margin);
 Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin);
-Manifold collide_box_capsule(const Placed& a, const Placed& b, double margin);
+// Nothing when the capsule's segment enters the box: that is not a closed form's work.
+std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, double margin);
 
 }  // namespace jostle::physics

@@ -9,6 +9,7 @@ namespace jostle::physics {
 struct FacePoint {
     double u = 0, v = 0;  // m
     double gap = 0;       // m
+    int index = 0;        // the caller's
 };
 
 // Keeps at most four of `points`: the deepest, the furthest from it, and the furthest on either

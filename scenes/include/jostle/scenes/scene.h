@@ -23,20 +23,28 @@ struct SceneBody {
     std::optional<std::uint32_t> color;  // 0xRRGGBB
 };
 
+struct SceneJoint {
+    std::string name;
+    std::size_t body_a = 0, body_b = 0;  // of SceneDescription::bodies
+    physics::JointDef joint;             // its bodies are filled in when the scene is built
+};
+
 struct SceneDescription {
     std::string name;
     std::string description;
     physics::WorldDef world;
     double hz = 60;  // steps per second
     std::vector<SceneBody> bodies;
+    std::vector<SceneJoint> joints;
 };
 
 struct BuiltScene {
     physics::World world;
     std::vector<physics::BodyId> bodies;  // bodies[i] was made from description.bodies[i]
+    std::vector<physics::JointId> joints;
 };
 
-// Makes the world. An error names the body ("bodies[3] 'ramp'") and what is wrong with it.
+// Makes the world. An error names the body ("bodies[3] 'ramp'") or joint and what is wrong with it.
 physics::Result<BuiltScene> build_scene(const SceneDescription& description);
 
 }  // namespace jostle::scenes

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds boxes that overlap. Three ways behind one face, with the same answers: a dynamic tree (good
+// at everything), sort and sweep (good while all is spread along one axis), a uniform grid (good
+// while boxes are of like size). Boxes carry a caller's number and category bits; callers that need
+// an order sort what they get.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "jostle/physics/aabb.h"
+#include "jostle/physics/defs.h"
+
+namespace jostle::physics {
+
+class BroadPhaseIndex {
+public:
+    virtual ~BroadPhaseIndex() = default;
+
+    // Returns a handle that stays until remove().
+    virtual std::int32_t insert(const Aabb& box, std::uint32_t item, std::uint32_t category) = 0;
+    virtual void remove(std::int32_t handle) = 0;
+    virtual void move(std::int32_t handle, const Aabb& box) = 0;
+
+    // Appends the items whose box overlaps and whose category has a bit in the mask, each once.
+    virtual void query(const Aabb& box, std::uint32_t mask,
+                       std::vector<std::uint32_t>& found) const = 0;
+
+    // Calls visit(item, limit) for items whose box the segment meets within [0, limit]; visit
+    // returns the new limit (the fraction of its best hit so far, or the old limit).
+    using RayVisit = std::function<double(std::uint32_t item, double limit)>;
+    virtual void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
+                          const RayVisit& visit) const = 0;
+
+    // Brings the index up to date after moves; queries in between are right but may be slow.
+    virtual void settle() {}
+
+    virtual std::unique_ptr<BroadPhaseIndex> clone() const = 0;
+    // Boxes that show how it is organised, for debug views.
+    virtual void cells(std::vector<Aabb>& out) const = 0;
+};
+
+std::unique_ptr<BroadPhaseIndex> make_broad_phase(BroadPhase kind);
+
+}  // namespace jostle::physics

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "collision/broadphase/sort_and_sweep.h"
+
+#include <algorithm>
+
+namespace jostle::physics {
+
+std::int32_t SortAndSweep::insert(const Aabb& box, std::uint32_t item, std::uint32_t category) {
+    std::int32_t handle;
+    if (free_.empty()) {
+        handle = static_cast<std::int32_t>(place_.size());
+        place_.push_back(-1);
+    } else {
+        handle = free_.back();
+        free_.pop_back();
+    }
+    place_[static_cast<std::size_t>(handle)] = static_cast<std::int32_t>(entries_.size());
+    entries_.push_back({box, item, category, handle});
+    sorted_ = false;
+    return handle;
+}
+
+void SortAndSweep::remove(std::int32_t handle) {
+    const auto at = static_cast<std::size_t>(place_[static_cast<std::size_t>(handle)]);
+    entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
+    for (std::size_t k = at; k < entries_.size(); k++)
+        place_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
+    place_[static_cast<std::size_t>(handle)] = -1;
+    free_.push_back(handle);
+    sorted_ = false;  // the reaches are to be made anew
+}
+
+void SortAndSweep::move(std::int32_t handle, const Aabb& box) {
+    entries_[static_cast<std::size_t>(place_[static_cast<std::size_t>(handle)])].box = box;
+    sorted_ = false;
+}
+
+void SortAndSweep::settle() {
+    if (sorted_) return;
+    // Insertion while the list is nearly sorted, a real sort when it is not.
+    std::size_t work = 0;
+    const std::size_t patience = 8 * entries_.size() + 64;
+    for (std::size_t k = 1; k < entries_.size() && work < patience; k++) {
+        std::size_t j = k;
+        while (j > 0 && entries_[j].box.low.x < entries_[j - 1].box.low.x && work < patience) {
+            std::swap(entries_[j], entries_[j - 1]);
+            j--;
+            work++;
+        }
+    }
+    if (work >= patience)
+        std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+            return a.box.low.x < b.box.low.x;
+        });
+    reach_.resize(entries_.size());
+    for (std::size_t k = 0; k < entries_.size(); k++) {
+        place_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
+        reach_[k] = k == 0 ? entries_[k].box.high.x
+                           : maximum(reach_[k - 1], entries_[k].box.high.x);
+    }
+    sorted_ = true;
+}
+
+// The first entry from which on anything can reach as far as x.
+std::size_t SortAndSweep::first_from(double x) const {
+    if (!sorted_) return 0;
+    return static_cast<std::size_t>(std::lower_bound(reach_.begin(), reach_.end(), x) -
+                                    reach_.begin());
+}
+
+void SortAndSweep::query(const Aabb& box, std::uint32_t mask,
+                         std::vector<std::uint32_t>& found) const {
+    for (std::size_t k = first_from(box.low.x); k < entries_.size(); k++) {
+        const Entry& e = entries_[k];
+        if (sorted_ && e.box.low.x > box.high.x) break;
+        if ((e.category & mask) != 0 && overlap(e.box, box)) found.push_back(e.item);
+    }
+}
+
+void SortAndSweep::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
+                            const RayVisit& visit) const {
+    const double low = minimum(origin.x, origin.x + motion.x);
+    const double high = maximum(origin.x, origin.x + motion.x);
+    double limit = 1;
+    for (std::size_t k = first_from(low); k < entries_.size(); k++) {
+        const Entry& e = entries_[k];
+        if (sorted_ && e.box.low.x > high) break;
+        if ((e.category & mask) != 0 && ray_enters(e.box, origin, motion, limit) <= limit)
+            limit = visit(e.item, limit);
+    }
+}
+
+std::unique_ptr<BroadPhaseIndex> SortAndSweep::clone() const {
+    return std::make_unique<SortAndSweep>(*this);
+}
+
+// The slab that each entry has to look through.
+void SortAndSweep::cells(std::vector<Aabb>& out) const {
+    for (const Entry& e : entries_) out.push_back(e.box);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Boxes in a list sorted by their low end along x (sweep and prune on one axis: Baraff 1992). The
+// list is put in order by insertion, which is cheap while little moved past its neighbour.
+#pragma once
+
+#include "collision/broadphase/broad_phase.h"
+
+namespace jostle::physics {
+
+class SortAndSweep final : public BroadPhaseIndex {
+public:
+    std::int32_t insert(const Aabb& box, std::uint32_t item, std::uint32_t category) override;
+    void remove(std::int32_t handle) override;
+    void move(std::int32_t handle, const Aabb& box) override;
+    void query(const Aabb& box, std::uint32_t mask,
+               std::vector<std::uint32_t>& found) const override;
+    void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
+                  const RayVisit& visit) const override;
+    void settle() override;
+    std::unique_ptr<BroadPhaseIndex> clone() const override;
+    void cells(std::vector<Aabb>& out) const override;
+
+private:
+    struct Entry {
+        Aabb box;
+        std::uint32_t item = 0, category = 0;
+        std::int32_t handle = -1;
+    };
+    std::size_t first_from(double x) const;
+
+    std::vector<Entry> entries_;          // by box.low.x when sorted_
+    std::vector<double> reach_;           // [k]: largest box.high.x of entries_[0..k]
+    std::vector<std::int32_t> place_;     // by handle; -1: free
+    std::vector<std::int32_t> free_;
+    bool sorted_ = true;
+};
+
+}  // namespace jostle::physics

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/clip.h"
+
+#include "collision/narrowphase/manifold_reduction.h"
+#include "collision/narrowphase/polyhedron.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int rim_points = 8;  // corners that stand for the rim of a disc
+
+// A disc across the local y axis at height y, with one corner where it looks along d.
+void put_disc(Feature& f, double y, double radius, Vec3 d) {
+    const double across = square_root(d.x * d.x + d.z * d.z);
+    // Level with the other side: fixed corners, so that a resting rim keeps its points.
+    const Vec3 first = across > 1e-4 ? Vec3{d.x / across, 0, d.z / across} : Vec3{1, 0, 0};
+    const Vec3 second{-first.z, 0, first.x};
+    constexpr double half = 0.70710678118654752440;
+    static constexpr double turn[rim_points][2] = {{1, 0},  {half, half},   {0, 1},  {-half, half},
+                                                   {-1, 0}, {-half, -half}, {0, -1}, {half, -half}};
+    f.count = rim_points;
+    for (int k = 0; k < rim_points; k++) {
+        f.corner[k] = (first * turn[k][0] + second * turn[k][1]) * radius;
+        f.corner[k].y = y;
+    }
+}
+
+Feature feature_of_cylinder(Vec3 size, Vec3 d) {
+    Feature f;
+    const double across = square_root(d.x * d.x + d.z * d.z);
+    if (absolute(d.y) >= across) {
+        f.normal = {0, d.y < 0 ? -1.0 : 1.0, 0};
+        put_disc(f, f.normal.y * size.y, size.x, d);
+        return f;
+    }
+    f.normal = {d.x / across, 0, d.z / across};
+    f.count = 2;
+    f.corner[0] = f.normal * size.x + Vec3{0, -size.y, 0};
+    f.corner[1] = f.normal * size.x + Vec3{0, size.y, 0};
+    return f;
+}
+
+Feature feature_of_cone(Vec3 size, Vec3 d) {
+    Feature f;
+    const double across = square_root(d.x * d.x + d.z * d.z), height = 2 * size.y;
+    const double slant = square_root(size.x * size.x + height * height);
+    const double side = across * (height / slant) + d.y * (size.x / slant);
+    if (-d.y >= side) {
+        f.normal = {0, -1, 0};
+        put_disc(f, -size.y, size.x, d);
+        return f;
+    }
+    const Vec3 out = across > 1e-12 ? Vec3{d.x / across, 0, d.z / across} : Vec3{1, 0, 0};
+    f.normal = out * (height / slant) + Vec3{0, size.x / slant, 0};
+    f.count = 2;
+    f.corner[0] = out * size.x + Vec3{0, -size.y, 0};
+    f.corner[1] = {0, size.y, 0};
+    return f;
+}
+
+Feature feature_of_polyhedron(const Convex& shape, Vec3 d) {
+    PolyhedronParts parts;
+    const Polyhedron p = polyhedron_of(shape, parts);
+    std::size_t best = 0;
+    double most = -1e300;
+    for (std::size_t k = 0; k < p.faces.size(); k++) {
+        const double along = dot(p.faces[k].normal, d);
+        if (p.faces[k].count >= 3 && along > most + 1e-9) {
+            most = along;
+            best = k;
+        }
+    }
+    Feature f;
+    f.normal = p.faces[best].normal;
+    for (const std::uint16_t v : p.vertices_of(p.faces[best])) f.corner[f.count++] = p.vertices[v];
+    return f;
+}
+
+Feature local_feature(const Convex& shape, Vec3 d) {
+    switch (shape.core) {
+        case Core::point: {
+            Feature f{.count = 1, .corner = {}, .normal = d};
+            return f;
+        }
+        case Core::segment: {
+            Feature f{.count = 2, .corner = {}, .normal = normalized(Vec3{d.x, 0, d.z}, d)};
+            f.corner[0].y = -shape.size.y;
+            f.corner[1].y = shape.size.y;
+            return f;
+        }
+        case Core::cylinder:
+            return feature_of_cylinder(shape.size, d);
+        case Core::cone:
+            return feature_of_cone(shape.size, d);
+        case Core::box:
+        case Core::hull:
+        case Core::triangle:
+            break;
+    }
+    return feature_of_polyhedron(shape, d);
+}
+
+// The part of a polygon (or segment, or point) on the inner side of a plane.
+int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
+    Vec3 kept[ContactPoints::capacity];
+    int made = 0;
+    const double slack = 1e-12;
+    const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
+    const bool open = count == 2;  // an edge has no way back from its end to its start
+    for (int k = 0; k < count; k++) {
+        const Vec3 p = polygon[k];
+        const double hp = height(p);
+        if (hp <= slack) kept[made++] = p;
+        if (count == 1 || (open && k == 1)) continue;
+        const Vec3 q = polygon[(k + 1) % count];
+        const double hq = height(q);
+        if ((hp < -slack && hq > slack) || (hp > slack && hq < -slack))
+            kept[made++] = p + (q - p) * (hp / (hp - hq));
+        if (made + 2 >= ContactPoints::capacity) break;
+    }
+    for (int k = 0; k < made; k++) polygon[k] = kept[k];
+    return made;
+}
+
+struct Sink {
+    ContactPoints& out;
+    Vec3 normal;
+    double radius_a, radius_b;
+    double margin;
+
+    // Cores' points `pa` and `pb`, of which one was found on the other's face along the normal.
+    void add(Vec3 pa, Vec3 pb) {
+        if (out.count == ContactPoints::capacity) return;
+        const double gap = dot(pb - pa, normal) - radius_a - radius_b;
+        if (gap > margin) return;
+        out.gap[out.count] = gap;
+        out.point[out.count] =
+            (pa + normal * radius_a + pb - normal * radius_b) * 0.5;
+        out.count++;
+    }
+};
+
+// Two edges side by side: the ends of what they have in common. False when they cross.
+bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) {
+    const Vec3 u = fa.corner[1] - fa.corner[0], v = fb.corner[1] - fb.corner[0];
+    const double uu = length_squared(u), vv = length_squared(v), uv = dot(u, v);
+    if (uu == 0 || vv == 0 || uv * uv < 0.99 * uu * vv) return false;
+    if (absolute(dot(n, u)) > 0.1 * square_root(uu)) return false;
+    // Where b's ends are along a, 0..1.
+    double s0 = dot(fb.corner[0] - fa.corner[0], u) / uu;
+    double s1 = dot(fb.corner[1] - fa.corner[0], u) / uu;
+    if (s0 > s1) std::swap(s0, s1);
+    const double low = maximum(0, s0), high = minimum(1, s1);
+    if (high - low < 0.02) return false;
+    for (const double s : {low, high}) {
+        const Vec3 pa = fa.corner[0] + u * s;
+        const double t = clamp(dot(pa - fb.corner[0], v) / vv, 0, 1);
+        sink.add(pa, fb.corner[0] + v * t);
+    }
+    return true;
+}
+
+// The incident feature cut to the outline of the reference face, and how far its corners are from
+// that face along the normal.
+void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, Vec3 n,
+                 bool reference_is_a) {
+    Vec3 polygon[ContactPoints::capacity];
+    int count = incident.count;
+    for (int k = 0; k < count; k++) polygon[k] = incident.corner[k];
+    for (int k = 0; k < reference.count && count > 0; k++) {
+        const Vec3 p = reference.corner[k], q = reference.corner[(k + 1) % reference.count];
+        // The prism stands along the normal of the contact, not of the face, so that points that
+        // lie on each other along it stay together.
+        const Vec3 side = reference_is_a ? cross(q - p, n) : cross(n, q - p);
+        const double l = length(side);
+        if (l < 1e-300) continue;
+        count = cut(polygon, count, side * (1 / l), dot(side, p) / l);
+    }
+    const double slope = dot(reference.normal, n);
+    for (int k = 0; k < count; k++) {
+        const double rise =
+            dot(reference.normal, polygon[k] - reference.corner[0]) / slope;
+        const Vec3 on_reference = polygon[k] - n * rise;
+        if (reference_is_a)
+            sink.add(on_reference, polygon[k]);
+        else
+            sink.add(polygon[k], on_reference);
+    }
+}
+
+}  // namespace
+
+Feature feature_along(const Convex& shape, Vec3 direction) {
+    Feature f = local_feature(shape, transposed_times(shape.axes, direction));
+    f.normal = shape.axes * f.normal;
+    for (int k = 0; k < f.count; k++) f.corner[k] = shape.position + shape.axes * f.corner[k];
+    return f;
+}
+
+ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& witness,
+                             double margin) {
+    ContactPoints out;
+    const Vec3 n = witness.normal;
+    const double deepest = witness.distance - a.radius - b.radius;
+    Sink sink{out, n, a.radius, b.radius, margin};
+    if (a.core != Core::point && b.core != Core::point) {
+        const Feature fa = feature_along(a, n), fb = feature_along(b, -n);
+        const double look_a = fa.count >= 3 ? dot(fa.normal, n) : -1;
+        const double look_b = fb.count >= 3 ? -dot(fb.normal, n) : -1;
+        // A face serves as reference while the normal is near its own. An edge that lies on it is
+        // only there when the face is what touches.
+        const double least = fa.count == 2 || fb.count == 2 ? 0.995 : 0.5;
+        if (maximum(look_a, look_b) >= least) {
+            if (look_a >= look_b - 1e-9)
+                add_clipped(sink, fa, fb, n, true);
+            else
+                add_clipped(sink, fb, fa, n, false);
+        } else if (fa.count == 2 && fb.count == 2) {
+            add_side_by_side(sink, fa, fb, n);
+        }
+    }
+    // What cutting lost: the point that the normal came from.
+    double lowest = 1e300;
+    for (int k = 0; k < out.count; k++) lowest = minimum(lowest, out.gap[k]);
+    if (lowest > deepest + 1e-6 * minimum(size_of(a), size_of(b)) && deepest <= margin) {
+        if (out.count == ContactPoints::capacity) out.count--;
+        out.gap[out.count] = deepest;
+        out.point[out.count] =
+            (witness.on_a + n * a.radius + witness.on_b - n * b.radius) * 0.5;
+        out.count++;
+    }
+    return out;
+}
+
+ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double margin) {
+    ContactPoints out;
+    Sink sink{out, n, a.radius, b.radius, margin};
+    add_clipped(sink, feature_along(a, n), feature_along(b, -n), n, true);
+    return out;
+}
+
+Manifold manifold_of(const ContactPoints& points, Vec3 normal) {
+    Manifold m{.normal = normal};
+    FacePoint flat[ContactPoints::capacity];
+    const Vec3 u = normalized(
+        cross(normal, absolute(normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+    const Vec3 v = cross(normal, u);
+    for (int k = 0; k < points.count; k++)
+        flat[k] = {dot(points.point[k], u), dot(points.point[k], v), points.gap[k], k};
+    m.count = reduce_to_four(flat, points.count);
+    for (int k = 0; k < m.count; k++) {
+        m.point[k] = points.point[flat[k].index];
+        m.gap[k] = points.gap[flat[k].index];
+        m.distance = k == 0 ? m.gap[0] : minimum(m.distance, m.gap[k]);
+    }
+    return m;
+}
+
+}  // namespace jostle::physics

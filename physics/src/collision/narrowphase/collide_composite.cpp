@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/collide_composite.h"
+
+#include <algorithm>
+
+#include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_surface.h"
+#include "geometry/bounds.h"
+#include "geometry/bvh.h"
+#include "jostle/physics/compound.h"
+
+namespace jostle::physics {
+namespace {
+
+bool is_surface(const Placed& shape) {
+    const ShapeKind kind = kind_of(*shape.geometry);
+    return kind == ShapeKind::mesh || kind == ShapeKind::height_field;
+}
+
+Placed child_of(const Placed& compound, const CompoundChild& child) {
+    return {&child.geometry, compound.position + compound.axes * child.pose.position,
+            compound.axes * to_matrix(child.pose.rotation)};
+}
+
+// The box of a shape in another's frame.
+Aabb bounds_in(const Placed& frame, const Placed& shape) {
+    const Placed local{shape.geometry,
+                       transposed_times(frame.axes, shape.position - frame.position),
+                       transpose(frame.axes) * shape.axes};
+    return bounds_of(local);
+}
+
+// Children of the compound that may be within the margin of the shape, rising.
+std::vector<std::uint32_t> children_near(const Placed& compound, const Placed& shape,
+                                         double margin) {
+    const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
+    std::vector<std::uint32_t> near;
+    if (kind_of(*shape.geometry) == ShapeKind::plane) {
+        for (std::uint32_t k = 0; k < data.children.size(); k++) near.push_back(k);
+        return near;
+    }
+    const Aabb box = grow(bounds_in(compound, shape), margin);
+    data.tree->query(box, [&](std::uint32_t k) {
+        const CompoundChild& child = data.children[k];
+        if (overlap(bounds_of(placed(child.geometry, child.pose)), box)) near.push_back(k);
+    });
+    std::sort(near.begin(), near.end());
+    return near;
+}
+
+// Neither is a compound.
+void collide_parts(const Placed& a, const Placed& b, double margin, std::uint64_t key,
+                   std::vector<PartManifold>& out) {
+    if (is_surface(a) || is_surface(b)) {
+        const bool a_is_surface = is_surface(a);
+        if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
+            (!a_is_surface && !is_convex(kind_of(*a.geometry))))
+            return;
+        std::vector<Manifold> pieces;
+        collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, pieces);
+        for (const Manifold& piece : pieces)
+            out.push_back({key, a_is_surface ? piece : flipped(piece)});
+        return;
+    }
+    PairCache cache;
+    const Manifold m = collide(a, b, margin, cache);
+    if (m.count > 0) out.push_back({key, m});
+}
+
+}  // namespace
+
+void collide_composite(const Placed& a, const Placed& b, double margin,
+                       std::vector<PartManifold>& out) {
+    const auto* compound_a = std::get_if<Compound>(a.geometry);
+    const auto* compound_b = std::get_if<Compound>(b.geometry);
+    const auto against_b = [&](const Placed& part, std::uint64_t key) {
+        if (compound_b == nullptr) return collide_parts(part, b, margin, key, out);
+        for (const std::uint32_t k : children_near(b, part, margin))
+            collide_parts(part, child_of(b, compound_b->data->children[k]), margin,
+                          key | (std::uint64_t{k} + 1), out);
+    };
+    if (compound_a == nullptr) return against_b(a, 0);
+    for (const std::uint32_t k : children_near(a, b, margin))
+        against_b(child_of(a, compound_a->data->children[k]), (std::uint64_t{k} + 1) << 32);
+}
+
+}  // namespace jostle::physics

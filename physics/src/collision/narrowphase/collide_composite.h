@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Shapes of many parts: meshes, height fields and compounds against anything. One pair of shapes
+// then has several manifolds, one per flat piece or child.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/narrowphase/manifold.h"
+#include "geometry/placed.h"
+
+namespace jostle::physics {
+
+struct PartManifold {
+    std::uint64_t key = 0;  // child of a in the upper half, of b in the lower, each plus one; pieces
+                            // of a surface have no key of their own and are told apart by normal
+    Manifold manifold;
+};
+
+inline bool is_composite(ShapeKind kind) {
+    return kind == ShapeKind::mesh || kind == ShapeKind::height_field ||
+           kind == ShapeKind::compound;
+}
+
+// Appends every part's manifold with points within the margin, in an order that depends on the two
+// shapes alone.
+void collide_composite(const Placed& a, const Placed& b, double margin,
+                       std::vector<PartManifold>& out);
+
+}  // namespace jostle::physics

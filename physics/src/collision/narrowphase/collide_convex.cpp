@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/collide_convex.h"
+
+#include "collision/narrowphase/gjk.h"
+#include "collision/narrowphase/penetration.h"
+
+namespace jostle::physics {
+namespace {
+
+Witness flipped(const Witness& w) {
+    return {-w.normal, w.distance, w.on_b, w.on_a};
+}
+
+Witness from(const Separation& s) {
+    return {s.normal, s.distance, s.on_a, s.on_b};
+}
+Witness from(const GjkResult& g) {
+    return {g.normal, g.distance, g.on_a, g.on_b};
+}
+
+// Two segments that cross: out along their common perpendicular; parallel ones lie in each other
+// and part in any direction across.
+Witness cross_segments(const Convex& a, const Convex& b) {
+    const Vec3 n = normalized(cross(a.axes.y, b.axes.y), a.axes.x);
+    const GjkResult at = gjk(a, b, {});
+    const SimplexPoint& p = at.simplex.point[0];
+    Vec3 on_a, on_b;
+    for (int k = 0; k < at.simplex.count; k++) {
+        on_a += at.simplex.point[k].a * at.simplex.weight[k];
+        on_b += at.simplex.point[k].b * at.simplex.weight[k];
+    }
+    if (at.simplex.count == 0) on_a = p.a, on_b = p.b;
+    const Vec3 toward = dot(middle_of(b) - middle_of(a), n) < 0 ? -n : n;
+    return {toward, 0, on_a, on_b};
+}
+
+// Directions that a shape offers by itself: the normals of its flat ends. Snapping to one of them
+// keeps a resting contact's normal exactly where it was.
+int own_normals(const Convex& shape, Vec3 toward, Vec3 out[1]) {
+    if (shape.core == Core::point || shape.core == Core::segment) return 0;
+    out[0] = feature_along(shape, toward).normal;
+    return 1;
+}
+
+Witness snapped(const Convex& a, const Convex& b, const Witness& w) {
+    const double tie = 1e-6 * minimum(size_of(a), size_of(b));
+    Witness best = w;
+    const auto consider = [&](Vec3 n) {
+        if (dot(n, w.normal) < 1 - 1e-6) return false;
+        const Vec3 pa = support(a, n), pb = support(b, -n);
+        const double distance = dot(pb - pa, n);
+        if (distance < w.distance - tie) return false;
+        // Slide the witness onto the axis: its distance is that of the supports.
+        best = {n, distance, w.on_a, w.on_b};
+        return true;
+    };
+    Vec3 own[1];
+    if (own_normals(a, w.normal, own) > 0 && consider(own[0])) return best;
+    if (own_normals(b, -w.normal, own) > 0 && consider(-own[0])) return best;
+    return best;
+}
+
+Witness round_witness(const Convex& a, const Convex& b, PairCache& cache) {
+    const GjkResult g = gjk(a, b, cache.direction);
+    const double size = minimum(size_of(a), size_of(b));
+    if (g.distance > 1e-9 * size) {
+        cache.direction = g.normal;
+        return snapped(a, b, from(g));
+    }
+    const auto p = penetration(a, b, g.simplex);
+    if (p) {
+        cache.direction = p->normal;
+        return snapped(a, b, {p->normal, -p->depth, p->on_a, p->on_b});
+    }
+    // Flat in itself (a segment on a triangle, say): out by the centres.
+    const Vec3 n = normalized(middle_of(b) - middle_of(a));
+    const Vec3 on_a = support(a, n), on_b = support(b, -n);
+    return {n, minimum(0, dot(on_b - on_a, n)), on_a, on_b};
+}
+
+Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
+    const Separation s = separate(a, b, cache.axis, enough);
+    cache.axis = s.code;
+    if (s.distance <= 0 || s.distance > enough) return from(s);
+    // Apart: an axis shows less than the distance when corners are what is nearest.
+    const GjkResult g = gjk(a, b, length_squared(cache.direction) > 0 ? cache.direction : s.normal);
+    if (g.distance <= s.distance + 2e-5 * minimum(size_of(a), size_of(b))) return from(s);
+    cache.direction = g.normal;
+    return from(g);
+}
+
+// A point or a segment against a polyhedron.
+Witness core_witness(const Convex& polyhedron, const Convex& core, PairCache& cache) {
+    const GjkResult g = gjk(polyhedron, core, cache.direction);
+    const double size = minimum(size_of(polyhedron), size_of(core));
+    if (g.distance > 1e-9 * size) {
+        cache.direction = g.normal;
+        return snapped(polyhedron, core, from(g));
+    }
+    return from(separate_segment(polyhedron, core));
+}
+
+}  // namespace
+
+Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
+    if (is_polyhedron(a) && is_polyhedron(b)) return polyhedra_witness(a, b, enough, cache);
+    const auto is_line = [](const Convex& c) {
+        return c.core == Core::point || c.core == Core::segment;
+    };
+    if (is_polyhedron(a) && is_line(b)) return core_witness(a, b, cache);
+    if (is_line(a) && is_polyhedron(b)) {
+        PairCache turned{cache.axis, -cache.direction};
+        const Witness w = flipped(core_witness(b, a, turned));
+        cache = {turned.axis, -turned.direction};
+        return w;
+    }
+    if (is_line(a) && is_line(b)) {
+        const GjkResult g = gjk(a, b, cache.direction);
+        const double size = minimum(size_of(a), size_of(b));
+        if (g.distance > 1e-12 * size) {
+            cache.direction = g.normal;
+            return from(g);
+        }
+        return cross_segments(a, b);
+    }
+    return round_witness(a, b, cache);
+}
+
+Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {
+    const Witness w = find_witness(a, b, margin + a.radius + b.radius, cache);
+    const double gap = w.distance - a.radius - b.radius;
+    if (gap > margin) return {.distance = gap};
+    return manifold_of(contact_points(a, b, w, margin), w.normal);
+}
+
+}  // namespace jostle::physics

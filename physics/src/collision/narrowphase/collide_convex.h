@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Any two convex shapes, by the method that fits their cores: closed forms for points and segments,
+// separating axes for polyhedra, GJK and EPA for what is round.
+#pragma once
+
+#include "collision/narrowphase/clip.h"
+#include "collision/narrowphase/sat.h"
+
+namespace jostle::physics {
+
+// What a pair of shapes remembers from step to step. Part of the world's state.
+struct PairCache {
+    AxisCode axis = 0;  // the separating axis used last
+    Vec3 direction;     // from a to b, of the last closest points; zero: none
+};
+
+// The cores' signed distance and where it is attained. `enough`: beyond this distance between the
+// surfaces a lower bound will do.
+Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache& cache);
+
+// Points with a gap of at most `margin`, relative to the same origin as the shapes.
+Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache);
+
+}  // namespace jostle::physics

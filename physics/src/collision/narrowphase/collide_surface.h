@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// A convex shape against the triangles of a mesh or height field. Triangles of one sheet act as a
+// smooth surface: where a fold is flat or hollow, the edge between two of them cannot be felt.
+#pragma once
+
+#include <vector>
+
+#include "collision/narrowphase/manifold.h"
+#include "geometry/placed.h"
+
+namespace jostle::physics {
+
+// Appends one manifold per flat piece, deepest first; normals point from the surface to the shape.
+void collide_surface(const Placed& surface, const Placed& convex, double margin,
+                     std::vector<Manifold>& out);
+
+}  // namespace jostle::physics

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// The point of a shape's surface nearest to a point.
+#pragma once
+
+#include "geometry/placed.h"
+
+namespace jostle::physics {
+
+struct SurfacePoint {
+    double distance = 0;  // m; negative: the point is inside
+    Vec3 point;           // m, world
+    Vec3 normal;          // unit, out of the shape
+};
+
+// Any kind. Meshes and height fields are surfaces: the distance is never negative.
+SurfacePoint nearest_point(const Placed& shape, Vec3 point);
+
+}  // namespace jostle::physics

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/penetration.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int max_points = 200;
+constexpr int max_faces = 2 * max_points;
+
+struct Facet {
+    int corner[3];
+    Vec3 normal;      // unit, outward
+    double distance;  // of its plane from the origin
+    bool alive;
+};
+
+class Polytope {
+public:
+    Polytope(const Convex& a, const Convex& b) : a_(a), b_(b), size_(size_of(a) + size_of(b)) {}
+
+    std::optional<Penetration> expand(const Simplex& start) {
+        for (int k = 0; k < start.count; k++) points_[count_++] = start.point[k];
+        if (!make_tetrahedron()) return std::nullopt;
+        const double tolerance = 1e-9 * size_;
+        int best = nearest();
+        while (count_ < max_points) {
+            const Facet f = facets_[best];
+            const SimplexPoint p = support_along(f.normal);
+            if (dot(p.w, f.normal) - f.distance <= tolerance || known(p.w)) break;
+            points_[count_++] = p;
+            if (!add_point(count_ - 1)) break;
+            const int next = nearest();
+            if (next < 0) break;
+            best = next;
+        }
+        return answer(facets_[best]);
+    }
+
+private:
+    SimplexPoint support_along(Vec3 d) const {
+        SimplexPoint p{.a = support(a_, d), .b = support(b_, -d), .w = {}};
+        p.w = p.a - p.b;
+        return p;
+    }
+    bool known(Vec3 w) const {
+        for (int k = 0; k < count_; k++)
+            if (length_squared(points_[k].w - w) <= 1e-26 * size_ * size_) return true;
+        return false;
+    }
+
+    // A simplex of fewer points (the origin lies on it) is blown up with supports off it.
+    bool make_tetrahedron() {
+        if (count_ == 0) points_[count_++] = support_along({1, 0, 0});
+        static constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const double least = 1e-7 * size_;
+        if (count_ == 1)
+            for (const Vec3 axis : axes)
+                for (const double sign : {1.0, -1.0})
+                    if (count_ == 1) try_point(axis * sign, [&](Vec3 w) {
+                            return length(w - points_[0].w) > least;
+                        });
+        if (count_ == 2) {
+            const Vec3 u = normalized(points_[1].w - points_[0].w);
+            for (const Vec3 axis : axes)
+                for (const double sign : {1.0, -1.0})
+                    if (count_ == 2)
+                        try_point(cross(u, axis) * sign, [&](Vec3 w) {
+                            return length(cross(w - points_[0].w, u)) > least;
+                        });
+        }
+        if (count_ == 3) {
+            const Vec3 n = normalized(
+                cross(points_[1].w - points_[0].w, points_[2].w - points_[0].w));
+            for (const double sign : {1.0, -1.0})
+                if (count_ == 3)
+                    try_point(n * sign, [&](Vec3 w) {
+                        return absolute(dot(w - points_[0].w, n)) > least;
+                    });
+        }
+        if (count_ < 4) return false;
+        const Vec3 n = cross(points_[1].w - points_[0].w, points_[2].w - points_[0].w);
+        if (dot(n, points_[3].w - points_[0].w) > 0) std::swap(points_[1], points_[2]);
+        return add_facet(0, 1, 2) && add_facet(0, 3, 1) && add_facet(1, 3, 2) &&
+               add_facet(2, 3, 0);
+    }
+    template <class Accept>
+    void try_point(Vec3 d, Accept&& accept) {
+        if (length_squared(d) == 0) return;
+        const SimplexPoint p = support_along(d);
+        if (accept(p.w)) points_[count_++] = p;
+    }
+
+    bool add_facet(int i, int j, int k) {
+        if (facet_count_ == max_faces) compact();
+        if (facet_count_ == max_faces) return false;
+        const Vec3 n = cross(points_[j].w - points_[i].w, points_[k].w - points_[i].w);
+        const double l = length(n);
+        if (l < 1e-18 * size_ * size_) return false;
+        facets_[facet_count_++] = {
+            {i, j, k}, n * (1 / l), dot(n, points_[i].w) / l, true};
+        return true;
+    }
+    void compact() {
+        int kept = 0;
+        for (int k = 0; k < facet_count_; k++)
+            if (facets_[k].alive) facets_[kept++] = facets_[k];
+        facet_count_ = kept;
+    }
+
+    int nearest() const {
+        int best = -1;
+        for (int k = 0; k < facet_count_; k++)
+            if (facets_[k].alive && (best < 0 || facets_[k].distance < facets_[best].distance))
+                best = k;
+        return best;
+    }
+
+    // Replaces the facets that see the new point by a fan to their rim. False when rounding made a
+    // facet without area: the polytope then stays as it was before.
+    bool add_point(int index) {
+        compact();
+        const Vec3 w = points_[index].w;
+        int edges[max_faces][2];
+        int edge_count = 0;
+        const auto add_edge = [&](int i, int j) {
+            for (int k = 0; k < edge_count; k++)
+                if (edges[k][0] == j && edges[k][1] == i) {
+                    edges[k][0] = edges[edge_count - 1][0];
+                    edges[k][1] = edges[edge_count - 1][1];
+                    edge_count--;
+                    return true;
+                }
+            if (edge_count == max_faces) return false;
+            edges[edge_count][0] = i;
+            edges[edge_count][1] = j;
+            edge_count++;
+            return true;
+        };
+        const int before = facet_count_;
+        for (int k = 0; k < before; k++) {
+            Facet& f = facets_[k];
+            if (dot(f.normal, w) - f.distance <= 1e-13 * size_) continue;
+            f.alive = false;
+            for (int e = 0; e < 3; e++)
+                if (!add_edge(f.corner[e], f.corner[(e + 1) % 3])) return revive(before);
+        }
+        if (edge_count == 0) return false;
+        for (int k = 0; k < edge_count; k++)
+            if (!add_facet_at_end(edges[k][0], edges[k][1], index)) return revive(before);
+        return true;
+    }
+    // As add_facet, but never moves the others.
+    bool add_facet_at_end(int i, int j, int k) {
+        return facet_count_ < max_faces && add_facet(i, j, k);
+    }
+    bool revive(int before) {
+        facet_count_ = before;
+        for (int k = 0; k < before; k++) facets_[k].alive = true;
+        return false;
+    }
+
+    Penetration answer(const Facet& f) const {
+        // Where the origin's projection lies on the facet.
+        const SimplexPoint &p = points_[f.corner[0]], &q = points_[f.corner[1]],
+                           &r = points_[f.corner[2]];
+        const Vec3 n = cross(q.w - p.w, r.w - p.w), o = f.normal * f.distance;
+        const double n2 = length_squared(n);
+        double u = dot(cross(q.w - o, r.w - o), n) / n2, v = dot(cross(r.w - o, p.w - o), n) / n2;
+        u = clamp(u, 0, 1);
+        v = clamp(v, 0, 1 - u);
+        const double t = 1 - u - v;
+        return {maximum(0, f.distance), f.normal, p.a * u + q.a * v + r.a * t,
+                p.b * u + q.b * v + r.b * t};
+    }
+
+    const Convex &a_, &b_;
+    double size_;
+    SimplexPoint points_[max_points];
+    int count_ = 0;
+    Facet facets_[max_faces];
+    int facet_count_ = 0;
+};
+
+}  // namespace
+
+std::optional<Penetration> penetration(const Convex& a, const Convex& b, const Simplex& start) {
+    Polytope polytope(a, b);
+    return polytope.expand(start);
+}
+
+}  // namespace jostle::physics

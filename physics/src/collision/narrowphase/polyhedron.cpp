@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/polyhedron.h"
+
+#include "foundation/check.h"
+
+namespace jostle::physics {
+namespace {
+
+// Corner k of a box has +x when bit 0 is set, +y for bit 1, +z for bit 2. Faces: -x +x -y +y -z +z.
+constexpr std::uint16_t box_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
+                                         2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+constexpr HullEdge box_edges[12] = {
+    {0, 4, 0, 2}, {4, 6, 0, 5}, {6, 2, 0, 3}, {2, 0, 0, 4}, {1, 3, 1, 4}, {3, 7, 1, 3},
+    {7, 5, 1, 5}, {5, 1, 1, 2}, {0, 1, 2, 4}, {5, 4, 2, 5}, {6, 7, 3, 5}, {3, 2, 3, 4}};
+
+// Faces: front, back, then the sides along the edges 01, 12, 20. Each edge is there twice, once
+// between front and side, once between side and back.
+constexpr std::uint16_t triangle_loops[12] = {0, 1, 2, 0, 2, 1, 1, 0, 2, 1, 0, 2};
+constexpr HullEdge triangle_edges[6] = {{0, 1, 0, 2}, {1, 2, 0, 3}, {2, 0, 0, 4},
+                                        {1, 0, 1, 2}, {2, 1, 1, 3}, {0, 2, 1, 4}};
+
+Polyhedron box_of(Vec3 h, PolyhedronParts& parts) {
+    for (int k = 0; k < 8; k++)
+        parts.vertices[k] = {(k & 1) != 0 ? h.x : -h.x, (k & 2) != 0 ? h.y : -h.y,
+                             (k & 4) != 0 ? h.z : -h.z};
+    for (int f = 0; f < 6; f++) {
+        Vec3 n;
+        n[f / 2] = f % 2 == 0 ? -1 : 1;
+        parts.faces[f] = {n, h[f / 2], static_cast<std::uint32_t>(4 * f), 4};
+    }
+    return {{parts.vertices, 8}, {parts.faces, 6}, box_loops, box_edges, {}};
+}
+
+Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
+    for (int k = 0; k < 3; k++) parts.vertices[k] = corner[k];
+    const Vec3 n = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
+    parts.faces[0] = {n, dot(n, corner[0]), 0, 3};
+    parts.faces[1] = {-n, -dot(n, corner[0]), 3, 3};
+    for (std::uint32_t k = 0; k < 3; k++) {
+        const Vec3 side = normalized(cross(corner[(k + 1) % 3] - corner[k], n));
+        parts.faces[2 + k] = {side, dot(side, corner[k]), 6 + 2 * k, 2};
+    }
+    return {{parts.vertices, 3},
+            {parts.faces, 5},
+            triangle_loops,
+            triangle_edges,
+            (corner[0] + corner[1] + corner[2]) * (1.0 / 3)};
+}
+
+}  // namespace
+
+Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts) {
+    if (shape.core == Core::box) return box_of(shape.size, parts);
+    if (shape.core == Core::triangle) return flat_of(shape.corner, parts);
+    ASSERT(shape.core == Core::hull);
+    const ConvexHull& hull = *shape.hull;
+    return {hull.vertices, hull.faces, hull.face_vertices, hull.edges, hull.center};
+}
+
+}  // namespace jostle::physics

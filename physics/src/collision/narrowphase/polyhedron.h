@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Boxes, hulls and triangles as one thing for the separating axis test: vertices, faces, edges.
+#pragma once
+
+#include <span>
+
+#include "geometry/support.h"
+
+namespace jostle::physics {
+
+// In the shape's own frame. A triangle is a prism without height: two faces, and one side face of
+// two corners per edge, so that every edge has two faces whose normals are less than a half turn
+// apart.
+struct Polyhedron {
+    std::span<const Vec3> vertices;
+    std::span<const HullFace> faces;
+    std::span<const std::uint16_t> face_vertices;
+    std::span<const HullEdge> edges;
+    Vec3 middle;
+
+    std::span<const std::uint16_t> vertices_of(const HullFace& face) const {
+        return face_vertices.subspan(face.first, face.count);
+    }
+};
+
+// Room for the parts that a box or a triangle does not keep itself.
+struct PolyhedronParts {
+    Vec3 vertices[8];
+    HullFace faces[6];
+};
+
+// `shape` is a polyhedron; the answer points into `parts` and the shape.
+Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts);
+
+}  // namespace jostle::physics

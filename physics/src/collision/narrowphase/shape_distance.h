@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// The signed distance of two simple shapes (convex kinds and planes) and where it is attained.
+#pragma once
+
+#include "collision/narrowphase/collide_convex.h"
+
+namespace jostle::physics {
+
+struct SignedDistance {
+    double distance = 0;    // m; negative: overlap
+    Vec3 normal;            // unit, from a to b
+    Vec3 on_a, on_b;        // m, world, on the surfaces
+};
+
+SignedDistance signed_distance(const Placed& a, const Placed& b, PairCache& cache);
+
+}  // namespace jostle::physics

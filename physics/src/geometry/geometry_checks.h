@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks of the numbers in a geometry that callers hand in.
+#pragma once
+
+#include "jostle/physics/geometry.h"
+#include "jostle/physics/result.h"
+
+namespace jostle::physics {
+
+// An Error names the field ("geometry.box.half_extents.x"), its value and its range.
+Status check_geometry(const char* name, const Geometry& geometry);
+Status check_range(const char* name, double value, double low, double high);
+
+}  // namespace jostle::physics

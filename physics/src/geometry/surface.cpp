@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/surface.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr std::uint32_t nobody = 0xffffffff;
+
+Vec3 sample(const HeightGrid& grid, std::uint32_t column, std::uint32_t row) {
+    return {(column - 0.5 * (grid.columns - 1)) * grid.spacing_x,
+            grid.heights[std::size_t{row} * grid.columns + column],
+            (row - 0.5 * (grid.rows - 1)) * grid.spacing_z};
+}
+
+// The triangle across edge k of a height field's triangle. Half 0 has corners 00, 11, 10 (column,
+// row): edges are the diagonal, the side to the next column and the side to the row before. Half 1
+// has 00, 01, 11: the side to the column before, the side to the next row, the diagonal.
+std::uint32_t across(const HeightGrid& grid, std::uint32_t index, int k) {
+    const std::uint32_t columns = grid.columns - 1, rows = grid.rows - 1;
+    const std::uint32_t cell = index / 2, c = cell % columns, r = cell / columns;
+    if (index % 2 == 0) {
+        if (k == 0) return index + 1;
+        if (k == 1) return c + 1 < columns ? (cell + 1) * 2 + 1 : nobody;
+        return r > 0 ? (cell - columns) * 2 + 1 : nobody;
+    }
+    if (k == 2) return index - 1;
+    if (k == 0) return c > 0 ? (cell - 1) * 2 : nobody;
+    return r + 1 < rows ? (cell + columns) * 2 : nobody;
+}
+
+std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k) {
+    if (const auto* mesh = std::get_if<Mesh>(&surface))
+        return mesh->data->neighbours[index][static_cast<std::size_t>(k)];
+    const HeightGrid& grid = *std::get<HeightField>(surface).data;
+    const std::uint32_t other = across(grid, index, k);
+    return other != nobody && is_hole(grid, other / 2) ? nobody : other;
+}
+
+}  // namespace
+
+SurfaceTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index) {
+    const auto& t = mesh.triangles[index];
+    return {{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, index};
+}
+
+SurfaceTriangle triangle_of(const HeightGrid& grid, std::uint32_t index) {
+    const std::uint32_t cell = index / 2, c = cell % (grid.columns - 1),
+                        r = cell / (grid.columns - 1);
+    const Vec3 near = sample(grid, c, r), far = sample(grid, c + 1, r + 1);
+    if (index % 2 == 0) return {{near, far, sample(grid, c + 1, r)}, index};
+    return {{near, sample(grid, c, r + 1), far}, index};
+}
+
+SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index) {
+    if (const auto* mesh = std::get_if<Mesh>(&surface)) return triangle_of(*mesh->data, index);
+    return triangle_of(*std::get<HeightField>(surface).data, index);
+}
+
+SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
+    const std::uint32_t other = neighbour_of(surface, t.index, k);
+    if (other == nobody) return {};
+    const SurfaceTriangle n = triangle_of(surface, other);
+    const Vec3 from = t.corner[k], along = normalized(t.corner[(k + 1) % 3] - from);
+    // The neighbour's far corner is the one furthest from the common edge.
+    Vec3 far;
+    double reach = -1;
+    for (const Vec3 p : n.corner) {
+        const Vec3 d = p - from, off = d - along * dot(d, along);
+        if (length(off) > reach) {
+            reach = length(off);
+            far = p;
+        }
+    }
+    // Neighbours may be wound the other way round: turn the normal so that the two faces are the
+    // two sides of one sheet. Seen along the edge, the far corner lies away from this triangle.
+    const Vec3 own = normal_of(t);
+    const Vec3 off = (far - from) - along * dot(far - from, along);
+    Vec3 normal = normalized(cross(off, along));
+    if (length_squared(cross(off, along)) == 0) normal = own;
+    return {.border = false, .normal = normal, .fold = dot(own, far - from), .reach = reach};
+}
+
+CellRange cells_under(const HeightGrid& grid, const Aabb& box) {
+    if (!overlap(grid.bounds, box)) return {};
+    const auto cell = [](double x, double spacing, std::uint32_t samples) {
+        const double at = std::floor(x / spacing + 0.5 * (samples - 1));
+        return static_cast<std::uint32_t>(clamp(at, 0, samples - 2.0));
+    };
+    return {cell(box.low.x, grid.spacing_x, grid.columns),
+            cell(box.high.x, grid.spacing_x, grid.columns) + 1,
+            cell(box.low.z, grid.spacing_z, grid.rows),
+            cell(box.high.z, grid.spacing_z, grid.rows) + 1};
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// Meshes and height fields as one thing: triangles with an index each, found by box or by ray, that
+// know what lies across their edges.
+#pragma once
+
+#include <cstdint>
+
+#include "jostle/physics/aabb.h"
+#include "jostle/physics/height_field.h"
+#include "jostle/physics/mesh.h"
+#include "geometry/bvh.h"
+
+namespace jostle::physics {
+
+struct SurfaceTriangle {
+    Vec3 corner[3];  // local, counter-clockwise seen from the front
+    std::uint32_t index = 0;
+};
+
+// What lies across an edge.
+struct SurfaceEdge {
+    bool border = true;  // no neighbour, or several
+    Vec3 normal;         // of the neighbour, facing the same way
+    double fold = 0;     // m: height of the neighbour's far corner above this triangle's plane;
+                         // negative: a ridge as seen from the front
+    double reach = 1;    // m: distance of that corner from the edge
+};
+
+inline Vec3 normal_of(const SurfaceTriangle& t) {
+    return normalized(cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]));
+}
+
+SurfaceTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index);
+// Height fields number their triangles cell * 2 + half.
+SurfaceTriangle triangle_of(const HeightGrid& grid, std::uint32_t index);
+SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index);
+
+// Edge k runs from corner k to corner k + 1.
+SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& triangle, int k);
+
+inline bool is_hole(const HeightGrid& grid, std::size_t cell) {
+    return !grid.holes.empty() && grid.holes[cell] != 0;
+}
+
+// Calls visit(const SurfaceTriangle&) for every triangle whose box overlaps, in an order that
+// depends on the surface alone.
+template <class Visit>
+void for_each_triangle(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) {
+    mesh.tree->query(box, [&](std::uint32_t index) {
+        const SurfaceTriangle t = triangle_of(mesh, index);
+        const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
+                       max(t.corner[0], max(t.corner[1], t.corner[2]))};
+        if (overlap(own, box)) visit(t);
+    });
+}
+
+struct CellRange {
+    std::uint32_t column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;
+};
+CellRange cells_under(const HeightGrid& grid, const Aabb& box);
+
+template <class Visit>
+void for_each_triangle(const HeightGrid& grid, const Aabb& box, Visit&& visit) {
+    const CellRange cells = cells_under(grid, box);
+    for (std::uint32_t r = cells.row_begin; r < cells.row_end; r++)
+        for (std::uint32_t c = cells.column_begin; c < cells.column_end; c++) {
+            const std::uint32_t cell = r * (grid.columns - 1) + c;
+            if (is_hole(grid, cell)) continue;
+            for (std::uint32_t half = 0; half < 2; half++) {
+                const SurfaceTriangle t = triangle_of(grid, cell * 2 + half);
+                const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
+                               max(t.corner[0], max(t.corner[1], t.corner[2]))};
+                if (overlap(own, box)) visit(t);
+            }
+        }
+}
+
+template <class Visit>
+void for_each_triangle(const Geometry& surface, const Aabb& box, Visit&& visit) {
+    if (const auto* mesh = std::get_if<Mesh>(&surface))
+        for_each_triangle(*mesh->data, box, visit);
+    else
+        for_each_triangle(*std::get<HeightField>(surface).data, box, visit);
+}
+
+}  // namespace jostle::physics

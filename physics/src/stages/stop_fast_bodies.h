@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// Nothing passes through anything: bodies that moved further than their own thickness are swept
+// along their way. At the first thing they meet both are put to that moment, the impact is resolved
+// there (restitution, friction, spin), and the rest of the step is lived with the new velocities;
+// impacts are taken in the order of their times.
+#pragma once
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+void stop_fast_bodies(StepContext& step);
+
+}  // namespace jostle::physics

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "stages/update_triggers.h"
+
+#include <algorithm>
+
+#include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_composite.h"
+#include "geometry/bounds.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+    const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
+    const Placed pa = placed(sa, warm_of(world, sa.body)), pb = placed(sb, warm_of(world, sb.body));
+    if (is_composite(kind_of(sa.geometry)) || is_composite(kind_of(sb.geometry))) {
+        std::vector<PartManifold> parts;
+        collide_composite(pa, pb, 0, parts);
+        return !parts.empty();
+    }
+    PairCache cache;
+    return collide(pa, pb, 0, cache).count > 0;
+}
+
+void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,
+               std::vector<Inside>& inside) {
+    const ShapeRecord& shape = world.shapes.shapes[trigger];
+    const BodyCold& own = world.bodies.cold[shape.body];
+    const auto& before = world.triggers.inside;
+    const bool fresh = std::find(world.triggers.fresh.begin(), world.triggers.fresh.end(),
+                                 trigger) != world.triggers.fresh.end();
+    const auto consider = [&](std::uint32_t other) {
+        const ShapeRecord& o = world.shapes.shapes[other];
+        if (o.trigger || o.body == shape.body || !may_meet(shape.filter, o.filter)) return;
+        const BodyCold& body = world.bodies.cold[o.body];
+        if (own.type == BodyType::fixed && body.type == BodyType::fixed) return;
+        // Between two that do not move nothing changes.
+        const Inside pair{trigger, other};
+        const bool still = !fresh && own.set != BodySet::awake && body.set != BodySet::awake;
+        const bool is_in = still ? std::binary_search(before.begin(), before.end(), pair)
+                                 : overlap_now(world, trigger, other);
+        if (is_in) inside.push_back(pair);
+    };
+    found.clear();
+    if (is_plane(shape)) {
+        for (std::uint32_t s = 0; s < world.shapes.ids.size(); s++)
+            if (world.shapes.ids.alive(s) && !is_plane(world.shapes.shapes[s]) &&
+                reaches_plane(world, shape, world.shapes.shapes[s].fat))
+                found.push_back(s);
+    } else {
+        const Aabb box = bounds_of(placed(shape, warm_of(world, shape.body)));
+        world.shapes.moving->query(box, 0xffffffff, found);
+        if (own.type != BodyType::fixed) {
+            world.shapes.fixed->query(box, 0xffffffff, found);
+            for (const std::uint32_t plane : world.shapes.planes)
+                if (reaches_plane(world, world.shapes.shapes[plane], box)) found.push_back(plane);
+        }
+    }
+    for (const std::uint32_t other : found) consider(other);
+}
+
+TriggerEvent event_of(const WorldState& world, const Inside& pair) {
+    const std::uint32_t own = world.shapes.shapes[pair.trigger].body,
+                        body = world.shapes.shapes[pair.shape].body;
+    return {shape_id(world, pair.trigger), shape_id(world, pair.shape), body_id(world, own),
+            body_id(world, body)};
+}
+
+}  // namespace
+
+void update_triggers(StepContext& step) {
+    WorldState& world = step.world;
+    if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return;
+    world.shapes.fixed->settle();
+    world.shapes.moving->settle();
+    std::vector<Inside> inside;
+    for (const std::uint32_t trigger : world.shapes.triggers)
+        look_into(world, trigger, world.scratch.found, inside);
+    std::sort(inside.begin(), inside.end());
+    inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
+    const auto& before = world.triggers.inside;
+    for (const Inside& pair : inside)
+        (std::binary_search(before.begin(), before.end(), pair) ? world.events.triggers_stayed
+                                                                : world.events.triggers_entered)
+            .push_back(event_of(world, pair));
+    for (const Inside& pair : before)
+        if (!std::binary_search(inside.begin(), inside.end(), pair))
+            world.events.triggers_left.push_back(event_of(world, pair));
+    world.triggers.inside = std::move(inside);
+    world.triggers.fresh.clear();
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Joints: what the user set, and the impulses that they carry from sub-step to sub-step.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "foundation/id_pool.h"
+#include "jostle/physics/joint_defs.h"
+#include "state/body_store.h"
+
+namespace jostle::physics {
+
+struct Joint {
+    // What the user set. Bodies by index.
+    std::uint32_t body_a = none, body_b = none;
+    Transform frame_a, frame_b;
+    JointKind kind;
+    bool collide_connected = false;
+    double break_force = 0, break_torque = 0;
+    std::uint64_t user_data = 0;
+
+    // Impulses of one sub-step on b, world axes, N s and N m s. Which of them mean something depends
+    // on the kind.
+    Vec3 point;                      // holds the frames' origins together
+    Vec3 turn;                       // holds their directions together
+    double lower = 0, upper = 0;     // of a limit, >= 0
+    double swing = 0;                // of a cone, >= 0
+    double spring = 0;
+    Vec3 drive;                      // motor (z: about the axis) or friction
+    // What acted during the last step, for reports and for breaking.
+    Vec3 force, torque;              // N, N m
+
+    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
+};
+
+struct JointStore {
+    IdPool ids;
+    std::vector<Joint> joints;
+};
+
+// Calls visit(joint index) for every joint of a body. The visit may destroy that joint, no other.
+template <class Visit>
+void for_each_joint(const JointStore& store, const BodyCold& body, Visit&& visit) {
+    for (std::uint32_t edge = body.first_joint; edge != none;) {
+        const std::uint32_t joint = edge / 2;
+        edge = store.joints[joint].next[edge % 2];
+        visit(joint);
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// What debug views show: contacts, islands, bounds, the cells of the broad phase.
+#include <algorithm>
+
+#include "geometry/bounds.h"
+#include "jostle/physics/world.h"
+#include "state/lanes.h"
+#include "state/links.h"
+#include "world/checks.h"
+
+namespace jostle::physics {
+namespace {
+
+// The rows of a manifold, whether it is in the solver or kept by a sleeping island.
+template <class Row>
+void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
+    constexpr int normal = 2, tangent = 5, arm = 8, x = 14, y = 18, gap = 22, lambda = 26;
+    const auto vec = [&](int first) {
+        return Vec3{double{row(first)}, double{row(first + 1)}, double{row(first + 2)}};
+    };
+    info.normal = vec(normal);
+    const Vec3 t1 = vec(tangent), t2 = cross(info.normal, t1), middle = center + vec(arm);
+    for (int k = 0; k < 4; k++) {
+        if (row(gap + k) > 0.5f * no_point) continue;
+        info.point[info.count] =
+            middle + t1 * double{row(x + k)} + t2 * double{row(y + k)};
+        info.gap[info.count] = double{row(gap + k)};
+        info.impulse[info.count] = double{row(lambda + k)};
+        info.count++;
+    }
+}
+
+ContactInfo info_of(const WorldState& world, std::uint32_t index) {
+    const Contact& c = world.contacts.contacts[index];
+    return {.shape_a = shape_id(world, c.shape_a),
+            .shape_b = shape_id(world, c.shape_b),
+            .body_a = body_id(world, c.body_a),
+            .body_b = body_id(world, c.body_b),
+            .normal = {},
+            .point = {},
+            .touching = c.touching};
+}
+
+}  // namespace
+
+std::vector<ContactInfo> World::contacts() const {
+    const WorldState& world = *state_;
+    std::vector<ContactInfo> all;
+    for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
+        if (!world.contacts.ids.alive(i) || world.contacts.contacts[i].colour < 0) continue;
+        const Contact& c = world.contacts.contacts[i];
+        const LanePlace place = place_of(const_cast<WorldState&>(world), c);
+        all.push_back(info_of(world, i));
+        fill_points(all.back(), warm_of(world, c.body_a).center,
+                    [&](int row) { return *lane_float(*place.block, row, place.lane); });
+    }
+    for (const Island& island : world.islands.islands)
+        for (const SavedManifold& saved : island.manifolds) {
+            all.push_back(info_of(world, saved.contact));
+            all.back().asleep = true;
+            fill_points(all.back(),
+                        warm_of(world, world.contacts.contacts[saved.contact].body_a).center,
+                        [&](int row) { return saved.rows[static_cast<std::size_t>(row - 2)]; });
+        }
+    std::stable_sort(all.begin(), all.end(), [](const ContactInfo& x, const ContactInfo& y) {
+        return std::pair(x.shape_a, x.shape_b) < std::pair(y.shape_a, y.shape_b);
+    });
+    return all;
+}
+
+std::vector<std::vector<BodyId>> World::islands() const {
+    const WorldState& world = *state_;
+    std::vector<std::vector<BodyId>> all;
+    for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
+        if (!world.islands.ids.alive(i)) continue;
+        all.emplace_back();
+        for (std::uint32_t b = world.islands.islands[i].first; b != none;
+             b = world.bodies.cold[b].island_next)
+            all.back().push_back(body_id(world, b));
+        std::sort(all.back().begin(), all.back().end());
+    }
+    return all;
+}
+
+std::vector<Aabb> World::broad_phase_cells() const {
+    std::vector<Aabb> cells;
+    state_->shapes.fixed->cells(cells);
+    state_->shapes.moving->cells(cells);
+    return cells;
+}
+
+Result<Aabb> World::bounds(ShapeId shape) const {
+    const WorldState& world = *state_;
+    if (Status s = check_id(world, shape); !s.ok()) return s.error();
+    const ShapeRecord& record = world.shapes.shapes[shape.index];
+    if (is_plane(record))
+        return Error{ErrorCode::failed_precondition, "a plane is infinite; it has no bounds"};
+    return bounds_of(placed(record, warm_of(world, record.body)));
+}
+
+Result<Aabb> World::fat_bounds(ShapeId shape) const {
+    const WorldState& world = *state_;
+    if (Status s = check_id(world, shape); !s.ok()) return s.error();
+    const ShapeRecord& record = world.shapes.shapes[shape.index];
+    if (is_plane(record))
+        return Error{ErrorCode::failed_precondition, "a plane is infinite; it has no bounds"};
+    return record.fat;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+//
+// Create, destroy, read and drive joints.
+#include <algorithm>
+
+#include "constraints/joints/kinds.h"
+#include "jostle/physics/tuning.h"
+#include "jostle/physics/world.h"
+#include "state/links.h"
+#include "world/checks.h"
+
+namespace jostle::physics {
+namespace {
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+Status check_spring(const char* name, const JointSpring& spring) {
+    const std::string prefix = name;
+    if (Status s = check_range((prefix + ".hertz").c_str(), spring.hertz, 0, 1e4); !s.ok())
+        return s;
+    return check_range((prefix + ".damping_ratio").c_str(), spring.damping_ratio, 0, 1e4);
+}
+
+Status check_limit(const char* name, const JointLimit& limit, double low, double high) {
+    const std::string prefix = name;
+    if (Status s = check_range((prefix + ".lower").c_str(), limit.lower, low, high); !s.ok())
+        return s;
+    if (Status s = check_range((prefix + ".upper").c_str(), limit.upper, low, high); !s.ok())
+        return s;
+    if (limit.lower > limit.upper)
+        return invalid(prefix + ".lower is above " + prefix + ".upper; give the lower one first");
+    return {};
+}
+
+Status check_kind(const JointKind& joint) {
+    if (const auto* hinge = std::get_if<HingeJoint>(&joint)) {
+        if (Status s = check_limit("hinge.limit", hinge->limit, -pi, pi); !s.ok()) return s;
+        if (Status s = check_range("hinge.motor.speed", hinge->motor.speed, -tuning::max_speed,
+                                   tuning::max_speed);
+            !s.ok())
+            return s;
+        if (Status s = check_range("hinge.motor.max_torque", hinge->motor.max_torque, 0, 1e12);
+            !s.ok())
+            return s;
+        if (Status s = check_range("hinge.spring_angle", hinge->spring_angle, -pi, pi); !s.ok())
+            return s;
+        return check_spring("hinge.spring", hinge->spring);
+    }
+    if (const auto* cone = std::get_if<ConeTwistJoint>(&joint)) {
+        if (Status s = check_range("cone_twist.swing", cone->swing, 0, pi); !s.ok()) return s;
+        if (Status s = check_range("cone_twist.friction_torque", cone->friction_torque, 0, 1e12);
+            !s.ok())
+            return s;
+        return check_limit("cone_twist.twist", cone->twist, -pi, pi);
+    }
+    if (const auto* fixed = std::get_if<FixedJoint>(&joint)) {
+        if (Status s = check_spring("fixed.linear", fixed->linear); !s.ok()) return s;
+        return check_spring("fixed.angular", fixed->angular);
+    }
+    if (const auto* distance = std::get_if<DistanceJoint>(&joint)) {
+        const double most = 1e6;
+        if (Status s = check_range("distance.min_length", distance->min_length, 0, most); !s.ok())
+            return s;
+        if (Status s = check_range("distance.max_length", distance->max_length,
+                                   distance->min_length, most);
+            !s.ok())
+            return s;
+        if (Status s = check_range("distance.rest_length", distance->rest_length, 0, most);
+            !s.ok())
+            return s;
+        return check_spring("distance.spring", distance->spring);
+    }
+    return {};
+}
+
+Status check_joint(const WorldState& world, const JointDef& def) {
+    if (Status s = check_id(world, def.body_a); !s.ok()) return s;
+    if (Status s = check_id(world, def.body_b); !s.ok()) return s;
+    if (def.body_a == def.body_b)
+        return invalid("body_a and body_b are the same body; a joint joins two");
+    const BodyType a = world.bodies.cold[def.body_a.index].type,
+                   b = world.bodies.cold[def.body_b.index].type;
+    if (a != BodyType::dynamic && b != BodyType::dynamic)
+        return Error{ErrorCode::failed_precondition,
+                     "neither body_a nor body_b is dynamic; a joint moves at least one of them"};
+    if (Status s = check_pose("frame_a", def.frame_a); !s.ok()) return s;
+    if (Status s = check_pose("frame_b", def.frame_b); !s.ok()) return s;
+    if (Status s = check_range("break_force", def.break_force, 0, 1e15); !s.ok()) return s;
+    if (Status s = check_range("break_torque", def.break_torque, 0, 1e15); !s.ok()) return s;
+    return check_kind(def.kind);
+}
+
+JointDef def_of(const WorldState& world, const Joint& j) {
+    return {.body_a = body_id(world, j.body_a),
+            .body_b = body_id(world, j.body_b),
+            .frame_a = j.frame_a,
+            .frame_b = j.frame_b,
+            .kind = j.kind,
+            .collide_connected = j.collide_connected,
+            .break_force = j.break_force,
+            .break_torque = j.break_torque,
+            .user_data = j.user_data};
+}
+
+Transform frame_in_world(const WorldState& world, std::uint32_t body, const Transform& frame) {
+    return compose(pose_of(warm_of(world, body), world.bodies.cold[body]), frame);
+}
+
+}  // namespace
+
+Result<JointId> World::create_joint(const JointDef& def) {
+    WorldState& world = *state_;
+    if (Status s = check_joint(world, def); !s.ok()) return s.error();
+    const std::uint32_t a = def.body_a.index, b = def.body_b.index;
+    wake_body(world, a);
+    wake_body(world, b);
+    if (!def.collide_connected)
+        destroy_contacts_between(world, world.bodies.cold[a].type == BodyType::dynamic ? a : b,
+                                 world.bodies.cold[a].type == BodyType::dynamic ? b : a,
+                                 world.events.pending_ended);
+    const std::uint32_t index = world.joints.ids.take();
+    if (index == world.joints.joints.size()) world.joints.joints.emplace_back();
+    Joint& j = world.joints.joints[index];
+    j = Joint{};
+    j.body_a = a;
+    j.body_b = b;
+    j.frame_a = {def.frame_a.position, unit(def.frame_a.rotation)};
+    j.frame_b = {def.frame_b.position, unit(def.frame_b.rotation)};
+    j.kind = def.kind;
+    j.collide_connected = def.collide_connected;
+    j.break_force = def.break_force;
+    j.break_torque = def.break_torque;
+    j.user_data = def.user_data;
+    link_joint(world, index);
+    return joint_id(world, index);
+}
+
+Status World::destroy_joint(JointId id) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, id); !s.ok()) return s;
+    const Joint& j = world.joints.joints[id.index];
+    wake_body(world, j.body_a);
+    wake_body(world, j.body_b);
+    physics::destroy_joint(world, id.index);
+    return {};
+}
+
+Status World::set_joint(JointId id, const JointKind& kind) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, id); !s.ok()) return s;
+    Joint& j = world.joints.joints[id.index];
+    if (kind.index() != j.kind.index())
+        return Error{ErrorCode::failed_precondition,
+                     std::string("the joint is a ") + kind_name(j.kind) + "; it cannot become a " +
+                         kind_name(kind) + ": destroy it and create another"};
+    if (Status s = check_kind(kind); !s.ok()) return s;
+    if (j.kind == kind) return {};
+    j.kind = kind;
+    wake_body(world, j.body_a);
+    wake_body(world, j.body_b);
+    return {};
+}
+
+bool World::contains(JointId joint) const {
+    return check_id(*state_, joint).ok();
+}
+
+Result<JointState> World::joint(JointId id) const {
+    const WorldState& world = *state_;
+    if (Status s = check_id(world, id); !s.ok()) return s.error();
+    const Joint& j = world.joints.joints[id.index];
+    const Transform a = frame_in_world(world, j.body_a, j.frame_a),
+                    b = frame_in_world(world, j.body_b, j.frame_b);
+    JointState state{.id = id,
+                     .def = def_of(world, j),
+                     .force = j.force,
+                     .torque = j.torque,
+                     .separation = length(b.position - a.position)};
+    if (std::holds_alternative<HingeJoint>(j.kind))
+        state.angle = hinge_angle(a.rotation, b.rotation);
+    if (std::holds_alternative<ConeTwistJoint>(j.kind)) {
+        state.angle = twist_angle(a.rotation, b.rotation);
+        state.swing = swing_angle(a.rotation, b.rotation);
+    }
+    return state;
+}
+
+std::vector<JointId> World::joints() const {
+    std::vector<JointId> ids;
+    for (std::uint32_t i = 0; i < state_->joints.ids.size(); i++)
+        if (state_->joints.ids.alive(i)) ids.push_back(joint_id(*state_, i));
+    return ids;
+}
+
+std::vector<JointId> World::joints_of(BodyId body) const {
+    std::vector<JointId> ids;
+    if (!contains(body)) return ids;
+    for_each_joint(state_->joints, state_->bodies.cold[body.index],
+                   [&](std::uint32_t joint) { ids.push_back(joint_id(*state_, joint)); });
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads fields of foreign messages and notes the first fault, with the path of its field. What
+// comes after a fault is read as well and thrown away.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "jostle/physics/result.h"
+#include "jostle/physics/transform.h"
+#include "jostle/v1/common.pb.h"
+
+namespace jostle::scenes {
+
+struct Fault {
+    std::string path, what;
+};
+
+class FieldReader {
+public:
+    const std::optional<Fault>& fault() const { return fault_; }
+    bool failed() const { return fault_.has_value(); }
+    void note(const std::string& path, std::string what);
+
+    double number(const std::string& path, double x, double low, double high);
+    physics::Vec3 vector(const std::string& path, const v1::Vec3& v, double limit);
+    physics::Quat rotation(const std::string& path, bool given, const v1::Quat& q);
+    // A length of a shape.
+    double size(const std::string& path, double x);
+
+private:
+    std::optional<Fault> fault_;
+};
+
+void set(v1::Vec3& to, physics::Vec3 from);
+void set(v1::Quat& to, physics::Quat from);
+
+}  // namespace jostle::scenes

@@ -2,12 +2,12 @@
 
 import * as THREE from 'three';
 
-const FIRST_ROOM = 64;
 const NOWHERE = new THREE.Matrix4().makeScale(0, 0, 0);
 
 export class Instances {
   mesh: THREE.InstancedMesh;
-  private entities = new Uint32Array(FIRST_ROOM);
+  private entities: Uint32Array;
+  private shapes: Uint32Array;
   private free: number[] = [];
   private used = 0;
   private moved = false;
@@ -18,8 +18,11 @@ export class Instances {
     geometry: THREE.BufferGeometry,
     material: THREE.Material,
     private readonly castShadow: boolean,
+    room = 64,
   ) {
-    this.mesh = this.makeMesh(geometry, material, FIRST_ROOM);
+    this.entities = new Uint32Array(room);
+    this.shapes = new Uint32Array(room);
+    this.mesh = this.makeMesh(geometry, material, room);
   }
 
   private makeMesh(geometry: THREE.BufferGeometry, material: THREE.Material, room: number): THREE.InstancedMesh {
@@ -35,13 +38,18 @@ export class Instances {
     return mesh;
   }
 
-  /** A slot for a part of that entity; invisible until it is placed. */
-  take(entity: number): number {
+  get empty(): boolean {
+    return this.used === 0;
+  }
+
+  /** A slot for a part of that entity's shape; invisible until it is placed. */
+  take(entity: number, shape = 0): number {
     const slot = this.free.pop() ?? this.mesh.count;
     if (slot === this.mesh.instanceMatrix.count) this.grow();
     if (slot === this.mesh.count) this.mesh.count++;
     this.used++;
     this.entities[slot] = entity;
+    this.shapes[slot] = shape;
     this.place(slot, NOWHERE);
     return slot;
   }
@@ -58,6 +66,10 @@ export class Instances {
 
   entityAt(slot: number): number {
     return this.entities[slot] ?? 0;
+  }
+
+  shapeAt(slot: number): number {
+    return this.shapes[slot] ?? 0;
   }
 
   place(slot: number, matrix: THREE.Matrix4): void {
@@ -80,6 +92,13 @@ export class Instances {
     this.moved = this.painted = false;
   }
 
+  /** Gives the graphics processor its memory back; not to be used after. The material may be shared and stays. */
+  dispose(): void {
+    this.scene.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.mesh.dispose();
+  }
+
   private grow(): void {
     const old = this.mesh;
     const room = old.instanceMatrix.count * 2;
@@ -88,10 +107,15 @@ export class Instances {
     this.mesh.count = old.count;
     this.mesh.instanceMatrix.array.set(old.instanceMatrix.array);
     this.mesh.instanceColor!.array.set(old.instanceColor!.array);
-    const entities = new Uint32Array(room);
-    entities.set(this.entities);
-    this.entities = entities;
+    this.entities = longer(this.entities, room);
+    this.shapes = longer(this.shapes, room);
     this.moved = this.painted = true;
     old.dispose();
   }
+}
+
+function longer(old: Uint32Array, room: number): Uint32Array {
+  const out = new Uint32Array(room);
+  out.set(old);
+  return out;
 }

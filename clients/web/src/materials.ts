@@ -1,5 +1,6 @@
 // How bodies are painted. Marks that show which way a body is turned are drawn by the shader from where a pixel lies on the
-// unit geometry, so that instances of every size share one: dark edges on boxes, a belt on balls, lines on the ground.
+// unit geometry, so that instances of every size share one: dark edges on boxes, a belt on balls, a stripe on cylinders and cones,
+// lines on the ground. Hulls and meshes bring the distance to their creases with them.
 
 import * as THREE from 'three';
 import type { Kind } from './shape_parts';
@@ -12,15 +13,44 @@ const VERTEX_BODY = `
 vUnit = position;
 vSize = vec3(length(instanceMatrix[0].xyz), length(instanceMatrix[1].xyz), length(instanceMatrix[2].xyz));
 `;
+const FACET_VERTEX_HEAD = `
+attribute vec3 edge;
+varying vec3 vEdge;  // m to each side of the triangle
+`;
+const FACET_VERTEX_BODY = `
+vEdge = edge;
+`;
+const FACET_FRAGMENT_HEAD = `
+varying vec3 vEdge;
+`;
 
+const DARK_EDGE = `
+float width = 0.018;
+float blur = max(fwidth(toEdge), 1e-5);
+float rim = (1.0 - smoothstep(width - blur, width + blur, toEdge)) * min(1.0, width / blur);
+diffuseColor.rgb *= 1.0 - 0.45 * rim;
+`;
 const EDGES = `
 vec3 inward = (1.0 - abs(vUnit)) * vSize;
 float toEdge = max(min(inward.x, inward.y), min(max(inward.x, inward.y), inward.z));
-float width = 0.018;
-float blur = max(fwidth(toEdge), 1e-5);
-float edge = (1.0 - smoothstep(width - blur, width + blur, toEdge)) * min(1.0, width / blur);
-diffuseColor.rgb *= 1.0 - 0.45 * edge;
+${DARK_EDGE}`;
+const CREASES = `
+float toEdge = min(vEdge.x, min(vEdge.y, vEdge.z));
+${DARK_EDGE}`;
+const STRIPE = `
+float aside = abs(vUnit.x) * vSize.x;
+float band = 0.2 * vSize.x;
+float soft = max(fwidth(aside), 1e-5);
+float stripe = 1.0 - smoothstep(band - soft, band + soft, aside);
+diffuseColor.rgb = mix(diffuseColor.rgb, vec3(1.0), 0.34 * stripe);
 `;
+// The rims are where the side meets a disc: both the way out and the way up are small there.
+const ROUND_RIMS = `
+float toEdge = max((1.0 - length(vUnit.xz)) * vSize.x, (1.0 - abs(vUnit.y)) * vSize.y);
+${DARK_EDGE}`;
+const CONE_RIM = `
+float toEdge = max((1.0 - length(vUnit.xz)) * vSize.x, (1.0 + vUnit.y) * vSize.y);
+${DARK_EDGE}`;
 const BELT = `
 float across = abs(vUnit.y);
 float soft = max(fwidth(across), 1e-5);
@@ -38,19 +68,36 @@ for (int i = 0; i < 2; i++) {
   diffuseColor.rgb *= 1.0 - (i == 0 ? 0.10 : 0.16) * max(line.x, line.y);
 }
 `;
-const MARKS: Partial<Record<Kind, string>> = { box: EDGES, sphere: BELT, slab: LINES, plane: LINES };
+const MARKS: Partial<Record<Kind, string>> = {
+  box: EDGES,
+  sphere: BELT,
+  slab: LINES,
+  plane: LINES,
+  field: LINES,
+  cylinder: STRIPE + ROUND_RIMS,
+  cone: STRIPE + CONE_RIM,
+  hull: CREASES,
+  mesh: CREASES,
+};
 
 export function materialFor(kind: Kind): THREE.Material {
-  const ground = kind === 'slab' || kind === 'plane';
-  const material = new THREE.MeshStandardMaterial({ roughness: ground ? 0.95 : 0.6, metalness: 0 });
+  const ground = kind === 'slab' || kind === 'plane' || kind === 'field';
+  const creased = kind === 'hull' || kind === 'mesh';
+  const material = new THREE.MeshStandardMaterial({
+    roughness: ground ? 0.95 : 0.6,
+    metalness: 0,
+    flatShading: kind === 'field',
+    // One may look under a terrain or into an open mesh: both sides are real.
+    side: kind === 'field' || kind === 'mesh' ? THREE.DoubleSide : THREE.FrontSide,
+  });
   const marks = MARKS[kind];
   if (marks === undefined) return material;
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', `#include <common>${VERTEX_HEAD}`)
-      .replace('#include <begin_vertex>', `#include <begin_vertex>${VERTEX_BODY}`);
+      .replace('#include <common>', `#include <common>${creased ? FACET_VERTEX_HEAD : VERTEX_HEAD}`)
+      .replace('#include <begin_vertex>', `#include <begin_vertex>${creased ? FACET_VERTEX_BODY : VERTEX_BODY}`);
     shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', `#include <common>${VERTEX_HEAD}`)
+      .replace('#include <common>', `#include <common>${creased ? FACET_FRAGMENT_HEAD : VERTEX_HEAD}`)
       .replace('#include <color_fragment>', `#include <color_fragment>${marks}`);
   };
   material.customProgramCacheKey = () => marks;

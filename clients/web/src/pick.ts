@@ -12,8 +12,8 @@ export interface Pick {
 export function pick(view: SceneView, raycaster: THREE.Raycaster): Pick | undefined {
   for (const hit of raycaster.intersectObjects(view.objects, false)) {
     if (hit.instanceId === undefined) continue;
-    const entity = view.entityAt(hit.object, hit.instanceId);
-    if (entity === undefined) continue;
+    const { entity } = view.ownerAt(hit.object, hit.instanceId);
+    if (entity === 0) continue;
     const normal = hit.face?.normal.clone() ?? new THREE.Vector3(0, 1, 0);
     const instance = new THREE.Matrix4();
     (hit.object as THREE.InstancedMesh).getMatrixAt(hit.instanceId, instance);

@@ -45,3 +45,31 @@ it('puts 2,000 moving bodies in place in less than 12 ms', () => {
   expect(median).toBeLessThan(12);
   expect(view.poseOf(1)![1]).toBeGreaterThan(0);
 });
+
+const tetrahedron = (size: number) =>
+  [
+    [1, 1, 1],
+    [1, -1, -1],
+    [-1, 1, -1],
+    [-1, -1, 1],
+  ].map(([x, y, z]) => ({ x: x! * size, y: y! * size, z: z! * size }));
+const hullEntity = (id: number, size: number) =>
+  create(EntitySchema, { id, mass: 1, shapes: [{ kind: { case: 'hull', value: { points: tetrahedron(size) } } }] });
+
+it('draws 100 hulls of 2 looks with 2 geometries, and gives them back when the last body goes', () => {
+  const view = new SceneView();
+  const before = view.objects.length;
+  const entities = new Map(Array.from({ length: 100 }, (_, i) => [i + 1, hullEntity(i + 1, 1 + (i % 2))]));
+  view.setEntities(entities, 0);
+  const hulls = view.objects.slice(before);
+  expect(hulls.map((mesh) => mesh.count)).toEqual([50, 50]);
+  let disposed = 0;
+  for (const mesh of hulls) mesh.geometry.addEventListener('dispose', () => disposed++);
+  for (let id = 1; id < 100; id++) entities.delete(id);
+  view.setEntities(entities, 0);
+  expect([view.objects.length - before, disposed]).toEqual([1, 1]);
+  entities.clear();
+  view.setEntities(entities, 0);
+  expect([view.objects.length - before, disposed]).toEqual([0, 2]);
+  expect(view.scene.children.filter((child) => child.userData['instances']).length).toBe(before);
+});

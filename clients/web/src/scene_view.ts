@@ -1,5 +1,6 @@
-// Bodies to instanced meshes: one mesh per kind of part, one instance per part of a body. Each picture only the matrices of
-// parts whose body moved are written; nothing is allocated.
+// Bodies to instanced meshes: one mesh per geometry, one instance per part of a body. Each picture only the matrices of parts whose
+// body moved are written; nothing is allocated. Hulls, meshes and height fields that look alike share a geometry, which goes with
+// the last of them; unit geometries stay.
 
 import * as THREE from 'three';
 import { BodyType } from './gen/jostle/v1/scene_pb';
@@ -8,7 +9,7 @@ import { POSE_FLOATS } from './frame_buffer';
 import { Instances } from './instances';
 import type { DrawnPoses } from './interpolate';
 import { makeSky, materialFor } from './materials';
-import { GEOMETRIES, KINDS, partsOf, type Kind } from './shape_parts';
+import { partsOf, UNIT_GEOMETRIES, UNIT_KINDS, type Kind, type ShapePart } from './shape_parts';
 
 interface Part {
   readonly instances: Instances;
@@ -33,6 +34,8 @@ const HORIZON = new THREE.Color(0x3b4c5e);
 const ABOVE = new THREE.Color(0x0e141c);
 const SUN = new THREE.Vector3(18, 30, 12).normalize().multiplyScalar(60); // m from what is looked at
 const SHADOW_PIXELS = 2048;
+const OWN_GEOMETRY_ROOM = 8; // instances; grows
+const FLAT_GROUND: readonly Kind[] = ['plane', 'slab']; // casts no shadow
 
 const vector = new THREE.Vector3();
 const quaternion = new THREE.Quaternion();
@@ -43,7 +46,8 @@ const color = new THREE.Color();
 
 export class SceneView {
   readonly scene = new THREE.Scene();
-  private readonly kinds = new Map<Kind, Instances>();
+  private readonly geometries = new Map<string, Instances>(); // by the key of a part
+  private readonly materials = new Map<Kind, THREE.Material>();
   private readonly shown = new Map<number, Shown>();
   private readonly sun = new THREE.DirectionalLight(0xfff1dc, 2.7);
   private shadowReach = 0;
@@ -57,24 +61,33 @@ export class SceneView {
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.03;
     this.scene.add(this.sun, this.sun.target);
-    for (const kind of KINDS) {
-      const instances = new Instances(
-        this.scene,
-        GEOMETRIES[kind](),
-        materialFor(kind),
-        kind !== 'plane' && kind !== 'slab',
-      );
-      this.kinds.set(kind, instances);
-    }
+    for (const kind of UNIT_KINDS) this.addInstances(kind, kind, UNIT_GEOMETRIES[kind]());
     this.lightUp(new THREE.Vector3(), 25);
   }
 
-  get objects(): THREE.InstancedMesh[] {
-    return [...this.kinds.values()].map((instances) => instances.mesh);
+  private addInstances(key: string, kind: Kind, geometry: THREE.BufferGeometry, room?: number): Instances {
+    let material = this.materials.get(kind);
+    if (!material) this.materials.set(kind, (material = materialFor(kind)));
+    const instances = new Instances(this.scene, geometry, material, !FLAT_GROUND.includes(kind), room);
+    this.geometries.set(key, instances);
+    return instances;
   }
 
-  entityAt(mesh: THREE.Object3D, slot: number): number {
-    return (mesh.userData['instances'] as Instances | undefined)?.entityAt(slot) ?? 0;
+  private instancesFor({ key, kind, geometry }: ShapePart): Instances | undefined {
+    const known = this.geometries.get(key);
+    if (known) return known;
+    const made = geometry();
+    return made && this.addInstances(key, kind, made, OWN_GEOMETRY_ROOM);
+  }
+
+  get objects(): THREE.InstancedMesh[] {
+    return [...this.geometries.values()].map((instances) => instances.mesh);
+  }
+
+  /** Whose part that instance is, and of which of its shapes; entity 0: nobody's. */
+  ownerAt(mesh: THREE.Object3D, slot: number): { entity: number; shape: number } {
+    const instances = mesh.userData['instances'] as Instances | undefined;
+    return { entity: instances?.entityAt(slot) ?? 0, shape: instances?.shapeAt(slot) ?? 0 };
   }
 
   /** Shadows fall where one looks, as sharp as the distance allows. */
@@ -102,12 +115,21 @@ export class SceneView {
     }
     for (const entity of entities.values())
       if (!this.shown.has(entity.id)) this.shown.set(entity.id, this.show(entity, me));
+    // Last, so that a body that changed keeps the geometry it shares only with itself.
+    for (const [key, instances] of this.geometries) {
+      if (!instances.empty || (UNIT_KINDS as readonly string[]).includes(key)) continue;
+      instances.dispose();
+      this.geometries.delete(key);
+    }
   }
 
   private show(entity: Entity, me: number): Shown {
-    const parts = entity.shapes.flatMap(partsOf).map(({ kind, local }): Part => {
-      const instances = this.kinds.get(kind)!;
-      return { instances, slot: instances.take(entity.id), local };
+    const parts: Part[] = [];
+    entity.shapes.forEach((shape, number) => {
+      for (const part of partsOf(shape)) {
+        const instances = this.instancesFor(part);
+        if (instances) parts.push({ instances, slot: instances.take(entity.id, number), local: part.local });
+      }
     });
     const pose = new Float64Array(POSE_FLOATS).fill(NaN);
     return { entity, parts, color: colorOf(entity, me), pose, asleep: undefined };
@@ -131,7 +153,7 @@ export class SceneView {
       }
       if (!same) this.place(shown);
     }
-    for (const instances of this.kinds.values()) instances.publish();
+    for (const instances of this.geometries.values()) instances.publish();
   }
 
   private place({ pose, parts }: Shown): void {

@@ -1,42 +1,53 @@
-// A body's shapes as parts that can be drawn: each is a unit geometry, moved and scaled in the body.
+// A body's shapes as parts that can be drawn. Round and square things are unit geometries, moved and scaled in the body; hulls,
+// meshes and height fields bring a geometry of their own.
 
 import * as THREE from 'three';
-import type { Shape } from './gen/jostle/v1/scene_pb';
+import { contentKey } from './content_key';
+import { fieldGeometry, hullGeometry, meshGeometry } from './facets';
+import type { Hull, Mesh, Shape } from './gen/jostle/v1/scene_pb';
 
-/** A slab is a box so wide that it is ground; a cap is the end of a capsule. */
-export type Kind = 'box' | 'slab' | 'plane' | 'sphere' | 'cap' | 'cylinder';
-export const KINDS: readonly Kind[] = ['box', 'slab', 'plane', 'sphere', 'cap', 'cylinder'];
+/** A slab is a box so wide that it is ground; a cap is the end of a capsule, a tube its middle. */
+export type UnitKind = 'box' | 'slab' | 'plane' | 'sphere' | 'cap' | 'tube' | 'cylinder' | 'cone';
+export const UNIT_KINDS: readonly UnitKind[] = ['box', 'slab', 'plane', 'sphere', 'cap', 'tube', 'cylinder', 'cone'];
+export type OwnKind = 'hull' | 'mesh' | 'field';
+export type Kind = UnitKind | OwnKind;
 
 export interface ShapePart {
   readonly kind: Kind;
+  /** Parts with the same key share a geometry. */
+  readonly key: string;
+  /** Makes it; undefined when there is nothing to be seen. */
+  readonly geometry: () => THREE.BufferGeometry | undefined;
   readonly local: THREE.Matrix4;
 }
 
-export const GEOMETRIES: Record<Kind, () => THREE.BufferGeometry> = {
+export const UNIT_GEOMETRIES: Record<UnitKind, () => THREE.BufferGeometry> = {
   box: () => new THREE.BoxGeometry(2, 2, 2),
   slab: () => new THREE.BoxGeometry(2, 2, 2),
   plane: () => new THREE.PlaneGeometry(2, 2).rotateX(-Math.PI / 2),
   sphere: () => new THREE.SphereGeometry(1, 28, 18),
   cap: () => new THREE.SphereGeometry(1, 20, 8, 0, Math.PI * 2, 0, Math.PI / 2),
-  cylinder: () => new THREE.CylinderGeometry(1, 1, 2, 20, 1, true),
+  tube: () => new THREE.CylinderGeometry(1, 1, 2, 20, 1, true),
+  cylinder: () => new THREE.CylinderGeometry(1, 1, 2, 32),
+  cone: () => new THREE.ConeGeometry(1, 2, 32, 6),
 };
 
 const SLAB_HALF = 30; // m
 const PLANE_HALF = 500; // m
 const UP = new THREE.Vector3(0, 1, 0);
+const ONE = new THREE.Vector3(1, 1, 1);
 const UPSIDE_DOWN = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI);
 
-export function partsOf(shape: Shape): ShapePart[] {
-  const p = shape.position;
-  const q = shape.rotation;
-  const turn = q ? new THREE.Quaternion(q.x, q.y, q.z, q.w) : new THREE.Quaternion();
-  if (turn.lengthSq() === 0) turn.identity();
-  turn.normalize();
-  const part = (kind: Kind, scale: THREE.Vector3, along = 0, turned = new THREE.Quaternion()): ShapePart => {
-    const position = new THREE.Vector3(0, along, 0).applyQuaternion(turn);
-    if (p) position.add(new THREE.Vector3(p.x, p.y, p.z));
-    return { kind, local: new THREE.Matrix4().compose(position, turn.clone().multiply(turned), scale) };
+/** `inside` is where the shape's own frame is in the body: that of the compound around it. */
+export function partsOf(shape: Shape, inside = new THREE.Matrix4()): ShapePart[] {
+  const frame = inside.clone().multiply(frameOf(shape));
+  const part = (kind: UnitKind, scale: THREE.Vector3, along = 0, turned = new THREE.Quaternion()): ShapePart => {
+    const local = new THREE.Matrix4().compose(new THREE.Vector3(0, along, 0), turned, scale);
+    return { kind, key: kind, geometry: UNIT_GEOMETRIES[kind], local: local.premultiply(frame) };
   };
+  const own = (kind: OwnKind, key: string, geometry: ShapePart['geometry']): ShapePart[] => [
+    { kind, key, geometry, local: frame },
+  ];
   switch (shape.kind.case) {
     case 'sphere': {
       const r = shape.kind.value.radius;
@@ -51,10 +62,15 @@ export function partsOf(shape: Shape): ShapePart[] {
       const { radius: r, halfLength: h } = shape.kind.value;
       const round = new THREE.Vector3(r, r, r);
       return [
-        part('cylinder', new THREE.Vector3(r, h, r)),
+        part('tube', new THREE.Vector3(r, h, r)),
         part('cap', round, h),
         part('cap', round, -h, UPSIDE_DOWN),
       ];
+    }
+    case 'cylinder':
+    case 'cone': {
+      const { radius: r, halfLength: h } = shape.kind.value;
+      return [part(shape.kind.case, new THREE.Vector3(r, h, r))];
     }
     case 'plane': {
       const n = shape.kind.value.normal;
@@ -62,7 +78,37 @@ export function partsOf(shape: Shape): ShapePart[] {
       const turned = new THREE.Quaternion().setFromUnitVectors(UP, normal);
       return [part('plane', new THREE.Vector3(PLANE_HALF, 1, PLANE_HALF), 0, turned)];
     }
+    case 'hull': {
+      const hull = shape.kind.value;
+      return own('hull', contentKey('hull', coordinates(hull.points)), () => hullGeometry(hull));
+    }
+    case 'mesh': {
+      const mesh = shape.kind.value;
+      return own('mesh', contentKey('mesh', coordinates(mesh.vertices), mesh.indices), () => meshGeometry(mesh));
+    }
+    case 'heightField': {
+      const field = shape.kind.value;
+      const grid = [field.columns, field.rows, field.spacingX, field.spacingZ];
+      return own('field', contentKey('field', grid, field.heights, field.holes), () => fieldGeometry(field));
+    }
+    case 'compound':
+      return shape.kind.value.children.flatMap((child) => partsOf(child, frame));
     default:
       return [];
+  }
+}
+
+function frameOf({ position: p, rotation: q }: Shape): THREE.Matrix4 {
+  const turn = q ? new THREE.Quaternion(q.x, q.y, q.z, q.w) : new THREE.Quaternion();
+  if (turn.lengthSq() === 0) turn.identity();
+  const place = p ? new THREE.Vector3(p.x, p.y, p.z) : new THREE.Vector3();
+  return new THREE.Matrix4().compose(place, turn.normalize(), ONE);
+}
+
+function* coordinates(points: Hull['points'] | Mesh['vertices']): Iterable<number> {
+  for (const { x, y, z } of points) {
+    yield x;
+    yield y;
+    yield z;
   }
 }

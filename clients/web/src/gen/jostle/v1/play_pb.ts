@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UibgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcisQIKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SABCBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yImAKDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMiOwoJR3JhYklucHV0Eg4KBmVudGl0eRgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNIk4KDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAEiKwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgiHgoEUGluZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBiIHCgVMZWF2ZSKvAgoNU2VydmVyTWVzc2FnZRIlCgd3ZWxjb21lGAEgASgLMhIuam9zdGxlLnYxLldlbGNvbWVIABIjCgZyb3N0ZXIYAiABKAsyES5qb3N0bGUudjEuUm9zdGVySAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIwCg1pbnB1dF9yZXN1bHRzGAQgASgLMhcuam9zdGxlLnYxLklucHV0UmVzdWx0c0gAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiYKBXN0YXRzGAYgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHNIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSABCCQoHbWVzc2FnZSLpAQoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzIkAKCVF1YW50U3BlYxIXCg91bml0c19wZXJfbWV0ZXIYASABKA0SGgoScm90YXRpb25fY29tcG9uZW50GAIgASgNIjsKBlJvc3RlchIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSKiAQoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBQggKBl9jb2xvciKtAQoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEgoKYmFzZV9mcmFtZRgCIAEoDRITCgtiYXNlMl9mcmFtZRgDIAEoDRITCgtiYXNlM19mcmFtZRgEIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHEhYKDnNlcnZlcl90aW1lX3VzGAcgASgGEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlIlkKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDSI3CgxJbnB1dFJlc3VsdHMSJwoHcmVzdWx0cxgBIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdCJyCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYimwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKpYBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UifgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCCJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIrECCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJgCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzIjsKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJOCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUi1AIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIAEIJCgdtZXNzYWdlIukBCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMiQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iOwoGUm9zdGVyEiAKBWFkZGVkGAEgAygLMhEuam9zdGxlLnYxLkVudGl0eRIPCgdyZW1vdmVkGAIgAygNIqIBCgZFbnRpdHkSCgoCaWQYASABKA0SIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIgCgZzaGFwZXMYAyADKAsyEC5qb3N0bGUudjEuU2hhcGUSDQoFb3duZXIYBCABKA0SEgoFY29sb3IYBSABKAdIAIgBARIMCgRuYW1lGAYgASgJEgwKBG1hc3MYByABKAFCCAoGX2NvbG9yIq0BCghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRISCgpiYXNlX2ZyYW1lGAIgASgNEhMKC2Jhc2UyX2ZyYW1lGAMgASgNEhMKC2Jhc2UzX2ZyYW1lGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSFgoOc2VydmVyX3RpbWVfdXMYByABKAYSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGUiWQoHUHJpdmF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNIjcKDElucHV0UmVzdWx0cxInCgdyZXN1bHRzGAEgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0InIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKbAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSqWAQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBDJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -115,6 +115,13 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: bool spectator = 6;
    */
   spectator: boolean;
+
+  /**
+   * wants Events after every tick in which something happened
+   *
+   * @generated from field: bool events = 7;
+   */
+  events: boolean;
 };
 
 /**
@@ -514,6 +521,12 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
      */
     value: Notice;
     case: "notice";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Events events = 8;
+     */
+    value: Events;
+    case: "events";
   } | { case: undefined; value?: undefined };
 };
 
@@ -956,6 +969,195 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 25);
+
+/**
+ * What happened in one tick, between entities. Sent only to clients that asked, and only when something did; sorted by
+ * the entities. A client that is too slow for them misses whole ticks, never parts of one: `missed` counts them.
+ *
+ * @generated from message jostle.v1.Events
+ */
+export type Events = Message<"jostle.v1.Events"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * @generated from field: repeated jostle.v1.ContactEvent contacts_began = 2;
+   */
+  contactsBegan: ContactEvent[];
+
+  /**
+   * @generated from field: repeated jostle.v1.ContactEvent contacts_ended = 3;
+   */
+  contactsEnded: ContactEvent[];
+
+  /**
+   * that press now, of shapes that report stays
+   *
+   * @generated from field: repeated jostle.v1.ContactEvent contacts = 4;
+   */
+  contacts: ContactEvent[];
+
+  /**
+   * @generated from field: repeated jostle.v1.ContactEvent hits = 5;
+   */
+  hits: ContactEvent[];
+
+  /**
+   * @generated from field: repeated jostle.v1.TriggerEvent triggers_entered = 6;
+   */
+  triggersEntered: TriggerEvent[];
+
+  /**
+   * @generated from field: repeated jostle.v1.TriggerEvent triggers_stayed = 7;
+   */
+  triggersStayed: TriggerEvent[];
+
+  /**
+   * @generated from field: repeated jostle.v1.TriggerEvent triggers_left = 8;
+   */
+  triggersLeft: TriggerEvent[];
+
+  /**
+   * @generated from field: repeated jostle.v1.JointBreakEvent joints_broke = 9;
+   */
+  jointsBroke: JointBreakEvent[];
+
+  /**
+   * @generated from field: repeated uint32 fell_asleep = 10;
+   */
+  fellAsleep: number[];
+
+  /**
+   * @generated from field: repeated uint32 woke = 11;
+   */
+  woke: number[];
+
+  /**
+   * ticks with events that were not sent since the last Events
+   *
+   * @generated from field: uint32 missed = 12;
+   */
+  missed: number;
+};
+
+/**
+ * Describes the message jostle.v1.Events.
+ * Use `create(EventsSchema)` to create a new message.
+ */
+export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 26);
+
+/**
+ * @generated from message jostle.v1.ContactEvent
+ */
+export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
+  /**
+   * @generated from field: uint32 entity_a = 1;
+   */
+  entityA: number;
+
+  /**
+   * @generated from field: uint32 entity_b = 2;
+   */
+  entityB: number;
+
+  /**
+   * m; not of ends
+   *
+   * @generated from field: jostle.v1.Vec3 point = 3;
+   */
+  point?: Vec3 | undefined;
+
+  /**
+   * from a to b; not of ends
+   *
+   * @generated from field: jostle.v1.Vec3 normal = 4;
+   */
+  normal?: Vec3 | undefined;
+
+  /**
+   * m/s: of approach; began and hits
+   *
+   * @generated from field: double speed = 5;
+   */
+  speed: number;
+
+  /**
+   * N s over the tick; contacts
+   *
+   * @generated from field: double impulse = 6;
+   */
+  impulse: number;
+};
+
+/**
+ * Describes the message jostle.v1.ContactEvent.
+ * Use `create(ContactEventSchema)` to create a new message.
+ */
+export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 27);
+
+/**
+ * @generated from message jostle.v1.TriggerEvent
+ */
+export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
+  /**
+   * the entity that carries it
+   *
+   * @generated from field: uint32 trigger = 1;
+   */
+  trigger: number;
+
+  /**
+   * @generated from field: uint32 entity = 2;
+   */
+  entity: number;
+};
+
+/**
+ * Describes the message jostle.v1.TriggerEvent.
+ * Use `create(TriggerEventSchema)` to create a new message.
+ */
+export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 28);
+
+/**
+ * @generated from message jostle.v1.JointBreakEvent
+ */
+export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
+  /**
+   * @generated from field: uint32 entity_a = 1;
+   */
+  entityA: number;
+
+  /**
+   * @generated from field: uint32 entity_b = 2;
+   */
+  entityB: number;
+
+  /**
+   * N
+   *
+   * @generated from field: double force = 3;
+   */
+  force: number;
+
+  /**
+   * N m
+   *
+   * @generated from field: double torque = 4;
+   */
+  torque: number;
+};
+
+/**
+ * Describes the message jostle.v1.JointBreakEvent.
+ * Use `create(JointBreakEventSchema)` to create a new message.
+ */
+export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from enum jostle.v1.InputCode

@@ -15,7 +15,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/scene.proto.
  */
 export const file_jostle_v1_scene: GenFile = /*@__PURE__*/
-  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSJ0CgVTY2VuZRIMCgRuYW1lGAEgASgJEhMKC2Rlc2NyaXB0aW9uGAIgASgJEicKBXdvcmxkGAMgASgLMhguam9zdGxlLnYxLldvcmxkU2V0dGluZ3MSHwoGYm9kaWVzGAQgAygLMg8uam9zdGxlLnYxLkJvZHkikQEKDVdvcmxkU2V0dGluZ3MSIAoHZ3Jhdml0eRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEhUKCHN1YnN0ZXBzGAIgASgNSACIAQESDwoCaHoYAyABKAFIAYgBARIVCghzbGVlcGluZxgEIAEoCEgCiAEBQgsKCV9zdWJzdGVwc0IFCgNfaHpCCwoJX3NsZWVwaW5nIusDCgRCb2R5EgwKBG5hbWUYASABKAkSIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIhCghwb3NpdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAQgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgGIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKDmxpbmVhcl9kYW1waW5nGAcgASgBSACIAQESHAoPYW5ndWxhcl9kYW1waW5nGAggASgBSAGIAQESGgoNZ3Jhdml0eV9zY2FsZRgJIAEoAUgCiAEBEhYKCW1heV9zbGVlcBgKIAEoCEgDiAEBEiAKBnNoYXBlcxgLIAMoCzIQLmpvc3RsZS52MS5TaGFwZRISCgVjb2xvchgMIAEoB0gEiAEBEiEKBnJlcGVhdBgNIAMoCzIRLmpvc3RsZS52MS5SZXBlYXRCEQoPX2xpbmVhcl9kYW1waW5nQhIKEF9hbmd1bGFyX2RhbXBpbmdCEAoOX2dyYXZpdHlfc2NhbGVCDAoKX21heV9zbGVlcEIICgZfY29sb3IiOAoGUmVwZWF0Eg0KBWNvdW50GAEgASgNEh8KBm9mZnNldBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzItMCCgVTaGFwZRIjCgZzcGhlcmUYASABKAsyES5qb3N0bGUudjEuU3BoZXJlSAASJQoHY2Fwc3VsZRgCIAEoCzISLmpvc3RsZS52MS5DYXBzdWxlSAASHQoDYm94GAMgASgLMg4uam9zdGxlLnYxLkJveEgAEiEKBXBsYW5lGAQgASgLMhAuam9zdGxlLnYxLlBsYW5lSAASIQoIcG9zaXRpb24YBSABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgGIAEoCzIPLmpvc3RsZS52MS5RdWF0EhQKB2RlbnNpdHkYByABKAFIAYgBARIVCghmcmljdGlvbhgIIAEoAUgCiAEBEhgKC3Jlc3RpdHV0aW9uGAkgASgBSAOIAQFCBgoEa2luZEIKCghfZGVuc2l0eUILCglfZnJpY3Rpb25CDgoMX3Jlc3RpdHV0aW9uIhgKBlNwaGVyZRIOCgZyYWRpdXMYASABKAEiLgoHQ2Fwc3VsZRIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiLAoDQm94EiUKDGhhbGZfZXh0ZW50cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIigKBVBsYW5lEh8KBm5vcm1hbBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzKmoKCEJvZHlUeXBlEhkKFUJPRFlfVFlQRV9VTlNQRUNJRklFRBAAEhMKD0JPRFlfVFlQRV9GSVhFRBABEhcKE0JPRFlfVFlQRV9LSU5FTUFUSUMQAhIVChFCT0RZX1RZUEVfRFlOQU1JQxADYgZwcm90bzM", [file_jostle_v1_common]);
+  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSKWAQoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludCKbAgoNV29ybGRTZXR0aW5ncxIgCgdncmF2aXR5GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSFQoIc3Vic3RlcHMYAiABKA1IAIgBARIPCgJoehgDIAEoAUgBiAEBEhUKCHNsZWVwaW5nGAQgASgISAKIAQESDgoGcGxhbmFyGAUgASgIEhcKCmNvbnRpbnVvdXMYBiABKAhIA4gBARIqCgticm9hZF9waGFzZRgHIAEoDjIVLmpvc3RsZS52MS5Ccm9hZFBoYXNlEhYKCWhpdF9zcGVlZBgIIAEoAUgEiAEBQgsKCV9zdWJzdGVwc0IFCgNfaHpCCwoJX3NsZWVwaW5nQg0KC19jb250aW51b3VzQgwKCl9oaXRfc3BlZWQi0AQKBEJvZHkSDAoEbmFtZRgBIAEoCRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiEKCHBvc2l0aW9uGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YBCABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAYgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoObGluZWFyX2RhbXBpbmcYByABKAFIAIgBARIcCg9hbmd1bGFyX2RhbXBpbmcYCCABKAFIAYgBARIaCg1ncmF2aXR5X3NjYWxlGAkgASgBSAKIAQESFgoJbWF5X3NsZWVwGAogASgISAOIAQESIAoGc2hhcGVzGAsgAygLMhAuam9zdGxlLnYxLlNoYXBlEhIKBWNvbG9yGAwgASgHSASIAQESIQoGcmVwZWF0GA0gAygLMhEuam9zdGxlLnYxLlJlcGVhdBIfCgVsb2NrcxgOIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIXCgpjb250aW51b3VzGA8gASgISAWIAQESEQoEbWFzcxgQIAEoAUgGiAEBQhEKD19saW5lYXJfZGFtcGluZ0ISChBfYW5ndWxhcl9kYW1waW5nQhAKDl9ncmF2aXR5X3NjYWxlQgwKCl9tYXlfc2xlZXBCCAoGX2NvbG9yQg0KC19jb250aW51b3VzQgcKBV9tYXNzIlgKBUxvY2tzEgkKAXgYASABKAgSCQoBeRgCIAEoCBIJCgF6GAMgASgIEg4KBnR1cm5feBgEIAEoCBIOCgZ0dXJuX3kYBSABKAgSDgoGdHVybl96GAYgASgIIjgKBlJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyKOBwoFU2hhcGUSIwoGc3BoZXJlGAEgASgLMhEuam9zdGxlLnYxLlNwaGVyZUgAEiUKB2NhcHN1bGUYAiABKAsyEi5qb3N0bGUudjEuQ2Fwc3VsZUgAEh0KA2JveBgDIAEoCzIOLmpvc3RsZS52MS5Cb3hIABIhCgVwbGFuZRgEIAEoCzIQLmpvc3RsZS52MS5QbGFuZUgAEicKCGN5bGluZGVyGAogASgLMhMuam9zdGxlLnYxLkN5bGluZGVySAASHwoEY29uZRgLIAEoCzIPLmpvc3RsZS52MS5Db25lSAASHwoEaHVsbBgMIAEoCzIPLmpvc3RsZS52MS5IdWxsSAASHwoEbWVzaBgNIAEoCzIPLmpvc3RsZS52MS5NZXNoSAASLgoMaGVpZ2h0X2ZpZWxkGA4gASgLMhYuam9zdGxlLnYxLkhlaWdodEZpZWxkSAASJwoIY29tcG91bmQYDyABKAsyEy5qb3N0bGUudjEuQ29tcG91bmRIABIhCghwb3NpdGlvbhgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAYgASgLMg8uam9zdGxlLnYxLlF1YXQSFAoHZGVuc2l0eRgHIAEoAUgBiAEBEhUKCGZyaWN0aW9uGAggASgBSAKIAQESGAoLcmVzdGl0dXRpb24YCSABKAFIA4gBARIRCgRtYXNzGBAgASgBSASIAQESHQoQcm9sbGluZ19mcmljdGlvbhgRIAEoAUgFiAEBEh8KEnRvcnNpb25hbF9mcmljdGlvbhgSIAEoAUgGiAEBEikKEHN1cmZhY2VfdmVsb2NpdHkYEyABKAsyDy5qb3N0bGUudjEuVmVjMxIpCg1mcmljdGlvbl9ydWxlGBQgASgOMhIuam9zdGxlLnYxLkNvbWJpbmUSLAoQcmVzdGl0dXRpb25fcnVsZRgVIAEoDjISLmpvc3RsZS52MS5Db21iaW5lEiEKBmZpbHRlchgWIAEoCzIRLmpvc3RsZS52MS5GaWx0ZXISDwoHdHJpZ2dlchgXIAEoCBIUCgxyZXBvcnRfc3RheXMYGCABKAhCBgoEa2luZEIKCghfZGVuc2l0eUILCglfZnJpY3Rpb25CDgoMX3Jlc3RpdHV0aW9uQgcKBV9tYXNzQhMKEV9yb2xsaW5nX2ZyaWN0aW9uQhUKE190b3JzaW9uYWxfZnJpY3Rpb24iVwoGRmlsdGVyEhUKCGNhdGVnb3J5GAEgASgNSACIAQESEQoEbWFzaxgCIAEoDUgBiAEBEg0KBWdyb3VwGAMgASgRQgsKCV9jYXRlZ29yeUIHCgVfbWFzayIYCgZTcGhlcmUSDgoGcmFkaXVzGAEgASgBIi4KB0NhcHN1bGUSDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIiwKA0JveBIlCgxoYWxmX2V4dGVudHMYASABKAsyDy5qb3N0bGUudjEuVmVjMyIoCgVQbGFuZRIfCgZub3JtYWwYASABKAsyDy5qb3N0bGUudjEuVmVjMyIvCghDeWxpbmRlchIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiKwoEQ29uZRIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiJwoESHVsbBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMyI6CgRNZXNoEiEKCHZlcnRpY2VzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMSDwoHaW5kaWNlcxgCIAMoDSJyCgtIZWlnaHRGaWVsZBIPCgdjb2x1bW5zGAEgASgNEgwKBHJvd3MYAiABKA0SEQoJc3BhY2luZ194GAMgASgBEhEKCXNwYWNpbmdfehgEIAEoARIPCgdoZWlnaHRzGAUgAygBEg0KBWhvbGVzGAYgAygNIi4KCENvbXBvdW5kEiIKCGNoaWxkcmVuGAEgAygLMhAuam9zdGxlLnYxLlNoYXBlIucDCgVKb2ludBIMCgRuYW1lGAEgASgJEg4KBmJvZHlfYRgCIAEoCRIOCgZib2R5X2IYAyABKAkSHwoFZnJhbWUYBCABKAsyEC5qb3N0bGUudjEuRnJhbWUSIQoHZnJhbWVfYRgFIAEoCzIQLmpvc3RsZS52MS5GcmFtZRIhCgdmcmFtZV9iGAYgASgLMhAuam9zdGxlLnYxLkZyYW1lEiQKBGJhbGwYByABKAsyFC5qb3N0bGUudjEuQmFsbEpvaW50SAASJgoFaGluZ2UYCCABKAsyFS5qb3N0bGUudjEuSGluZ2VKb2ludEgAEi8KCmNvbmVfdHdpc3QYCSABKAsyGS5qb3N0bGUudjEuQ29uZVR3aXN0Sm9pbnRIABImCgVmaXhlZBgKIAEoCzIVLmpvc3RsZS52MS5GaXhlZEpvaW50SAASLAoIZGlzdGFuY2UYCyABKAsyGC5qb3N0bGUudjEuRGlzdGFuY2VKb2ludEgAEhkKEWNvbGxpZGVfY29ubmVjdGVkGAwgASgIEhMKC2JyZWFrX2ZvcmNlGA0gASgBEhQKDGJyZWFrX3RvcnF1ZRgOIAEoARImCgZyZXBlYXQYDyABKAsyFi5qb3N0bGUudjEuSm9pbnRSZXBlYXRCBgoEa2luZCI9CgtKb2ludFJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyJNCgVGcmFtZRIhCghwb3NpdGlvbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAIgASgLMg8uam9zdGxlLnYxLlF1YXQiCwoJQmFsbEpvaW50IrkBCgpIaW5nZUpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIYChBtb3Rvcl9tYXhfdG9ycXVlGAMgASgBEiEKBnNwcmluZxgEIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFAoMc3ByaW5nX2FuZ2xlGAUgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQiaAoOQ29uZVR3aXN0Sm9pbnQSDQoFc3dpbmcYASABKAESJAoFdHdpc3QYAiABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIXCg9mcmljdGlvbl90b3JxdWUYAyABKAFCCAoGX3R3aXN0IlMKCkZpeGVkSm9pbnQSIQoGbGluZWFyGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIiCgdhbmd1bGFyGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZyJvCg1EaXN0YW5jZUpvaW50EhIKCm1pbl9sZW5ndGgYASABKAESEgoKbWF4X2xlbmd0aBgCIAEoARIhCgZzcHJpbmcYAyABKAsyES5qb3N0bGUudjEuU3ByaW5nEhMKC3Jlc3RfbGVuZ3RoGAQgASgBIiUKBUxpbWl0Eg0KBWxvd2VyGAEgASgBEg0KBXVwcGVyGAIgASgBIkUKBlNwcmluZxINCgVoZXJ0ehgBIAEoARIaCg1kYW1waW5nX3JhdGlvGAIgASgBSACIAQFCEAoOX2RhbXBpbmdfcmF0aW8qhQEKCkJyb2FkUGhhc2USGwoXQlJPQURfUEhBU0VfVU5TUEVDSUZJRUQQABIcChhCUk9BRF9QSEFTRV9EWU5BTUlDX1RSRUUQARIeChpCUk9BRF9QSEFTRV9TT1JUX0FORF9TV0VFUBACEhwKGEJST0FEX1BIQVNFX1VOSUZPUk1fR1JJRBADKmoKCEJvZHlUeXBlEhkKFUJPRFlfVFlQRV9VTlNQRUNJRklFRBAAEhMKD0JPRFlfVFlQRV9GSVhFRBABEhcKE0JPRFlfVFlQRV9LSU5FTUFUSUMQAhIVChFCT0RZX1RZUEVfRFlOQU1JQxADKpMBCgdDb21iaW5lEhcKE0NPTUJJTkVfVU5TUEVDSUZJRUQQABITCg9DT01CSU5FX0FWRVJBR0UQARIaChZDT01CSU5FX0dFT01FVFJJQ19NRUFOEAISEwoPQ09NQklORV9NSU5JTVVNEAMSFAoQQ09NQklORV9NVUxUSVBMWRAEEhMKD0NPTUJJTkVfTUFYSU1VTRAFYgZwcm90bzM", [file_jostle_v1_common]);
 
 /**
  * @generated from message jostle.v1.Scene
@@ -44,6 +44,11 @@ export type Scene = Message<"jostle.v1.Scene"> & {
    * @generated from field: repeated jostle.v1.Body bodies = 4;
    */
   bodies: Body[];
+
+  /**
+   * @generated from field: repeated jostle.v1.Joint joints = 5;
+   */
+  joints: Joint[];
 };
 
 /**
@@ -84,6 +89,32 @@ export type WorldSettings = Message<"jostle.v1.WorldSettings"> & {
    * @generated from field: optional bool sleeping = 4;
    */
   sleeping?: boolean | undefined;
+
+  /**
+   * all happens in the xy plane
+   *
+   * @generated from field: bool planar = 5;
+   */
+  planar: boolean;
+
+  /**
+   * fast bodies are swept, so that nothing tunnels; absent: true
+   *
+   * @generated from field: optional bool continuous = 6;
+   */
+  continuous?: boolean | undefined;
+
+  /**
+   * @generated from field: jostle.v1.BroadPhase broad_phase = 7;
+   */
+  broadPhase: BroadPhase;
+
+  /**
+   * m/s from which on an impact is a hit event; absent: 1
+   *
+   * @generated from field: optional double hit_speed = 8;
+   */
+  hitSpeed?: number | undefined;
 };
 
 /**
@@ -183,6 +214,25 @@ export type Body = Message<"jostle.v1.Body"> & {
    * @generated from field: repeated jostle.v1.Repeat repeat = 13;
    */
   repeat: Repeat[];
+
+  /**
+   * @generated from field: jostle.v1.Locks locks = 14;
+   */
+  locks?: Locks | undefined;
+
+  /**
+   * absent: true
+   *
+   * @generated from field: optional bool continuous = 15;
+   */
+  continuous?: boolean | undefined;
+
+  /**
+   * kg: what the shapes give is scaled to it; absent: from the shapes
+   *
+   * @generated from field: optional double mass = 16;
+   */
+  mass?: number | undefined;
 };
 
 /**
@@ -191,6 +241,50 @@ export type Body = Message<"jostle.v1.Body"> & {
  */
 export const BodySchema: GenMessage<Body> = /*@__PURE__*/
   messageDesc(file_jostle_v1_scene, 2);
+
+/**
+ * Directions in which a body cannot move, along and about the world's axes.
+ *
+ * @generated from message jostle.v1.Locks
+ */
+export type Locks = Message<"jostle.v1.Locks"> & {
+  /**
+   * @generated from field: bool x = 1;
+   */
+  x: boolean;
+
+  /**
+   * @generated from field: bool y = 2;
+   */
+  y: boolean;
+
+  /**
+   * @generated from field: bool z = 3;
+   */
+  z: boolean;
+
+  /**
+   * @generated from field: bool turn_x = 4;
+   */
+  turnX: boolean;
+
+  /**
+   * @generated from field: bool turn_y = 5;
+   */
+  turnY: boolean;
+
+  /**
+   * @generated from field: bool turn_z = 6;
+   */
+  turnZ: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.Locks.
+ * Use `create(LocksSchema)` to create a new message.
+ */
+export const LocksSchema: GenMessage<Locks> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 3);
 
 /**
  * @generated from message jostle.v1.Repeat
@@ -216,7 +310,7 @@ export type Repeat = Message<"jostle.v1.Repeat"> & {
  * Use `create(RepeatSchema)` to create a new message.
  */
 export const RepeatSchema: GenMessage<Repeat> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 3);
+  messageDesc(file_jostle_v1_scene, 4);
 
 /**
  * @generated from message jostle.v1.Shape
@@ -249,6 +343,42 @@ export type Shape = Message<"jostle.v1.Shape"> & {
      */
     value: Plane;
     case: "plane";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Cylinder cylinder = 10;
+     */
+    value: Cylinder;
+    case: "cylinder";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Cone cone = 11;
+     */
+    value: Cone;
+    case: "cone";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Hull hull = 12;
+     */
+    value: Hull;
+    case: "hull";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Mesh mesh = 13;
+     */
+    value: Mesh;
+    case: "mesh";
+  } | {
+    /**
+     * @generated from field: jostle.v1.HeightField height_field = 14;
+     */
+    value: HeightField;
+    case: "heightField";
+  } | {
+    /**
+     * @generated from field: jostle.v1.Compound compound = 15;
+     */
+    value: Compound;
+    case: "compound";
   } | { case: undefined; value?: undefined };
 
   /**
@@ -285,6 +415,67 @@ export type Shape = Message<"jostle.v1.Shape"> & {
    * @generated from field: optional double restitution = 9;
    */
   restitution?: number | undefined;
+
+  /**
+   * kg; replaces the density
+   *
+   * @generated from field: optional double mass = 16;
+   */
+  mass?: number | undefined;
+
+  /**
+   * m: torque held per unit of normal force; absent: 0
+   *
+   * @generated from field: optional double rolling_friction = 17;
+   */
+  rollingFriction?: number | undefined;
+
+  /**
+   * m, about the normal; absent: 0
+   *
+   * @generated from field: optional double torsional_friction = 18;
+   */
+  torsionalFriction?: number | undefined;
+
+  /**
+   * m/s, in the body: a conveyor belt
+   *
+   * @generated from field: jostle.v1.Vec3 surface_velocity = 19;
+   */
+  surfaceVelocity?: Vec3 | undefined;
+
+  /**
+   * absent: geometric mean
+   *
+   * @generated from field: jostle.v1.Combine friction_rule = 20;
+   */
+  frictionRule: Combine;
+
+  /**
+   * absent: maximum
+   *
+   * @generated from field: jostle.v1.Combine restitution_rule = 21;
+   */
+  restitutionRule: Combine;
+
+  /**
+   * @generated from field: jostle.v1.Filter filter = 22;
+   */
+  filter?: Filter | undefined;
+
+  /**
+   * touches nothing; reports what is inside it
+   *
+   * @generated from field: bool trigger = 23;
+   */
+  trigger: boolean;
+
+  /**
+   * its contacts are reported in every step, with their impulses
+   *
+   * @generated from field: bool report_stays = 24;
+   */
+  reportStays: boolean;
 };
 
 /**
@@ -292,7 +483,41 @@ export type Shape = Message<"jostle.v1.Shape"> & {
  * Use `create(ShapeSchema)` to create a new message.
  */
 export const ShapeSchema: GenMessage<Shape> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 4);
+  messageDesc(file_jostle_v1_scene, 5);
+
+/**
+ * Two shapes of the same group other than 0 always collide when it is positive and never when it is negative; otherwise
+ * they collide when each one's category has a bit in the other's mask.
+ *
+ * @generated from message jostle.v1.Filter
+ */
+export type Filter = Message<"jostle.v1.Filter"> & {
+  /**
+   * absent: 1
+   *
+   * @generated from field: optional uint32 category = 1;
+   */
+  category?: number | undefined;
+
+  /**
+   * absent: 0xffffffff
+   *
+   * @generated from field: optional uint32 mask = 2;
+   */
+  mask?: number | undefined;
+
+  /**
+   * @generated from field: sint32 group = 3;
+   */
+  group: number;
+};
+
+/**
+ * Describes the message jostle.v1.Filter.
+ * Use `create(FilterSchema)` to create a new message.
+ */
+export const FilterSchema: GenMessage<Filter> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 6);
 
 /**
  * @generated from message jostle.v1.Sphere
@@ -311,7 +536,7 @@ export type Sphere = Message<"jostle.v1.Sphere"> & {
  * Use `create(SphereSchema)` to create a new message.
  */
 export const SphereSchema: GenMessage<Sphere> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 5);
+  messageDesc(file_jostle_v1_scene, 7);
 
 /**
  * Along the local y axis.
@@ -339,7 +564,7 @@ export type Capsule = Message<"jostle.v1.Capsule"> & {
  * Use `create(CapsuleSchema)` to create a new message.
  */
 export const CapsuleSchema: GenMessage<Capsule> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 6);
+  messageDesc(file_jostle_v1_scene, 8);
 
 /**
  * @generated from message jostle.v1.Box
@@ -358,7 +583,7 @@ export type Box = Message<"jostle.v1.Box"> & {
  * Use `create(BoxSchema)` to create a new message.
  */
 export const BoxSchema: GenMessage<Box> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 7);
+  messageDesc(file_jostle_v1_scene, 9);
 
 /**
  * Everything below it is solid; fixed bodies only.
@@ -379,7 +604,597 @@ export type Plane = Message<"jostle.v1.Plane"> & {
  * Use `create(PlaneSchema)` to create a new message.
  */
 export const PlaneSchema: GenMessage<Plane> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 8);
+  messageDesc(file_jostle_v1_scene, 10);
+
+/**
+ * Along the local y axis, flat ends.
+ *
+ * @generated from message jostle.v1.Cylinder
+ */
+export type Cylinder = Message<"jostle.v1.Cylinder"> & {
+  /**
+   * m
+   *
+   * @generated from field: double radius = 1;
+   */
+  radius: number;
+
+  /**
+   * m
+   *
+   * @generated from field: double half_length = 2;
+   */
+  halfLength: number;
+};
+
+/**
+ * Describes the message jostle.v1.Cylinder.
+ * Use `create(CylinderSchema)` to create a new message.
+ */
+export const CylinderSchema: GenMessage<Cylinder> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 11);
+
+/**
+ * Along the local y axis: a disc at -half_length, the tip at +half_length.
+ *
+ * @generated from message jostle.v1.Cone
+ */
+export type Cone = Message<"jostle.v1.Cone"> & {
+  /**
+   * m
+   *
+   * @generated from field: double radius = 1;
+   */
+  radius: number;
+
+  /**
+   * m
+   *
+   * @generated from field: double half_length = 2;
+   */
+  halfLength: number;
+};
+
+/**
+ * Describes the message jostle.v1.Cone.
+ * Use `create(ConeSchema)` to create a new message.
+ */
+export const ConeSchema: GenMessage<Cone> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 12);
+
+/**
+ * The convex hull of at least four points that do not lie in one plane; at most 252 of them are corners.
+ *
+ * @generated from message jostle.v1.Hull
+ */
+export type Hull = Message<"jostle.v1.Hull"> & {
+  /**
+   * m
+   *
+   * @generated from field: repeated jostle.v1.Vec3 points = 1;
+   */
+  points: Vec3[];
+};
+
+/**
+ * Describes the message jostle.v1.Hull.
+ * Use `create(HullSchema)` to create a new message.
+ */
+export const HullSchema: GenMessage<Hull> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 13);
+
+/**
+ * Triangles; fixed and kinematic bodies only. Both sides collide.
+ *
+ * @generated from message jostle.v1.Mesh
+ */
+export type Mesh = Message<"jostle.v1.Mesh"> & {
+  /**
+   * m
+   *
+   * @generated from field: repeated jostle.v1.Vec3 vertices = 1;
+   */
+  vertices: Vec3[];
+
+  /**
+   * three per triangle
+   *
+   * @generated from field: repeated uint32 indices = 2;
+   */
+  indices: number[];
+};
+
+/**
+ * Describes the message jostle.v1.Mesh.
+ * Use `create(MeshSchema)` to create a new message.
+ */
+export const MeshSchema: GenMessage<Mesh> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 14);
+
+/**
+ * Heights on a regular grid, centred on the local origin; fixed and kinematic bodies only. Both sides collide.
+ *
+ * @generated from message jostle.v1.HeightField
+ */
+export type HeightField = Message<"jostle.v1.HeightField"> & {
+  /**
+   * samples along x, at least 2
+   *
+   * @generated from field: uint32 columns = 1;
+   */
+  columns: number;
+
+  /**
+   * samples along z, at least 2
+   *
+   * @generated from field: uint32 rows = 2;
+   */
+  rows: number;
+
+  /**
+   * m
+   *
+   * @generated from field: double spacing_x = 3;
+   */
+  spacingX: number;
+
+  /**
+   * m
+   *
+   * @generated from field: double spacing_z = 4;
+   */
+  spacingZ: number;
+
+  /**
+   * m along y; columns * rows, row after row
+   *
+   * @generated from field: repeated double heights = 5;
+   */
+  heights: number[];
+
+  /**
+   * cells that are open: row * (columns - 1) + column
+   *
+   * @generated from field: repeated uint32 holes = 6;
+   */
+  holes: number[];
+};
+
+/**
+ * Describes the message jostle.v1.HeightField.
+ * Use `create(HeightFieldSchema)` to create a new message.
+ */
+export const HeightFieldSchema: GenMessage<HeightField> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 15);
+
+/**
+ * Several convex shapes as one. Only the kind, position and rotation of the children count.
+ *
+ * @generated from message jostle.v1.Compound
+ */
+export type Compound = Message<"jostle.v1.Compound"> & {
+  /**
+   * @generated from field: repeated jostle.v1.Shape children = 1;
+   */
+  children: Shape[];
+};
+
+/**
+ * Describes the message jostle.v1.Compound.
+ * Use `create(CompoundSchema)` to create a new message.
+ */
+export const CompoundSchema: GenMessage<Compound> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 16);
+
+/**
+ * Holds two bodies together.
+ *
+ * @generated from message jostle.v1.Joint
+ */
+export type Joint = Message<"jostle.v1.Joint"> & {
+  /**
+   * @generated from field: string name = 1;
+   */
+  name: string;
+
+  /**
+   * Bodies by name. "link[3]" is the fourth of the bodies called link, in their order in the file, copies included;
+   * "link" alone is the first.
+   *
+   * @generated from field: string body_a = 2;
+   */
+  bodyA: string;
+
+  /**
+   * @generated from field: string body_b = 3;
+   */
+  bodyB: string;
+
+  /**
+   * Where the joint is: one frame in the world as the scene starts, or one in each body. Absent: the bodies' origins.
+   *
+   * @generated from field: jostle.v1.Frame frame = 4;
+   */
+  frame?: Frame | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Frame frame_a = 5;
+   */
+  frameA?: Frame | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Frame frame_b = 6;
+   */
+  frameB?: Frame | undefined;
+
+  /**
+   * @generated from oneof jostle.v1.Joint.kind
+   */
+  kind: {
+    /**
+     * @generated from field: jostle.v1.BallJoint ball = 7;
+     */
+    value: BallJoint;
+    case: "ball";
+  } | {
+    /**
+     * @generated from field: jostle.v1.HingeJoint hinge = 8;
+     */
+    value: HingeJoint;
+    case: "hinge";
+  } | {
+    /**
+     * @generated from field: jostle.v1.ConeTwistJoint cone_twist = 9;
+     */
+    value: ConeTwistJoint;
+    case: "coneTwist";
+  } | {
+    /**
+     * @generated from field: jostle.v1.FixedJoint fixed = 10;
+     */
+    value: FixedJoint;
+    case: "fixed";
+  } | {
+    /**
+     * @generated from field: jostle.v1.DistanceJoint distance = 11;
+     */
+    value: DistanceJoint;
+    case: "distance";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * whether the two bodies collide with each other
+   *
+   * @generated from field: bool collide_connected = 12;
+   */
+  collideConnected: boolean;
+
+  /**
+   * N; 0: never breaks
+   *
+   * @generated from field: double break_force = 13;
+   */
+  breakForce: number;
+
+  /**
+   * N m; 0: never breaks
+   *
+   * @generated from field: double break_torque = 14;
+   */
+  breakTorque: number;
+
+  /**
+   * Copies: copy number i joins the bodies i places further on, its frame moved by i * offset.
+   *
+   * @generated from field: jostle.v1.JointRepeat repeat = 15;
+   */
+  repeat?: JointRepeat | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.Joint.
+ * Use `create(JointSchema)` to create a new message.
+ */
+export const JointSchema: GenMessage<Joint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 17);
+
+/**
+ * @generated from message jostle.v1.JointRepeat
+ */
+export type JointRepeat = Message<"jostle.v1.JointRepeat"> & {
+  /**
+   * how many in all, 1 to 100000
+   *
+   * @generated from field: uint32 count = 1;
+   */
+  count: number;
+
+  /**
+   * m from one copy to the next, of a frame in the world
+   *
+   * @generated from field: jostle.v1.Vec3 offset = 2;
+   */
+  offset?: Vec3 | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.JointRepeat.
+ * Use `create(JointRepeatSchema)` to create a new message.
+ */
+export const JointRepeatSchema: GenMessage<JointRepeat> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 18);
+
+/**
+ * @generated from message jostle.v1.Frame
+ */
+export type Frame = Message<"jostle.v1.Frame"> & {
+  /**
+   * m
+   *
+   * @generated from field: jostle.v1.Vec3 position = 1;
+   */
+  position?: Vec3 | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Quat rotation = 2;
+   */
+  rotation?: Quat | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.Frame.
+ * Use `create(FrameSchema)` to create a new message.
+ */
+export const FrameSchema: GenMessage<Frame> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 19);
+
+/**
+ * The frames' origins stay together.
+ *
+ * @generated from message jostle.v1.BallJoint
+ */
+export type BallJoint = Message<"jostle.v1.BallJoint"> & {
+};
+
+/**
+ * Describes the message jostle.v1.BallJoint.
+ * Use `create(BallJointSchema)` to create a new message.
+ */
+export const BallJointSchema: GenMessage<BallJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 20);
+
+/**
+ * Turns about the frames' common z axis.
+ *
+ * @generated from message jostle.v1.HingeJoint
+ */
+export type HingeJoint = Message<"jostle.v1.HingeJoint"> & {
+  /**
+   * rad
+   *
+   * @generated from field: optional jostle.v1.Limit limit = 1;
+   */
+  limit?: Limit | undefined;
+
+  /**
+   * rad/s of b against a; absent: no motor
+   *
+   * @generated from field: optional double motor_speed = 2;
+   */
+  motorSpeed?: number | undefined;
+
+  /**
+   * N m
+   *
+   * @generated from field: double motor_max_torque = 3;
+   */
+  motorMaxTorque: number;
+
+  /**
+   * pulls the angle towards spring_angle
+   *
+   * @generated from field: jostle.v1.Spring spring = 4;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * rad
+   *
+   * @generated from field: double spring_angle = 5;
+   */
+  springAngle: number;
+};
+
+/**
+ * Describes the message jostle.v1.HingeJoint.
+ * Use `create(HingeJointSchema)` to create a new message.
+ */
+export const HingeJointSchema: GenMessage<HingeJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 21);
+
+/**
+ * b's x axis stays in a cone about a's x axis, and b turns about it within limits.
+ *
+ * @generated from message jostle.v1.ConeTwistJoint
+ */
+export type ConeTwistJoint = Message<"jostle.v1.ConeTwistJoint"> & {
+  /**
+   * rad, half angle of the cone
+   *
+   * @generated from field: double swing = 1;
+   */
+  swing: number;
+
+  /**
+   * rad; absent: free
+   *
+   * @generated from field: optional jostle.v1.Limit twist = 2;
+   */
+  twist?: Limit | undefined;
+
+  /**
+   * N m
+   *
+   * @generated from field: double friction_torque = 3;
+   */
+  frictionTorque: number;
+};
+
+/**
+ * Describes the message jostle.v1.ConeTwistJoint.
+ * Use `create(ConeTwistJointSchema)` to create a new message.
+ */
+export const ConeTwistJointSchema: GenMessage<ConeTwistJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 22);
+
+/**
+ * The frames stay together in full.
+ *
+ * @generated from message jostle.v1.FixedJoint
+ */
+export type FixedJoint = Message<"jostle.v1.FixedJoint"> & {
+  /**
+   * absent: rigid
+   *
+   * @generated from field: jostle.v1.Spring linear = 1;
+   */
+  linear?: Spring | undefined;
+
+  /**
+   * absent: rigid
+   *
+   * @generated from field: jostle.v1.Spring angular = 2;
+   */
+  angular?: Spring | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.FixedJoint.
+ * Use `create(FixedJointSchema)` to create a new message.
+ */
+export const FixedJointSchema: GenMessage<FixedJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 23);
+
+/**
+ * Rod: min == max. Rope: min 0. Spring: hertz above 0, towards rest_length between the two limits.
+ *
+ * @generated from message jostle.v1.DistanceJoint
+ */
+export type DistanceJoint = Message<"jostle.v1.DistanceJoint"> & {
+  /**
+   * m
+   *
+   * @generated from field: double min_length = 1;
+   */
+  minLength: number;
+
+  /**
+   * m
+   *
+   * @generated from field: double max_length = 2;
+   */
+  maxLength: number;
+
+  /**
+   * @generated from field: jostle.v1.Spring spring = 3;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * m
+   *
+   * @generated from field: double rest_length = 4;
+   */
+  restLength: number;
+};
+
+/**
+ * Describes the message jostle.v1.DistanceJoint.
+ * Use `create(DistanceJointSchema)` to create a new message.
+ */
+export const DistanceJointSchema: GenMessage<DistanceJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 24);
+
+/**
+ * @generated from message jostle.v1.Limit
+ */
+export type Limit = Message<"jostle.v1.Limit"> & {
+  /**
+   * @generated from field: double lower = 1;
+   */
+  lower: number;
+
+  /**
+   * @generated from field: double upper = 2;
+   */
+  upper: number;
+};
+
+/**
+ * Describes the message jostle.v1.Limit.
+ * Use `create(LimitSchema)` to create a new message.
+ */
+export const LimitSchema: GenMessage<Limit> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 25);
+
+/**
+ * @generated from message jostle.v1.Spring
+ */
+export type Spring = Message<"jostle.v1.Spring"> & {
+  /**
+   * @generated from field: double hertz = 1;
+   */
+  hertz: number;
+
+  /**
+   * absent: 1
+   *
+   * @generated from field: optional double damping_ratio = 2;
+   */
+  dampingRatio?: number | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.Spring.
+ * Use `create(SpringSchema)` to create a new message.
+ */
+export const SpringSchema: GenMessage<Spring> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 26);
+
+/**
+ * How pairs are found; the result is the same.
+ *
+ * @generated from enum jostle.v1.BroadPhase
+ */
+export enum BroadPhase {
+  /**
+   * dynamic tree
+   *
+   * @generated from enum value: BROAD_PHASE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: BROAD_PHASE_DYNAMIC_TREE = 1;
+   */
+  DYNAMIC_TREE = 1,
+
+  /**
+   * @generated from enum value: BROAD_PHASE_SORT_AND_SWEEP = 2;
+   */
+  SORT_AND_SWEEP = 2,
+
+  /**
+   * @generated from enum value: BROAD_PHASE_UNIFORM_GRID = 3;
+   */
+  UNIFORM_GRID = 3,
+}
+
+/**
+ * Describes the enum jostle.v1.BroadPhase.
+ */
+export const BroadPhaseSchema: GenEnum<BroadPhase> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_scene, 0);
 
 /**
  * @generated from enum jostle.v1.BodyType
@@ -412,5 +1227,48 @@ export enum BodyType {
  * Describes the enum jostle.v1.BodyType.
  */
 export const BodyTypeSchema: GenEnum<BodyType> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_scene, 0);
+  enumDesc(file_jostle_v1_scene, 1);
+
+/**
+ * How a pair makes one coefficient of two; of two different rules the higher number wins.
+ *
+ * @generated from enum jostle.v1.Combine
+ */
+export enum Combine {
+  /**
+   * @generated from enum value: COMBINE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: COMBINE_AVERAGE = 1;
+   */
+  AVERAGE = 1,
+
+  /**
+   * @generated from enum value: COMBINE_GEOMETRIC_MEAN = 2;
+   */
+  GEOMETRIC_MEAN = 2,
+
+  /**
+   * @generated from enum value: COMBINE_MINIMUM = 3;
+   */
+  MINIMUM = 3,
+
+  /**
+   * @generated from enum value: COMBINE_MULTIPLY = 4;
+   */
+  MULTIPLY = 4,
+
+  /**
+   * @generated from enum value: COMBINE_MAXIMUM = 5;
+   */
+  MAXIMUM = 5,
+}
+
+/**
+ * Describes the enum jostle.v1.Combine.
+ */
+export const CombineSchema: GenEnum<Combine> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_scene, 2);
 

@@ -222,7 +222,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
     // What cutting lost: the point that the normal came from.
     double lowest = 1e300;
     for (int k = 0; k < out.count; k++) lowest = minimum(lowest, out.gap[k]);
-    if (lowest > deepest + 1e-6 * minimum(size_of(a), size_of(b)) && deepest <= margin) {
+    if (lowest > deepest + 5e-5 * minimum(size_of(a), size_of(b)) && deepest <= margin) {
         if (out.count == ContactPoints::capacity) out.count--;
         out.gap[out.count] = deepest;
         out.point[out.count] =

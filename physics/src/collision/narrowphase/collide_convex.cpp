@@ -67,15 +67,9 @@ Witness round_witness(const Convex& a, const Convex& b, PairCache& cache) {
         cache.direction = g.normal;
         return snapped(a, b, from(g));
     }
-    const auto p = penetration(a, b, g.simplex);
-    if (p) {
-        cache.direction = p->normal;
-        return snapped(a, b, {p->normal, -p->depth, p->on_a, p->on_b});
-    }
-    // Flat in itself (a segment on a triangle, say): out by the centres.
-    const Vec3 n = normalized(middle_of(b) - middle_of(a));
-    const Vec3 on_a = support(a, n), on_b = support(b, -n);
-    return {n, minimum(0, dot(on_b - on_a, n)), on_a, on_b};
+    const Penetration p = penetration(a, b, g.simplex);
+    cache.direction = p.normal;
+    return snapped(a, b, {p.normal, -p.depth, p.on_a, p.on_b});
 }
 
 Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {

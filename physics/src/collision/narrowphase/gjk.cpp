@@ -79,9 +79,11 @@ bool closest_on_tetrahedron(Simplex& s) {
         const Vec3 a = s.point[f[0]].w, b = s.point[f[1]].w, c = s.point[f[2]].w;
         const Vec3 n = cross(b - a, c - a);
         const double origin = -dot(n, a), other = dot(n, s.point[f[3]].w - a);
-        // On the far side of this face, or the face cannot tell.
-        if (origin * other > 0) continue;
-        inside = inside && origin == 0 && other != 0;
+        // Behind this face, as seen from outside. A face whose plane the fourth point all but lies
+        // in cannot tell: flat tetrahedra, as round shapes make them, hold nothing.
+        const double reach = length(n) * length(s.point[f[3]].w - a);
+        if (origin * other > 0 && absolute(other) > 1e-9 * reach) continue;
+        inside = false;
         Simplex part = s;
         closest_on_triangle(part, f[0], f[1], f[2]);
         const double d2 = length_squared(point_of(part));

@@ -4,7 +4,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_points = 200;
+constexpr int max_points = 96;
 constexpr int max_faces = 2 * max_points;
 
 struct Facet {
@@ -18,10 +18,10 @@ class Polytope {
 public:
     Polytope(const Convex& a, const Convex& b) : a_(a), b_(b), size_(size_of(a) + size_of(b)) {}
 
-    std::optional<Penetration> expand(const Simplex& start) {
+    Penetration expand(const Simplex& start) {
         for (int k = 0; k < start.count; k++) points_[count_++] = start.point[k];
-        if (!make_tetrahedron()) return std::nullopt;
-        const double tolerance = 1e-9 * size_;
+        if (!make_tetrahedron()) return descend();
+        const double tolerance = 1e-7 * size_;
         int best = nearest();
         while (count_ < max_points) {
             const Facet f = facets_[best];
@@ -33,7 +33,12 @@ public:
             if (next < 0) break;
             best = next;
         }
-        return answer(facets_[best]);
+        // The facet bounds the depth from below, the support along its normal from above. Round
+        // shapes deep in each other would need thousands of facets to bring the two together, and
+        // rounding may have stopped the growth: then the last part is a descent.
+        const double upper = height(facets_[best].normal);
+        if (upper - facets_[best].distance <= 1e-6 * size_) return answer(facets_[best]);
+        return descend();
     }
 
 private:
@@ -42,6 +47,52 @@ private:
         p.w = p.a - p.b;
         return p;
     }
+    // How far the difference reaches along a unit vector: an upper bound of the depth.
+    double height(Vec3 n) const { return dot(support(a_, n) - support(b_, -n), n); }
+
+    // From the facet whose normal promises the least depth, to the direction of least depth near
+    // it: a ring of trials that turns, and shrinks when none is better.
+    Penetration descend() const {
+        Vec3 n;
+        double least = 1e300;
+        const auto consider = [&](Vec3 direction) {
+            const double h = height(direction);
+            if (h >= least) return;
+            least = h;
+            n = direction;
+        };
+        for (int k = 0; k < facet_count_; k++) consider(facets_[k].normal);
+        // Where the polytope is not to be trusted: the shapes' own axes.
+        for (const Convex* shape : {&a_, &b_})
+            for (const Vec3 axis : {shape->axes.x, shape->axes.y, shape->axes.z})
+                for (const double sign : {1.0, -1.0}) consider(axis * sign);
+        double turn = 0;
+        for (double step = 0.1; step > 1e-7;) {
+            const Vec3 u =
+                normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+            const Vec3 v = cross(n, u);
+            Vec3 best = n;
+            double record = least;
+            for (int k = 0; k < 8; k++) {
+                const SinCos at = sin_cos(turn + k * (pi / 4));
+                const Vec3 trial = normalized(n + (u * at.cos + v * at.sin) * step);
+                const double h = height(trial);
+                if (h < record) {
+                    record = h;
+                    best = trial;
+                }
+            }
+            turn += 0.7;
+            if (record < least) {
+                least = record;
+                n = best;
+            } else {
+                step *= 0.5;
+            }
+        }
+        return {maximum(0, least), n, support(a_, n), support(b_, -n)};
+    }
+
     bool known(Vec3 w) const {
         for (int k = 0; k < count_; k++)
             if (length_squared(points_[k].w - w) <= 1e-26 * size_ * size_) return true;
@@ -183,9 +234,8 @@ private:
 
 }  // namespace
 
-std::optional<Penetration> penetration(const Convex& a, const Convex& b, const Simplex& start) {
-    Polytope polytope(a, b);
-    return polytope.expand(start);
+Penetration penetration(const Convex& a, const Convex& b, const Simplex& start) {
+    return Polytope(a, b).expand(start);
 }
 
 }  // namespace jostle::physics

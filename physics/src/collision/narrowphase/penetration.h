@@ -5,8 +5,6 @@
 // two grows towards the nearest piece of its border.
 #pragma once
 
-#include <optional>
-
 #include "collision/narrowphase/gjk.h"
 
 namespace jostle::physics {
@@ -17,7 +15,7 @@ struct Penetration {
     Vec3 on_a, on_b;   // deepest points
 };
 
-// `start`: a simplex that holds the origin, from gjk. Nothing when the difference is flat.
-std::optional<Penetration> penetration(const Convex& a, const Convex& b, const Simplex& start);
+// `start`: a simplex that holds the origin, from gjk.
+Penetration penetration(const Convex& a, const Convex& b, const Simplex& start);
 
 }  // namespace jostle::physics

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+//
+// Continuous collision: nothing passes, whatever it is and however it turns, and the time after an
+// impact is lived.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/near.h"
+#include "support/random.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// 1000 balls at 200 m/s and a wall of 5 cm, for each of 16 phases of the step.
+TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
+    for (int phase = 0; phase < 16; phase++) {
+        World world = make_world({.gravity = {}});
+        add(world, {.geometry = Box{{0.025, 10, 10}}, .type = BodyType::fixed});
+        Random random(77);
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 1000; i++)
+            balls.push_back(add(world, {.geometry = Sphere{0.1},
+                                        .position = {random.in(-15, -5) - phase * 200.0 / 60 / 16,
+                                                     ((i % 32) - 15.5) * 0.5,
+                                                     ((i / 32) - 15.5) * 0.5},
+                                        .velocity = {200, 0, 0}}));
+        run(world, 0.15);
+        int passed = 0;
+        for (const BodyId ball : balls) passed += position_of(world, ball).x > 0 ? 1 : 0;
+        EXPECT_EQ(passed, 0) << "phase " << phase;
+    }
+}
+
+// A rod of 2 m that turns 10 rad in a step of 1/60 s, beside a post of 2 cm within its reach: it
+// stops at the post or bounces, but is never on the other side without having touched it.
+TEST(Continuous, spinning_rod_does_not_cut_through_a_post) {
+    for (const double spin : {30.0, 100.0, 600.0}) {
+        World world = make_world({.gravity = {}});
+        add(world, {.geometry = Box{{0.01, 1, 0.01}}, .position = {0, 0, 0.8},
+                    .type = BodyType::fixed});
+        const BodyId rod = add(world, {.geometry = Box{{1, 0.02, 0.02}}, .spin = {0, -spin, 0}});
+        int hits = 0;
+        for (int i = 0; i < 30; i++) {
+            must(world.step(1.0 / 60));
+            hits += static_cast<int>(world.events().hits.size());
+        }
+        EXPECT_GT(hits, 0) << spin << " rad/s";
+        EXPECT_LT(std::fabs(state_of(world, rod).angular_velocity.y), 0.5 * spin)
+            << spin << " rad/s: the post took its spin";
+    }
+}
+
+// Head on, 400 m/s closing speed, meeting in the middle of a step: they bounce as elastic balls do.
+TEST(Continuous, two_bullets_meet) {
+    for (int phase = 0; phase < 8; phase++) {
+        World world = make_world({.gravity = {}});
+        const double shift = phase * 200.0 / 60 / 8;
+        const BodyId a = add(world, {.geometry = Sphere{0.02}, .position = {-10 - shift, 0, 0},
+                                     .velocity = {200, 0, 0}, .restitution = 1});
+        const BodyId b = add(world, {.geometry = Sphere{0.02}, .position = {10 + shift, 0, 0},
+                                     .velocity = {-200, 0, 0}, .restitution = 1});
+        run(world, 0.2);
+        EXPECT_NEAR(velocity_of(world, a).x, -200, 0.1) << phase;
+        EXPECT_NEAR(velocity_of(world, b).x, 200, 0.1) << phase;
+    }
+}
+
+// A ball that bounces off a wall in mid-step is where the mirror says, not at the wall.
+TEST(Continuous, time_after_the_impact_is_kept) {
+    for (int phase = 0; phase < 16; phase++) {
+        World world = make_world({.gravity = {}});
+        add(world, {.geometry = Box{{0.5, 5, 5}}, .position = {0.5, 0, 0},
+                    .type = BodyType::fixed});
+        const double start = -5 - phase * 0.1;
+        const BodyId ball = add(world, {.geometry = Sphere{0.05}, .position = {start, 0, 0},
+                                        .velocity = {100, 0, 0}, .restitution = 1});
+        const int steps = 6;
+        for (int i = 0; i < steps; i++) must(world.step(1.0 / 60));
+        const double way = 100.0 * steps / 60, to_wall = -0.05 - start;
+        EXPECT_NEAR(position_of(world, ball).x, -0.05 - (way - to_wall), 0.01) << phase;
+    }
+}
+
+// A bullet into a crate that stands free: momentum goes over in full.
+TEST(Continuous, dynamic_target_takes_the_momentum) {
+    World world = make_world({.gravity = {}});
+    const BodyId crate = add(world, {.geometry = Box{{0.02, 0.5, 0.5}}});
+    const BodyId bullet = add(world, {.geometry = Sphere{0.03}, .position = {-7.3, 0, 0},
+                                      .velocity = {300, 0, 0}, .density = 8000});
+    const double before = 300 * state_of(world, bullet).mass;
+    run(world, 0.1);
+    const BodyState c = state_of(world, crate), b = state_of(world, bullet);
+    EXPECT_NEAR(c.mass * c.linear_velocity.x + b.mass * b.linear_velocity.x, before,
+                1e-6 * before);
+    EXPECT_GT(c.linear_velocity.x, b.linear_velocity.x - 1e-3) << "it did not pass through";
+    EXPECT_GT(c.pose.position.x, b.pose.position.x);
+}
+
+// A sleeping target wakes.
+TEST(Continuous, bullet_wakes_what_it_hits) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    run(world, 2);
+    ASSERT_FALSE(state_of(world, box).awake);
+    add(world, {.geometry = Sphere{0.05}, .position = {-20, 0.5, 0.1}, .velocity = {250, 0, 0},
+                .density = 8000});
+    run(world, 0.2);
+    EXPECT_TRUE(state_of(world, box).awake);
+    EXPECT_GT(velocity_of(world, box).x, 0.05);
+}
+
+// A kinematic blade that turns fast bats a ball away instead of passing it.
+TEST(Continuous, kinematic_blade_bats_a_ball) {
+    World world = make_world({.gravity = {}});
+    const BodyId blade = add(world, {.geometry = Box{{1, 0.5, 0.01}}, .spin = {0, 40, 0},
+                                     .type = BodyType::kinematic});
+    const BodyId ball = add(world, {.geometry = Sphere{0.05}, .position = {0, 0, 0.7}});
+    run(world, 0.2);
+    EXPECT_GT(length(velocity_of(world, ball)), 10);
+    EXPECT_EQ(state_of(world, blade).angular_velocity, (Vec3{0, 40, 0}));
+}
+
+TEST(Continuous, mesh_of_paper_stops_bullets) {
+    const std::vector<Vec3> vertices{{0, -5, -5}, {0, 5, -5}, {0, 5, 5}, {0, -5, 5}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+    for (int phase = 0; phase < 16; phase++) {
+        World world = make_world({.gravity = {}});
+        add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))},
+                    .type = BodyType::fixed});
+        const BodyId bullet = add(world, {.geometry = Box{{0.03, 0.02, 0.02}},
+                                          .position = {-5 - phase * 0.2, 0.3, 0.3},
+                                          .velocity = {200, 3, 1},
+                                          .spin = {5, 90, 40}});
+        run(world, 0.3);
+        EXPECT_LT(position_of(world, bullet).x, 0) << phase;
+    }
+}
+
+}  // namespace
+}  // namespace jostle::test

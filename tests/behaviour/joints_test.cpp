@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+//
+// Joints against closed forms: periods, limits, motors, breaking forces.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+BodyId anchor(World& world, Vec3 at = {}) {
+    return add(world, {.geometry = Sphere{0.05}, .position = at, .type = BodyType::fixed});
+}
+
+JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform frame_a,
+             Transform frame_b) {
+    return must(world.create_joint({.body_a = a,
+                                    .body_b = b,
+                                    .frame_a = frame_a,
+                                    .frame_b = frame_b,
+                                    .kind = kind}));
+}
+
+// A rod of 1 m on a hinge, released level: the period of a physical pendulum at 90 degrees is
+// 1.935750 s (4 K(k) / w0).
+TEST(Joints, pendulum_swings_with_the_exact_period) {
+    World world = make_world();
+    const BodyId rod = add(world, {.geometry = Box{{0.5, 0.05, 0.05}},
+                                   .position = {0.5, 0, 0},
+                                   .may_sleep = false});
+    const JointId hinge = join(world, anchor(world), rod, HingeJoint{}, {}, {{-0.5, 0, 0}, {}});
+    // The rod comes back to the level after whole periods.
+    double last = 0, returned = 0, worst = 0;
+    int times = 0;
+    for (int i = 0; i < 60 * 10; i++) {
+        must(world.step(1.0 / 60));
+        const double w = state_of(world, rod).angular_velocity.z;
+        if (last > 0 && w <= 0) {  // turning point on the starting side
+            returned = (i + last / (last - w)) / 60.0;
+            times++;
+        }
+        last = w;
+        worst = std::max(worst, must(world.joint(hinge)).separation);
+    }
+    ASSERT_EQ(times, 5);
+    EXPECT_NEAR(returned / times, 1.935750, 0.02);
+    EXPECT_LT(worst, 1e-3);
+}
+
+TEST(Joints, hinge_keeps_its_axis_and_stops_at_its_limits) {
+    World world = make_world();
+    const BodyId door = add(world, {.geometry = Box{{0.5, 1, 0.05}}, .position = {0.5, 0, 0},
+                                    .spin = {0, 3, 0}});
+    // The hinge's z axis stands along the world's y.
+    const Quat upright = from_rotation_vector({-pi / 2, 0, 0});
+    const JointId hinge = join(world, anchor(world), door,
+                               HingeJoint{.limit = {true, -0.5, 1.0}}, {{}, upright},
+                               {{-0.5, 0, 0}, upright});
+    double most = 0;
+    for (int i = 0; i < 120; i++) {
+        must(world.step(1.0 / 60));
+        most = std::max(most, must(world.joint(hinge)).angle);
+        const Vec3 up = rotate(state_of(world, door).pose.rotation, {0, 1, 0});
+        EXPECT_GT(up.y, std::cos(0.005));
+    }
+    EXPECT_NEAR(most, 1.0, 0.01);
+}
+
+// Without gravity: the speed rises as torque over inertia until the motor's own.
+TEST(Joints, motor_accelerates_by_its_torque_to_its_speed) {
+    World world = make_world({.gravity = {}});
+    const BodyId rod = add(world, {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0},
+                                   .may_sleep = false});
+    const BodyState s = state_of(world, rod);
+    const double about_pivot = s.inertia.z.z + s.mass * 0.25;
+    join(world, anchor(world), rod,
+         HingeJoint{.motor = {true, 2, about_pivot}}, {}, {{-0.5, 0, 0}, {}});
+    run(world, 1);  // 1 rad/s^2
+    EXPECT_NEAR(state_of(world, rod).angular_velocity.z, 1, 0.01);
+    run(world, 2);
+    EXPECT_NEAR(state_of(world, rod).angular_velocity.z, 2, 1e-3);
+}
+
+TEST(Joints, cone_twist_holds_swing_and_twist) {
+    World world = make_world();
+    const BodyId arm = add(world, {.geometry = Capsule{0.1, 0.4}, .position = {0.5, 0, 0},
+                                   .rotation = from_rotation_vector({0, 0, pi / 2}),
+                                   .spin = {8, 0, 0}});
+    // b's frame: x along the arm. The capsule stands along its own y.
+    const Quat along = from_rotation_vector({0, 0, -pi / 2});
+    const JointId shoulder = join(world, anchor(world), arm,
+                                  ConeTwistJoint{.swing = 0.6, .twist = {true, -0.4, 0.7}}, {},
+                                  {{0, 0.5, 0}, along});
+    double swing = 0, twist = 0, apart = 0;
+    for (int i = 0; i < 300; i++) {
+        must(world.step(1.0 / 60));
+        const JointState j = must(world.joint(shoulder));
+        swing = std::max(swing, j.swing);
+        twist = std::max(twist, j.angle);
+        apart = std::max(apart, j.separation);
+    }
+    EXPECT_NEAR(swing, 0.6, 0.05) << "it hangs at the edge of its cone";
+    EXPECT_LT(twist, 0.75);
+    EXPECT_GT(twist, 0.6);
+    EXPECT_LT(apart, 5e-3);
+}
+
+TEST(Joints, fixed_bodies_move_as_one) {
+    World world = make_world({.gravity = {}});
+    const BodyId a = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .velocity = {0, 1, 0},
+                                 .spin = {0, 0, 2}, .may_sleep = false});
+    const BodyId b = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {1, 0, 0},
+                                 .velocity = {0, 3, 0}, .spin = {0, 0, 2}, .may_sleep = false});
+    const Transform turned{{1, 0, 0}, {}};
+    join(world, a, b, FixedJoint{}, turned, {});
+    run(world, 5);
+    const BodyState sa = state_of(world, a), sb = state_of(world, b);
+    EXPECT_TRUE(near(apply_inverse(sa.pose, sb.pose.position), {1, 0, 0}, 2e-3));
+    EXPECT_TRUE(near(sa.angular_velocity, {0, 0, 2}, 0.02)) << "about the common centre";
+    EXPECT_TRUE(near(sa.linear_velocity + sb.linear_velocity, {0, 4, 0}, 1e-4)) << "momentum";
+}
+
+// A weight on a spring: sinks by g / w^2 and swings with its own frequency.
+TEST(Joints, spring_swings_with_its_frequency) {
+    World world = make_world();
+    const BodyId weight = add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0},
+                                      .may_sleep = false});
+    const double hertz = 1;
+    join(world, anchor(world), weight,
+         DistanceJoint{.min_length = 0,
+                       .max_length = 10,
+                       .spring = {hertz, 0},
+                       .rest_length = 1},
+         {}, {});
+    const double w = 2 * pi * hertz, sag = 9.81 / (w * w);
+    double lowest = 0;
+    for (int i = 0; i < 31; i++) {
+        must(world.step(1.0 / 60));
+        lowest = std::min(lowest, position_of(world, weight).y);
+    }
+    EXPECT_NEAR(lowest, -1 - 2 * sag, 0.05 * sag) << "half a period down";
+    run(world, 29.0 / 60);
+    EXPECT_NEAR(position_of(world, weight).y, -1, 0.2 * sag) << "and back";
+}
+
+TEST(Joints, rope_is_slack_until_it_is_taut_and_a_rod_never_is) {
+    World world = make_world();
+    const BodyId fixed = anchor(world);
+    const BodyId on_rope = add(world, {.geometry = Sphere{0.1}, .position = {0, -0.5, 0}});
+    const BodyId on_rod = add(world, {.geometry = Sphere{0.1}, .position = {1, 0, 0}});
+    const JointId rope = join(world, fixed, on_rope,
+                              DistanceJoint{.min_length = 0, .max_length = 2}, {}, {});
+    const JointId rod = join(world, fixed, on_rod, DistanceJoint{}, {}, {});
+    double rod_error = 0, longest = 0;
+    for (int i = 0; i < 240; i++) {
+        must(world.step(1.0 / 60));
+        if (i == 20) {
+            const double t = 21.0 / 60;
+            EXPECT_NEAR(position_of(world, on_rope).y, -0.5 - 0.5 * 9.81 * t * t, 1e-3) << "slack";
+        }
+        longest = std::max(longest, must(world.joint(rope)).separation);
+        rod_error = std::max(rod_error, std::fabs(must(world.joint(rod)).separation - 1));
+    }
+    EXPECT_LT(longest, 2.02);
+    EXPECT_NEAR(position_of(world, on_rope).y, -2, 0.02);
+    EXPECT_LT(rod_error, 2e-3);
+}
+
+// A weight of 10 kg on a joint that bears 90 N hangs; on one that bears 110 N it stays; the event
+// names the load.
+TEST(Joints, break_above_their_force_and_tell) {
+    for (const double bears : {90.0, 110.0}) {
+        World world = make_world();
+        const BodyId weight = must(world.create_body(
+            {.pose = {{0, -1, 0}, {}}, .mass = 10}, {.geometry = Sphere{0.2}}));
+        const JointId joint = must(world.create_joint({.body_a = anchor(world),
+                                                       .body_b = weight,
+                                                       .frame_b = {{0, 1, 0}, {}},
+                                                       .break_force = bears}));
+        int broke = 0;
+        for (int i = 0; i < 60; i++) {
+            must(world.step(1.0 / 60));
+            for (const JointBreak& b : world.events().joints_broke) {
+                broke++;
+                EXPECT_EQ(b.joint, joint);
+                EXPECT_GT(b.force, bears);
+            }
+        }
+        EXPECT_EQ(broke, bears < 98.1 ? 1 : 0) << bears << " N";
+        EXPECT_EQ(world.contains(joint), bears > 98.1);
+        if (bears > 98.1) {
+            EXPECT_NEAR(must(world.joint(joint)).force.y, 98.1, 1);
+        } else {
+            EXPECT_LT(position_of(world, weight).y, -2);
+        }
+    }
+}
+
+TEST(Joints, joined_bodies_collide_only_when_told) {
+    for (const bool collide : {false, true}) {
+        World world = make_world({.gravity = {}});
+        const BodyId a = add(world, {.may_sleep = false});
+        const BodyId b = add(world, {.position = {0.9, 0, 0}, .may_sleep = false});
+        must(world.create_joint({.body_a = a,
+                                 .body_b = b,
+                                 .kind = DistanceJoint{.min_length = 0, .max_length = 5},
+                                 .collide_connected = collide}));
+        run(world, 1);
+        const double apart = position_of(world, b).x - position_of(world, a).x;
+        if (collide)
+            EXPECT_NEAR(apart, 1, 0.01);
+        else
+            EXPECT_NEAR(apart, 0.9, 1e-9);
+    }
+}
+
+TEST(Joints, chain_of_twenty_hangs_together_and_sleeps) {
+    World world = make_world();
+    BodyId above = anchor(world);
+    std::vector<JointId> joints;
+    for (int i = 0; i < 20; i++) {
+        const BodyId link = add(world, {.geometry = Capsule{0.05, 0.1},
+                                        .position = {0.15 + 0.3 * i, 0, 0},
+                                        .rotation = from_rotation_vector({0, 0, pi / 2})});
+        joints.push_back(join(world, above, link, BallJoint{},
+                              i == 0 ? Transform{} : Transform{{0, -0.15, 0}, {}},
+                              {{0, 0.15, 0}, {}}));
+        must(world.set_damping(link, 0.3, 0.3));
+        above = link;
+    }
+    double worst = 0;
+    for (int i = 0; i < 60 * 40; i++) {
+        must(world.step(1.0 / 60));
+        if (i % 4 == 0)
+            for (const JointId j : joints) worst = std::max(worst, must(world.joint(j)).separation);
+    }
+    EXPECT_LT(worst, 0.05);
+    EXPECT_NEAR(position_of(world, above).y, -19.5 * 0.3, 0.02);
+    EXPECT_EQ(world.summary().awake_bodies, 0);
+}
+
+TEST(Joints, of_a_destroyed_body_are_gone_and_wake_the_other) {
+    World world = make_world();
+    const BodyId fixed = anchor(world), weight = add(world, {.position = {0, -1, 0}});
+    const JointId joint = join(world, fixed, weight, BallJoint{}, {}, {{0, 1, 0}, {}});
+    run(world, 3);
+    EXPECT_FALSE(state_of(world, weight).awake);
+    must(world.destroy_body(fixed));
+    EXPECT_FALSE(world.contains(joint));
+    run(world, 1);
+    EXPECT_LT(position_of(world, weight).y, -5);
+}
+
+}  // namespace
+}  // namespace jostle::test

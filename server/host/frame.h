@@ -10,6 +10,7 @@
 
 #include "base/clock.h"
 #include "host/command.h"
+#include "host/tick_events.h"
 #include "jostle/physics/world.h"
 
 namespace jostle::server {
@@ -40,6 +41,8 @@ struct Frame {
     Clock::time_point due;             // when the tick was due
     std::vector<EntityPose> entities;  // in rising order of id, as in the roster
     std::shared_ptr<const Roster> roster;
+    // Never null; empty unless a client asked for events.
+    std::shared_ptr<const RecentEvents> events;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick
     double step_ms_mean = 0, step_ms_max = 0;  // over the last second

@@ -2,6 +2,7 @@
 #include "host/hosted_world.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace jostle::server {
 
@@ -54,6 +55,7 @@ EntityId HostedWorld::add(BodyId body, ClientId owner, std::optional<std::uint32
     if (entity_of_body_.size() <= body.index) entity_of_body_.resize(body.index + 1, 0);
     entity_of_body_[body.index] = id;
     roster_ = nullptr;
+    places_ = nullptr;
     return id;
 }
 
@@ -65,8 +67,10 @@ void HostedWorld::remove(EntityId id) {
         if (state.hand && state.hand->body == entity.body) state.hand.reset();
     if (entity.owner != 0) clients_[entity.owner].bodies--;
     entity_of_body_[entity.body.index] = 0;
+    removed_.emplace(entity.body, id);
     entities_.erase(at);
     roster_ = nullptr;
+    places_ = nullptr;
     // The registry and the world agree, so the body is there.
     static_cast<void>(world_.destroy_body(entity.body).ok());
 }
@@ -192,17 +196,52 @@ void HostedWorld::apply_action(const LeaveCommand& c, ClientId client, InputOutc
 Status HostedWorld::step(double dt) {
     for (auto& [id, client] : clients_)
         if (client.hand && !pull(world_, *client.hand, dt).ok()) client.hand.reset();
-    return world_.step(dt);
+    Status stepped = world_.step(dt);
+    if (stepped.ok()) removed_before_step_ = std::exchange(removed_, {});
+    return stepped;
 }
 
-void HostedWorld::copy_into(Frame& frame) {
+EntityId HostedWorld::entity_of(BodyId body) const {
+    const auto at = removed_before_step_.find(body);
+    return at != removed_before_step_.end() ? at->second : entity_of_body_[body.index];
+}
+
+std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const {
+    return copy_events(world_.events(), tick, [this](BodyId body) { return entity_of(body); });
+}
+
+std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarantined() {
+    std::vector<std::shared_ptr<const EntityDescription>> fresh;
+    for (const BodyId body : world_.events().quarantined) {
+        const EntityId id = entity_of(body);
+        if (quarantined_.insert(id).second) fresh.push_back(entities_.at(id).description);
+    }
+    return fresh;
+}
+
+const std::shared_ptr<const Roster>& HostedWorld::roster() {
     if (!roster_) {
         auto roster = std::make_shared<Roster>();
         roster->reserve(entities_.size());
         for (const auto& [id, entity] : entities_) roster->push_back(entity.description);
         roster_ = std::move(roster);
     }
-    frame.roster = roster_;
+    return roster_;
+}
+
+QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
+    auto frame = std::make_shared<QueryFrame>();
+    frame->tick = tick;
+    frame->parts = parts;
+    frame->roster = roster();
+    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*roster_));
+    frame->places = places_;
+    copy_parts(*frame, world_, entity_of_body_);
+    return frame;
+}
+
+void HostedWorld::copy_into(Frame& frame) {
+    frame.roster = roster();
     world_.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());

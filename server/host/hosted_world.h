@@ -6,12 +6,14 @@
 
 #include <map>
 #include <memory>
-#include <unordered_map>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "host/command.h"
 #include "host/drag_spring.h"
 #include "host/frame.h"
+#include "host/query_frame.h"
 #include "jostle/scenes/scene.h"
 
 namespace jostle::server {
@@ -32,6 +34,11 @@ public:
     physics::Status step(double dt);
     // Fills what a world knows of a frame; the host adds times.
     void copy_into(Frame& frame);
+    // What happened in the last step; nothing when nothing did. Before the next command.
+    std::optional<TickEvents> events_of_step(std::uint32_t tick) const;
+    // Those whose state stopped being a number in the last step and that were not told before.
+    std::vector<std::shared_ptr<const EntityDescription>> newly_quarantined();
+    QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
 
     const physics::World& world() const { return world_; }
 
@@ -54,6 +61,9 @@ private:
     EntityId add(physics::BodyId body, ClientId owner, std::optional<std::uint32_t> color,
                  std::string name);
     void remove(EntityId id);
+    // Of a body that lives, or that was removed since the step before the last.
+    EntityId entity_of(physics::BodyId body) const;
+    const std::shared_ptr<const Roster>& roster();
     // Null with an outcome that says why, or a dynamic entity.
     const Entity* dynamic_entity(EntityId id, InputOutcome& outcome) const;
 
@@ -71,8 +81,13 @@ private:
     EntityId next_id_ = 1;
     std::map<EntityId, Entity> entities_;     // ordered: frames list entities by id
     std::vector<EntityId> entity_of_body_;    // by body index; 0: none
+    // Bodies that were removed since the last step, and those that the last step's events may still
+    // name.
+    std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
+    std::set<EntityId> quarantined_;          // told
     std::map<ClientId, Client> clients_;      // ordered: hands pull in order of client
     std::shared_ptr<const Roster> roster_;    // null: changed since the last frame
+    std::shared_ptr<const ShapePlaces> places_;  // of that roster; null: not asked for yet
     std::vector<physics::BodyState> bodies_;  // reused by copy_into
 };
 

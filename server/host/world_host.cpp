@@ -46,6 +46,7 @@ WorldHost::WorldHost(std::string id, std::string name, const scenes::SceneDescri
     auto first = std::make_shared<Frame>();
     first->tick = tick_ = 1;
     first->due = Clock::now();
+    first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
     thread_ = std::thread([this] { run(); });
@@ -63,6 +64,7 @@ FramePtr WorldHost::frame() const {
 void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
+    queries_.close();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
 }
@@ -85,6 +87,7 @@ void WorldHost::run() {
     } catch (const std::exception& error) {
         log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
         stopping_.store(true);
+        queries_.close();
     }
 }
 
@@ -94,7 +97,10 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
     outcomes_.clear();
     for (const Command& command : batch_) outcomes_.push_back(world_.apply(command, tick_));
-    if (const auto stepped = world_.step(1 / hz_); !stepped.ok() && !step_refused_) {
+    if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
+        record_events();
+        warn_of_quarantine();
+    } else if (!step_refused_) {
         step_refused_ = true;  // said once; the world stands still but answers
         log_error("world {}: step refused: {}", id_, stepped.error().message);
     }
@@ -102,9 +108,42 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     frame->tick = tick_;
     frame->due = due;
     frame->late_ticks = late_ticks;
+    frame->events = events_;
     world_.copy_into(*frame);
     measure(*frame);
     publish(std::move(frame));
+    serve_queries();  // players first
+}
+
+// Readers hold what they were given, so each tick with events makes a new list of the newest ones.
+void WorldHost::record_events() {
+    if (event_listeners_.load() == 0) {
+        if (!events_->ticks.empty())
+            events_ = std::make_shared<const RecentEvents>(RecentEvents{events_->count, {}});
+        return;
+    }
+    std::optional<TickEvents> happened = world_.events_of_step(tick_);
+    if (!happened) return;
+    const auto& old = events_->ticks;
+    const std::size_t dropped = old.size() == RecentEvents::ticks_max ? 1 : 0;
+    auto recent = std::make_shared<RecentEvents>();
+    recent->count = events_->count + 1;
+    recent->ticks.assign(old.begin() + static_cast<std::ptrdiff_t>(dropped), old.end());
+    recent->ticks.push_back(std::make_shared<const TickEvents>(*std::move(happened)));
+    events_ = std::move(recent);
+}
+
+void WorldHost::warn_of_quarantine() {
+    for (const auto& entity : world_.newly_quarantined())
+        log_warn(
+            "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
+            "where it was, at rest",
+            id_, entity->id, entity->name);
+}
+
+void WorldHost::serve_queries() {
+    if (const CopyParts parts = queries_.begin_tick(tick_, Clock::now()))
+        queries_.put(world_.query_frame(tick_, parts));
 }
 
 void WorldHost::measure(Frame& frame) {

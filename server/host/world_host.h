@@ -13,6 +13,7 @@
 
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
+#include "host/query_desk.h"
 #include "host/tick_clock.h"
 
 namespace jostle::server {
@@ -38,6 +39,12 @@ public:
     bool push(Command command) { return commands_.push(std::move(command)); }
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
+    // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
+    // one; null when none came.
+    QueryFramePtr query_frame(CopyParts parts) { return queries_.ask(parts); }
+    // Any thread: frames carry events while there are listeners.
+    void add_event_listener() { event_listeners_++; }
+    void remove_event_listener() { event_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
     // Ends the thread; the last frame stays readable.
@@ -57,6 +64,9 @@ private:
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
     void measure(Frame& frame);
+    void record_events();
+    void warn_of_quarantine();
+    void serve_queries();
 
     const std::string id_, name_, scene_;
     const double hz_;
@@ -66,12 +76,15 @@ private:
     HostedWorld world_;  // the tick thread's own
     std::uint32_t tick_ = 0;
     bool step_refused_ = false;
+    std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<Command> batch_;
     std::vector<InputOutcome> outcomes_;  // of batch_, one each
     std::vector<double> recent_step_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
+    QueryDesk queries_;
+    std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
     std::atomic<bool> stopping_{false};

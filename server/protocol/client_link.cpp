@@ -18,6 +18,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
+// Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
+constexpr std::size_t events_bytes_max = 1 << 20;
 // What was said and not taken: beyond this the client does not read what it asks for.
 constexpr std::size_t waiting_max = 256;
 constexpr std::size_t outcomes_max = 4096;
@@ -139,7 +141,12 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
     limits_.messages_per_second += world->hz() / divider;
     admission_.emplace(limits_, hello.spectator, now);
     pacing_.emplace(context_.config.stream, world->hz(), divider);
+    if (hello.events) {
+        wants_events_ = true;
+        world->add_event_listener();
+    }
     const FramePtr frame = world->frame();
+    events_told_ = frame->events->count;
     say(write_welcome(
         {.client = client_,
          .world_id = world->id(),
@@ -231,6 +238,7 @@ void ClientLink::finish(Answer answer, Clock::time_point now) {
 void ClientLink::leave_world() {
     if (client_ == 0) return;
     context_.sessions.leave(client_);
+    if (wants_events_) feed_->host().remove_event_listener();
     const Command leave{.client = client_,
                         .action = LeaveCommand{context_.config.client.keep_bodies_after_leave}};
     // A full queue empties within a tick. A world that stopped will never take it, and need not.
@@ -287,6 +295,7 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
         write_waits_ = false;
         if (auto results = take_results(now)) return results;
         if (auto snapshot = take_snapshot(now)) return snapshot;
+        if (auto events = take_events()) return events;
         return take_stats(now);
     }
     if (waiting_.empty()) return std::nullopt;
@@ -338,6 +347,31 @@ std::optional<OutMessage> ClientLink::take_stats(Clock::time_point now) {
     const WorldHost& world = feed_->host();
     const auto clients = static_cast<std::uint32_t>(context_.sessions.clients_in(world.id()));
     return OutMessage{{}, feed_->world_stats(world.frame(), clients)};
+}
+
+// Events of a tick follow the first snapshot of that tick or a later one, so that the client has
+// heard of the entities. How many ticks may wait is up to the frame, which holds the newest few.
+std::optional<OutMessage> ClientLink::take_events() {
+    if (!wants_events_) return std::nullopt;
+    const FramePtr frame = feed_->host().frame();
+    const auto& ticks = frame->events->ticks;
+    const std::uint32_t gone = frame->events->count - static_cast<std::uint32_t>(ticks.size());
+    if (events_told_ < gone) {
+        events_missed_ += gone - events_told_;
+        events_told_ = gone;
+    }
+    while (events_told_ < frame->events->count) {
+        const auto& tick = ticks[events_told_ - gone];
+        if (tick->tick > cursor_.last()) return std::nullopt;
+        events_told_++;
+        SharedBytes shared = feed_->events(tick);
+        if (shared->size() <= events_bytes_max)
+            return OutMessage{
+                write_events_head(std::exchange(events_missed_, 0), shared->size()),
+                std::move(shared)};
+        events_missed_++;
+    }
+    return std::nullopt;
 }
 
 // A roster change comes before the first snapshot that needs it, so when there is one it goes

@@ -10,6 +10,8 @@
 
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
+#include "protocol/vector_message.h"
+#include "session/admission.h"
 
 namespace jostle::server {
 
@@ -25,12 +27,8 @@ Error invalid(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
 
-physics::Vec3 from_message(const v1::Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
 // All zero means no rotation, and readers normalise; what has no direction is refused.
-Result<physics::Quat> from_message(const v1::Quat& q) {
+Result<physics::Quat> to_rotation(const v1::Quat& q) {
     const physics::Quat quat{q.x(), q.y(), q.z(), q.w()};
     const double size = norm_squared(quat);
     if (size == 0) return physics::Quat{};
@@ -39,25 +37,47 @@ Result<physics::Quat> from_message(const v1::Quat& q) {
     return normalized(quat);
 }
 
+// What may never be spawned is refused before it costs the work of building it.
+physics::Status check_kind(const v1::Shape& shape) {
+    switch (shape.kind_case()) {
+        case v1::Shape::kPlane:
+        case v1::Shape::kMesh:
+        case v1::Shape::kHeightField:
+        case v1::Shape::kCompound: {
+            const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(shape.kind_case());
+            return invalid(
+                fmt::format("spawn.shape is a {}; {}", kind->name(), spawned_shapes_allowed));
+        }
+        case v1::Shape::kHull:
+            if (shape.hull().points_size() > spawned_hull_points_max)
+                return invalid(fmt::format("spawn.shape.hull.points has {} entries; {}",
+                                           shape.hull().points_size(), spawned_shapes_allowed));
+            return {};
+        default:
+            return {};
+    }
+}
+
 Result<Action> action_of(const v1::SpawnInput& spawn) {
+    if (const physics::Status kind = check_kind(spawn.shape()); !kind.ok()) return kind.error();
     Result<physics::ShapeDef> shape = scenes::shape_from_message(spawn.shape(), "spawn.shape");
     if (!shape.ok()) return shape.error();
-    const Result<physics::Quat> rotation = from_message(spawn.rotation());
+    const Result<physics::Quat> rotation = to_rotation(spawn.rotation());
     if (!rotation.ok()) return rotation.error();
     SpawnCommand command;
     command.shape = *shape;
-    command.pose = {from_message(spawn.position()), *rotation};
-    command.linear_velocity = from_message(spawn.linear_velocity());
-    command.angular_velocity = from_message(spawn.angular_velocity());
+    command.pose = {to_vector(spawn.position()), *rotation};
+    command.linear_velocity = to_vector(spawn.linear_velocity());
+    command.angular_velocity = to_vector(spawn.angular_velocity());
     if (spawn.has_color()) command.color = spawn.color() & 0xffffff;
     return Action{command};
 }
 
 Result<Action> action_of(const v1::ImpulseInput& impulse) {
     ImpulseCommand command{.entity = impulse.entity(),
-                           .impulse = from_message(impulse.impulse()),
+                           .impulse = to_vector(impulse.impulse()),
                            .point = std::nullopt};
-    if (impulse.has_point()) command.point = from_message(impulse.point());
+    if (impulse.has_point()) command.point = to_vector(impulse.point());
     return Action{command};
 }
 
@@ -68,15 +88,15 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::kImpulse:
             return action_of(input.impulse());
         case v1::Input::kGrab:
-            return Action{GrabCommand{input.grab().entity(), from_message(input.grab().point())}};
+            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point())}};
         case v1::Input::kDrag:
-            return Action{DragCommand{from_message(input.drag().target())}};
+            return Action{DragCommand{to_vector(input.drag().target())}};
         case v1::Input::kRelease:
             return Action{ReleaseCommand{}};
         case v1::Input::kDelete:
             return Action{DeleteCommand{input.delete_().entity()}};
         case v1::Input::kExplode:
-            return Action{ExplodeCommand{from_message(input.explode().center()),
+            return Action{ExplodeCommand{to_vector(input.explode().center()),
                                          input.explode().radius(), input.explode().speed()}};
         case v1::Input::KIND_NOT_SET:
             break;
@@ -98,7 +118,8 @@ Result<ClientWords> words_of(const v1::Hello& hello) {
                                   .ticket = hello.ticket(),
                                   .name = hello.name(),
                                   .snapshot_hz = hello.snapshot_hz(),
-                                  .spectator = hello.spectator()}};
+                                  .spectator = hello.spectator(),
+                                  .events = hello.events()}};
 }
 
 Result<ClientWords> words_of(const v1::InputBatch& batch) {
@@ -130,12 +151,6 @@ v1::BodyType to_message(physics::BodyType type) {
     return v1::BODY_TYPE_UNSPECIFIED;
 }
 
-void set(v1::Vec3& to, physics::Vec3 from) {
-    to.set_x(from.x);
-    to.set_y(from.y);
-    to.set_z(from.z);
-}
-
 void set(v1::Entity& to, const EntityDescription& from) {
     to.set_id(from.id);
     to.set_type(to_message(from.type));
@@ -146,6 +161,39 @@ void set(v1::Entity& to, const EntityDescription& from) {
     if (from.color) to.set_color(*from.color);
     to.set_name(from.name);
     to.set_mass(from.mass);
+}
+
+v1::ContactEvent& set(v1::ContactEvent& to, const ContactHappening& from) {
+    to.set_entity_a(from.a);
+    to.set_entity_b(from.b);
+    return to;
+}
+
+void set_place(v1::ContactEvent& to, const ContactHappening& from) {
+    write_vector(*to.mutable_point(), from.point);
+    write_vector(*to.mutable_normal(), from.normal);
+}
+
+void set(v1::TriggerEvent& to, const TriggerHappening& from) {
+    to.set_trigger(from.trigger);
+    to.set_entity(from.entity);
+}
+
+// A field of ServerMessage whose content is `fields` and, after these bytes, `shared_bytes` more:
+// its tag, its length, then the fields.
+std::string write_head(int field_number, const google::protobuf::MessageLite& fields,
+                       std::size_t shared_bytes) {
+    const std::uint32_t tag =
+        WireFormatLite::MakeTag(field_number, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
+    const std::size_t own_bytes = fields.ByteSizeLong();
+    std::array<std::uint8_t, 10> bytes{};  // a tag and a length of five bytes at most each
+    std::uint8_t* end = CodedOutputStream::WriteTagToArray(tag, bytes.data());
+    end = CodedOutputStream::WriteVarint32ToArray(
+        static_cast<std::uint32_t>(own_bytes + shared_bytes), end);
+    std::string head(reinterpret_cast<const char*>(bytes.data()),
+                     static_cast<std::size_t>(end - bytes.data()));
+    fields.AppendToString(&head);
+    return head;
 }
 
 v1::InputCode to_message(InputCode code) {
@@ -216,7 +264,7 @@ std::string write_welcome(const WelcomeWords& words) {
     quant.set_units_per_meter(static_cast<std::uint32_t>(words.quant.units_per_meter));
     quant.set_rotation_component(static_cast<std::uint32_t>(words.quant.rotation_component));
     welcome.set_server_time_us(words.server_time_us);
-    set(*welcome.mutable_gravity(), words.gravity);
+    write_vector(*welcome.mutable_gravity(), words.gravity);
     return message.SerializeAsString();
 }
 
@@ -284,32 +332,52 @@ std::string write_shared_snapshot(const EncodedSnapshot& encoded) {
 }
 
 std::string write_snapshot_head(const PrivateWords& words, std::size_t shared_bytes) {
-    v1::Private own;
+    v1::Snapshot fields;
+    v1::Private& own = *fields.mutable_own();
     own.set_input_sequence(words.input_sequence);
     own.set_echo_client_time_us(words.echo_client_time_us);
     own.set_snapshots_skipped(words.snapshots_skipped);
+    return write_head(v1::ServerMessage::kSnapshotFieldNumber, fields, shared_bytes);
+}
 
-    constexpr std::uint32_t snapshot_tag = WireFormatLite::MakeTag(
-        v1::ServerMessage::kSnapshotFieldNumber, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
-    constexpr std::uint32_t own_tag = WireFormatLite::MakeTag(
-        v1::Snapshot::kOwnFieldNumber, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
-    constexpr std::size_t head_bytes_max = 64;  // 3 + 5 + 2 + 20 at most
+std::string write_shared_events(const TickEvents& from) {
+    v1::Events events;
+    events.set_tick(from.tick);
+    for (const ContactHappening& c : from.began) {
+        v1::ContactEvent& contact = set(*events.add_contacts_began(), c);
+        set_place(contact, c);
+        contact.set_speed(c.speed);
+    }
+    for (const ContactHappening& c : from.ended) set(*events.add_contacts_ended(), c);
+    for (const ContactHappening& c : from.contacts) {
+        v1::ContactEvent& contact = set(*events.add_contacts(), c);
+        set_place(contact, c);
+        contact.set_impulse(c.impulse);
+    }
+    for (const ContactHappening& c : from.hits) {
+        v1::ContactEvent& contact = set(*events.add_hits(), c);
+        set_place(contact, c);
+        contact.set_speed(c.speed);
+    }
+    for (const TriggerHappening& t : from.entered) set(*events.add_triggers_entered(), t);
+    for (const TriggerHappening& t : from.stayed) set(*events.add_triggers_stayed(), t);
+    for (const TriggerHappening& t : from.left) set(*events.add_triggers_left(), t);
+    for (const JointBreakHappening& j : from.joints_broke) {
+        v1::JointBreakEvent& joint = *events.add_joints_broke();
+        joint.set_entity_a(j.a);
+        joint.set_entity_b(j.b);
+        joint.set_force(j.force);
+        joint.set_torque(j.torque);
+    }
+    events.mutable_fell_asleep()->Add(from.fell_asleep.begin(), from.fell_asleep.end());
+    events.mutable_woke()->Add(from.woke.begin(), from.woke.end());
+    return events.SerializeAsString();
+}
 
-    const auto own_bytes = static_cast<std::uint32_t>(own.ByteSizeLong());
-    const std::uint32_t field_bytes =
-        static_cast<std::uint32_t>(CodedOutputStream::VarintSize32(own_tag) +
-                                   CodedOutputStream::VarintSize32(own_bytes)) +
-        own_bytes;
-    std::array<std::uint8_t, head_bytes_max> bytes{};
-    std::uint8_t* end = CodedOutputStream::WriteTagToArray(snapshot_tag, bytes.data());
-    end = CodedOutputStream::WriteVarint32ToArray(
-        static_cast<std::uint32_t>(shared_bytes) + field_bytes, end);
-    end = CodedOutputStream::WriteTagToArray(own_tag, end);
-    end = CodedOutputStream::WriteVarint32ToArray(own_bytes, end);
-    own.SerializeWithCachedSizesToArray(end);
-    end += own_bytes;
-    return {reinterpret_cast<const char*>(bytes.data()),
-            static_cast<std::size_t>(end - bytes.data())};
+std::string write_events_head(std::uint32_t missed, std::size_t shared_bytes) {
+    v1::Events fields;
+    fields.set_missed(missed);
+    return write_head(v1::ServerMessage::kEventsFieldNumber, fields, shared_bytes);
 }
 
 }  // namespace jostle::server

@@ -29,6 +29,7 @@ struct HelloWords {
     std::string world, ticket, name;
     std::uint32_t snapshot_hz = 0;  // 0: the world's rate
     bool spectator = false;
+    bool events = false;
 };
 struct AckWords {
     std::uint32_t frame = 0;
@@ -73,7 +74,8 @@ std::string write_pong(std::uint64_t client_time_us, std::uint64_t server_time_u
 std::string write_world_stats(const Frame& frame, std::uint32_t clients);
 std::string write_notice(NoticeKind kind, const std::string& message);
 
-// --- snapshots: a shared piece and a private one, one after the other, are one ServerMessage ---
+// --- snapshots and events: a shared piece and a private one, one after the other, are one
+// ServerMessage ---
 
 struct PrivateWords {
     std::uint32_t input_sequence = 0;
@@ -86,5 +88,9 @@ std::string write_shared_snapshot(const EncodedSnapshot& snapshot);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
 // client's own field.
 std::string write_snapshot_head(const PrivateWords& words, std::size_t shared_bytes);
+
+// The same for jostle.v1.Events: what a client missed is its own.
+std::string write_shared_events(const TickEvents& events);
+std::string write_events_head(std::uint32_t missed, std::size_t shared_bytes);
 
 }  // namespace jostle::server

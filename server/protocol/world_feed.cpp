@@ -81,6 +81,16 @@ SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients)
     return stats_;
 }
 
+SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
+    if (known != events_.end()) return known->second;
+    SharedBytes bytes = share(write_shared_events(*tick));
+    if (events_.size() == RecentEvents::ticks_max) events_.pop_front();
+    events_.emplace_back(tick, bytes);
+    return bytes;
+}
+
 std::shared_ptr<WorldFeed> WorldFeeds::feed_of(const std::shared_ptr<WorldHost>& host) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "host/world_host.h"
@@ -28,6 +30,8 @@ public:
     std::vector<SharedBytes> roster_change(const std::shared_ptr<const Roster>& from,
                                            const std::shared_ptr<const Roster>& to);
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
+    // The fields of an Events message that all who asked for events share.
+    SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
 
 private:
     struct RosterChange {
@@ -40,6 +44,7 @@ private:
     SnapshotCache snapshots_;
     std::mutex mutex_;
     std::vector<RosterChange> roster_changes_;  // the newest few
+    std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;  // likewise
     FramePtr stats_frame_;
     std::uint32_t stats_clients_ = 0;
     SharedBytes stats_;

@@ -3,6 +3,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "jostle/physics/hull.h"
+
 namespace jostle::server {
 
 using physics::Vec3;
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double coordinate_max = 1e4;           // m
 constexpr double size_min = 0.05, size_max = 2;  // m
+constexpr double mass_min = 1e-3, mass_max = 1e6;  // kg: about what sizes and densities allow
 constexpr double spawn_speed_max = 50;           // m/s and rad/s
 constexpr double impulse_max = 1e7;              // N s; the world cuts it to what gives 20 m/s
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
@@ -54,9 +57,7 @@ struct Check {
     Verdict operator()(const SpawnCommand& c) const {
         if (auto v = check_shape(c.shape.geometry)) return v;
         if (auto v = check_point("position", c.pose.position)) return v;
-        if (auto v = check_number("density", c.shape.density, 1, 20000)) return v;
-        if (auto v = check_number("friction", c.shape.material.friction, 0, 10)) return v;
-        if (auto v = check_number("restitution", c.shape.material.restitution, 0, 1)) return v;
+        if (auto v = check_material(c.shape)) return v;
         if (auto v = check_length("linear_velocity", c.linear_velocity, spawn_speed_max)) return v;
         return check_length("angular_velocity", c.angular_velocity, spawn_speed_max);
     }
@@ -89,7 +90,47 @@ private:
             if (auto v = check_size("box.half_extents.y", h.y)) return v;
             return check_size("box.half_extents.z", h.z);
         }
-        return invalid("a plane cannot be spawned; use a sphere, a capsule or a box");
+        if (const auto* cylinder = std::get_if<physics::Cylinder>(&geometry)) {
+            if (auto v = check_size("cylinder.radius", cylinder->radius)) return v;
+            return check_size("cylinder.half_length", cylinder->half_length);
+        }
+        if (const auto* cone = std::get_if<physics::Cone>(&geometry)) {
+            if (auto v = check_size("cone.radius", cone->radius)) return v;
+            return check_size("cone.half_length", cone->half_length);
+        }
+        if (const auto* hull = std::get_if<physics::Hull>(&geometry))
+            return check_hull(*hull->data);
+        return invalid(fmt::format("a {} cannot be spawned; {}",
+                                   kind_name(physics::kind_of(geometry)), spawned_shapes_allowed));
+    }
+    // Its smallest size is the ball that fits inside: no slivers. Its largest is from the body's
+    // origin, which it may not be far away from.
+    static Verdict check_hull(const physics::ConvexHull& hull) {
+        if (hull.vertices.size() > static_cast<std::size_t>(spawned_hull_points_max))
+            return invalid(fmt::format("the hull has {} points; {}", hull.vertices.size(),
+                                       spawned_shapes_allowed));
+        for (const Vec3& p : hull.vertices)
+            if (!within(p, size_max))
+                return invalid(
+                    fmt::format("hull.points: ({:g}, {:g}, {:g}) is not within {:g} m of the "
+                                "origin along each axis",
+                                p.x, p.y, p.z, size_max));
+        return check_size("hull: the radius of the ball that fits inside", hull.inner_radius);
+    }
+    // What else a shape says about itself.
+    static Verdict check_material(const physics::ShapeDef& shape) {
+        const physics::Material& m = shape.material;
+        if (auto v = check_number("density", shape.density, 1, 20000)) return v;
+        if (shape.mass != 0)
+            if (auto v = check_number("mass", shape.mass, mass_min, mass_max)) return v;
+        if (auto v = check_number("friction", m.friction, 0, 10)) return v;
+        if (auto v = check_number("restitution", m.restitution, 0, 1)) return v;
+        if (auto v = check_number("rolling_friction", m.rolling_friction, 0, size_max)) return v;
+        if (auto v = check_number("torsional_friction", m.torsional_friction, 0, size_max))
+            return v;
+        if (auto v = check_length("surface_velocity", m.surface_velocity, spawn_speed_max))
+            return v;
+        return check_length("shape.position", shape.pose.position, size_max);
     }
 };
 

@@ -18,6 +18,11 @@ struct Refusal {
     std::string message;
 };
 
+inline constexpr int spawned_hull_points_max = 32;
+inline constexpr char spawned_shapes_allowed[] =
+    "allowed are sphere, capsule, box, cylinder, cone, and hull of at most 32 points, with sizes "
+    "from 0.05 to 2 m";
+
 // The limits of play.proto: sizes 0.05 to 2 m, spawn speed 50 m/s, explosions 20 m and 20 m/s,
 // coordinates 10 km.
 std::optional<Refusal> refuse_numbers(const Action& action);

@@ -8,7 +8,9 @@ import { DrawnPoses } from './interpolate';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
+import { Queries } from './queries';
 import { SceneView } from './scene_view';
+import { readoutWords } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import './style.css';
 
@@ -49,7 +51,12 @@ const connection = new Connection(websocketUrl(), {
   notice: (text) => toasts.say(text),
 });
 const statsPanel = new StatsPanel(byId('stats'), connection);
-const tools = new Tools(canvas, camera, view, connection);
+const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''));
+const readout = byId('readout');
+const tools = new Tools(canvas, camera, view, connection, queries, (hit) => {
+  readout.hidden = hit === undefined;
+  if (hit) readout.textContent = readoutWords(connection.entities.get(hit.entity), hit);
+});
 const worlds = new WorldsPanel(
   byId('worlds'),
   (world) => connection.join(world),

@@ -1,24 +1,60 @@
-// What is under the pointer, among what is drawn.
+// What is under the pointer. The drawing answers at once; the server answers rightly, a round trip later.
 
 import * as THREE from 'three';
+import type { Queries } from './queries';
 import type { SceneView } from './scene_view';
 
 export interface Pick {
-  entity: number;
-  point: THREE.Vector3;
-  normal: THREE.Vector3;
+  readonly entity: number;
+  readonly shape: number; // which of the entity's shapes
+  readonly point: THREE.Vector3;
+  readonly normal: THREE.Vector3; // out of what was hit
+  readonly distance: number; // m from the eye
 }
 
-export function pick(view: SceneView, raycaster: THREE.Raycaster): Pick | undefined {
+const REACH = 500; // m: as far as the camera sees
+
+/** Among what is drawn. */
+export function pickDrawn(view: SceneView, raycaster: THREE.Raycaster): Pick | undefined {
   for (const hit of raycaster.intersectObjects(view.objects, false)) {
     if (hit.instanceId === undefined) continue;
-    const { entity } = view.ownerAt(hit.object, hit.instanceId);
+    const { entity, shape } = view.ownerAt(hit.object, hit.instanceId);
     if (entity === 0) continue;
     const normal = hit.face?.normal.clone() ?? new THREE.Vector3(0, 1, 0);
     const instance = new THREE.Matrix4();
     (hit.object as THREE.InstancedMesh).getMatrixAt(hit.instanceId, instance);
     normal.applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(instance)).normalize();
-    return { entity, point: hit.point, normal };
+    if (normal.dot(raycaster.ray.direction) > 0) normal.negate(); // the back of a mesh
+    return { entity, shape, point: hit.point, normal, distance: hit.distance };
   }
   return undefined;
+}
+
+/** In the server's world; undefined when the server does not say. */
+export async function pickAsked(
+  queries: Queries,
+  { origin, direction }: THREE.Ray,
+): Promise<{ hit: Pick | undefined } | undefined> {
+  const motion = direction.clone().multiplyScalar(REACH);
+  const xyz = ({ x, y, z }: THREE.Vector3) => ({ x, y, z });
+  const answer = await queries.castRays({ rays: [{ origin: xyz(origin), motion: xyz(motion) }] });
+  if (!answer) return undefined;
+  const hit = answer.rays[0]?.hits[0];
+  if (!hit) return { hit: undefined };
+  const { entity, shape, fraction } = hit;
+  const point = new THREE.Vector3(hit.point?.x, hit.point?.y, hit.point?.z);
+  const normal = new THREE.Vector3(hit.normal?.x, hit.normal?.y, hit.normal?.z);
+  return { hit: { entity, shape, point, normal, distance: fraction * REACH } };
+}
+
+/** Which of the two counts. The picture is some tens of milliseconds behind the server: of a body that moves, the server's answer
+ * is about another moment than the one in which the person aimed, so there what was seen counts. */
+export function settle(
+  drawn: Pick | undefined,
+  asked: { hit: Pick | undefined } | undefined,
+  moves: (entity: number) => boolean,
+): Pick | undefined {
+  if (!asked) return drawn;
+  if (drawn && drawn.entity !== asked.hit?.entity && moves(drawn.entity)) return drawn;
+  return asked.hit;
 }

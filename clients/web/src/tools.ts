@@ -1,9 +1,12 @@
-// What the pointer does: drag bodies, throw, spawn, explode, delete. Each tool turns a click into inputs; the server decides.
+// What the pointer does: drag bodies, throw, spawn, explode, delete. Each tool turns a click into inputs; the server decides. What
+// was pressed is looked up in the drawing at once, so that dragging starts without lag, and put right by the server's answer.
 
 import * as THREE from 'three';
 import type { Camera } from './camera';
 import type { Connection, Input } from './connection';
-import { pick, type Pick } from './pick';
+import { Paced } from './paced';
+import { pickAsked, pickDrawn, settle, type Pick } from './pick';
+import type { Queries } from './queries';
 import type { SceneView } from './scene_view';
 
 export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'delete';
@@ -20,24 +23,44 @@ export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] =
 
 const THROW_SPEED = 18; // m/s
 const CLICK_PIXELS = 6; // a pointer that moved less was a click
+const CLICK_WAITS_MS = 150; // for the server's answer, counted from the end of the click
+const HOVER_MS = 100;
 
 const xyz = (v: THREE.Vector3) => ({ x: v.x, y: v.y, z: v.z });
+
+interface Press {
+  readonly x: number;
+  readonly y: number;
+  readonly raycaster: THREE.Raycaster;
+  readonly drawn: Pick | undefined;
+  readonly asked: ReturnType<typeof pickAsked>;
+  movedAway?: boolean;
+}
 
 export class Tools {
   tool: Tool = 'drag';
   private held: { entity: number; plane: THREE.Plane } | undefined;
-  private pressed: { x: number; y: number } | undefined;
+  private pressed: Press | undefined;
+  private hovering: PointerEvent | undefined;
+  private readonly hover = new Paced(HOVER_MS, () => this.lookUnderPointer());
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly camera: Camera,
     private readonly view: SceneView,
     private readonly connection: Connection,
+    private readonly queries: Queries,
+    /** What is under the pointer now. */
+    private readonly over: (hit: Pick | undefined) => void,
   ) {
     canvas.addEventListener('pointerdown', (event) => this.down(event), { capture: true });
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.up(event));
     canvas.addEventListener('pointercancel', () => this.release());
+    canvas.addEventListener('pointerleave', () => {
+      this.hovering = undefined;
+      this.over(undefined);
+    });
   }
 
   private ray(event: PointerEvent): THREE.Raycaster {
@@ -49,26 +72,57 @@ export class Tools {
     this.connection.send({ kind });
   }
 
+  private isLoose(hit: Pick | undefined): hit is Pick {
+    return hit !== undefined && (this.connection.entities.get(hit.entity)?.mass ?? 0) > 0;
+  }
+
+  private readonly moves = (entity: number): boolean =>
+    this.connection.frames.newest?.entities.find((state) => state.id === entity)?.atRest === false;
+
   private down(event: PointerEvent): void {
     if (event.button !== 0) return;
-    this.pressed = { x: event.clientX, y: event.clientY };
+    const { x, y } = { x: event.clientX, y: event.clientY };
+    const raycaster = this.ray(event);
+    if (this.tool === 'throw') {
+      this.pressed = { x, y, raycaster, drawn: undefined, asked: Promise.resolve(undefined) };
+      return;
+    }
+    const drawn = pickDrawn(this.view, raycaster);
+    const press: Press = { x, y, raycaster, drawn, asked: pickAsked(this.queries, raycaster.ray) };
+    this.pressed = press;
     if (this.tool !== 'drag') return;
-    const hit = pick(this.view, this.ray(event));
-    if (!hit || (this.connection.entities.get(hit.entity)?.mass ?? 0) <= 0) return;
+    if (this.isLoose(drawn)) this.take(drawn, event.pointerId);
+    void press.asked.then((asked) => this.putRight(press, settle(drawn, asked, this.moves), event.pointerId));
+  }
+
+  private take(hit: Pick, pointerId: number): void {
     this.camera.controls.enabled = false; // the pointer moves the body now, not the camera
     const towards = this.camera.camera.getWorldDirection(new THREE.Vector3());
     this.held = {
       entity: hit.entity,
       plane: new THREE.Plane().setFromNormalAndCoplanarPoint(towards, hit.point),
     };
-    this.canvas.setPointerCapture(event.pointerId);
+    this.canvas.setPointerCapture(pointerId);
     this.send({ case: 'grab', value: { entity: hit.entity, point: xyz(hit.point) } });
     this.send({ case: 'drag', value: { target: xyz(hit.point) } });
   }
 
+  /** The server answered; most often what the drawing said. */
+  private putRight(press: Press, hit: Pick | undefined, pointerId: number): void {
+    if (this.pressed !== press || this.held?.entity === hit?.entity) return;
+    if (this.held) this.letGo();
+    // Who is looking around by now is not given a body.
+    else if (press.movedAway) return;
+    if (this.isLoose(hit)) this.take(hit, pointerId);
+  }
+
   private move(event: PointerEvent): void {
+    const from = this.pressed;
+    if (from && Math.hypot(event.clientX - from.x, event.clientY - from.y) > CLICK_PIXELS) from.movedAway = true;
     if (!this.held) {
-      if (this.tool === 'drag' && event.buttons === 0) this.showHover(event);
+      if (event.buttons !== 0) return;
+      this.hovering = event;
+      this.hover.ask();
       return;
     }
     const target = this.ray(event).ray.intersectPlane(this.held.plane, new THREE.Vector3());
@@ -77,34 +131,42 @@ export class Tools {
     this.send({ case: 'drag', value: { target: xyz(target) } });
   }
 
-  private showHover(event: PointerEvent): void {
-    const hit = pick(this.view, this.ray(event));
-    const loose = hit && (this.connection.entities.get(hit.entity)?.mass ?? 0) > 0;
-    this.canvas.style.cursor = loose ? 'grab' : '';
+  private async lookUnderPointer(): Promise<void> {
+    const event = this.hovering;
+    if (!event) return;
+    const raycaster = this.ray(event);
+    const drawn = pickDrawn(this.view, raycaster);
+    const hit = settle(drawn, await pickAsked(this.queries, raycaster.ray), this.moves);
+    if (!this.hovering) return; // the pointer left in the meantime
+    if (this.tool === 'drag') this.canvas.style.cursor = this.isLoose(hit) ? 'grab' : '';
+    this.over(hit);
   }
 
   private up(event: PointerEvent): void {
     if (this.held) return this.release();
-    const from = this.pressed;
+    const press = this.pressed;
     this.pressed = undefined;
-    if (!from || Math.hypot(event.clientX - from.x, event.clientY - from.y) > CLICK_PIXELS) return;
-    this.click(event);
+    if (!press || Math.hypot(event.clientX - press.x, event.clientY - press.y) > CLICK_PIXELS) return;
+    if (this.tool === 'throw') this.throwBall(press.raycaster);
+    else if (this.tool !== 'drag') void this.click(press, this.tool);
   }
 
   private release(): void {
     this.pressed = undefined;
-    if (!this.held) return;
+    if (this.held) this.letGo();
+  }
+
+  private letGo(): void {
     this.held = undefined;
     this.camera.controls.enabled = true;
     this.send({ case: 'release', value: {} });
   }
 
-  private click(event: PointerEvent): void {
-    const raycaster = this.ray(event);
-    if (this.tool === 'throw') return this.throwBall(raycaster);
-    const hit = pick(this.view, raycaster);
+  private async click(press: Press, tool: Tool): Promise<void> {
+    const late = new Promise<undefined>((done) => setTimeout(() => done(undefined), CLICK_WAITS_MS));
+    const hit = settle(press.drawn, await Promise.race([press.asked, late]), this.moves);
     if (!hit) return;
-    switch (this.tool) {
+    switch (tool) {
       case 'box':
         return this.spawn(hit, 0.35, {
           case: 'box',

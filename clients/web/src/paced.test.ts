@@ -1,0 +1,35 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { Paced } from './paced';
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+it('runs ten times in a second of sixty askings, and once more for the last', async () => {
+  const seen: number[] = [];
+  let asked = 0;
+  const paced = new Paced(100, async () => void seen.push(asked));
+  for (; asked < 60; asked++) {
+    paced.ask();
+    await vi.advanceTimersByTimeAsync(1000 / 60);
+  }
+  expect(seen.length).toBe(10);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(seen.length).toBe(11);
+  expect(seen[10]).toBe(60);
+});
+
+it('waits for a slow answer before it asks again', async () => {
+  let started = 0;
+  let answer = () => {};
+  const paced = new Paced(100, () => {
+    started++;
+    return new Promise((done) => (answer = done));
+  });
+  paced.ask();
+  paced.ask();
+  await vi.advanceTimersByTimeAsync(5000);
+  expect(started).toBe(1);
+  answer();
+  await vi.advanceTimersByTimeAsync(1);
+  expect(started).toBe(2);
+});

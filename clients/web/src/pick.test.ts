@@ -1,0 +1,117 @@
+import { create } from '@bufbuild/protobuf';
+import * as THREE from 'three';
+import { describe, expect, it } from 'vitest';
+import { EntitySchema } from './gen/jostle/v1/play_pb';
+import { DrawnPoses } from './interpolate';
+import { FrameBuffer } from './frame_buffer';
+import { pickAsked, pickDrawn, settle, type Pick } from './pick';
+import { Queries } from './queries';
+import { SceneView } from './scene_view';
+
+const pick = (entity: number): Pick => ({
+  entity,
+  shape: 0,
+  point: new THREE.Vector3(),
+  normal: new THREE.Vector3(0, 1, 0),
+  distance: 3,
+});
+
+/** A flat height field of 2 m by 2 m, whose cell at x > 0, z < 0 is open, with a cone of 1 m beside it at x = 5. */
+function fieldAndCone(): SceneView {
+  const view = new SceneView();
+  const heights = [0, 0, 0, 0, 0, 0, 0, 0, 0];
+  const field = { columns: 3, rows: 3, spacingX: 1, spacingZ: 1, heights, holes: [1] };
+  const cone = { radius: 1, halfLength: 1 };
+  const box = { halfExtents: { x: 0.1, y: 0.1, z: 0.1 } };
+  view.setEntities(
+    new Map([
+      [1, create(EntitySchema, { id: 1, shapes: [{ kind: { case: 'heightField', value: field } }] })],
+      [
+        2,
+        create(EntitySchema, {
+          id: 2,
+          shapes: [
+            { kind: { case: 'box', value: box }, position: { x: 0, y: -3, z: 0 } },
+            { kind: { case: 'cone', value: cone } },
+          ],
+        }),
+      ],
+    ]),
+    0,
+  );
+  const frames = new FrameBuffer();
+  const still = { largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: true };
+  frames.add(
+    {
+      frame: 1,
+      entities: [
+        { id: 1, position: [0, 0, 0], ...still },
+        { id: 2, position: [5 * 512, 0, 0], ...still },
+      ],
+    },
+    0,
+    { unitsPerMeter: 512, rotationComponent: 511 },
+  );
+  const drawn = new DrawnPoses();
+  drawn.update(frames, 0);
+  view.update(drawn);
+  view.scene.updateMatrixWorld();
+  return view;
+}
+
+const down = (x: number, z: number) =>
+  new THREE.Raycaster(new THREE.Vector3(x, 10, z), new THREE.Vector3(0, -1, 0), 0, 100);
+
+describe('in the drawing', () => {
+  it('meets a height field but not its hole', () => {
+    const view = fieldAndCone();
+    const hit = pickDrawn(view, down(-0.5, -0.5))!;
+    expect([hit.entity, hit.distance, hit.normal.y]).toEqual([1, 10, 1]);
+    expect(pickDrawn(view, down(0.5, -0.5))).toBeUndefined();
+  });
+
+  it('meets the side of a cone, and names the second of the shapes', () => {
+    const hit = pickDrawn(fieldAndCone(), down(5.5, 0))!;
+    expect([hit.entity, hit.shape]).toEqual([2, 1]);
+    expect(hit.distance).toBeCloseTo(10, 1); // at half of its radius it is at half of its height
+    expect(hit.normal.y).toBeCloseTo(1 / Math.sqrt(5), 1); // two up for one out
+  });
+});
+
+describe('by the server', () => {
+  const ray = new THREE.Ray(new THREE.Vector3(0, 10, 0), new THREE.Vector3(0, -1, 0));
+  const queries = (json: string) => new Queries(() => 'w', async () => ({ status: 200, text: async () => json }));
+
+  it('is the first hit, as far away as its share of the ray', async () => {
+    const json = '{"rays":[{"hits":[{"entity":9,"shape":2,"fraction":0.02,"point":{"x":1},"normal":{"y":1}}]}]}';
+    const { hit } = (await pickAsked(queries(json), ray))!;
+    expect([hit!.entity, hit!.shape, hit!.distance, hit!.point.x, hit!.normal.y]).toEqual([9, 2, 10, 1, 1]);
+  });
+
+  it('tells nothing there from no answer', async () => {
+    expect(await pickAsked(queries('{"rays":[{}]}'), ray)).toEqual({ hit: undefined });
+    expect(await pickAsked(queries('no'), ray)).toBeUndefined();
+  });
+});
+
+describe('which of the two counts', () => {
+  const rest = () => false;
+  const moves = () => true;
+
+  it('the server, when it answers', () => {
+    expect(settle(pick(1), { hit: pick(2) }, rest)?.entity).toBe(2);
+    expect(settle(undefined, { hit: pick(2) }, rest)?.entity).toBe(2);
+    expect(settle(pick(1), { hit: undefined }, rest)).toBeUndefined();
+  });
+
+  it('the drawing, when the server does not answer or the body seen is moving', () => {
+    expect(settle(pick(1), undefined, rest)?.entity).toBe(1);
+    expect(settle(pick(1), { hit: undefined }, moves)?.entity).toBe(1);
+    expect(settle(pick(1), { hit: pick(2) }, moves)?.entity).toBe(1);
+  });
+
+  it("the server's point, when both mean the same body", () => {
+    const exact = { ...pick(1), distance: 3.001 };
+    expect(settle(pick(1), { hit: exact }, moves)).toBe(exact);
+  });
+});

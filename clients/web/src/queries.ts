@@ -1,0 +1,61 @@
+// Questions to the server about the world one is in: POST /api/query/<Method>, in protobuf's JSON form. No answer is an answer,
+// too: it is undefined, and who asked goes on with what it has.
+
+import { create, fromJsonString, toJsonString, type DescMessage, type MessageInitShape, type MessageShape } from '@bufbuild/protobuf';
+import {
+  CastRaysRequestSchema,
+  CastRaysResponseSchema,
+  DebugRequestSchema,
+  DebugResponseSchema,
+  type CastRaysResponse,
+  type DebugResponse,
+} from './gen/jostle/v1/query_pb';
+
+const PATIENCE_MS = 3000;
+const NOT_SERVED = [404, 501];
+
+export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;
+
+const postToServer: Post = (path, body, signal) =>
+  fetch(path, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body, signal });
+
+export class Queries {
+  // Servers may be older than this page. One that does not know a method is not asked for it again in the same world; in the
+  // next world it is, because 404 is also what a world that is gone answers.
+  private readonly notServed = new Set<string>();
+
+  constructor(
+    private readonly world: () => string,
+    private readonly post: Post = postToServer,
+  ) {}
+
+  castRays(request: MessageInitShape<typeof CastRaysRequestSchema>): Promise<CastRaysResponse | undefined> {
+    return this.ask('CastRays', CastRaysRequestSchema, request, CastRaysResponseSchema);
+  }
+
+  debug(request: MessageInitShape<typeof DebugRequestSchema>): Promise<DebugResponse | undefined> {
+    return this.ask('Debug', DebugRequestSchema, request, DebugResponseSchema);
+  }
+
+  private async ask<Request extends DescMessage, Response extends DescMessage>(
+    method: string,
+    requestSchema: Request,
+    request: MessageInitShape<Request>,
+    responseSchema: Response,
+  ): Promise<MessageShape<Response> | undefined> {
+    const world = this.world();
+    const here = `${method} in ${world}`;
+    if (world === '' || this.notServed.has(here)) return undefined;
+    try {
+      const message = create(requestSchema, { ...request, world } as MessageInitShape<Request>);
+      const answer = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(PATIENCE_MS));
+      if (NOT_SERVED.includes(answer.status)) this.notServed.add(here);
+      if (answer.status !== 200) return undefined;
+      const text = await answer.text();
+      // The world may have been left in the meantime.
+      return this.world() === world ? fromJsonString(responseSchema, text, { ignoreUnknownFields: true }) : undefined;
+    } catch {
+      return undefined; // nobody there, too slow, or no JSON of ours
+    }
+  }
+}

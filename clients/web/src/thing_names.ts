@@ -1,0 +1,28 @@
+// What a body is called where people read it.
+
+import type { Entity } from './gen/jostle/v1/play_pb';
+import type { Shape } from './gen/jostle/v1/scene_pb';
+
+const KIND_WORDS: Record<string, string> = { heightField: 'height field' };
+
+export function kindWord(shape: Shape | undefined): string {
+  const kind = shape?.kind.case;
+  return kind === undefined ? 'shape' : (KIND_WORDS[kind] ?? kind);
+}
+
+/** Its name in the scene; what has none, like a thrown ball, is called after its first shape. */
+export function thingName(entity: Entity | undefined, id: number): string {
+  if (!entity) return `body ${id}`;
+  return entity.name || `${kindWord(entity.shapes[0])} ${id}`;
+}
+
+/** One line on what is under the pointer. */
+export function readoutWords(entity: Entity | undefined, pick: { entity: number; shape: number; distance: number }): string {
+  const parts = [
+    entity?.name || 'no name',
+    `id ${pick.entity}`,
+    kindWord(entity?.shapes[pick.shape]),
+    `${pick.distance.toFixed(pick.distance < 10 ? 2 : 1)} m away`,
+  ];
+  return parts.join(' · ');
+}

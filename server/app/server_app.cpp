@@ -14,6 +14,7 @@
 #include "base/log.h"
 #include "gateway/gateway.h"
 #include "jostle/scenes/scene_file.h"
+#include "protocol/query_control.h"
 #include "protocol/world_control.h"
 #include "rpc/grpc_server.h"
 
@@ -159,12 +160,14 @@ int run_server(const Config& config, const std::string& port_file) {
 
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
-    const HttpRoutes routes(control, {.web_root = find_web_root(config.web_root),
-                                      .allowed_origins = config.allowed_origins,
-                                      .is_ready = [&] { return !context.draining.load(); }});
+    const QueryControl queries(context);
+    const HttpRoutes routes(control, queries,
+                            {.web_root = find_web_root(config.web_root),
+                             .allowed_origins = config.allowed_origins,
+                             .is_ready = [&] { return !context.draining.load(); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
     GrpcServer grpc(
-        context, control,
+        context, control, queries,
         {.host = listen.host, .port = listen.port, .network_threads = config.network_threads});
     Gateway gateway(
         context, routes,

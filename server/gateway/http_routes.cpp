@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 
 namespace jostle::server {
@@ -13,6 +14,7 @@ namespace jostle::server {
 namespace {
 
 constexpr std::string_view worlds_path = "/api/worlds";
+constexpr std::string_view query_path = "/api/query/";
 
 HttpResponse json(int status, std::string body) {
     HttpResponse response;
@@ -87,6 +89,31 @@ std::string_view host_of_origin(std::string_view origin) {
     return at == std::string_view::npos ? std::string_view{} : origin.substr(at + 3);
 }
 
+// The body of a request that changes or asks something; an answer when it is none.
+std::optional<HttpResponse> read_json(google::protobuf::Message& message,
+                                      const HttpRequest& request) {
+    // Forms can send text from any page without asking the server first; JSON they cannot.
+    if (!request.content_type.starts_with("application/json")) {
+        return text(415, "Send the body as JSON, with Content-Type: application/json.\n");
+    }
+    const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
+    if (read.ok()) return std::nullopt;
+    return to_http({AnswerCode::invalid_argument, "The body is not a " +
+                                                      message.GetDescriptor()->full_name() +
+                                                      " as JSON: " + std::string(read.message())});
+}
+
+// Reads a question, asks it, writes the answer.
+template <class Request, class Response>
+HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
+                 Answer (QueryControl::*method)(const Request&, Response&) const) {
+    Request message;
+    if (const auto refused = read_json(message, request)) return *refused;
+    Response response;
+    const Answer answer = (queries.*method)(message, response);
+    return answer.ok() ? json(200, response) : to_http(answer);
+}
+
 }  // namespace
 
 HttpResponse to_http(const Answer& answer) {
@@ -99,8 +126,11 @@ HttpResponse to_http(const Answer& answer) {
     return response;
 }
 
-HttpRoutes::HttpRoutes(WorldControl& worlds, RouteSettings settings)
-    : worlds_(worlds), settings_(std::move(settings)), files_(settings_.web_root) {}
+HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings)
+    : worlds_(worlds),
+      queries_(queries),
+      settings_(std::move(settings)),
+      files_(settings_.web_root) {}
 
 bool HttpRoutes::may_take_long(const HttpRequest& request) {
     return path_of(request.target).starts_with("/api/");
@@ -131,7 +161,7 @@ HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
 HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view path) const {
     const bool changes = request.method != "GET" && request.method != "HEAD";
     if (changes && !origin_is_allowed(request)) {
-        return text(403, "A page from another origin may not change this server.\n");
+        return text(403, "A page from another origin may not use this server.\n");
     }
     if (path == worlds_path) {
         if (!changes) return list_worlds();
@@ -148,8 +178,13 @@ HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view
             return method_not_allowed("GET, DELETE");
         }
     }
+    if (path.starts_with(query_path)) {
+        if (request.method != "POST") return method_not_allowed("POST");
+        return query(request, path.substr(query_path.size()));
+    }
     return to_http({AnswerCode::not_found,
-                    "There is no such path; /api/worlds and /api/worlds/{id} are what there is."});
+                    "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
+                    "are what there is."});
 }
 
 HttpResponse HttpRoutes::list_worlds() const {
@@ -167,20 +202,22 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
 }
 
 HttpResponse HttpRoutes::create_world(const HttpRequest& request) const {
-    // Forms can send text from any page without asking the server first; JSON they cannot.
-    if (!request.content_type.starts_with("application/json")) {
-        return text(415, "Send the world as JSON, with Content-Type: application/json.\n");
-    }
     v1::CreateWorldRequest message;
-    const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
-    if (!read.ok()) {
-        return to_http({AnswerCode::invalid_argument,
-                        "The body is not a jostle.v1.CreateWorldRequest as JSON: " +
-                            std::string(read.message())});
-    }
+    if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
     const Answer answer = worlds_.create(message, response);
     return answer.ok() ? json(201, response) : to_http(answer);
+}
+
+HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method) const {
+    if (method == "CastRays") return ask(request, queries_, &QueryControl::cast_rays);
+    if (method == "CastShapes") return ask(request, queries_, &QueryControl::cast_shapes);
+    if (method == "Overlap") return ask(request, queries_, &QueryControl::overlap);
+    if (method == "ClosestPoints") return ask(request, queries_, &QueryControl::closest_points);
+    if (method == "Debug") return ask(request, queries_, &QueryControl::debug);
+    return to_http({AnswerCode::not_found,
+                    "There is no such query; CastRays, CastShapes, Overlap, ClosestPoints and "
+                    "Debug are what there is."});
 }
 
 HttpResponse HttpRoutes::delete_world(const std::string& world) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What each HTTP path answers: health, the worlds as JSON, the viewer's files. Knows nothing of
-// sockets. Any thread may call answer(); requests under /api may take as long as building a world,
-// so the gateway calls them on its worker.
+// What each HTTP path answers: health, worlds and queries as JSON, the viewer's files. Knows
+// nothing of sockets. Any thread may call answer(); requests under /api may take as long as
+// building a world, so the gateway calls them on its worker.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@
 
 #include "gateway/http_message.h"
 #include "gateway/web_files.h"
+#include "protocol/query_control.h"
 #include "protocol/world_control.h"
 
 namespace jostle::server {
@@ -26,8 +27,8 @@ struct RouteSettings {
 
 class HttpRoutes {
 public:
-    // `worlds` outlives the routes.
-    HttpRoutes(WorldControl& worlds, RouteSettings settings);
+    // Both outlive the routes.
+    HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
     HttpResponse answer(const HttpRequest& request) const;
     static bool may_take_long(const HttpRequest& request);
@@ -43,8 +44,10 @@ private:
     HttpResponse get_world(const std::string& world) const;
     HttpResponse create_world(const HttpRequest& request) const;
     HttpResponse delete_world(const std::string& world) const;
+    HttpResponse query(const HttpRequest& request, std::string_view method) const;
 
     WorldControl& worlds_;
+    const QueryControl& queries_;
     RouteSettings settings_;
     WebFiles files_;
 };

@@ -79,16 +79,16 @@ private:
     physics::World world_;
     HostLimits limits_;
     EntityId next_id_ = 1;
-    std::map<EntityId, Entity> entities_;     // ordered: frames list entities by id
-    std::vector<EntityId> entity_of_body_;    // by body index; 0: none
+    std::map<EntityId, Entity> entities_;   // ordered: frames list entities by id
+    std::vector<EntityId> entity_of_body_;  // by body index; 0: none
     // Bodies that were removed since the last step, and those that the last step's events may still
     // name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
-    std::set<EntityId> quarantined_;          // told
-    std::map<ClientId, Client> clients_;      // ordered: hands pull in order of client
-    std::shared_ptr<const Roster> roster_;    // null: changed since the last frame
+    std::set<EntityId> quarantined_;             // told
+    std::map<ClientId, Client> clients_;         // ordered: hands pull in order of client
+    std::shared_ptr<const Roster> roster_;       // null: changed since the last frame
     std::shared_ptr<const ShapePlaces> places_;  // of that roster; null: not asked for yet
-    std::vector<physics::BodyState> bodies_;  // reused by copy_into
+    std::vector<physics::BodyState> bodies_;     // reused by copy_into
 };
 
 }  // namespace jostle::server

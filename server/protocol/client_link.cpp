@@ -366,9 +366,8 @@ std::optional<OutMessage> ClientLink::take_events() {
         events_told_++;
         SharedBytes shared = feed_->events(tick);
         if (shared->size() <= events_bytes_max)
-            return OutMessage{
-                write_events_head(std::exchange(events_missed_, 0), shared->size()),
-                std::move(shared)};
+            return OutMessage{write_events_head(std::exchange(events_missed_, 0), shared->size()),
+                              std::move(shared)};
         events_missed_++;
     }
     return std::nullopt;

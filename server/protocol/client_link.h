@@ -107,9 +107,9 @@ private:
     ClientCursor cursor_;
     std::shared_ptr<const Roster> roster_;  // what the client knows
     bool wants_events_ = false;
-    std::uint32_t events_told_ = 0;         // as RecentEvents counts; sent or missed
-    std::uint32_t events_missed_ = 0;       // since the last that were sent
-    std::uint32_t considered_tick_ = 0;     // newest frame that was decided on
+    std::uint32_t events_told_ = 0;      // as RecentEvents counts; sent or missed
+    std::uint32_t events_missed_ = 0;    // since the last that were sent
+    std::uint32_t considered_tick_ = 0;  // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_waits_ = false;
     std::uint32_t skipped_waiting_ = 0;

@@ -74,9 +74,8 @@ Result<Action> action_of(const v1::SpawnInput& spawn) {
 }
 
 Result<Action> action_of(const v1::ImpulseInput& impulse) {
-    ImpulseCommand command{.entity = impulse.entity(),
-                           .impulse = to_vector(impulse.impulse()),
-                           .point = std::nullopt};
+    ImpulseCommand command{
+        .entity = impulse.entity(), .impulse = to_vector(impulse.impulse()), .point = std::nullopt};
     if (impulse.has_point()) command.point = to_vector(impulse.point());
     return Action{command};
 }

@@ -83,7 +83,8 @@ SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients)
 
 SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
     const std::lock_guard lock(mutex_);
-    const auto known = std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
+    const auto known =
+        std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
     if (known != events_.end()) return known->second;
     SharedBytes bytes = share(write_shared_events(*tick));
     if (events_.size() == RecentEvents::ticks_max) events_.pop_front();

@@ -29,11 +29,14 @@ std::string address_of(const std::string& host, std::uint16_t port) {
 
 }  // namespace
 
-GrpcServer::GrpcServer(PlayContext& context, WorldControl& worlds, GrpcSettings settings)
+GrpcServer::GrpcServer(PlayContext& context, WorldControl& worlds, const QueryControl& queries,
+                       GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
       world_service_(worlds),
-      health_service_({"jostle.v1.PlayService", "jostle.v1.WorldService"}) {}
+      query_service_(queries),
+      health_service_(
+          {"jostle.v1.PlayService", "jostle.v1.QueryService", "jostle.v1.WorldService"}) {}
 
 GrpcServer::~GrpcServer() {
     stop();
@@ -51,6 +54,7 @@ std::optional<std::string> GrpcServer::start() {
     set_keepalive(builder);
     builder.RegisterService(&play_service_);
     builder.RegisterService(&world_service_);
+    builder.RegisterService(&query_service_);
     builder.RegisterService(&health_service_);
     for (int i = 0; i < settings_.network_threads; ++i) {
         shards_.push_back(

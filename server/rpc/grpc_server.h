@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The gRPC port: play streams on shards of their own, WorldService, health and reflection. start(),
-// then drain() and stop() in that order; each from one thread.
+// The gRPC port: play streams on shards of their own, WorldService, QueryService, health and
+// reflection. start(), then drain() and stop() in that order; each from one thread.
 #pragma once
 
 #include <grpcpp/server.h>
@@ -14,6 +14,7 @@
 
 #include "rpc/health_service.h"
 #include "rpc/play_shard.h"
+#include "rpc/query_service.h"
 #include "rpc/world_service.h"
 
 namespace jostle::server {
@@ -28,8 +29,9 @@ struct GrpcSettings {
 
 class GrpcServer {
 public:
-    // Both outlive the server.
-    GrpcServer(PlayContext& context, WorldControl& worlds, GrpcSettings settings);
+    // All three outlive the server.
+    GrpcServer(PlayContext& context, WorldControl& worlds, const QueryControl& queries,
+               GrpcSettings settings);
     ~GrpcServer();
 
     // Binds and begins to serve. An error says which address and why.
@@ -48,6 +50,7 @@ private:
     const GrpcSettings settings_;
     RawPlayService play_service_;
     WorldService world_service_;
+    QueryService query_service_;
     HealthService health_service_;
     std::vector<std::unique_ptr<PlayShard>> shards_;
     std::unique_ptr<grpc::Server> server_;

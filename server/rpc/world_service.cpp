@@ -1,29 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "rpc/world_service.h"
 
-#include <chrono>
-
-#include "rpc/grpc_status.h"
+#include "rpc/unary_call.h"
 
 namespace jostle::server {
-
-namespace {
-
-// Nobody waits for the answer any more.
-bool is_too_late(const grpc::ServerContext& context) {
-    return context.IsCancelled() || context.deadline() <= std::chrono::system_clock::now();
-}
-
-// Does the work unless it is too late for it, and answers.
-template <class Work>
-grpc::Status answer(const grpc::ServerContext& context, const Work& work) {
-    if (is_too_late(context)) {
-        return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline has passed"};
-    }
-    return to_grpc_status(work());
-}
-
-}  // namespace
 
 grpc::Status WorldService::ListWorlds(grpc::ServerContext* context,
                                       const v1::ListWorldsRequest* request,

@@ -11,11 +11,11 @@ using physics::Vec3;
 
 namespace {
 
-constexpr double coordinate_max = 1e4;           // m
-constexpr double size_min = 0.05, size_max = 2;  // m
+constexpr double coordinate_max = 1e4;             // m
+constexpr double size_min = 0.05, size_max = 2;    // m
 constexpr double mass_min = 1e-3, mass_max = 1e6;  // kg: about what sizes and densities allow
-constexpr double spawn_speed_max = 50;           // m/s and rad/s
-constexpr double impulse_max = 1e7;              // N s; the world cuts it to what gives 20 m/s
+constexpr double spawn_speed_max = 50;             // m/s and rad/s
+constexpr double impulse_max = 1e7;                // N s; the world cuts it to what gives 20 m/s
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
 
 using Verdict = std::optional<Refusal>;

@@ -15,8 +15,10 @@ TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
     WorldDirectory worlds({}, 1);
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
+    const QueryControl queries(context);
     const HttpRoutes routes(
-        control, {.web_root = ".", .allowed_origins = {}, .is_ready = [] { return true; }});
+        control, queries,
+        {.web_root = ".", .allowed_origins = {}, .is_ready = [] { return true; }});
     for (int i = 0; i < 60; i++) {
         Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_FALSE(gateway.start());

@@ -38,7 +38,9 @@ protected:
     WorldDirectory worlds{{}, 2};
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control{context};
+    QueryControl queries{context};
     HttpRoutes routes{control,
+                      queries,
                       {.web_root = "/nonexistent",
                        .allowed_origins = {"https://play.example.org"},
                        .is_ready = [this] { return !context.draining.load(); }}};

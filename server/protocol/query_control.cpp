@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/query_control.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "jostle/physics/tuning.h"
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/query.pb.h"
+#include "protocol/vector_message.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr int rays_max = 1000, shapes_max = 100, points_max = 1000;  // of one request
+// Quickhull on a stranger's behalf: more points than this make no better probe.
+constexpr int hull_points_max = 1000;
+// Of one answer: what stays below the 4 MiB that clients take by default.
+constexpr std::size_t hits_max = 50000;
+constexpr double coordinate_max = physics::tuning::max_coordinate;  // m
+
+Answer invalid(std::string message) {
+    return {AnswerCode::invalid_argument, std::move(message)};
+}
+
+Answer to_answer(const physics::Error& error) {
+    return error.code == physics::ErrorCode::invalid_argument
+               ? invalid(error.message)
+               : Answer{AnswerCode::internal, error.message};
+}
+
+// --- what a request says ---
+
+Answer check_count(const char* field, int count, int most) {
+    if (count <= most) return {};
+    return invalid(fmt::format("{} has {} entries; at most {} are allowed", field, count, most));
+}
+
+Answer check_number(const std::string& field, double x, double low, double high) {
+    if (low <= x && x <= high) return {};
+    return invalid(fmt::format("{} is {:g}; it must be from {:g} to {:g}", field, x, low, high));
+}
+
+Answer check_vector(const std::string& field, const v1::Vec3& v) {
+    if (Answer a = check_number(field + ".x", v.x(), -coordinate_max, coordinate_max); !a.ok())
+        return a;
+    if (Answer a = check_number(field + ".y", v.y(), -coordinate_max, coordinate_max); !a.ok())
+        return a;
+    return check_number(field + ".z", v.z(), -coordinate_max, coordinate_max);
+}
+
+// Asks for a convex shape, and sees that it is one before it costs the work of building it.
+Answer read_shape(physics::ShapeDef& out, const v1::Shape& message, const std::string& field) {
+    const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(message.kind_case());
+    switch (message.kind_case()) {
+        case v1::Shape::kHull:
+            if (const int points = message.hull().points_size(); points > hull_points_max)
+                return invalid(fmt::format("{}.hull.points has {} entries; at most {} are allowed",
+                                           field, points, hull_points_max));
+            break;
+        case v1::Shape::kPlane:
+        case v1::Shape::kMesh:
+        case v1::Shape::kHeightField:
+        case v1::Shape::kCompound:
+        case v1::Shape::KIND_NOT_SET:
+            return invalid(
+                fmt::format("{} is {}; ask with a sphere, capsule, box, cylinder, cone or hull",
+                            field, kind != nullptr ? "a " + kind->name() : "empty"));
+        default:
+            break;
+    }
+    physics::Result<physics::ShapeDef> read = scenes::shape_from_message(message, field);
+    if (!read.ok()) return to_answer(read.error());
+    out = *std::move(read);
+    return {};
+}
+
+// An entity that is gone is not seen anyway.
+physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFrame& frame) {
+    physics::QueryFilter filter;
+    if (message.has_categories()) filter.categories = message.categories();
+    filter.triggers = message.triggers();
+    if (message.ignore() != 0) filter.ignore = frame.body_of(message.ignore());
+    return filter;
+}
+
+// --- what an answer says ---
+
+template <class PhysicsHit>
+void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
+    const ShapePlace place = frame.place_of(from.shape);
+    to.set_entity(place.entity);
+    to.set_shape(place.number);
+    to.set_fraction(from.fraction);
+    write_vector(*to.mutable_point(), from.point);
+    write_vector(*to.mutable_normal(), from.normal);
+}
+
+template <class PhysicsHit>
+Answer write_hits(v1::Hits& to, const physics::Result<std::vector<PhysicsHit>>& hits,
+                  const QueryFrame& frame, std::size_t& total) {
+    if (!hits.ok()) return to_answer(hits.error());
+    total += hits->size();
+    if (total > hits_max)
+        return {AnswerCode::resource_exhausted,
+                fmt::format("the answer would have more than {} hits; ask for less at a time",
+                            hits_max)};
+    for (const PhysicsHit& hit : *hits) write_hit(*to.add_hits(), hit, frame);
+    return {};
+}
+
+template <class PhysicsHit>
+Answer write_hits(v1::Hits& to, const physics::Result<std::optional<PhysicsHit>>& hit,
+                  const QueryFrame& frame) {
+    if (!hit.ok()) return to_answer(hit.error());
+    if (*hit) write_hit(*to.add_hits(), **hit, frame);
+    return {};
+}
+
+void write_box(v1::DebugBox& to, const physics::Aabb& from) {
+    write_vector(*to.mutable_low(), from.low);
+    write_vector(*to.mutable_high(), from.high);
+}
+
+// --- asking ---
+
+struct Asked {
+    Answer answer;
+    QueryFramePtr frame;  // set when the answer is ok
+};
+
+Asked ask(const WorldDirectory& worlds, const std::string& name, CopyParts parts) {
+    const std::shared_ptr<WorldHost> world = worlds.find(name);
+    if (!world)
+        return {
+            {AnswerCode::not_found, name.empty() ? "the server has no world"
+                                                 : fmt::format("there is no world \"{}\"", name)},
+            nullptr};
+    if (QueryFramePtr frame = world->query_frame(parts)) return {{}, std::move(frame)};
+    if (world->stopped()) return {{AnswerCode::unavailable, "the world was closed"}, nullptr};
+    return {{AnswerCode::unavailable,
+             fmt::format("the world took more than {} ms for a step; ask again",
+                         QueryDesk::patience.count())},
+            nullptr};
+}
+
+Answer check_ray(const v1::Ray& ray, int number) {
+    const std::string field = fmt::format("rays[{}]", number);
+    if (Answer a = check_vector(field + ".origin", ray.origin()); !a.ok()) return a;
+    if (Answer a = check_vector(field + ".motion", ray.motion()); !a.ok()) return a;
+    if (to_vector(ray.motion()) == physics::Vec3{})
+        return invalid(field + ".motion is zero; it must have a length");
+    return {};
+}
+
+Answer cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
+                const QueryFrame& frame, v1::Hits& hits, std::size_t& total) {
+    if (mode == v1::HIT_MODE_ALL)
+        return write_hits(hits, frame.queries->cast_ray_all(ray, filter), frame, total);
+    if (Answer a = write_hits(hits, frame.queries->cast_ray(ray, filter), frame); !a.ok()) return a;
+    if (mode == v1::HIT_MODE_ANY && hits.hits_size() > 0) {
+        // Of ANY only the entity counts. The solver's own test for any hit names no shape, so the
+        // closest is as good as another; what is saved is the answer's bytes.
+        const std::uint32_t entity = hits.hits(0).entity();
+        hits.mutable_hits(0)->Clear();
+        hits.mutable_hits(0)->set_entity(entity);
+    }
+    return {};
+}
+
+}  // namespace
+
+Answer QueryControl::cast_rays(const v1::CastRaysRequest& request,
+                               v1::CastRaysResponse& response) const {
+    if (Answer a = check_count("rays", request.rays_size(), rays_max); !a.ok()) return a;
+    if (!v1::HitMode_IsValid(request.mode()))
+        return invalid(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
+                                   static_cast<int>(request.mode()),
+                                   static_cast<int>(v1::HitMode_MAX)));
+    for (int i = 0; i < request.rays_size(); i++)
+        if (Answer a = check_ray(request.rays(i), i); !a.ok()) return a;
+    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
+    if (!answer.ok()) return answer;
+    response.set_tick(frame->tick);
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    std::size_t total = 0;
+    for (const v1::Ray& ray : request.rays()) {
+        const physics::Ray asked{to_vector(ray.origin()), to_vector(ray.motion())};
+        if (Answer a = cast_one(asked, request.mode(), filter, *frame, *response.add_rays(), total);
+            !a.ok())
+            return a;
+    }
+    return {};
+}
+
+Answer QueryControl::cast_shapes(const v1::CastShapesRequest& request,
+                                 v1::CastShapesResponse& response) const {
+    if (Answer a = check_count("shapes", request.shapes_size(), shapes_max); !a.ok()) return a;
+    if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
+        return invalid(
+            fmt::format("mode is {}; shapes are cast with HIT_MODE_CLOSEST (1) or HIT_MODE_ALL (3)",
+                        static_cast<int>(request.mode())));
+    std::vector<physics::ShapeCast> casts;
+    for (int i = 0; i < request.shapes_size(); i++) {
+        const std::string field = fmt::format("shapes[{}]", i);
+        const v1::MovingShape& moving = request.shapes(i);
+        physics::ShapeDef shape;
+        if (Answer a = read_shape(shape, moving.shape(), field + ".shape"); !a.ok()) return a;
+        if (Answer a = check_vector(field + ".motion", moving.motion()); !a.ok()) return a;
+        casts.push_back({shape.geometry, shape.pose, to_vector(moving.motion())});
+    }
+    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
+    if (!answer.ok()) return answer;
+    response.set_tick(frame->tick);
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    std::size_t total = 0;
+    for (const physics::ShapeCast& cast : casts) {
+        v1::Hits& hits = *response.add_shapes();
+        Answer a =
+            request.mode() == v1::HIT_MODE_ALL
+                ? write_hits(hits, frame->queries->cast_shape_all(cast, filter), *frame, total)
+                : write_hits(hits, frame->queries->cast_shape(cast, filter), *frame);
+        if (!a.ok()) return a;
+    }
+    return {};
+}
+
+Answer QueryControl::overlap(const v1::OverlapRequest& request,
+                             v1::OverlapResponse& response) const {
+    physics::ShapeDef shape;
+    switch (request.what_case()) {
+        case v1::OverlapRequest::kShape:
+            if (Answer a = read_shape(shape, request.shape(), "shape"); !a.ok()) return a;
+            break;
+        case v1::OverlapRequest::kPoint:
+            if (Answer a = check_vector("point", request.point()); !a.ok()) return a;
+            break;
+        case v1::OverlapRequest::WHAT_NOT_SET:
+            return invalid("give shape or point");
+    }
+    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
+    if (!answer.ok()) return answer;
+    response.set_tick(frame->tick);
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    const auto found = request.has_shape()
+                           ? frame->queries->overlap_shape(shape.geometry, shape.pose, filter)
+                           : frame->queries->shapes_at(to_vector(request.point()), filter);
+    if (!found.ok()) return to_answer(found.error());
+    std::vector<EntityId> entities;
+    for (const physics::ShapeId id : *found) entities.push_back(frame->place_of(id).entity);
+    std::ranges::sort(entities);
+    const auto repeated = std::ranges::unique(entities);
+    entities.erase(repeated.begin(), repeated.end());
+    response.mutable_entities()->Add(entities.begin(), entities.end());
+    return {};
+}
+
+Answer QueryControl::closest_points(const v1::ClosestPointsRequest& request,
+                                    v1::ClosestPointsResponse& response) const {
+    if (Answer a = check_count("points", request.points_size(), points_max); !a.ok()) return a;
+    if (Answer a = check_number("max_distance", request.max_distance(), 0, coordinate_max); !a.ok())
+        return a;
+    std::vector<physics::Vec3> points;
+    for (int i = 0; i < request.points_size(); i++) {
+        if (Answer a = check_vector(fmt::format("points[{}]", i), request.points(i)); !a.ok())
+            return a;
+        points.push_back(to_vector(request.points(i)));
+    }
+    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
+    if (!answer.ok()) return answer;
+    response.set_tick(frame->tick);
+    const auto found = frame->queries->closest_points(points, request.max_distance(),
+                                                      read_filter(request.filter(), *frame));
+    if (!found.ok()) return to_answer(found.error());
+    for (const std::optional<physics::ClosestPoint>& closest : *found) {
+        v1::ClosestPoint& to = *response.add_points();
+        if (!closest) continue;
+        to.set_entity(frame->place_of(closest->shape).entity);
+        to.set_distance(closest->distance);
+        write_vector(*to.mutable_point(), closest->point);
+        write_vector(*to.mutable_normal(), closest->normal);
+    }
+    return {};
+}
+
+Answer QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response) const {
+    const CopyParts parts =
+        (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
+        (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
+        (request.broad_phase() ? copy_broad_phase : 0);
+    if (parts == 0)
+        return invalid("ask for at least one of contacts, islands, bounds, joints, broad_phase");
+    const auto [answer, frame] = ask(context_.worlds, request.world(), parts);
+    if (!answer.ok()) return answer;
+    response.set_tick(frame->tick);
+    response.set_cut((frame->cut & parts) != 0);
+    // The copy may hold more than this request asked for: others ask as well.
+    if (request.contacts())
+        for (const DebugContact& from : frame->contacts) {
+            v1::DebugContact& to = *response.add_contacts();
+            write_vector(*to.mutable_point(), from.point);
+            write_vector(*to.mutable_normal(), from.normal);
+            to.set_gap(from.gap);
+            to.set_impulse(from.impulse);
+            to.set_touching(from.touching);
+        }
+    if (request.islands())
+        for (const DebugIsland& from : frame->islands) {
+            v1::DebugIsland& to = *response.add_islands();
+            to.mutable_entities()->Add(from.entities.begin(), from.entities.end());
+            to.set_asleep(from.asleep);
+        }
+    if (request.bounds())
+        for (const physics::Aabb& box : frame->bounds) write_box(*response.add_bounds(), box);
+    if (request.joints())
+        for (const DebugJoint& from : frame->joints) {
+            v1::DebugJoint& to = *response.add_joints();
+            to.set_entity_a(from.entity_a);
+            to.set_entity_b(from.entity_b);
+            write_vector(*to.mutable_anchor_a(), from.anchor_a);
+            write_vector(*to.mutable_anchor_b(), from.anchor_b);
+            to.set_kind(from.kind);
+        }
+    if (request.broad_phase())
+        for (const physics::Aabb& cell : frame->cells) write_box(*response.add_broad_phase(), cell);
+    return {};
+}
+
+}  // namespace jostle::server

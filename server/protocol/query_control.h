@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// QueryService without a transport: what rpc/query_service and the gateway's /api/query both answer
+// with. Any thread; each call may wait a quarter of a second for a copy of the world and never
+// makes the world wait.
+#pragma once
+
+#include <string>
+
+#include "protocol/answer.h"
+#include "protocol/play_context.h"
+
+namespace jostle::v1 {
+class CastRaysRequest;
+class CastRaysResponse;
+class CastShapesRequest;
+class CastShapesResponse;
+class ClosestPointsRequest;
+class ClosestPointsResponse;
+class DebugRequest;
+class DebugResponse;
+class OverlapRequest;
+class OverlapResponse;
+}  // namespace jostle::v1
+
+namespace jostle::server {
+
+class QueryControl {
+public:
+    explicit QueryControl(PlayContext& context) : context_(context) {}
+
+    Answer cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response) const;
+    Answer cast_shapes(const v1::CastShapesRequest& request,
+                       v1::CastShapesResponse& response) const;
+    Answer overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response) const;
+    Answer closest_points(const v1::ClosestPointsRequest& request,
+                          v1::ClosestPointsResponse& response) const;
+    Answer debug(const v1::DebugRequest& request, v1::DebugResponse& response) const;
+
+private:
+    PlayContext& context_;
+};
+
+}  // namespace jostle::server

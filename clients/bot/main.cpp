@@ -7,6 +7,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <string>
 #include <thread>
 
 #include "bot/player.h"
@@ -33,7 +34,46 @@ struct Flags {
     std::string target = "localhost:50051", world, script;
     int count = 5;
     double seconds = 0;
+    bool events = false;
 };
+
+std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return text;
+}
+
+std::string pair(std::uint32_t a, const char* verb, std::uint32_t b) {
+    return std::to_string(a) + " " + verb + " " + std::to_string(b);
+}
+
+// One line per happening: "tick 71: 5 hits 1 at 4.42 m/s".
+std::string to_lines(const jostle::v1::Events& events) {
+    std::string lines;
+    const auto add = [&](const std::string& what) {
+        lines += "tick " + std::to_string(events.tick()) + ": " + what + "\n";
+    };
+    if (events.missed() > 0) add(std::to_string(events.missed()) + " ticks were missed");
+    for (const auto& c : events.contacts_began())
+        add(pair(c.entity_a(), "touches", c.entity_b()) + " at " + number(c.speed()) + " m/s");
+    for (const auto& c : events.contacts_ended())
+        add(pair(c.entity_a(), "lets go of", c.entity_b()));
+    for (const auto& c : events.contacts())
+        add(pair(c.entity_a(), "presses on", c.entity_b()) + " with " + number(c.impulse()) +
+            " N s");
+    for (const auto& c : events.hits())
+        add(pair(c.entity_a(), "hits", c.entity_b()) + " at " + number(c.speed()) + " m/s");
+    for (const auto& t : events.triggers_entered()) add(pair(t.entity(), "enters", t.trigger()));
+    for (const auto& t : events.triggers_stayed()) add(pair(t.entity(), "is in", t.trigger()));
+    for (const auto& t : events.triggers_left()) add(pair(t.entity(), "leaves", t.trigger()));
+    for (const auto& j : events.joints_broke())
+        add(pair(j.entity_a(), "broke from", j.entity_b()) + " at " + number(j.force()) +
+            " N and " + number(j.torque()) + " N m");
+    for (const std::uint32_t entity : events.fell_asleep())
+        add(std::to_string(entity) + " fell asleep");
+    for (const std::uint32_t entity : events.woke()) add(std::to_string(entity) + " woke");
+    return lines;
+}
 
 int play(const Flags& flags, const jostle::bots::Script& script) {
     jostle::client::Loop loop;
@@ -43,16 +83,20 @@ int play(const Flags& flags, const jostle::bots::Script& script) {
             loop,
             jostle::client::ClientOptions{.target = flags.target,
                                           .world = flags.world,
-                                          .name = "bot " + std::to_string(i + 1)},
+                                          .name = "bot " + std::to_string(i + 1),
+                                          // All bots see the same: one tells.
+                                          .events = flags.events && i == 0},
             line_for(script, i), static_cast<std::uint32_t>(i + 1)));
     const auto began = Clock::now();
     auto next_line = began + std::chrono::seconds(1);
-    const bool live = isatty(STDOUT_FILENO) != 0;
+    const bool live = isatty(STDOUT_FILENO) != 0 && !flags.events;
     std::string last_error;
     while (!stop && (flags.seconds <= 0 ||
                      Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
         const auto now = Clock::now();
         for (const auto& player : players) player->think(now);
+        for (const auto& events : players.front()->client().take_events())
+            std::fputs(to_lines(events).c_str(), stdout);
         if (now >= next_line) {
             next_line = now + std::chrono::seconds(1);
             int connected = 0;
@@ -98,6 +142,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 10000));
     app.add_option("--script", flags.script, "What they do; see below");
     app.add_option("--seconds", flags.seconds, "How long; 0: until Ctrl-C")->capture_default_str();
+    app.add_flag("--events", flags.events, "Print what happens in the world");
     app.footer(footer);
     try {
         app.parse(argc, argv);

@@ -52,6 +52,11 @@ std::vector<v1::InputResult> Client::take_results() {
     return impl_->conversation.take_results();
 }
 
+std::vector<v1::Events> Client::take_events() {
+    const auto lock = locked(*impl_);
+    return impl_->conversation.take_events();
+}
+
 std::vector<float> Client::take_ages_ms() {
     const auto lock = locked(*impl_);
     return impl_->conversation.take_ages_ms();

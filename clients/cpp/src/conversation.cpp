@@ -14,6 +14,7 @@ constexpr auto quick_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
 constexpr std::size_t inputs_max = 4096;  // waiting; two seconds' worth of full batches is 1920
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
+constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
 
 }  // namespace
 
@@ -76,7 +77,8 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
             stats_.last_error = message_.notice().message();
             break;
         case v1::ServerMessage::kEvents:
-            break;  // not asked for
+            on_events(std::move(*message_.mutable_events()));
+            break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
             break;  // of a newer server; not for us
     }
@@ -122,6 +124,21 @@ std::vector<v1::InputResult> Conversation::take_results() {
     return taken;
 }
 
+void Conversation::on_events(v1::Events&& events) {
+    events_.push_back(std::move(events));
+    if (events_.size() <= events_max) return;
+    const std::uint32_t lost = events_.front().missed() + 1;
+    events_.pop_front();
+    events_.front().set_missed(events_.front().missed() + lost);
+}
+
+std::vector<v1::Events> Conversation::take_events() {
+    std::vector<v1::Events> taken(std::make_move_iterator(events_.begin()),
+                                  std::make_move_iterator(events_.end()));
+    events_.clear();
+    return taken;
+}
+
 void Conversation::put_ack(v1::Ack& ack) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(need_keyframe_);
@@ -155,6 +172,7 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         hello.set_name(options_.name);
         hello.set_snapshot_hz(options_.snapshot_hz);
         hello.set_spectator(options_.spectator);
+        hello.set_events(options_.events);
         return message.SerializeAsString();
     }
     if (!stats_.connected || goodbye_said_) return std::nullopt;

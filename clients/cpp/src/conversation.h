@@ -38,11 +38,13 @@ public:
     const ClientStats& stats() const { return stats_; }
     const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
     std::vector<v1::InputResult> take_results();
+    std::vector<v1::Events> take_events();
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
     void on_results(const v1::InputResults& results);
+    void on_events(v1::Events&& events);
     void put_ack(v1::Ack& ack);
     std::string take_inputs(Clock::time_point now);
 
@@ -53,6 +55,7 @@ private:
     ClientStats stats_;
     std::optional<v1::WorldStats> world_stats_;
     std::deque<v1::InputResult> results_;
+    std::deque<v1::Events> events_;
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused: parsing then allocates rarely

@@ -28,6 +28,7 @@ struct ClientOptions {
     std::string name;               // at most 32 bytes
     std::uint32_t snapshot_hz = 0;  // 0: the world's rate
     bool spectator = false;
+    bool events = false;    // asks for what happens in the world: see take_events()
     bool reconnect = true;  // after a lost connection, with growing pauses up to 5 s
 };
 
@@ -62,6 +63,9 @@ public:
     std::vector<SmoothPose> interpolated(Clock::time_point now) const;
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
+    // What happened since the last call, one entry per tick in which something did, in order. Of
+    // more than 1024 the oldest are gone; `missed` of the next one then counts them as well.
+    std::vector<v1::Events> take_events();
     // Age of each snapshot when it was decoded, since the last call (at most 65536); ms.
     std::vector<float> take_ages_ms();
     ClientStats stats() const;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// Questions to a world that runs on a server: what does a ray hit, what overlaps a shape, what is
+// nearest. Each call blocks up to 5 s; errors are the server's words. Any thread.
+//
+//     client::QueryClient queries("localhost:50051", "sandbox");
+//     const auto hit = queries.cast_ray({0, 10, 0}, {0, -20, 0});
+//     if (hit.ok() && hit.value) std::printf("entity %u\n", hit.value->entity);
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jostle/v1/query.pb.h"
+
+namespace jostle::client {
+
+using Point = std::array<double, 3>;  // m, world; also for directions
+
+struct QueryOptions {
+    std::uint32_t categories = 0xffffffff;  // of shapes that are seen
+    bool triggers = false;                  // whether triggers are seen
+    std::uint32_t ignore = 0;               // an entity that is not seen
+};
+
+struct RayHit {
+    std::uint32_t entity = 0;
+    std::uint32_t shape = 0;  // which of the entity's shapes
+    double fraction = 0;      // of the motion
+    Point point{};
+    Point normal{};  // out of what was hit
+};
+
+struct Nearest {
+    std::uint32_t entity = 0;
+    double distance = 0;  // m; negative: inside
+    Point point{};        // on the surface
+    Point normal{};
+};
+
+template <class Value>
+struct QueryAnswer {
+    Value value{};
+    std::uint32_t tick = 0;  // of the world that was asked
+    std::string error;       // empty: the value counts
+
+    bool ok() const { return error.empty(); }
+};
+
+class QueryClient {
+public:
+    // `world`: id or name; empty: the server's first.
+    explicit QueryClient(const std::string& target, std::string world = {});
+    ~QueryClient();
+
+    // The first thing that the ray from `origin` to `origin + motion` meets, if any.
+    QueryAnswer<std::optional<RayHit>> cast_ray(Point origin, Point motion,
+                                                const QueryOptions& options = {});
+    // Entities, rising: what touches a convex shape where it stands, or holds a point.
+    QueryAnswer<std::vector<std::uint32_t>> overlap(const v1::Shape& shape,
+                                                    const QueryOptions& options = {});
+    QueryAnswer<std::vector<std::uint32_t>> overlap(Point point, const QueryOptions& options = {});
+    // The nearest surface within `max_distance` (m) of the point, if any.
+    QueryAnswer<std::optional<Nearest>> closest_point(Point point, double max_distance,
+                                                      const QueryOptions& options = {});
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace jostle::client

@@ -1,5 +1,7 @@
 // The viewer in a real headless Chromium against a real server: joins, drags a box and sees it move, throws a ball and sees
-// one more body. Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]. Exit status 1 when something does not hold.
+// one more body, draws shapes of every kind, asks what is under the pointer, looks at the solver, reads events.
+// Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
+// shapes. Exit status 1 when something does not hold.
 
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, existsSync } from 'node:fs';
@@ -7,6 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { shapesScene } from './shapes_scene.mjs';
 
 const CHROMIUM_FLAGS = [
   '--no-sandbox',
@@ -59,9 +62,27 @@ try {
   const ports = await until('the server writes its ports', 10, () => existsSync(portFile) && JSON.parse(readFileSync(portFile, 'utf8')));
   browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  const post = (path, message) =>
+    fetch(`http://127.0.0.1:${ports.http}${path}`, {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json' },
+      body: JSON.stringify(message),
+    });
+  const down = { origin: { y: 50 }, motion: { y: -100 } };
+  const servesQueries = (await post('/api/query/CastRays', { rays: [down] })).status === 200;
+  if (!servesQueries) console.log('  skipped: this server answers no /api/query; picking by it, the debug view and events are not checked');
+  const made = await post('/api/worlds', { name: 'shapes', scene: shapesScene });
+  const servesShapes = made.ok;
+  if (!servesShapes) console.log(`  skipped: this server does not take the world of shapes: ${await made.text()}`);
+
   const errors = [];
+  let debugQuestions = 0;
   page.on('pageerror', (error) => errors.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+  page.on('console', (message) => {
+    const expected = !servesQueries && message.location().url.includes('/api/query/');
+    if (message.type() === 'error' && !expected) errors.push(message.text());
+  });
+  page.on('request', (request) => request.url().endsWith('/api/query/Debug') && debugQuestions++);
   // Drawn in software here: few pixels, or the page would have no time for anything else.
   await page.goto(`http://127.0.0.1:${ports.http}/?quality=low`);
 
@@ -78,6 +99,8 @@ try {
   const before = await page.evaluate((id) => window.jostle.pose(id), box);
   const at = await page.evaluate((id) => window.jostle.screen(id), box);
   await page.mouse.move(at.x, at.y);
+  const readout = await until('the line on what is under the pointer', 5, () => page.locator('#readout:not([hidden])').textContent({ timeout: 3000 }));
+  expect(readout.startsWith(`tower · id ${box} · box · `), `under the pointer: ${readout}`);
   await page.mouse.down();
   for (let i = 1; i <= 20; i++) {
     await page.mouse.move(at.x - 10 * i, at.y - 4 * i);
@@ -107,6 +130,46 @@ try {
   await page.locator('#worlds .world', { hasText: 'sandbox' }).locator('button', { hasText: 'Join' }).click();
   await until('back in the sandbox', 10, () => page.evaluate(() => window.jostle.entities > 200 && window.jostle.snapshots > 30));
 
+  if (servesShapes) {
+    await page.goto(`http://127.0.0.1:${ports.http}/?quality=low&world=shapes`);
+    await until('the world of shapes plays', 20, () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
+    const parts = await page.evaluate(() => window.jostle.parts());
+    const right = { field: 1, plane: 1, mesh: 1, cylinder: 10, cone: 5, hull: 5, sphere: 5, box: 6, tube: 4, cap: 8 };
+    const same = Object.keys({ ...right, ...parts }).every((kind) => parts[kind] === right[kind]);
+    expect(same, `every shape is drawn as what it is: ${JSON.stringify(parts)}`);
+  }
+  if (servesShapes && servesQueries) {
+    expect(debugQuestions === 0, 'no question for the debug view while it is off');
+    await page.keyboard.press('d');
+    for (const toggle of ['contacts', 'joints', 'islands']) await page.locator(`#debug input[name=${toggle}]`).check();
+    const note = await until('the debug view says what there is', 5, async () => {
+      const text = await page.locator('#debug .note').textContent();
+      return /[1-9]\d* contacts?, [1-9]\d* islands?, 4 joints/.test(text) && text;
+    });
+    expect(true, `the debug view shows ${note}`);
+    const asked = debugQuestions;
+    await new Promise((done) => setTimeout(done, 2000));
+    const perSecond = (debugQuestions - asked) / 2;
+    expect(perSecond > 1 && perSecond <= 5.5, `the debug view asks ${perSecond} times a second`);
+    for (const toggle of ['contacts', 'joints', 'islands']) await page.locator(`#debug input[name=${toggle}]`).uncheck();
+    await new Promise((done) => setTimeout(done, 500));
+    const last = debugQuestions;
+    await new Promise((done) => setTimeout(done, 700));
+    expect(debugQuestions === last, 'and no longer once it is off');
+    await page.keyboard.press('d');
+
+    await page.keyboard.press('e');
+    await until('back in the world with events', 10, () => page.evaluate(() => window.jostle.state === 'playing' && window.jostle.snapshots > 0));
+    await page.keyboard.press('2');
+    const words = await until('a thrown ball hits something', 15, async () => {
+      await page.mouse.click(640, 400);
+      await new Promise((done) => setTimeout(done, 300));
+      return (await page.locator('#events li').allTextContents()).find((line) => / hit .* at \d+\.\d m\/s/.test(line));
+    });
+    expect(true, `events in words: ${words}`);
+    await page.keyboard.press('e');
+  }
+
   expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot decoded with its CRC');
   expect(errors.length === 0, `no error on the page ${errors.join('; ')}`);
   if (screenshot) {
@@ -114,6 +177,19 @@ try {
     await until('a finer picture', 30, () => page.evaluate(() => window.jostle?.snapshots > 100));
     await page.screenshot({ path: screenshot, timeout: 40_000 });
     console.log(`  wrote ${screenshot}`);
+    if (servesShapes) {
+      await page.goto(`http://127.0.0.1:${ports.http}/?quality=high&world=shapes`);
+      await until('the shapes in a finer picture', 60, () => page.evaluate(() => window.jostle?.snapshots > 100));
+      const beside = screenshot.replace(/(\.\w+)?$/, '-shapes$1');
+      if (servesQueries) {
+        await page.keyboard.press('d');
+        for (const toggle of ['contacts', 'joints', 'bounds']) await page.locator(`#debug input[name=${toggle}]`).check();
+        await until('lines', 20, async () => /contact/.test(await page.locator('#debug .note').textContent()));
+      }
+      await new Promise((done) => setTimeout(done, 1500));
+      await page.screenshot({ path: beside, timeout: 40_000 });
+      console.log(`  wrote ${beside}`);
+    }
   }
 } catch (error) {
   console.error(`FAILED: ${error.message}`);

@@ -42,6 +42,7 @@ describe('connection', () => {
         state: (s, why) => states.push([s, why]),
         roster: () => {},
         stats: () => {},
+        happened: (events) => said.push(`tick ${events.tick}`),
         refused: (result) => said.push(result.message),
         notice: (text) => said.push(text),
       },
@@ -190,5 +191,19 @@ describe('connection', () => {
     expect(sockets[0]!.closed).toBe(true);
     sockets[1]!.onopen?.();
     expect(sockets[1]!.take()[0]).toMatchObject({ case: 'hello', value: { world: 'pyramid' } });
+  });
+
+  it('asks for events by coming back to the same world, and hands them on', () => {
+    welcome();
+    expect(sockets[0]!.take()[0]).toMatchObject({ case: 'hello', value: { events: false } });
+    connection.wantEvents(false);
+    expect(sockets.length).toBe(1);
+    connection.wantEvents(true);
+    expect(sockets.length).toBe(2);
+    sockets[1]!.onopen?.();
+    expect(sockets[1]!.take()[0]).toMatchObject({ case: 'hello', value: { world: 'sandbox', events: true } });
+    welcome();
+    sockets[1]!.give({ message: { case: 'events', value: { tick: 31 } } });
+    expect(said).toEqual(['tick 31']);
   });
 });

@@ -12,6 +12,7 @@ import {
   NoticeCode,
   ServerMessageSchema,
   type Entity,
+  type Events as WorldEvents,
   type InputResult,
   type InputSchema,
   type Notice,
@@ -38,6 +39,8 @@ export interface Events {
   state(state: State, why: string): void;
   roster(entities: ReadonlyMap<number, Entity>): void;
   stats(stats: WorldStats): void;
+  /** What happened in one tick; only while `wantEvents`. */
+  happened(events: WorldEvents): void;
   refused(result: InputResult): void;
   /** What the server has to say to the person. */
   notice(text: string): void;
@@ -66,6 +69,7 @@ export class Connection {
   world = '';
   state: State = 'stopped';
 
+  private eventsWanted = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
   private inputs: Input[] = [];
@@ -92,6 +96,13 @@ export class Connection {
     this.world = world;
     this.attempt = 0;
     this.connect();
+  }
+
+  /** Whether the server is to tell what happens. It is asked when one joins, so a change leaves and comes back. */
+  wantEvents(wanted: boolean): void {
+    if (this.eventsWanted === wanted) return;
+    this.eventsWanted = wanted;
+    if (this.state === 'playing' || this.state === 'connecting') this.join(this.world);
   }
 
   stop(): void {
@@ -138,7 +149,8 @@ export class Connection {
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
-      this.sendMessage({ case: 'hello', value: { protocol: PROTOCOL, world: this.world, name: 'browser' } });
+      const hello = { protocol: PROTOCOL, world: this.world, name: 'browser', events: this.eventsWanted };
+      this.sendMessage({ case: 'hello', value: hello });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
     socket.onclose = (event) => this.closed(event.code, event.reason);
@@ -196,6 +208,8 @@ export class Connection {
         return;
       case 'pong':
         return this.clock.add(Number(message.value.clientTimeUs), Number(message.value.serverTimeUs), nowUs());
+      case 'events':
+        return this.events.happened(message.value);
       case 'stats':
         return this.events.stats(message.value);
       case 'notice':

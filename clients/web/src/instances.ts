@@ -1,6 +1,7 @@
 // Instances of one geometry: slots are taken and given back, so that a body that comes or goes costs its own parts only.
 
 import * as THREE from 'three';
+import type { Kind } from './shape_parts';
 
 const NOWHERE = new THREE.Matrix4().makeScale(0, 0, 0);
 
@@ -15,6 +16,7 @@ export class Instances {
 
   constructor(
     private readonly scene: THREE.Scene,
+    readonly kind: Kind,
     geometry: THREE.BufferGeometry,
     material: THREE.Material,
     private readonly castShadow: boolean,
@@ -38,8 +40,9 @@ export class Instances {
     return mesh;
   }
 
-  get empty(): boolean {
-    return this.used === 0;
+  /** How many slots are taken. */
+  get size(): number {
+    return this.used;
   }
 
   /** A slot for a part of that entity's shape; invisible until it is placed. */
@@ -80,6 +83,10 @@ export class Instances {
   paint(slot: number, color: THREE.Color): void {
     color.toArray(this.mesh.instanceColor!.array, slot * 3);
     this.painted = true;
+  }
+
+  colorAt(slot: number): THREE.Color {
+    return new THREE.Color().fromArray(this.mesh.instanceColor!.array, slot * 3);
   }
 
   /** Tells the graphics processor what changed since the last picture. */

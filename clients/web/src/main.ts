@@ -4,13 +4,17 @@ import * as THREE from 'three';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, type State } from './connection';
+import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
+import { HitMarks } from './hit_marks';
+import { DebugPanel } from './panels/debug';
+import { EventsPanel } from './panels/events';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
 import { Queries } from './queries';
 import { SceneView } from './scene_view';
-import { readoutWords } from './thing_names';
+import { readoutWords, thingName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import './style.css';
 
@@ -47,6 +51,7 @@ const connection = new Connection(websocketUrl(), {
   },
   roster: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
   stats: (stats) => statsPanel.update(stats),
+  happened: (events) => eventsPanel.happened(events, performance.now() + pictureBehindMs()),
   refused: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 });
@@ -57,6 +62,14 @@ const tools = new Tools(canvas, camera, view, connection, queries, (hit) => {
   readout.hidden = hit === undefined;
   if (hit) readout.textContent = readoutWords(connection.entities.get(hit.entity), hit);
 });
+const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
+const hitMarks = new HitMarks(view.scene);
+const eventsPanel = new EventsPanel(
+  byId('events'),
+  hitMarks,
+  (wanted) => connection.wantEvents(wanted),
+  (id) => thingName(connection.entities.get(id), id),
+);
 const worlds = new WorldsPanel(
   byId('worlds'),
   (world) => connection.join(world),
@@ -69,6 +82,14 @@ function websocketUrl(): string {
   url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
   url.search = url.hash = '';
   return url.href;
+}
+
+/** How far the picture is behind the newest that the server told. */
+function pictureBehindMs(): number {
+  const newest = connection.frames.newest;
+  if (!newest || !connection.clock.ready) return 0;
+  const drawnUs = connection.clock.serverUs(nowUs()) - connection.delay.us;
+  return Math.max(0, (newest.serverUs - drawnUs) / 1000);
 }
 
 function choose(tool: Tool): void {
@@ -92,6 +113,8 @@ choose('drag');
 byId('help').innerHTML = `<h2>How to play</h2><dl>${TOOLS.map(
   ({ key, label, hint }) => `<dt><kbd>${key}</kbd> ${label}</dt><dd>${hint}</dd>`,
 ).join('')}<dt>Camera</dt><dd>Drag the ground to turn, right button to shift, wheel to zoom; two fingers on touch</dd>
+<dt><kbd>D</kbd></dt><dd>Debug view: what the solver sees</dd>
+<dt><kbd>E</kbd></dt><dd>Events: what happens, in words (joins the world anew)</dd>
 <dt><kbd>W</kbd> <kbd>S</kbd> <kbd>?</kbd></dt><dd>Worlds, statistics, this help</dd></dl>`;
 
 const toggle = (id: string) => {
@@ -99,6 +122,8 @@ const toggle = (id: string) => {
 };
 byId('worlds-button').onclick = () => void worlds.toggle();
 byId('stats-button').onclick = () => toggle('stats');
+byId('debug-button').onclick = () => toggle('debug');
+byId('events-button').onclick = () => eventsPanel.toggle();
 byId('help-button').onclick = () => toggle('help');
 addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -106,6 +131,8 @@ addEventListener('keydown', (event) => {
   if (chosen) choose(chosen.tool);
   if (event.key === 'w') void worlds.toggle();
   if (event.key === 's') toggle('stats');
+  if (event.key === 'd') toggle('debug');
+  if (event.key === 'e') eventsPanel.toggle();
   if (event.key === '?') toggle('help');
 });
 
@@ -123,6 +150,9 @@ renderer.setAnimationLoop(() => {
   camera.controls.update();
   if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
   view.update(drawn);
+  debugPanel.update();
+  eventsPanel.update();
+  hitMarks.update(performance.now());
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   renderer.render(view.scene, camera.camera);
   statsPanel.pictureDrawn();
@@ -153,6 +183,8 @@ Object.defineProperty(window, 'jostle', {
     },
     /** Ids of dynamic bodies that the scene made. */
     loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),
+    /** How many parts of each kind are in the scene. */
+    parts: () => view.partCounts(),
     nameOf: (id: number) => connection.entities.get(id)?.name,
     pose: (id: number) => {
       const pose = view.poseOf(id);

@@ -73,3 +73,35 @@ it('draws 100 hulls of 2 looks with 2 geometries, and gives them back when the l
   expect([view.objects.length - before, disposed]).toEqual([0, 2]);
   expect(view.scene.children.filter((child) => child.userData['instances']).length).toBe(before);
 });
+
+it('islands tint what can move, sleep turns it blue, and both go again', () => {
+  const view = new SceneView();
+  const box = { kind: { case: 'box' as const, value: { halfExtents: { x: 1, y: 1, z: 1 } } } };
+  const own = 0xe07a5f;
+  const make = (id: number, mass: number) => create(EntitySchema, { id, mass, color: own, shapes: [box] });
+  view.setEntities(new Map([make(1, 1), make(2, 1), make(3, 0)].map((e) => [e.id, e])), 0);
+  const frames = new FrameBuffer();
+  const at = { position: [0, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number] };
+  frames.add({ frame: 1, entities: [1, 2, 3].map((id) => ({ id, ...at, atRest: id !== 1 })) }, 0, spec);
+  const drawn = new DrawnPoses();
+  drawn.update(frames, 0);
+  const colors = () => {
+    view.update(drawn);
+    return [1, 2, 3].map((id) => view.colorOf(id)!);
+  };
+  const [awake, asleep, fixed] = colors();
+  expect([awake, fixed]).toEqual([own, own]);
+  expect(asleep).not.toBe(own);
+
+  view.setTints(new Map([[1, 0x00ff00], [3, 0x00ff00]]));
+  expect([colors()[0], colors()[2]]).toEqual([0x00ff00, own]);
+  view.setTints(undefined);
+  expect(colors()).toEqual([awake, asleep, fixed]);
+
+  view.markAsleep(true);
+  const marked = colors();
+  expect([marked[0], marked[2]]).toEqual([own, own]);
+  expect(marked[1]! & 0xff).toBeGreaterThan((asleep! & 0xff) + 50);
+  view.markAsleep(false);
+  expect(colors()).toEqual([awake, asleep, fixed]);
+});

@@ -22,7 +22,7 @@ interface Shown {
   readonly parts: readonly Part[];
   readonly color: number;
   readonly pose: Float64Array; // NaN until the first picture
-  asleep: boolean | undefined;
+  asleep: boolean | undefined; // as painted; undefined: to be painted
 }
 
 const PALETTE = [0x5b8def, 0xe07a5f, 0xf2cc8f, 0x6bb392, 0xa78bfa, 0xef8354, 0x4cc9c0, 0xe66a9c];
@@ -30,6 +30,10 @@ const MINE = 0xffd166;
 const FIXED_COLOR = 0x66727f;
 const ASLEEP_GREY = new THREE.Color(0x39424c);
 const ASLEEP_SHARE = 0.3;
+// In the debug view.
+const ASLEEP_MARK = new THREE.Color(0x2f6fd6);
+const ASLEEP_MARK_SHARE = 0.75;
+const NO_ISLAND = 0x8d959e;
 const HORIZON = new THREE.Color(0x3b4c5e);
 const ABOVE = new THREE.Color(0x0e141c);
 const SUN = new THREE.Vector3(18, 30, 12).normalize().multiplyScalar(60); // m from what is looked at
@@ -51,6 +55,8 @@ export class SceneView {
   private readonly shown = new Map<number, Shown>();
   private readonly sun = new THREE.DirectionalLight(0xfff1dc, 2.7);
   private shadowReach = 0;
+  private tints: ReadonlyMap<number, number> | undefined;
+  private asleepMarked = false;
 
   constructor() {
     this.scene.fog = new THREE.Fog(HORIZON, 45, 170);
@@ -68,7 +74,7 @@ export class SceneView {
   private addInstances(key: string, kind: Kind, geometry: THREE.BufferGeometry, room?: number): Instances {
     let material = this.materials.get(kind);
     if (!material) this.materials.set(kind, (material = materialFor(kind)));
-    const instances = new Instances(this.scene, geometry, material, !FLAT_GROUND.includes(kind), room);
+    const instances = new Instances(this.scene, kind, geometry, material, !FLAT_GROUND.includes(kind), room);
     this.geometries.set(key, instances);
     return instances;
   }
@@ -82,6 +88,13 @@ export class SceneView {
 
   get objects(): THREE.InstancedMesh[] {
     return [...this.geometries.values()].map((instances) => instances.mesh);
+  }
+
+  /** How many parts of each kind there are. */
+  partCounts(): Partial<Record<Kind, number>> {
+    const counts: Partial<Record<Kind, number>> = {};
+    for (const { kind, size } of this.geometries.values()) if (size > 0) counts[kind] = (counts[kind] ?? 0) + size;
+    return counts;
   }
 
   /** Whose part that instance is, and of which of its shapes; entity 0: nobody's. */
@@ -117,7 +130,7 @@ export class SceneView {
       if (!this.shown.has(entity.id)) this.shown.set(entity.id, this.show(entity, me));
     // Last, so that a body that changed keeps the geometry it shares only with itself.
     for (const [key, instances] of this.geometries) {
-      if (!instances.empty || (UNIT_KINDS as readonly string[]).includes(key)) continue;
+      if (instances.size > 0 || (UNIT_KINDS as readonly string[]).includes(key)) continue;
       instances.dispose();
       this.geometries.delete(key);
     }
@@ -168,16 +181,49 @@ export class SceneView {
 
   private paint(shown: Shown, asleep: boolean): void {
     shown.asleep = asleep;
-    color.set(shown.color);
+    color.set(this.colorNow(shown));
     // Fixed bodies always rest; only what could move looks sleepy.
-    if (asleep && shown.entity.mass > 0) color.lerp(ASLEEP_GREY, ASLEEP_SHARE);
+    if (asleep && shown.entity.mass > 0)
+      color.lerp(this.asleepMarked ? ASLEEP_MARK : ASLEEP_GREY, this.asleepMarked ? ASLEEP_MARK_SHARE : ASLEEP_SHARE);
     for (const { instances, slot } of shown.parts) instances.paint(slot, color);
+  }
+
+  private colorNow({ entity, color: own }: Shown): number {
+    if (!this.tints || entity.mass <= 0) return own;
+    return this.tints.get(entity.id) ?? NO_ISLAND;
+  }
+
+  /** Debug view: a colour per body instead of its own; undefined: their own again. */
+  setTints(tints: ReadonlyMap<number, number> | undefined): void {
+    const before = this.tints;
+    this.tints = tints;
+    if (!before && !tints) return;
+    for (const [id, shown] of this.shown)
+      if (!before || !tints || before.get(id) !== tints.get(id)) shown.asleep = undefined; // painted with the next picture
+  }
+
+  /** Debug view: whether who sleeps stands out. */
+  markAsleep(marked: boolean): void {
+    if (this.asleepMarked === marked) return;
+    this.asleepMarked = marked;
+    for (const shown of this.shown.values()) shown.asleep = undefined;
   }
 
   /** Where a body is drawn; nothing while it never was. */
   poseOf(id: number): Float64Array | undefined {
     const pose = this.shown.get(id)?.pose;
     return pose && !Number.isNaN(pose[0]!) ? pose : undefined;
+  }
+
+  /** The same, of what can move. */
+  loosePoseOf(id: number): Float64Array | undefined {
+    return (this.shown.get(id)?.entity.mass ?? 0) > 0 ? this.poseOf(id) : undefined;
+  }
+
+  /** The colour that a body's parts have in the picture. */
+  colorOf(id: number): number | undefined {
+    const part = this.shown.get(id)?.parts[0];
+    return part && part.instances.colorAt(part.slot).getHex();
   }
 }
 

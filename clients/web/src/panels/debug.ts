@@ -1,0 +1,107 @@
+// Toggles of the debug view. The server is asked five times a second while something is on that it has to tell, else never.
+
+import { islandTints, type DebugView, type DebugWishes } from '../debug_view';
+import type { DebugResponse } from '../gen/jostle/v1/query_pb';
+import { Paced } from '../paced';
+import type { Queries } from '../queries';
+import type { SceneView } from '../scene_view';
+
+const EVERY_MS = 200;
+
+type Toggle = keyof DebugWishes | 'sleep';
+const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
+  { toggle: 'contacts', label: 'Contacts', hint: 'Points and normals: red presses, blue is near; the longer, the harder' },
+  { toggle: 'islands', label: 'Islands', hint: 'Bodies that hang together have one colour' },
+  { toggle: 'sleep', label: 'Sleep', hint: 'Bodies that sleep are blue' },
+  { toggle: 'bounds', label: 'Bounds', hint: 'The box around each shape' },
+  { toggle: 'joints', label: 'Joints', hint: 'From body to anchor to body' },
+  { toggle: 'broadPhase', label: 'Broad phase', hint: 'Cells, or branches of the tree' },
+];
+
+export class DebugPanel {
+  readonly on: Record<Toggle, boolean> = {
+    contacts: false,
+    islands: false,
+    sleep: false,
+    bounds: false,
+    joints: false,
+    broadPhase: false,
+  };
+  private readonly note = document.createElement('p');
+  private readonly asking = new Paced(EVERY_MS, () => this.ask());
+
+  constructor(
+    panel: HTMLElement,
+    private readonly queries: Queries,
+    private readonly lines: DebugView,
+    private readonly view: SceneView,
+  ) {
+    const title = document.createElement('h2');
+    title.textContent = 'Debug view';
+    panel.append(title, ...TOGGLES.map(({ toggle, label, hint }) => this.row(toggle, label, hint)), this.note);
+    this.note.className = 'note';
+  }
+
+  private row(toggle: Toggle, label: string, hint: string): HTMLElement {
+    const row = document.createElement('label');
+    row.title = hint;
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.name = toggle;
+    box.onchange = () => {
+      this.on[toggle] = box.checked;
+      box.blur(); // keys go on meaning tools
+      this.toggled();
+    };
+    row.append(box, label);
+    return row;
+  }
+
+  private get asksServer(): boolean {
+    return TOGGLES.some(({ toggle }) => toggle !== 'sleep' && this.on[toggle]);
+  }
+
+  private toggled(): void {
+    this.view.markAsleep(this.on.sleep); // snapshots say who sleeps
+    if (!this.on.islands) this.view.setTints(undefined);
+    if (!this.asksServer) {
+      this.lines.clear();
+      this.note.textContent = '';
+    }
+  }
+
+  /** Once a picture. */
+  update(): void {
+    if (this.asksServer) this.asking.ask();
+  }
+
+  private async ask(): Promise<void> {
+    if (!this.asksServer) return;
+    const { contacts, islands, bounds, joints, broadPhase } = this.on;
+    const answer = await this.queries.debug({ contacts, islands, bounds, joints, broadPhase });
+    // Toggles may have changed in the meantime.
+    if (!this.asksServer) return;
+    if (!answer) {
+      this.lines.clear();
+      this.view.setTints(undefined);
+      this.note.textContent = 'The server does not tell.';
+      return;
+    }
+    this.lines.show(answer, this.on, (entity) => this.view.loosePoseOf(entity));
+    if (this.on.islands) this.view.setTints(islandTints(answer.islands));
+    this.note.textContent = summary(answer, this.on);
+  }
+}
+
+export function summary(answer: DebugResponse, on: DebugWishes): string {
+  const counts: string[] = [];
+  const count = (wished: boolean, n: number, one: string, many: string) => {
+    if (wished) counts.push(`${n} ${n === 1 ? one : many}`);
+  };
+  count(on.contacts, answer.contacts.length, 'contact', 'contacts');
+  count(on.islands, answer.islands.length, 'island', 'islands');
+  count(on.bounds, answer.bounds.length, 'box', 'boxes');
+  count(on.joints, answer.joints.length, 'joint', 'joints');
+  count(on.broadPhase, answer.broadPhase.length, 'cell', 'cells');
+  return counts.join(', ') + (answer.cut ? '; there are more than are shown' : '');
+}

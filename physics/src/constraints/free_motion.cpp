@@ -13,6 +13,39 @@ double damping_factor(double damping, double dt) {
     return c < 1 ? (1 - 0.5 * c) / (1 + 0.5 * c) : 1 / (1 + c);
 }
 
+// In the frame of the start, which turns with the body, the inertia is constant: the midpoint rule
+// keeps energy and |L|, and with the Cayley map for the turn L itself. In that frame each round gains
+// a factor of about h |w|, however thin the body is, because no principal moment is less than the
+// difference of the other two.
+EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, double dt) {
+    const double wished = length(w) * dt * 4;
+    const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
+    const double h = dt / parts;
+    EulerStep result{.turn = {}, .w = w};
+    for (int part = 0; part < parts; part++) {
+        const Vec3 begin = result.w;
+        Vec3 end = begin, middle;
+        for (int round = 0; round < 30; round++) {
+            middle = (begin + end) * 0.5;
+            const Vec3 next = begin - inverse_inertia * cross(middle, inertia * middle) * h;
+            const bool settled = length_squared(next - end) <= 1e-30 * length_squared(next);
+            end = next;
+            if (settled) break;
+        }
+        const Vec3 half = (begin + end) * (0.25 * h);
+        result.turn = normalized(result.turn * Quat{half.x, half.y, half.z, 1});
+        result.w = end;
+    }
+    return result;
+}
+
+bool tumbles(const BodyWarm& warm, const BodyCold& cold, double dt) {
+    constexpr double far = 0.02;  // rad
+    return !cold.isotropic && cold.type == BodyType::dynamic &&
+           (cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) == 0 &&
+           length_squared(warm.w) * dt * dt > far * far;
+}
+
 namespace {
 
 // With locked turns the spin keeps to the directions that are left; no gyroscopic term couples into
@@ -36,19 +69,17 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
         return {normalized(from_rotation_vector(mean * dt) * warm.rotation), w};
     }
     if (warm.w == Vec3{} && warm.torque == Vec3{}) return {warm.rotation, {}};
-    const auto spin_at = [&](Quat rotation, Vec3 momentum) {
+    // Torque in two halves round the free turn.
+    const Mat3 inertia = warm.axes * cold.inertia * transpose(warm.axes);
+    const Mat3 inverse = warm.axes * cold.inverse_inertia * transpose(warm.axes);
+    const EulerStep turned = euler_step(inertia, inverse, warm.w + inverse * warm.torque * (0.5 * dt), dt);
+    const Quat rotation = normalized(turned.turn * warm.rotation);
+    Vec3 w = rotate(turned.turn, turned.w);
+    if (warm.torque != Vec3{}) {
         const Mat3 axes = to_matrix(rotation);
-        return axes * (cold.inverse_inertia * transposed_times(axes, momentum));
-    };
-    const Vec3 start = warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));
-    const Vec3 middle = start + warm.torque * (0.5 * dt), end = start + warm.torque * dt;
-    // Fixed-point iteration for the spin at the middle of the step; each round gains a factor of
-    // about dt |w| / 2.
-    Vec3 w = warm.w;
-    for (int round = 0; round < 4; round++)
-        w = spin_at(normalized(from_rotation_vector(w * (0.5 * dt)) * warm.rotation), middle);
-    const Quat rotation = normalized(from_rotation_vector(w * dt) * warm.rotation);
-    return {rotation, spin_at(rotation, end)};
+        w += axes * (cold.inverse_inertia * transposed_times(axes, warm.torque)) * (0.5 * dt);
+    }
+    return {rotation, w};
 }
 
 FreeMotion free_motion(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity, double dt) {

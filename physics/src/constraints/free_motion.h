@@ -13,14 +13,25 @@ struct FreeMotion {
     Vec3 v, w;          // at the end
 };
 
-// Exact under constant force (x += v dt + a dt^2 / 2). Rotation: the implicit midpoint rule on the
-// rotation group with the angular momentum as the variable, so |L| is kept to rounding and the
-// energy stays bounded (Lewis and Simo, "Conserving algorithms for the dynamics of Hamiltonian
-// systems on Lie groups", 1994).
+// Exact under constant force (x += v dt + a dt^2 / 2). Rotation: the implicit midpoint rule for
+// Euler's equations with the Cayley map, which keeps the angular momentum and the energy to rounding
+// (Austin, Krishnaprasad, Wang, "Almost Poisson integration of rigid body systems", 1993).
 FreeMotion free_motion(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity, double dt);
 
 // Acceleration by gravity and the user's force, m/s^2.
 Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity);
+
+// Euler's equations over dt.
+struct EulerStep {
+    Quat turn;  // since the start, in world axes
+    Vec3 w;     // rad/s, in the frame of the start: to be turned by `turn`
+};
+// `inertia` in world axes as the body stands at the start.
+EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, double dt);
+
+// Whether the body turns so far in dt, with an inertia so uneven, that its axes may not be taken as
+// they stood at the start.
+bool tumbles(const BodyWarm& warm, const BodyCold& cold, double dt);
 
 struct FreeSpin {
     Quat rotation;

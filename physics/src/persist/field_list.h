@@ -263,6 +263,7 @@ void visit_fields(V& v, Joint& j) {
     v.field("upper", j.upper);
     v.field("swing_impulse", j.swing);
     v.field("spring_impulse", j.spring);
+    v.field("motor", j.motor);
     visit(v, "drive", j.drive);
     visit(v, "force", j.force);
     visit(v, "torque", j.torque);

@@ -11,9 +11,10 @@ Vec3 vec(const float* f) {
     return {double{f[0]}, double{f[1]}, double{f[2]}};
 }
 
-FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm) {
-    return {vec(hot.dp), normalized(from_rotation_vector(vec(hot.dr)) * warm.rotation), vec(hot.v),
-            vec(hot.w)};
+FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm, bool tumbling) {
+    const Quat turn = from_rotation_vector(vec(hot.dr));
+    return {vec(hot.dp), normalized(turn * warm.rotation), vec(hot.v),
+            tumbling ? rotate(turn, vec(hot.w)) : vec(hot.w)};
 }
 
 }  // namespace
@@ -27,7 +28,8 @@ void finalize(StepContext& step) {
             const BodyWarm& warm = world.bodies.awake[i];
             // Kinematic bodies were settled with the free ones: contacts do not move them.
             if (world.bodies.cold[warm.body].type == BodyType::dynamic)
-                settle_body(step, i, motion_of(scratch.hot[i + 1], warm));
+                settle_body(step, i,
+                            motion_of(scratch.hot[i + 1], warm, scratch.tumbling[i] != 0));
         }
     });
     // Trees are changed serially, in order of the awake set.

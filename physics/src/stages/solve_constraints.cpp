@@ -68,8 +68,10 @@ void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, Bo
         drive.keep[k + 3] = as_float(angular);
     }
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
-    // does.
-    const Vec3 spin_up = (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
+    // does. Bodies that turn far in a step take it sub-step by sub-step: tumble().
+    const Vec3 spin_up = tumbles(warm, cold, step.dt)
+                             ? inertia * warm.torque
+                             : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
     put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 
@@ -85,6 +87,24 @@ void accelerate(HotBody& hot, const BodyDrive& drive, bool first) {
         warm = free + pushed;
     }
     store(hot.v, warm);
+}
+
+// Euler's equations for one sub-step. Within a step the spin of a tumbling body is that in the
+// frame in which it stood at the start and turns with it since; finalize() turns it back into the
+// world.
+void tumble(HotBody& hot, double h) {
+    const float* i = hot.inertia;
+    const Mat3 inverse_inertia{{double{i[0]}, double{i[3]}, double{i[4]}},
+                               {double{i[3]}, double{i[1]}, double{i[5]}},
+                               {double{i[4]}, double{i[5]}, double{i[2]}}};
+    const Vec3 start{double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}};
+    const Vec3 w = euler_step(inverse(inverse_inertia), inverse_inertia, start, h).w;
+    // Not an impulse: it counts among what acts without contacts.
+    for (int k = 0; k < 3; k++) {
+        const float change = as_float(w[k] - start[k]);
+        hot.w[k] += change;
+        hot.free[3 + k] += change;
+    }
 }
 
 void advance(HotBody& hot, Wide pace) {
@@ -106,8 +126,12 @@ void solve_constraints(StepContext& step) {
             for (int k = begin; k < end; k++) work(scratch.in_solver[static_cast<std::size_t>(k)]);
         });
     };
-    each_body(
-        [&](std::uint32_t i) { prepare_body(step, i, scratch.hot[i + 1], scratch.drive[i + 1]); });
+    scratch.tumbling.assign(world.bodies.awake.size(), 0);
+    each_body([&](std::uint32_t i) {
+        prepare_body(step, i, scratch.hot[i + 1], scratch.drive[i + 1]);
+        const BodyWarm& warm = world.bodies.awake[i];
+        scratch.tumbling[i] = tumbles(warm, world.bodies.cold[warm.body], step.dt) ? 1 : 0;
+    });
 
     prepare_joints(step);
     ManifoldStore& manifolds = world.manifolds;
@@ -121,11 +145,14 @@ void solve_constraints(StepContext& step) {
             [&](std::uint32_t i) { accelerate(scratch.hot[i + 1], scratch.drive[i + 1], first); });
         if (first && bouncy) foresee_bounces(manifolds, bodies, step.contacts, step.team);
         // Later sub-steps are warm started by accelerate().
-        if (first) warm_start_joints(step);
+        warm_start_joints(step);
         if (first) warm_start(manifolds, bodies, step.team);
         solve_joints(step, false);
         solve(manifolds, bodies, step.contacts, step.team);
-        each_body([&](std::uint32_t i) { advance(scratch.hot[i + 1], pace); });
+        each_body([&](std::uint32_t i) {
+            if (scratch.tumbling[i] != 0) tumble(scratch.hot[i + 1], double{step.contacts.h});
+            advance(scratch.hot[i + 1], pace);
+        });
         solve_joints(step, true);
         relax(manifolds, bodies, step.contacts, last, step.team);
         if (bouncy) note_bounce_peaks(manifolds, step.team);

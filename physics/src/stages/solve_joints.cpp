@@ -14,6 +14,7 @@ JointSide side_of(const WorldState& world, std::uint32_t body, const Transform& 
     const BodyWarm& warm = warm_of(world, body);
     JointSide side{.hot = cold.set == BodySet::awake ? cold.at + 1 : 0,
                    .arm = warm.axes * (frame.position - cold.local_center),
+                   .body = warm.rotation,
                    .frame = warm.rotation * frame.rotation,
                    .inverse_mass = {}};
     if (cold.inverse_mass == 0) return side;
@@ -21,6 +22,18 @@ JointSide side_of(const WorldState& world, std::uint32_t body, const Transform& 
     side.inverse_mass = free_directions(cold) * cold.inverse_mass;
     side.inverse_inertia = world_inverse_inertia(warm, cold);
     return side;
+}
+
+// What joints did counts among what acts without contacts: accelerate() then warm-starts contacts
+// by what contacts did, and joints warm-start themselves, in the directions of the moment.
+void count_as_free(JointSide& side, std::span<HotBody> bodies) {
+    if (!side.pushed) return;
+    float* free = bodies[side.hot].free;
+    for (int k = 0; k < 3; k++) {
+        free[k] += static_cast<float>(side.given_v[k]);
+        free[k + 3] += static_cast<float>(side.given_w[k]);
+    }
+    side.given_v = side.given_w = {};
 }
 
 }  // namespace
@@ -51,7 +64,7 @@ void prepare_joints(StepContext& step) {
 
 void warm_start_joints(StepContext& step) {
     WorldState& world = step.world;
-    for (const JointWork& work : world.scratch.joint_work) {
+    for (JointWork& work : world.scratch.joint_work) {
         JointPair pair(work, world.scratch.hot);
         warm_start(pair, world.joints.joints[work.joint]);
         pair.store(world.scratch.hot);
@@ -71,6 +84,8 @@ void solve_joints(StepContext& step, bool relax) {
         const JointLoad load = load_of(pair, joint);
         work.force_sum += load.impulse;
         work.torque_sum += load.turn;
+        count_as_free(work.a, world.scratch.hot);
+        count_as_free(work.b, world.scratch.hot);
     }
 }
 

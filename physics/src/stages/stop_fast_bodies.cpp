@@ -8,6 +8,7 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
+#include "constraints/free_motion.h"
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
 
@@ -18,6 +19,13 @@ namespace {
 struct Traveller {
     std::uint32_t body = none;
     Sweep sweep;
+    // What forces add to the velocity over a whole step, and, while nothing acts but forces, the
+    // angular momentum: how fast the body moves at a moment of its sweep follows from them.
+    Vec3 velocity, gain;   // m/s at sweep.from, m/s over a step
+    bool flies = false;    // no contact or joint acts on it
+    Vec3 spin, momentum;   // rad/s; N m s while it flies
+    Quat end_rotation;     // at the end of the step, when it is not met before
+    Vec3 end_spin;
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
@@ -82,8 +90,39 @@ private:
             const double l = length(v), sign = turn.w < 0 ? -1 : 1;
             vector = l > 1e-12 ? v * (sign * 2 * arc_tangent(l, turn.w * sign) / l) : Vec3{};
         }
-        add(now.body, {0, before.center, before.rotation, now.center - before.center, vector},
-            true);
+        const BodyCold& cold = world_.bodies.cold[now.body];
+        Traveller& t = travellers_[add(now.body,
+                                       {0, before.center, before.rotation,
+                                        now.center - before.center, vector},
+                                       true)];
+        t.end_rotation = now.rotation;
+        t.end_spin = t.spin = now.w;
+        t.velocity = now.v;
+        t.flies = cold.type == BodyType::dynamic && cold.lanes == 0 && cold.first_joint == none;
+        if (!t.flies) return;
+        t.velocity = before.v;
+        t.gain = now.v - before.v;
+        t.momentum = before.axes * (cold.inertia * transposed_times(before.axes, before.w));
+    }
+
+    // The velocities of a body at a fraction of the step.
+    struct Speed {
+        Vec3 v, w;
+    };
+    Speed speed_at(std::uint32_t body, const Sweep& sweep, double fraction) const {
+        const auto known = where_.find(body);
+        if (known == where_.end()) {
+            const BodyWarm& warm = warm_of(world_, body);
+            return {warm.v, warm.w};
+        }
+        const Traveller& t = travellers_[known->second];
+        Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
+        const BodyCold& cold = world_.bodies.cold[body];
+        if (t.flies && !cold.isotropic && cold.locks == 0) {
+            const Mat3 axes = to_matrix(rotation_at(sweep, fraction));
+            s.w = axes * (cold.inverse_inertia * transposed_times(axes, t.momentum));
+        }
+        return s;
     }
 
     // How a body that is not fast moves: back from where it is, by its velocity.
@@ -216,19 +255,16 @@ private:
         return points;
     }
 
-    Vec3 velocity_at(std::uint32_t body, Vec3 center, Vec3 point) const {
-        const BodyWarm& warm = warm_of(world_, body);
-        return warm.v + cross(warm.w, point - center);
-    }
-
-    // Whether the velocities after the step still bring them together there.
+    // Whether the velocities there still bring them together.
     bool closes_in(std::uint32_t own, std::uint32_t other, const Sweep& a, const Sweep& b,
                    double fraction) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
         const Vec3 ca = center_at(a, fraction), cb = center_at(b, fraction);
+        const Speed sa = speed_at(body_a, a, fraction), sb = speed_at(body_b, b, fraction);
         for (const Point& p : touching(own, other, a, b, fraction)) {
-            const Vec3 u = velocity_at(body_b, cb, p.position) - velocity_at(body_a, ca, p.position);
+            const Vec3 u = (sb.v + cross(sb.w, p.position - cb)) -
+                           (sa.v + cross(sa.w, p.position - ca));
             if (dot(u, p.normal) < -1e-3) return true;
         }
         return false;
@@ -245,7 +281,8 @@ private:
         BodyWarm there = warm_of(world_, body);
         there.rotation = rotation_at(sweep, fraction);
         there.axes = to_matrix(there.rotation);
-        End e{body, center_at(sweep, fraction), {}, there.v, there.w};
+        const Speed speed = speed_at(body, sweep, fraction);
+        End e{body, center_at(sweep, fraction), {}, speed.v, speed.w};
         if (cold.inverse_mass == 0) return e;
         e.inverse_mass = free_directions(cold) * cold.inverse_mass;
         e.inverse_inertia = world_inverse_inertia(there, cold);
@@ -345,21 +382,39 @@ private:
     // The rest of the step with the new velocity. What impulses cannot move keeps its way.
     void go_on(const End& end, const Sweep& old, double at) {
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return;
-        BodyWarm& warm = warm_of(world_, end.body);
-        warm.v = end.v;
-        warm.w = end.w;
-        const Sweep sweep{at, end.center, rotation_at(old, at), end.v * step_.dt,
-                          end.w * step_.dt};
+        const BodyCold& cold = world_.bodies.cold[end.body];
+        const double left = 1 - at, dt = left * step_.dt;
         const auto known = where_.find(end.body);
-        const std::size_t index =
-            known == where_.end() ? add(end.body, sweep, false) : known->second;
+        const std::size_t index = known == where_.end() ? add(end.body, old, false) : known->second;
         Traveller& t = travellers_[index];
-        t.sweep = sweep;
+        // From here on it flies, whatever held it before: the next step's contacts will see.
+        BodyWarm there = warm_of(world_, end.body);
+        there.rotation = rotation_at(old, at);
+        there.axes = to_matrix(there.rotation);
+        there.w = end.w;
+        there.torque = {};
+        const FreeSpin free = dt > 0 ? free_spin(there, cold, dt) : FreeSpin{there.rotation, end.w};
+        t.end_rotation = free.rotation;
+        t.end_spin = free.w;
+        t.flies = true;
+        t.momentum = there.axes * (cold.inertia * transposed_times(there.axes, end.w));
+        t.spin = end.w;
+        t.velocity = end.v;
+        // The way that is turned: the short one while it is less than half round.
+        Vec3 turned = end.w * dt;
+        if (length(turned) < 1.5 && dt > 0) {
+            const Quat q = free.rotation * conjugate(there.rotation);
+            const Vec3 v{q.x, q.y, q.z};
+            const double l = length(v), sign = q.w < 0 ? -1 : 1;
+            turned = l > 1e-12 ? v * (sign * 2 * arc_tangent(l, q.w * sign) / l) : Vec3{};
+        }
+        const Vec3 mean = end.v + t.gain * (0.5 * left);
+        t.sweep = {at, end.center, there.rotation, mean * step_.dt,
+                   left > 0 ? turned * (1 / left) : Vec3{}};
         t.changed = true;
         if (t.fast) return;
         // What was hit may now be fast itself.
-        const BodyCold& cold = world_.bodies.cold[end.body];
-        const double way = (length(end.v) + length(end.w) * cold.radius) * step_.dt * (1 - at);
+        const double way = (length(end.v) + length(end.w) * cold.radius) * dt;
         if (!cold.continuous || way <= tuning::sweep_fraction * cold.inner_radius) return;
         t.fast = true;
         find_near(index);
@@ -375,8 +430,10 @@ private:
         world_.bodies.reach[t.body].travel +=
             length(center - warm.center) + 3.2 * world_.bodies.cold[t.body].radius;
         warm.center = center;
-        warm.rotation = rotation_at(t.sweep, until);
+        warm.rotation = stays ? rotation_at(t.sweep, until) : t.end_rotation;
         warm.axes = to_matrix(warm.rotation);
+        warm.v = t.velocity + t.gain * (until - t.sweep.from);
+        warm.w = stays ? t.spin : t.end_spin;
         warm.quiet = 0;
         look_ahead(world_, t.body, step_.dt);
         for (std::uint32_t s = world_.bodies.cold[t.body].first_shape; s != none;

@@ -75,9 +75,19 @@ Motion motion_of(const WorldState& world, std::uint32_t body) {
     return {warm.center, warm.v, warm.w};
 }
 
-// How far ahead to look for contacts: the way the pair closes in a step, but no more than the
-// smaller body's thickness. Beyond that a manifold would see a plane where there is an edge to fly
-// past; what moves further in a step is swept (stages/stop_fast_bodies.h).
+// Whether a body will be swept (stages/stop_fast_bodies.h): then its impacts happen there, in their
+// own time, and not here at the start of the step.
+bool will_be_swept(const WorldState& world, std::uint32_t body, double dt) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (!world.def.continuous || !cold.continuous || cold.set != BodySet::awake) return false;
+    const BodyWarm& warm = world.bodies.awake[cold.at];
+    return (length(warm.v) + length(warm.w) * cold.radius) * dt >
+           tuning::sweep_fraction * cold.inner_radius;
+}
+
+// How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
+// but no more than the smaller body's size: beyond that a manifold would see a plane where there is
+// an edge to fly past.
 double closing_reach(const WorldState& world, const Contact& c, double dt) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const Motion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
@@ -142,7 +152,10 @@ void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, 
     std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
+    const bool swept =
+        will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
     for (const PartManifold& part : parts) {
+        if (swept && part.manifold.distance > tuning::touch_gap) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
         check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
     }
@@ -155,7 +168,10 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     const ShapeRecord& sb = world.shapes.shapes[c.shape_b];
     const Placed a = placed(sa, warm_of(world, c.body_a)), b = placed(sb, warm_of(world, c.body_b));
     if (c.composite) return look_at_composite(world, check, a, b, dt);
-    const double margin = tuning::speculative_margin + closing_reach(world, c, dt);
+    const bool swept =
+        will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
+    const double margin = swept ? tuning::touch_gap
+                                : tuning::speculative_margin + closing_reach(world, c, dt);
     check.manifold = collide(a, b, margin, c.cache);
     check.gap_ahead = expected_gap(world, c, check.manifold, dt);
     check.expected = check.gap_ahead < tuning::speculative_margin;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "jostle/physics/hull.h"
+
 namespace jostle::server {
 namespace {
 
@@ -67,9 +69,52 @@ TEST(Admission, every_number_is_checked_and_named) {
         refuses("radius", ExplodeCommand{{}, bad, 1});
         refuses("speed", ExplodeCommand{{}, 1, bad});
     }
-    SpawnCommand plane = good_spawn();
-    plane.shape.geometry = physics::Plane{};
-    EXPECT_TRUE(refuse_numbers(plane));
+}
+
+TEST(Admission, bodies_of_six_kinds_may_be_spawned_and_a_refusal_lists_them) {
+    SpawnCommand spawn = good_spawn();
+    const auto hull_of = [](double size, int points) {
+        std::vector<physics::Vec3> corners;
+        for (int i = 0; i < points; i++) {
+            const double turn = 2.4 * i, y = -1 + 2.0 * i / (points - 1);
+            const double r = std::sqrt(1 - y * y);
+            corners.push_back({size * r * std::cos(turn), size * y, size * r * std::sin(turn)});
+        }
+        return physics::Hull{*physics::build_hull(corners)};
+    };
+    for (const physics::Geometry& good :
+         {physics::Geometry{physics::Sphere{2}}, physics::Geometry{physics::Capsule{0.05, 2}},
+          physics::Geometry{physics::Box{{2, 2, 2}}}, physics::Geometry{physics::Cylinder{0.05, 2}},
+          physics::Geometry{physics::Cone{2, 2}}, physics::Geometry{hull_of(1, 32)},
+          physics::Geometry{hull_of(2, 12)}}) {
+        spawn.shape.geometry = good;
+        EXPECT_FALSE(refuse_numbers(spawn)) << refuse_numbers(spawn)->message;
+    }
+    const auto refusal_of = [&](const physics::Geometry& bad) {
+        spawn.shape.geometry = bad;
+        const auto refusal = refuse_numbers(spawn);
+        return refusal ? refusal->message : "";
+    };
+    const std::string allowed =
+        "allowed are sphere, capsule, box, cylinder, cone, and hull of at most 32 points, with "
+        "sizes from 0.05 to 2 m";
+    EXPECT_EQ(refusal_of(physics::Plane{}), "a plane cannot be spawned; " + allowed);
+    EXPECT_EQ(refusal_of(hull_of(1, 33)), "the hull has 33 points; " + allowed);
+    EXPECT_EQ(refusal_of(physics::Cylinder{0.01, 1}),
+              "cylinder.radius is 0.01; it must be from 0.05 to 2");
+    EXPECT_EQ(refusal_of(physics::Cone{1, 3}), "cone.half_length is 3; it must be from 0.05 to 2");
+    EXPECT_NE(refusal_of(hull_of(2.5, 32)).find("is not within 2 m"), std::string::npos);
+    EXPECT_NE(refusal_of(hull_of(0.04, 32)).find("must be from 0.05 to 2"), std::string::npos)
+        << "as big as a ball of 4 cm";
+}
+
+TEST(Admission, a_mass_given_outright_is_held_to_what_sizes_and_densities_allow) {
+    SpawnCommand spawn = good_spawn();
+    spawn.shape.mass = 50;
+    EXPECT_FALSE(refuse_numbers(spawn));
+    spawn.shape.mass = 1e12;
+    ASSERT_TRUE(refuse_numbers(spawn));
+    EXPECT_EQ(refuse_numbers(spawn)->message, "mass is 1e+12; it must be from 0.001 to 1e+06");
 }
 
 TEST(Admission, rates_allow_a_burst_of_one_second_and_refill) {

@@ -46,8 +46,7 @@ void solve_cone_twist(JointPair& pair, const JointStep& step, const ConeTwistJoi
     if (kind.friction_torque > 0) {
         const Vec3 before = joint.drive;
         Vec3 now = before;
-        JointPair trial = pair;
-        hold_turns(trial, step, {}, {}, now);
+        now -= inverse(pair.turn_matrix()) * pair.spin();
         const double most = kind.friction_torque * step.h, size = length(now);
         joint.drive = size > most ? now * (most / size) : now;
         pair.turn(joint.drive - before);

@@ -15,7 +15,7 @@ Vec3 axis_of(const JointPair& pair) {
 }
 
 double along_axis(const Joint& joint) {
-    return joint.lower - joint.upper + joint.spring + joint.drive.z;
+    return joint.lower - joint.upper + joint.spring + joint.motor;
 }
 
 }  // namespace
@@ -36,9 +36,9 @@ void solve_hinge(JointPair& pair, const JointStep& step, const HingeJoint& kind,
     else
         joint.spring = 0;
     if (kind.motor.enabled)
-        motor_row(pair, row, kind.motor.speed, kind.motor.max_torque * step.h, joint.drive.z);
+        motor_row(pair, row, kind.motor.speed, kind.motor.max_torque * step.h, joint.motor);
     else
-        joint.drive.z = 0;
+        joint.motor = 0;
     if (kind.limit.enabled) {
         limit_row(pair, step, row, angle - kind.limit.lower, joint.lower);
         limit_row(pair, step, {-axis, true, row.inverse_mass}, kind.limit.upper - angle,

@@ -36,29 +36,35 @@ Softness of(const JointStep& step, const Softness& softness) {
 
 }  // namespace
 
-JointPair::JointPair(const JointWork& work, std::span<HotBody> bodies) : work_(work) {
+JointPair::JointPair(JointWork& work, std::span<HotBody> bodies) : work_(work) {
     const HotBody &a = bodies[work.a.hot], &b = bodies[work.b.hot];
     const Quat turn_a = from_rotation_vector(vec(a.dr)), turn_b = from_rotation_vector(vec(b.dr));
     arm_a = rotate(turn_a, work.a.arm);
     arm_b = rotate(turn_b, work.b.arm);
     frame_a = turn_a * work.a.frame;
     frame_b = turn_b * work.b.frame;
+    carrier = work.b.pushed ? turn_b * work.b.body : turn_a * work.a.body;
     apart = work.apart + (vec(b.dp) - vec(a.dp)) + ((arm_b - work.b.arm) - (arm_a - work.a.arm));
     va = vec(a.v);
     wa = vec(a.w);
     vb = vec(b.v);
     wb = vec(b.w);
+    start_va_ = va;
+    start_wa_ = wa;
+    start_vb_ = vb;
+    start_wb_ = wb;
 }
 
-void JointPair::store(std::span<HotBody> bodies) const {
-    if (work_.a.pushed) {
-        put(bodies[work_.a.hot].v, va);
-        put(bodies[work_.a.hot].w, wa);
-    }
-    if (work_.b.pushed) {
-        put(bodies[work_.b.hot].v, vb);
-        put(bodies[work_.b.hot].w, wb);
-    }
+void JointPair::store(std::span<HotBody> bodies) {
+    const auto write = [&](JointSide& side, Vec3 v, Vec3 w, Vec3 old_v, Vec3 old_w) {
+        if (!side.pushed) return;
+        put(bodies[side.hot].v, v);
+        put(bodies[side.hot].w, w);
+        side.given_v += v - old_v;
+        side.given_w += w - old_w;
+    };
+    write(work_.a, va, wa, start_va_, start_wa_);
+    write(work_.b, vb, wb, start_vb_, start_wb_);
 }
 
 void JointPair::push(Vec3 impulse) {

@@ -23,12 +23,13 @@ struct JointStep {
 // Two bodies of a joint at this moment of the step.
 class JointPair {
 public:
-    JointPair(const JointWork& work, std::span<HotBody> bodies);
-    void store(std::span<HotBody> bodies) const;  // writes the velocities back
+    JointPair(JointWork& work, std::span<HotBody> bodies);
+    void store(std::span<HotBody> bodies);  // writes the velocities back, and what changed
 
     Vec3 apart;         // from a's anchor to b's, m
     Vec3 arm_a, arm_b;  // of the anchors
     Quat frame_a, frame_b;
+    Quat carrier;  // rotation of the body that the joint's impulses turn with
     Vec3 va, wa, vb, wb;
 
     Vec3 anchor_velocity() const { return (vb + cross(wb, arm_b)) - (va + cross(wa, arm_a)); }
@@ -45,7 +46,8 @@ public:
     double inverse_spin_about(Vec3 axis) const { return dot(axis, turn_matrix() * axis); }
 
 private:
-    const JointWork& work_;
+    JointWork& work_;
+    Vec3 start_va_, start_wa_, start_vb_, start_wb_;
 };
 
 // The point row: the anchors stay together. `impulse` accumulates.

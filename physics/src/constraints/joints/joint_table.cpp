@@ -41,7 +41,30 @@ struct Functions<DistanceJoint> {
 
 }  // namespace
 
+namespace {
+
+// The joint's impulses in world axes while somebody works on them.
+class InWorld {
+public:
+    InWorld(const JointPair& pair, Joint& joint) : joint_(joint), turn_(pair.carrier) {
+        for (Vec3* v : {&joint.point, &joint.turn, &joint.drive}) *v = rotate(turn_, *v);
+    }
+    ~InWorld() {
+        for (Vec3* v : {&joint_.point, &joint_.turn, &joint_.drive})
+            *v = inverse_rotate(turn_, *v);
+    }
+    InWorld(const InWorld&) = delete;
+    InWorld& operator=(const InWorld&) = delete;
+
+private:
+    Joint& joint_;
+    Quat turn_;
+};
+
+}  // namespace
+
 void warm_start(JointPair& pair, Joint& joint) {
+    const InWorld scope(pair, joint);
     std::visit(
         [&](const auto& kind) {
             Functions<std::decay_t<decltype(kind)>>::warm_start(pair, kind, joint);
@@ -50,6 +73,7 @@ void warm_start(JointPair& pair, Joint& joint) {
 }
 
 void solve(JointPair& pair, const JointStep& step, Joint& joint) {
+    const InWorld scope(pair, joint);
     std::visit(
         [&](const auto& kind) {
             Functions<std::decay_t<decltype(kind)>>::solve(pair, step, kind, joint);
@@ -57,7 +81,9 @@ void solve(JointPair& pair, const JointStep& step, Joint& joint) {
         joint.kind);
 }
 
-JointLoad load_of(const JointPair& pair, const Joint& joint) {
+JointLoad load_of(const JointPair& pair, const Joint& kept) {
+    Joint joint = kept;
+    const InWorld scope(pair, joint);
     return std::visit(
         [&](const auto& kind) {
             return Functions<std::decay_t<decltype(kind)>>::load(pair, kind, joint);

@@ -9,6 +9,7 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
 #include "constraints/free_motion.h"
+#include "geometry/inner_radius.h"
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
 
@@ -224,10 +225,14 @@ private:
                 const double from = std::max(t.sweep.from, motion.from);
                 const auto hit = time_of_impact(swept(own, t.sweep), swept(other, motion), from,
                                                 tuning::sweep_gap);
-                // What touches already is the contact solver's, or was resolved just now.
-                if (!hit || hit->at_start || hit->fraction >= t.fraction) continue;
-                if (!closes_in(own, other, t.sweep, motion, hit->fraction)) continue;
-                t.fraction = hit->fraction;
+                if (!hit) continue;
+                // What touches already is the contact solver's, or was resolved just now; but the
+                // heart of the body stays on its side.
+                const double fraction =
+                    hit->at_start ? core_impact(t, own, other, motion, from) : hit->fraction;
+                if (fraction >= t.fraction) continue;
+                if (!hit->at_start && !closes_in(own, other, t.sweep, motion, fraction)) continue;
+                t.fraction = fraction;
                 t.own_shape = own;
                 t.other_shape = other;
             }
@@ -253,6 +258,24 @@ private:
             for (int k = 0; k < part.manifold.count; k++)
                 points.push_back({part.manifold.point[k], part.manifold.normal});
         return points;
+    }
+
+    // When a ball inside the body first touches; 2: never.
+    double core_impact(const Traveller& t, std::uint32_t own, std::uint32_t other,
+                       const Sweep& motion, double from) const {
+        const Geometry ball =
+            Sphere{0.5 * inner_radius_of(world_.shapes.shapes[own].geometry)};
+        SweptShape core = swept(own, t.sweep);
+        core.geometry = &ball;
+        core.radius = length(core.offset) + std::get<Sphere>(ball).radius;
+        const auto hit = time_of_impact(core, swept(other, motion), from, tuning::sweep_gap);
+        if (!hit) return 2;
+        // There already: only if it goes on inwards.
+        const Vec3 u = speed_at(world_.shapes.shapes[other].body, motion, hit->fraction).v -
+                       speed_at(t.body, t.sweep, hit->fraction).v;
+        for (const Point& p : touching(own, other, t.sweep, motion, hit->fraction))
+            if (dot(u, p.normal) < 0) return hit->fraction;
+        return 2;
     }
 
     // Whether the velocities there still bring them together.

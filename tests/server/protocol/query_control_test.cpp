@@ -228,10 +228,12 @@ TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_s
     scene.hz = 20;
     physics::ShapeDef grain;
     grain.geometry = physics::Sphere{0.01};
-    scene.bodies.push_back({.name = "cloud", .body = {.type = physics::BodyType::fixed}});
-    for (int i = 0; i < 20500; i++) {
-        grain.pose.position = {i % 150 * 1.0, i / 150 * 1.0, 0};
-        scene.bodies[0].shapes.push_back(grain);
+    for (int row = 0; row < 1025; row++) {
+        scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::fixed}});
+        for (int i = 0; i < 20; i++) {
+            grain.pose.position = {i * 1.0, row * 1.0, 0};
+            scene.bodies.back().shapes.push_back(grain);
+        }
     }
     ASSERT_TRUE(worlds.create("dust", scene).ok());
     v1::DebugRequest request;

@@ -76,9 +76,12 @@ Aabb way_in(const SweptShape& frame, const SweptShape& shape, double from) {
     return grow({center - reach, center + reach}, own);
 }
 
+// Of several parts: the first that is met on the way, for what touches at the start does not end
+// it; that they touch at the start when nothing is met.
 void keep_first(std::optional<Impact>& best, const std::optional<Impact>& next) {
-    if (next && (!best || next->fraction < best->fraction ||
-                 (next->fraction == best->fraction && !next->at_start)))
+    if (!next) return;
+    if (!best || (best->at_start && !next->at_start) ||
+        (best->at_start == next->at_start && next->fraction < best->fraction))
         best = next;
 }
 
@@ -97,8 +100,7 @@ std::optional<Impact> surface_impact(const SweptShape& surface, const SweptShape
                               cache.direction = g.normal;
                               return Gap{g.distance - c.radius, g.normal};
                           });
-                          // What touches at the start is the solver's; other triangles still count.
-                          if (hit && !hit->at_start) keep_first(best, hit);
+                          keep_first(best, hit);
                       });
     return best;
 }

@@ -170,6 +170,46 @@ TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     EXPECT_EQ(stream.conversation.view().frame().frame, 13u);
 }
 
+TEST(Conversation, asks_for_events_when_told_to_and_hands_them_on_in_order) {
+    Stream stream;
+    stream.conversation.begin(stream.now);
+    EXPECT_FALSE(stream.next()->hello().events()) << "only when told to";
+    Conversation listener{ClientOptions{.events = true}};
+    listener.begin(stream.now);
+    v1::ClientMessage hello;
+    ASSERT_TRUE(hello.ParseFromString(*listener.take_message(stream.now)));
+    EXPECT_TRUE(hello.hello().events());
+    for (std::uint32_t tick = 5; tick < 8; tick++) {
+        v1::ServerMessage message;
+        message.mutable_events()->set_tick(tick);
+        message.mutable_events()->add_woke(tick * 10);
+        listener.receive(message.SerializeAsString(), stream.now);
+    }
+    const auto events = listener.take_events();
+    ASSERT_EQ(events.size(), 3u);
+    for (std::uint32_t i = 0; i < 3; i++) {
+        EXPECT_EQ(events[i].tick(), 5 + i);
+        EXPECT_EQ(events[i].woke(0), 50 + 10 * i);
+    }
+    EXPECT_TRUE(listener.take_events().empty());
+}
+
+TEST(Conversation, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) {
+    Stream stream;
+    stream.welcome();
+    for (std::uint32_t tick = 1; tick <= 1030; tick++) {
+        v1::ServerMessage message;
+        message.mutable_events()->set_tick(tick);
+        if (tick == 2) message.mutable_events()->set_missed(7);  // by the server already
+        stream.hear(message);
+    }
+    const auto events = stream.conversation.take_events();
+    ASSERT_EQ(events.size(), 1024u);
+    EXPECT_EQ(events.front().tick(), 7u);
+    EXPECT_EQ(events.front().missed(), 6u + 7u);
+    EXPECT_EQ(events[1].missed(), 0u);
+}
+
 TEST(Conversation, bytes_that_are_no_message_are_counted_and_change_nothing) {
     Stream stream;
     stream.welcome();

@@ -58,7 +58,7 @@ void PlayState::take(const v1::ServerMessage& message) {
             notices.push_back(message.notice());
             break;
         case v1::ServerMessage::kEvents:
-            expect(false, "events that nobody asked for");
+            take(message.events());
             break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
             expect(false, "an empty message");
@@ -76,6 +76,19 @@ void PlayState::take(const v1::Roster& roster) {
         expect(entities.emplace(entity.id(), entity).second,
                "a roster adds entity " + std::to_string(entity.id()) + " twice");
     }
+}
+
+void PlayState::take(const v1::Events& happened) {
+    const std::string name = "events of tick " + std::to_string(happened.tick());
+    expect(wants_events, name + ", which nobody asked for");
+    expect(events.empty() || events.back().tick() < happened.tick(),
+           name + " do not come after those of earlier ticks");
+    expect(happened.tick() <= newest_frame, name + " come before a snapshot of that tick or later");
+    v1::Events content = happened;
+    content.clear_tick();
+    content.clear_missed();
+    expect(content.ByteSizeLong() > 0, name + " in which nothing happened");
+    events.push_back(happened);
 }
 
 void PlayState::take(const v1::InputResults& batch) {

@@ -35,6 +35,8 @@ public:
     std::map<std::uint32_t, v1::Entity> entities;      // as the rosters say
     std::map<std::uint32_t, v1::InputResult> results;  // by sequence
     std::vector<v1::Notice> notices;
+    bool wants_events = false;       // said so in its Hello
+    std::vector<v1::Events> events;  // in the order in which they came
 
     int broken = 0;
     std::string first_broken;
@@ -46,6 +48,7 @@ private:
     void take(const v1::Roster& roster);
     void take(const v1::Snapshot& snapshot);
     void take(const v1::InputResults& results);
+    void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;
     void expect(bool promise, const std::string& what);
 

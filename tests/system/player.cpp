@@ -34,11 +34,16 @@ bool Player::wait_for_end(std::chrono::milliseconds patience) const {
     return poll([&] { return end().has_value(); }, patience);
 }
 
-void Player::hello(const std::string& world, const std::string& name) {
+void Player::hello(const std::string& world, const std::string& name, bool events) {
+    {
+        const std::lock_guard lock(mutex_);
+        state_.wants_events = events;
+    }
     v1::ClientMessage message;
     message.mutable_hello()->set_protocol(1);
     message.mutable_hello()->set_world(world);
     message.mutable_hello()->set_name(name);
+    message.mutable_hello()->set_events(events);
     send(message);
 }
 
@@ -77,6 +82,16 @@ v1::Input spawn_box(double x, double y, double z, double half) {
     size.set_x(half);
     size.set_y(half);
     size.set_z(half);
+    spawn.mutable_position()->set_x(x);
+    spawn.mutable_position()->set_y(y);
+    spawn.mutable_position()->set_z(z);
+    return input;
+}
+
+v1::Input spawn_ball(double x, double y, double z, double radius) {
+    v1::Input input;
+    v1::SpawnInput& spawn = *input.mutable_spawn();
+    spawn.mutable_shape()->mutable_sphere()->set_radius(radius);
     spawn.mutable_position()->set_x(x);
     spawn.mutable_position()->set_y(y);
     spawn.mutable_position()->set_z(z);

@@ -37,7 +37,8 @@ public:
                     std::chrono::milliseconds patience = std::chrono::seconds(10)) const;
     bool wait_for_end(std::chrono::milliseconds patience = std::chrono::seconds(10)) const;
 
-    void hello(const std::string& world = {}, const std::string& name = "tester");
+    void hello(const std::string& world = {}, const std::string& name = "tester",
+               bool events = false);
     // Numbers the inputs, acknowledges the newest snapshot and sends all as one batch.
     void send_inputs(std::vector<v1::Input> inputs);
     void leave();
@@ -62,6 +63,7 @@ std::unique_ptr<Player> websocket_player(int port, const std::string& origin = {
 // --- inputs ---
 
 v1::Input spawn_box(double x, double y, double z, double half = 0.2);
+v1::Input spawn_ball(double x, double y, double z, double radius = 0.5);
 v1::Input impulse(std::uint32_t entity, double x, double y, double z);
 v1::Input remove_body(std::uint32_t entity);
 

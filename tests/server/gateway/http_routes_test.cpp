@@ -108,6 +108,53 @@ TEST_F(HttpRoutesTest, pages_from_elsewhere_change_nothing) {
     EXPECT_EQ(ask("DELETE", "/api/worlds/x", "", "https://play.example.org").status, 200);
 }
 
+TEST_F(HttpRoutesTest, queries_are_asked_and_answered_as_json) {
+    const HttpResponse hit = ask("POST", "/api/query/CastRays", R"({
+        "rays": [{"origin": {"x": 0, "y": 50, "z": 0}, "motion": {"y": -100}},
+                 {"origin": {"y": 50}, "motion": {"y": 1}}]})");
+    EXPECT_EQ(hit.status, 200) << hit.body;
+    const auto json = nlohmann::json::parse(hit.body);
+    ASSERT_EQ(json.at("rays").size(), 2u);
+    ASSERT_EQ(json["rays"][0].at("hits").size(), 1u);
+    const auto& first = json["rays"][0]["hits"][0];
+    EXPECT_GT(first.at("entity"), 1) << "the top of the stack, not the ground";
+    EXPECT_NEAR(first["point"].at("y").get<double>(), 50 - 100 * first.at("fraction").get<double>(),
+                1e-6);
+    EXPECT_EQ(json["rays"][1].at("hits").size(), 0u) << "an empty list is written";
+    const HttpResponse debug =
+        ask("POST", "/api/query/Debug", R"({"world": "stack", "bounds": true})");
+    EXPECT_EQ(debug.status, 200) << debug.body;
+    EXPECT_GE(nlohmann::json::parse(debug.body).at("bounds").size(), 10u);
+    const std::string at_top = R"("position": {"y": 1}, "sphere": {"radius": 3})";
+    EXPECT_EQ(ask("POST", "/api/query/Overlap", "{\"shape\": {" + at_top + "}}").status, 200);
+    EXPECT_EQ(ask("POST", "/api/query/CastShapes",
+                  "{\"shapes\": [{\"shape\": {" + at_top + "}, \"motion\": {\"y\": 1}}]}")
+                  .status,
+              200);
+    EXPECT_EQ(
+        ask("POST", "/api/query/ClosestPoints", R"({"points": [{}], "maxDistance": 5})").status,
+        200);
+}
+
+TEST_F(HttpRoutesTest, questions_that_cannot_be_answered_say_why) {
+    const auto message_of = [&](const char* method, const char* body, int status) {
+        const HttpResponse response = ask("POST", std::string("/api/query/") + method, body);
+        EXPECT_EQ(response.status, status) << response.body;
+        return nlohmann::json::parse(response.body).at("message").get<std::string>();
+    };
+    EXPECT_EQ(message_of("CastRays", R"({"world": "nowhere"})", 404),
+              "there is no world \"nowhere\"");
+    EXPECT_EQ(message_of("CastRays", R"({"rays": [{"motion": {"y": "NaN"}}]})", 400),
+              "rays[0].motion.y is nan; it must be from -1e+07 to 1e+07");
+    EXPECT_NE(message_of("CastRays", R"({"ray": []})", 400).find("jostle.v1.CastRaysRequest"),
+              std::string::npos);
+    EXPECT_NE(message_of("Cast", "{}", 404).find("CastRays, CastShapes"), std::string::npos);
+    worlds.find("stack")->stop();
+    EXPECT_EQ(message_of("Debug", R"({"islands": true})", 503), "the world was closed");
+    EXPECT_EQ(ask("GET", "/api/query/Debug").status, 405);
+    EXPECT_EQ(ask("POST", "/api/query/Debug", "{}", "http://elsewhere.example").status, 403);
+}
+
 TEST_F(HttpRoutesTest, health_follows_the_server) {
     EXPECT_EQ(ask("GET", "/healthz").status, 200);
     EXPECT_EQ(ask("GET", "/readyz").status, 200);

@@ -6,11 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <set>
 #include <thread>
 
 #include "jostle/scenes/catalog.h"
+#include "jostle/scenes/scene_file.h"
 #include "system/play_state.h"
 
 namespace jostle::server {
@@ -40,6 +42,7 @@ struct TestClient {
         v1::ClientMessage message;
         message.mutable_hello()->set_protocol(1);
         change(*message.mutable_hello());
+        state.wants_events = message.hello().events();
         say(message);
     }
     void ack(std::uint32_t frame, bool need_keyframe = false) {
@@ -383,6 +386,152 @@ TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
     ASSERT_TRUE(client.link.end());
     EXPECT_EQ(client.link.end()->code, AnswerCode::aborted);
     EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_WORLD_CLOSED);
+}
+
+// --- events ---
+
+// A floor of entity 1, a gate of entity 2 above it and a ball of entity 3 that falls through it.
+constexpr const char* gate_scene = R"({
+  "name": "gate", "bodies": [
+    {"name": "floor", "type": "BODY_TYPE_FIXED", "shapes": [{"plane": {}}]},
+    {"name": "gate", "type": "BODY_TYPE_FIXED", "position": {"y": 3},
+     "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
+    {"name": "ball", "position": {"y": 6}, "maySleep": false, "shapes": [{"sphere": {"radius": 0.5}, "reportStays": true}]}]})";
+
+class EventsTest : public ClientLinkTest {
+protected:
+    void add_gate(double hz = 60) {
+        scenes::SceneDescription scene = *scenes::read_scene_json(gate_scene);
+        scene.hz = hz;
+        ASSERT_TRUE(worlds.create("", scene).ok());
+    }
+    static void ask_for_events(v1::Hello& hello) {
+        hello.set_world("gate");
+        hello.set_events(true);
+    }
+};
+
+TEST_F(EventsTest, a_ball_enters_a_gate_stays_leaves_and_lands_and_each_is_told_once_in_order) {
+    add_gate();
+    TestClient client(context), deaf(context);
+    client.hello(ask_for_events);
+    deaf.hello([](v1::Hello& hello) { hello.set_world("gate"); });
+    const auto& events = client.state.events;
+    ASSERT_TRUE(client.listen_until([&] {
+        deaf.listen();
+        deaf.ack(deaf.state.newest_frame);
+        return !events.empty() && events.back().contacts_size() > 0 && events.size() > 25;
+    }));
+    std::vector<std::string> story;
+    std::uint32_t entered = 0, left = 0;
+    int stayed = 0;
+    const auto tell = [&](const char* what, std::uint32_t a, std::uint32_t b) {
+        story.push_back(what + std::string(" ") + std::to_string(a) + " " + std::to_string(b));
+    };
+    for (const v1::Events& tick : events) {
+        EXPECT_EQ(tick.missed(), 0u);
+        for (const auto& t : tick.triggers_entered()) {
+            tell("enter", t.trigger(), t.entity());
+            entered = tick.tick();
+        }
+        stayed += tick.triggers_stayed_size();
+        for (const auto& t : tick.triggers_left()) {
+            tell("left", t.trigger(), t.entity());
+            left = tick.tick();
+        }
+        for (const auto& c : tick.contacts_began())
+            tell("touch", std::min(c.entity_a(), c.entity_b()),
+                 std::max(c.entity_a(), c.entity_b()));
+    }
+    EXPECT_EQ(story, (std::vector<std::string>{"enter 2 3", "left 2 3", "touch 1 3"}));
+    EXPECT_EQ(stayed, static_cast<int>(left - entered) - 1) << "in each tick between the two";
+    // From 6 m: in the gate between 4 and 2 m, (sqrt(8) - sqrt(4)) / sqrt(g) seconds.
+    EXPECT_NEAR(left - entered, (std::sqrt(8.0) - std::sqrt(4.0)) / std::sqrt(9.81) * 60, 1.5);
+    const auto& press = events.back().contacts(0);
+    EXPECT_GT(press.impulse(), 0);
+    EXPECT_NEAR(std::abs(press.normal().y()), 1, 1e-3);
+    EXPECT_EQ(client.state.broken + deaf.state.broken, 0)
+        << client.state.first_broken << deaf.state.first_broken;
+}
+
+TEST_F(EventsTest, a_slow_client_misses_whole_ticks_and_is_told_how_many) {
+    add_gate(240);  // the ball lies on the floor after a quarter of a thousand ticks and presses
+    TestClient slow(context), quick(context);
+    slow.hello(ask_for_events);
+    quick.hello(ask_for_events);
+    const auto& events = slow.state.events;
+    ASSERT_TRUE(quick.listen_until([&] {
+        slow.listen();
+        slow.ack(slow.state.newest_frame);
+        return !events.empty() && events.back().contacts_size() > 0;
+    }));
+    const std::uint32_t before = events.back().tick();
+    const std::size_t told = events.size();
+    // It does not read for a while. Meanwhile the other one hears of every tick.
+    const auto world = worlds.find("gate");
+    ASSERT_TRUE(quick.listen_until([&] { return world->frame()->tick > before + 150; }));
+    slow.ack(slow.state.newest_frame);
+    ASSERT_TRUE(slow.listen_until([&] { return events.size() > told + 80; }));
+    const v1::Events& next = events[told];
+    EXPECT_GT(next.missed(), 50u) << "150 ticks and a queue of 64";
+    EXPECT_EQ(next.missed(), next.tick() - before - 1) << "something happened in every tick";
+    for (std::size_t i = told + 1; i < events.size(); i++) {
+        EXPECT_EQ(events[i].missed(), 0u);
+        EXPECT_EQ(events[i].tick(), events[i - 1].tick() + 1);
+    }
+    for (const v1::Events& tick : quick.state.events) EXPECT_EQ(tick.missed(), 0u);
+    EXPECT_EQ(slow.state.broken + quick.state.broken, 0)
+        << slow.state.first_broken << quick.state.first_broken;
+}
+
+TEST_F(EventsTest, a_client_at_a_tenth_of_the_rate_still_hears_of_every_tick) {
+    add_gate();
+    TestClient client(context);
+    client.hello([](v1::Hello& hello) {
+        ask_for_events(hello);
+        hello.set_snapshot_hz(6);
+    });
+    const auto& events = client.state.events;
+    ASSERT_TRUE(client.listen_until([&] { return events.size() > 40; }));
+    for (const v1::Events& tick : events) EXPECT_EQ(tick.missed(), 0u);
+    EXPECT_LT(client.state.snapshots, 20);
+    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+}
+
+TEST_F(EventsTest, the_world_stops_copying_when_the_last_listener_leaves) {
+    add_gate();
+    const auto world = worlds.find("gate");
+    {
+        TestClient client(context);
+        client.hello(ask_for_events);
+        ASSERT_TRUE(client.listen_until([&] { return client.state.events.size() > 3; }));
+        EXPECT_FALSE(world->frame()->events->ticks.empty());
+    }
+    const std::uint32_t tick = world->frame()->tick;
+    TestClient clock(context);
+    clock.hello();
+    ASSERT_TRUE(clock.listen_until([&] { return world->frame()->tick > tick + 3; }));
+    EXPECT_TRUE(world->frame()->events->ticks.empty());
+}
+
+TEST_F(ClientLinkTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what_may) {
+    TestClient client(context);
+    client.hello();
+    v1::Input mesh, points;
+    mesh.mutable_spawn()->mutable_shape()->mutable_mesh();
+    for (int i = 0; i < 40; i++)
+        points.mutable_spawn()->mutable_shape()->mutable_hull()->add_points();
+    v1::Input cone = ball(1);
+    cone.mutable_spawn()->mutable_shape()->mutable_cone()->set_radius(0.3);
+    cone.mutable_spawn()->mutable_shape()->mutable_cone()->set_half_length(0.4);
+    client.inputs(1, {mesh, points, cone});
+    ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 3; }));
+    EXPECT_EQ(client.state.results[1].message(),
+              std::string("spawn.shape is a mesh; ") + spawned_shapes_allowed);
+    EXPECT_EQ(client.state.results[2].message(),
+              std::string("spawn.shape.hull.points has 40 entries; ") + spawned_shapes_allowed);
+    EXPECT_EQ(client.state.results[3].code(), v1::INPUT_CODE_APPLIED)
+        << client.state.results[3].message();
 }
 
 TEST_F(ClientLinkTest, a_ticket_leads_to_its_world_once) {

@@ -90,7 +90,8 @@ TEST(Lifecycle, health_is_asked_and_watched) {
         grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));
     grpc::health::v1::HealthCheckRequest request;
     HealthCheckResponse response;
-    for (const char* service : {"", "jostle.v1.PlayService", "jostle.v1.WorldService"}) {
+    for (const char* service :
+         {"", "jostle.v1.PlayService", "jostle.v1.QueryService", "jostle.v1.WorldService"}) {
         grpc::ClientContext context;
         request.set_service(service);
         ASSERT_TRUE(health->Check(&context, request, &response).ok()) << service;

@@ -2,6 +2,8 @@
 //
 // Questions and events on the whole way: the real server, over gRPC, WebSocket and HTTP.
 #include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/byte_buffer.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -184,6 +186,43 @@ TEST_F(QueryAndEvents, http_answers_in_json_and_health_knows_the_service) {
         v1::QueryService::NewStub(channel)->CastRays(&too_much_context, too_much, &hits);
     EXPECT_EQ(refused.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
     EXPECT_EQ(refused.error_message(), "rays has 1001 entries; at most 1000 are allowed");
+}
+
+// A ServerReflectionRequest that lists services is field 7 with an empty text; the names stand in
+// the answer as they are.
+TEST_F(QueryAndEvents, reflection_lists_the_service) {
+    grpc::GenericStub stub(
+        grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + 5s);
+    grpc::CompletionQueue queue;
+    const auto stream = stub.PrepareCall(
+        &context, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", &queue);
+    int tag = 0;
+    const auto done = [&] {
+        void* which = nullptr;
+        bool ok = false;
+        return queue.Next(&which, &ok) && ok;
+    };
+    stream->StartCall(&tag);
+    ASSERT_TRUE(done());
+    const grpc::Slice question(std::string("\x3a\x00", 2));
+    stream->Write(grpc::ByteBuffer(&question, 1), &tag);
+    ASSERT_TRUE(done());
+    grpc::ByteBuffer received;
+    stream->Read(&received, &tag);
+    ASSERT_TRUE(done());
+    grpc::Slice answer;
+    ASSERT_TRUE(received.DumpToSingleSlice(&answer).ok());
+    const std::string text(reinterpret_cast<const char*>(answer.begin()), answer.size());
+    for (const char* service :
+         {"jostle.v1.PlayService", "jostle.v1.QueryService", "jostle.v1.WorldService"})
+        EXPECT_NE(text.find(service), std::string::npos) << service;
+    context.TryCancel();
+    grpc::Status status;
+    stream->Finish(&status, &tag);
+    queue.Shutdown();
+    done();
 }
 
 }  // namespace

@@ -23,9 +23,8 @@ constexpr double dt = 1.0 / 60;
 scenes::SceneDescription floor_alone() {
     scenes::SceneDescription scene;
     scene.name = "floor";
-    physics::ShapeDef slab;
-    slab.geometry = physics::Box{{50, 0.5, 50}};
-    slab.pose.position = {0, -0.5, 0};
+    const physics::ShapeDef slab{.geometry = physics::Box{{50, 0.5, 50}},
+                                 .pose = {.position = {0, -0.5, 0}}};
     scene.bodies.push_back(
         {.name = "floor", .body = {.type = physics::BodyType::fixed}, .shapes = {slab}});
     return scene;
@@ -113,8 +112,7 @@ TEST_F(TickEventsTest, nothing_is_told_while_nothing_happens) {
 TEST(Quarantine, a_body_that_runs_away_is_told_once) {
     scenes::SceneDescription scene = floor_alone();
     scene.world.gravity = {0, -1e4, 0};
-    physics::ShapeDef ball;
-    ball.geometry = physics::Sphere{0.5};
+    const physics::ShapeDef ball{.geometry = physics::Sphere{0.5}};
     scene.bodies.push_back(
         {.name = "comet",
          .body = {.pose = {.position = {1000, 9.9e6, 0}}, .gravity_scale = -1000},
@@ -134,9 +132,8 @@ TEST(Quarantine, a_body_that_runs_away_is_told_once) {
 TEST(WorldHostEvents, frames_carry_the_newest_64_ticks_only_while_somebody_listens) {
     scenes::SceneDescription scene = floor_alone();
     scene.hz = 240;
-    physics::ShapeDef ball;
-    ball.geometry = physics::Sphere{0.5};
-    ball.report_stays = true;  // something happens in every tick
+    // Something happens in every tick.
+    const physics::ShapeDef ball{.geometry = physics::Sphere{0.5}, .report_stays = true};
     scene.bodies.push_back({.name = "ball",
                             .body = {.pose = {.position = {0, 0.5, 0}}, .may_sleep = false},
                             .shapes = {ball}});

@@ -106,6 +106,95 @@ inline physics::World yard_scene(int threads = 1) {
     return world;
 }
 
+// One of everything that the other scenes lack: a mesh with hills, hulls, cylinders, cones,
+// compounds, joints of every kind with a motor, a trigger, a conveyor, rolling friction, locks, a
+// category that passes through another, bullets.
+inline physics::World fair_scene(int threads = 1) {
+    using namespace physics;
+    World world = make_world({.threads = threads});
+    Random random(55);
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    constexpr std::uint32_t side = 17;
+    for (std::uint32_t r = 0; r < side; r++)
+        for (std::uint32_t c = 0; c < side; c++)
+            vertices.push_back({c * 1.0 - 8, random.in(-0.15, 0.15), r * 1.0 - 8});
+    for (std::uint32_t r = 0; r + 1 < side; r++)
+        for (std::uint32_t c = 0; c + 1 < side; c++) {
+            const std::uint32_t v = r * side + c;
+            triangles.push_back({v, v + side, v + 1});
+            triangles.push_back({v + 1, v + side, v + side + 1});
+        }
+    add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .type = BodyType::fixed});
+    add_walls(world, 8);
+    const BodyId belt = must(world.create_body({.type = BodyType::fixed, .pose = {{5, 0.6, 5}, {}}}));
+    must(world.create_shape(
+        belt, {.geometry = Box{{2, 0.1, 1}}, .material = {.surface_velocity = {-1, 0, 0.3}}}));
+    std::vector<Vec3> stone;
+    for (int i = 0; i < 14; i++) stone.push_back(random.direction() * 0.4);
+    const Geometry hull = Hull{must(build_hull(stone))};
+    const Geometry jack = Compound{must(build_compound(
+        {{Box{{0.5, 0.08, 0.08}}, {}}, {Box{{0.08, 0.5, 0.08}}, {}}, {Sphere{0.2}, {{0, 0, 0.3}, {}}}}))};
+    const Geometry kinds[] = {hull, Cylinder{0.3, 0.25}, Cone{0.35, 0.4}, jack, Sphere{0.3}};
+    for (int i = 0; i < 60; i++) {
+        const Vec3 place{random.in(-6, 6), 1.5 + 0.25 * i, random.in(-6, 6)};
+        must(world.create_body(
+            {.pose = {place, random.rotation()}, .angular_velocity = random.vector(4)},
+            {.geometry = kinds[i % 5],
+             .material = {.friction = random.in(0.2, 0.9),
+                          .restitution = i % 3 == 0 ? 0.4 : 0,
+                          .rolling_friction = i % 5 == 4 ? 0.01 : 0,
+                          .torsional_friction = 0.005},
+             .filter = {.category = i % 7 == 0 ? 2u : 1u, .mask = i % 7 == 0 ? 1u : 3u},
+             .report_stays = i == 0}));
+    }
+    BodyId above = add(world, {.geometry = Sphere{0.1}, .position = {-4, 5, -4},
+                               .type = BodyType::fixed});
+    for (int i = 0; i < 6; i++) {
+        const BodyId link = add(world, {.geometry = Capsule{0.08, 0.2},
+                                        .position = {-4 + 0.5 * i, 5, -4},
+                                        .rotation = from_rotation_vector({0, 0, pi / 2})});
+        const JointKind kind = i % 2 == 0 ? JointKind(BallJoint{})
+                                          : JointKind(ConeTwistJoint{.swing = 0.7,
+                                                                     .twist = {true, -0.3, 0.3},
+                                                                     .friction_torque = 0.5});
+        must(world.create_joint({.body_a = above,
+                                 .body_b = link,
+                                 .frame_a = {i == 0 ? Vec3{} : Vec3{0, -0.25, 0},
+                                             from_rotation_vector({0, 0, -pi / 2})},
+                                 .frame_b = {{0, 0.25, 0}, from_rotation_vector({0, 0, -pi / 2})},
+                                 .kind = kind}));
+        above = link;
+    }
+    const BodyId post = add(world, {.geometry = Box{{0.1, 1, 0.1}}, .position = {3, 1, -4},
+                                    .type = BodyType::fixed});
+    const BodyId arm = must(world.create_body(
+        {.pose = {{3.8, 1.5, -4}, {}}}, {.geometry = Box{{0.7, 0.1, 0.1}}}));
+    must(world.create_joint({.body_a = post,
+                             .body_b = arm,
+                             .frame_a = {{0, 0.5, 0}, from_rotation_vector({pi / 2, 0, 0})},
+                             .frame_b = {{-0.8, 0, 0}, from_rotation_vector({pi / 2, 0, 0})},
+                             .kind = HingeJoint{.motor = {true, 2, 200}}}));
+    const BodyId pair_a = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {0, 4, 6}});
+    const BodyId pair_b = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {0.6, 4, 6}});
+    must(world.create_joint({.body_a = pair_a, .body_b = pair_b, .frame_a = {{0.6, 0, 0}, {}},
+                             .kind = FixedJoint{.angular = {8, 0.5}}, .break_force = 3e4}));
+    must(world.create_joint({.body_a = pair_b, .body_b = arm,
+                             .kind = DistanceJoint{.min_length = 0.5, .max_length = 12,
+                                                   .spring = {0.7, 0.2}, .rest_length = 4}}));
+    must(world.create_body({.pose = {{-6, 0.7, 0}, {}}, .locks = lock_z | lock_turn_x | lock_turn_y},
+                           {.geometry = Box{{0.4, 0.3, 0.4}}}));
+    must(world.create_body({.type = BodyType::fixed, .pose = {{0, 1, 0}, {}}},
+                           {.geometry = Sphere{2}, .trigger = true}));
+    for (int i = 0; i < 4; i++)
+        add(world, {.geometry = Box{{0.06, 0.03, 0.03}},
+                    .position = {-7.5, 1.2 + 0.4 * i, -3.0 + 2 * i},
+                    .velocity = {150.0 + 20 * i, 0, 3},
+                    .spin = {0, 20, 50},
+                    .density = 6000});
+    return world;
+}
+
 struct TestScene {
     std::string name;
     physics::World (*make)(int threads);
@@ -113,7 +202,8 @@ struct TestScene {
 
 inline const std::vector<TestScene>& test_scenes() {
     static const std::vector<TestScene> all = {
-        {"pyramid", pyramid_scene}, {"pile", pile_scene}, {"yard", yard_scene}};
+        {"pyramid", pyramid_scene}, {"pile", pile_scene}, {"yard", yard_scene},
+        {"fair", fair_scene}};
     return all;
 }
 

@@ -2,6 +2,7 @@
 #include "constraints/contact_passes.h"
 
 #include "constraints/contact_kernel.h"
+#include "constraints/planar_kernel.h"
 #include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
@@ -60,6 +61,15 @@ void solve_all(ManifoldStore& store, std::span<HotBody> bodies, const ContactSet
                TaskTeam& team) {
     for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
         BlockSide& side = colour.sides[k];
+        if (set.planar) {
+            const BlockReport report = solve_planar<second(), kRelax, kLast>(
+                colour.blocks[k], side, rough_of(colour, k), bodies.data(), set);
+            if constexpr (kLast) {
+                side.aged = static_cast<std::uint8_t>(report.aged);
+                side.pressing = static_cast<std::uint8_t>(report.touching);
+            }
+            return;
+        }
         const BlockReport report = solve_block<second(), inertia(), kRelax, kLast>(
             colour.blocks[k], side, rough_of(colour, k), bodies.data(), set,
             tuning::manifold_sweeps);
@@ -79,8 +89,11 @@ bool any_bouncy(const ManifoldStore& store) {
 
 }  // namespace
 
-void warm_start(ManifoldStore& store, std::span<HotBody> bodies, TaskTeam& team) {
+void warm_start(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+                TaskTeam& team) {
     for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
+        if (set.planar)
+            return warm_start_planar<second()>(colour.blocks[k], rough_of(colour, k), bodies.data());
         warm_start_block<second(), inertia()>(colour.blocks[k], rough_of(colour, k),
                                               bodies.data());
     });

@@ -13,7 +13,8 @@
 
 namespace jostle::physics {
 
-void warm_start(ManifoldStore& store, std::span<HotBody> bodies, TaskTeam& team);
+void warm_start(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+                TaskTeam& team);
 void solve(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
            TaskTeam& team);
 // `last`: ends the step; sets `aged` and `pressing` of every block.

@@ -145,7 +145,9 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     Vec3 centre;
     for (int i = 0; i < m.count; i++) centre += m.point[i] * (1.0 / m.count);
     const Vec3 n = m.normal;
-    const Vec3 t1 = normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+    const Vec3 t1 = world.def.planar
+                        ? Vec3{-n.y, n.x, 0}
+                        : normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 t2 = cross(n, t1), arm_a = centre - a.center, arm_b = centre - b.center;
     put(block.normal, lane, n);
     put(block.tangent, lane, t1);

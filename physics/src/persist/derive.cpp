@@ -38,7 +38,7 @@ void derive_lanes(WorldState& world) {
         const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
         const bool b_turns = b.type == BodyType::dynamic && !b.isotropic;
         if (!a.isotropic || b_turns) place.side->turning |= bit;
-        if (a.locks != 0 || (b.type == BodyType::dynamic && b.locks != 0))
+        if (!world.def.planar && (a.locks != 0 || (b.type == BodyType::dynamic && b.locks != 0)))
             place.side->locked |= bit;
         if (place.side->restitution[place.lane] > 0) place.side->bouncy |= bit;
         if (c.touching) place.side->touching |= bit;

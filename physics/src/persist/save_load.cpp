@@ -165,7 +165,8 @@ Result<World> load(std::span<const std::byte> bytes) {
 
     auto state = std::make_unique<WorldState>();
     Loader loader{.in = ByteReader(rest), .table = {}, .path = {}, .error = {}};
-    if (const auto fault = loader.table.read(loader.in)) return corrupt(*fault);
+    if (const auto fault = loader.table.read(loader.in))
+        return corrupt(*fault + " (at byte " + std::to_string(header_bytes + loader.in.at()) + ")");
     visit_world(loader, *state);
     if (!loader.error.empty()) return corrupt(loader.error);
     if (loader.in.left() != 0)

@@ -146,7 +146,7 @@ void solve_constraints(StepContext& step) {
         if (first && bouncy) foresee_bounces(manifolds, bodies, step.contacts, step.team);
         // Later sub-steps are warm started by accelerate().
         warm_start_joints(step);
-        if (first) warm_start(manifolds, bodies, step.team);
+        if (first) warm_start(manifolds, bodies, step.contacts, step.team);
         solve_joints(step, false);
         solve(manifolds, bodies, step.contacts, step.team);
         each_body([&](std::uint32_t i) {

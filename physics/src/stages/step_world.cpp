@@ -25,7 +25,9 @@ StepContext begin_step(WorldState& world, double dt) {
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) look_ahead(world, warm.body, dt);
     world.last_dt = dt;
-    return {world, *world.team, dt, contact_settings(dt, world.def.substeps)};
+    StepContext step{world, *world.team, dt, contact_settings(dt, world.def.substeps)};
+    step.contacts.planar = world.def.planar;
+    return step;
 }
 
 // Puts the time of one stage into the profile.

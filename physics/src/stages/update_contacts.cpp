@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_planar.h"
 #include "constraints/write_manifold.h"
 #include "jostle/physics/tuning.h"
 #include "state/lanes.h"
@@ -172,7 +173,8 @@ void look(WorldState& world, ContactCheck& check, double dt) {
         will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
     const double margin = swept ? tuning::touch_gap
                                 : tuning::speculative_margin + closing_reach(world, c, dt);
-    check.manifold = collide(a, b, margin, c.cache);
+    check.manifold = world.def.planar ? collide_planar(a, b, margin, c.cache)
+                                      : collide(a, b, margin, c.cache);
     check.gap_ahead = expected_gap(world, c, check.manifold, dt);
     check.expected = check.gap_ahead < tuning::speculative_margin;
     if (c.colour >= 0 && check.manifold.count > 0) write_manifold(world, c, check.manifold, false);

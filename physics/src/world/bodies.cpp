@@ -99,6 +99,9 @@ void remove_body(WorldState& world, std::uint32_t body) {
 Result<BodyId> World::create_body(const BodyDef& def) {
     if (Status s = check_body(def); !s.ok()) return s.error();
     WorldState& world = *state_;
+    if (world.def.planar)
+        if (Status s = check_flat_body(def); !s.ok()) return s.error();
+    constexpr AxisLocks out_of_plane = lock_z | lock_turn_x | lock_turn_y;
     const std::uint32_t index = world.bodies.ids.take();
     if (index == world.bodies.cold.size()) {
         world.bodies.cold.emplace_back();
@@ -107,7 +110,8 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     world.bodies.cold[index] = BodyCold{.type = def.type,
                                         .may_sleep = def.may_sleep,
                                         .continuous = def.continuous,
-                                        .locks = def.locks,
+                                        .locks = static_cast<AxisLocks>(
+                                            def.locks | (world.def.planar ? out_of_plane : 0)),
                                         .linear_damping = def.linear_damping,
                                         .angular_damping = def.angular_damping,
                                         .gravity_scale = def.gravity_scale,
@@ -134,6 +138,8 @@ Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
     // Both checked before anything is made: half a body is worse than none.
     if (Status s = check_body(def); !s.ok()) return s.error();
     if (Status s = check_shape(shape, def.type); !s.ok()) return s.error();
+    if (state_->def.planar)
+        if (Status s = check_flat_shape(shape); !s.ok()) return s.error();
     Result<BodyId> body = create_body(def);
     if (Result<ShapeId> made = create_shape(*body, shape); !made.ok()) return made.error();
     return body;
@@ -144,6 +150,8 @@ Result<ShapeId> World::create_shape(BodyId body, const ShapeDef& def) {
     if (Status s = check_id(world, body); !s.ok()) return s.error();
     BodyCold& cold = world.bodies.cold[body.index];
     if (Status s = check_shape(def, cold.type); !s.ok()) return s.error();
+    if (world.def.planar)
+        if (Status s = check_flat_shape(def); !s.ok()) return s.error();
     wake_body(world, body.index);
 
     const std::uint32_t index = world.shapes.ids.take();
@@ -257,6 +265,8 @@ Status World::set_pose(BodyId body, const Transform& pose) {
     WorldState& world = *state_;
     if (Status s = check_id(world, body); !s.ok()) return s;
     if (Status s = check_pose("pose", pose); !s.ok()) return s;
+    if (world.def.planar)
+        if (Status s = check_flat("pose", pose); !s.ok()) return s;
     wake_neighbours(world, body.index);
     BodyWarm& warm = stir(world, body.index);
     // A jump, not a motion: whatever touched it here does not touch it there.
@@ -363,7 +373,8 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
     wake_neighbours(world, body.index);
     BodyWarm& warm = stir(world, body.index);
     destroy_contacts_of(world, body.index, world.events.pending_ended);
-    world.bodies.cold[body.index].locks = locks;
+    world.bodies.cold[body.index].locks = static_cast<AxisLocks>(
+        locks | (world.def.planar ? lock_z | lock_turn_x | lock_turn_y : 0));
     obey_locks(world.bodies.cold[body.index], warm);
     update_mass(world, body.index);
     touch_up(world, body.index);

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "geometry/outline.h"
 #include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
@@ -45,6 +46,8 @@ Status check_pose(const char* name, const Transform& pose) {
 
 Status check_world(const WorldDef& def) {
     if (Status s = check_vector("gravity", def.gravity, 1e4); !s.ok()) return s;
+    if (def.planar && def.gravity.z != 0)
+        return invalid("gravity.z is " + text(def.gravity.z) + "; in a planar world it is 0");
     if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
     if (def.broad_phase > BroadPhase::uniform_grid)
         return invalid("broad_phase is of no known kind");
@@ -70,6 +73,35 @@ Status check_body(const BodyDef& def) {
         return invalid(
             "a fixed body has no velocity; make it kinematic, or leave the velocity out");
     return {};
+}
+
+Status check_flat(const char* name, const Transform& pose) {
+    if (pose.position.z != 0)
+        return invalid(std::string(name) + ".position.z is " + text(pose.position.z) +
+                       "; in a planar world it is 0");
+    if (pose.rotation.x != 0 || pose.rotation.y != 0)
+        return invalid(std::string(name) +
+                       ".rotation is not about z; in a planar world bodies turn about z alone");
+    return {};
+}
+
+Status check_flat_body(const BodyDef& def) {
+    if (Status s = check_flat("pose", def.pose); !s.ok()) return s;
+    if (def.linear_velocity.z != 0 || def.angular_velocity.x != 0 || def.angular_velocity.y != 0)
+        return invalid(
+            "linear_velocity.z, angular_velocity.x and angular_velocity.y are 0 in a planar world");
+    return {};
+}
+
+Status check_flat_shape(const ShapeDef& def) {
+    const ShapeKind kind = kind_of(def.geometry);
+    if (kind != ShapeKind::plane && !has_outline(kind))
+        return invalid(std::string("a ") + kind_name(kind) +
+                       " has no place in a planar world; use spheres (discs), capsules, boxes, "
+                       "hulls and planes");
+    if (kind == ShapeKind::plane && std::get<Plane>(def.geometry).normal.z != 0)
+        return invalid("the plane's normal.z is not 0; in a planar world it is");
+    return check_flat("shape pose", def.pose);
 }
 
 Status check_material(const Material& m) {

@@ -19,6 +19,10 @@ Status check_vector(const char* name, Vec3 value, double limit);
 Status check_pose(const char* name, const Transform& pose);
 Status check_world(const WorldDef& def);
 Status check_body(const BodyDef& def);
+// What a planar world asks of poses, velocities and shapes besides: all of it in the xy plane.
+Status check_flat(const char* name, const Transform& pose);
+Status check_flat_body(const BodyDef& def);
+Status check_flat_shape(const ShapeDef& def);
 Status check_shape(const ShapeDef& def, BodyType type);
 
 Status check_id(const WorldState& world, BodyId id);

@@ -4,6 +4,7 @@
 #include "geometry/bounds.h"
 #include "geometry/inner_radius.h"
 #include "geometry/mass_properties.h"
+#include "geometry/outline.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -17,8 +18,15 @@ MassProperties scaled_to(const MassProperties& p, double mass) {
     return {mass, p.center, p.inertia * (mass / p.mass)};
 }
 
-MassProperties mass_of_shape(const ShapeRecord& shape) {
-    const MassProperties p = mass_of(shape.geometry, shape.density);
+// In the plane only the turn about z counts: the moment about it stands for all three.
+void flatten(BodyCold& cold) {
+    const double about_z = cold.inertia.z.z;
+    cold.inertia = diagonal({about_z, about_z, about_z});
+}
+
+MassProperties mass_of_shape(const ShapeRecord& shape, bool planar) {
+    const MassProperties p = planar ? planar_mass_of(shape.geometry, shape.density)
+                                    : mass_of(shape.geometry, shape.density);
     return shape.mass > 0 && p.mass > 0 ? scaled_to(p, shape.mass) : p;
 }
 
@@ -30,7 +38,7 @@ void update_mass(WorldState& world, std::uint32_t body) {
     MassProperties total;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         const ShapeRecord& shape = world.shapes.shapes[s];
-        if (!shape.trigger) total = combined(total, moved(mass_of_shape(shape), shape.pose));
+        if (!shape.trigger) total = combined(total, moved(mass_of_shape(shape, world.def.planar), shape.pose));
     }
     if (cold.wanted_mass > 0 && total.mass > 0)
         total = scaled_to(total, cold.wanted_mass);
@@ -41,7 +49,8 @@ void update_mass(WorldState& world, std::uint32_t body) {
     cold.mass = dynamic ? total.mass : 0;
     cold.inverse_mass = dynamic ? 1 / total.mass : 0;
     cold.inertia = dynamic ? total.inertia : diagonal({0, 0, 0});
-    cold.isotropic = is_isotropic(cold.inertia) && cold.locks == 0;
+    if (world.def.planar) flatten(cold);
+    cold.isotropic = is_isotropic(cold.inertia) && (cold.locks == 0 || world.def.planar);
     const double spin = cold.inertia.x.x;
     if (!cold.isotropic)
         cold.inverse_inertia = inverse(cold.inertia);

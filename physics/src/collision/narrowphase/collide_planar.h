@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Two outlines in the plane: separating axes among the sides of both (the last one cached), then the
+// facing side cut to the other: one or two points.
+#pragma once
+
+#include "collision/narrowphase/collide_convex.h"
+
+namespace jostle::physics {
+
+// Shapes with an outline (geometry/outline.h) and planes. Normals and points have z = 0.
+Manifold collide_planar(const Placed& a, const Placed& b, double margin, PairCache& cache);
+
+}  // namespace jostle::physics

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+//
+// The contact passes of planar worlds: bodies have three degrees of freedom, manifolds two points
+// and one direction of friction. The two normal impulses of a manifold are solved together as the
+// linear complementarity problem that they are (Catto, "Box2D" block solver, 2009). Same blocks, same
+// order, same rules as contact_kernel.h; what lies out of the plane is neither loaded nor computed.
+#pragma once
+
+#include "constraints/contact_kernel.h"
+
+namespace jostle::physics {
+
+struct PlanarSide {
+    const float* rows[8];
+    Wide state[8];  // row 0
+    Wide vx, vy, w;
+};
+
+JOSTLE_INLINE void load_planar(PlanarSide& s, const HotBody* bodies, const std::int32_t* index) {
+    for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
+    load_rows(s.rows, s.state);
+    s.vx = s.state[0];
+    s.vy = s.state[1];
+    s.w = s.state[5];
+}
+JOSTLE_INLINE void store_planar(PlanarSide& s) {
+    s.state[0] = s.vx;
+    s.state[1] = s.vy;
+    s.state[5] = s.w;
+    store_rows(const_cast<float* const*>(s.rows), s.state);
+}
+
+// Two bodies, the normal (nx, ny), the tangent (tx, ty) and the arms of the manifold's centre.
+template <Second kSecond>
+struct PlanarBodies {
+    PlanarSide a, b;
+    Wide nx, ny, tx, ty, ax, ay, bx, by;
+    Wide turn;  // +1 or -1: which way the second tangent looks along z
+
+    JOSTLE_INLINE PlanarBodies(const ManifoldBlock& m, const HotBody* bodies) {
+        load_planar(a, bodies, m.a);
+        if constexpr (kSecond != Second::fixed) load_planar(b, bodies, m.b);
+        nx = load(m.normal[0]);
+        ny = load(m.normal[1]);
+        tx = load(m.tangent[0]);
+        ty = load(m.tangent[1]);
+        ax = load(m.arm_a[0]);
+        ay = load(m.arm_a[1]);
+        bx = load(m.arm_b[0]);
+        by = load(m.arm_b[1]);
+        turn = nx * ty - ny * tx;
+    }
+    JOSTLE_INLINE void relative(Wide vax, Wide vay, Wide wa, Wide vbx, Wide vby, Wide wb, Wide& ux,
+                                Wide& uy, Wide& w) const {
+        ux = -(vax - wa * ay);
+        uy = -(vay + wa * ax);
+        w = -wa;
+        if constexpr (kSecond != Second::fixed) {
+            ux += vbx - wb * by;
+            uy += vby + wb * bx;
+            w += wb;
+        }
+    }
+    // Impulse (px, py) at the centre and l about z, against a and for b.
+    JOSTLE_INLINE void apply(Wide px, Wide py, Wide l) {
+        a.vx -= px * a.state[6];
+        a.vy -= py * a.state[6];
+        a.w -= (ax * py - ay * px + l) * a.state[7];
+        if constexpr (kSecond == Second::moving) {
+            b.vx += px * b.state[6];
+            b.vy += py * b.state[6];
+            b.w += (bx * py - by * px + l) * b.state[7];
+        }
+    }
+    JOSTLE_INLINE void store() {
+        store_planar(a);
+        if constexpr (kSecond == Second::moving) store_planar(b);
+    }
+};
+
+template <Second kSecond>
+void warm_start_planar(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies) {
+    PlanarBodies<kSecond> pair(m, bodies);
+    const Wide l0 = load(m.lambda[0]), l1 = load(m.lambda[1]), f = load(m.friction[0]);
+    const Wide total = l0 + l1;
+    // A point at x along the tangent: its moment about the centre is x (t x n) lambda.
+    Wide l = -(load(m.x[0]) * l0 + load(m.x[1]) * l1) * pair.turn;
+    if (rough != nullptr) l += load(rough->roll[1]) * pair.turn;
+    pair.apply(pair.nx * total + pair.tx * f, pair.ny * total + pair.ty * f, l);
+    pair.store();
+}
+
+template <Second kSecond, bool kRelax, bool kLast>
+BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, HotBody* bodies,
+                         const ContactSettings& set) {
+    PlanarBodies<kSecond> pair(m, bodies);
+    const Wide zero = splat(0);
+    Wide ux, uy, w;
+    const auto velocities = [&] {
+        if constexpr (kSecond == Second::fixed)
+            pair.relative(pair.a.vx, pair.a.vy, pair.a.w, zero, zero, zero, ux, uy, w);
+        else
+            pair.relative(pair.a.vx, pair.a.vy, pair.a.w, pair.b.vx, pair.b.vy, pair.b.w, ux, uy,
+                          w);
+    };
+    if constexpr (kRelax) {
+        velocities();
+        const Wide limit = load(m.mu) * (load(m.lambda[0]) + load(m.lambda[1]));
+        Wide u1 = pair.tx * ux + pair.ty * uy;
+        if (rough != nullptr) u1 += load(rough->surface[0]);
+        const Wide old = load(m.friction[0]);
+        const Wide now = max(-limit, min(old - load(m.friction_mass[0]) * u1, limit));
+        store(m.friction[0], now);
+        pair.apply(pair.tx * (now - old), pair.ty * (now - old), zero);
+        if (rough != nullptr) {
+            // Rolling resistance: about z.
+            velocities();
+            const Wide k = load(m.g[5]), hold = load(rough->rolling) *
+                                                (load(m.lambda[0]) + load(m.lambda[1]));
+            const Wide before = load(rough->roll[1]);
+            const Wide after = max(
+                -hold, min(before - pair.turn * w / max(k, splat(1e-30f)), hold));
+            store(rough->roll[1], after);
+            pair.apply(zero, zero, pair.turn * (after - before));
+        }
+    }
+
+    // Where the bodies have gone since the start of the step.
+    const auto motion = [](const PlanarSide& s, Wide& dx, Wide& dy, Wide& dr) {
+        const float* rows[8];
+        Wide t[8];
+        for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 8;
+        load_rows(rows, t);
+        dx = t[0];
+        dy = t[1];
+        dr = t[5];
+    };
+    Wide dax, day, dar, dbx = zero, dby = zero, dbr = zero, mx, my, turned;
+    motion(pair.a, dax, day, dar);
+    if constexpr (kSecond != Second::fixed) motion(pair.b, dbx, dby, dbr);
+    pair.relative(dax, day, dar, dbx, dby, dbr, mx, my, turned);
+    const Wide s0 = pair.nx * mx + pair.ny * my, s2 = pair.turn * turned;
+
+    velocities();
+    const Wide u0 = pair.nx * ux + pair.ny * uy, u2 = pair.turn * w;
+    const Wide x0 = load(m.x[0]), x1 = load(m.x[1]);
+    const Wide gap0 = load(m.gap[0]) + s0 - x0 * s2, gap1 = load(m.gap[1]) + s0 - x1 * s2;
+    const Wide g00 = load(m.g[0]), g02 = load(m.g[2]), g22 = load(m.g[5]);
+    const auto k_of = [&](Wide p, Wide q) { return g00 - (p + q) * g02 + p * q * g22; };
+    const Wide k00 = k_of(x0, x0), k01 = k_of(x0, x1), k11 = k_of(x1, x1);
+    const Wide old0 = load(m.lambda[0]), old1 = load(m.lambda[1]);
+
+    // What each point wants of its impulse, with softness as an addition to its own mass.
+    const auto wish = [&](Wide gap, Wide old, Wide k, Wide vn, Wide& target, Wide& soft_mass) {
+        const WideMask apart = gap > zero;
+        if constexpr (kRelax) {
+            const Wide bias = select(apart, gap * splat(set.inverse_h), zero);
+            target = vn + bias;
+            soft_mass = k;
+        } else {
+            const Wide push =
+                max((gap + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
+            const Wide bias = select(apart, gap * splat(set.inverse_h), push);
+            // now = old - scale (vn + bias) / k - leak (old - steady), written with a larger mass.
+            const Wide scale = select(apart, splat(1), splat(set.mass_scale));
+            const Wide leak = select(apart, zero, splat(set.leak));
+            soft_mass = k / scale;
+            target = vn + bias + soft_mass * leak * (old - load(m.steady));
+        }
+    };
+    Wide t0, t1, m00, m11;
+    wish(gap0, old0, k00, u0 - x0 * u2, t0, m00);
+    wish(gap1, old1, k11, u0 - x1 * u2, t1, m11);
+    // K (new - old) + t = 0 where new > 0: both, one, the other, or none.
+    const Wide b0 = t0 - m00 * old0 - k01 * old1, b1 = t1 - k01 * old0 - m11 * old1;
+    const Wide det = m00 * m11 - k01 * k01;
+    const WideMask regular = det > splat(1e-5f) * m00 * m11;
+    const Wide both0 = (k01 * b1 - m11 * b0) / det, both1 = (k01 * b0 - m00 * b1) / det;
+    const Wide only0 = max(-b0 / m00, zero), only1 = max(-b1 / m11, zero);
+    const WideMask both = regular & (both0 >= zero) & (both1 >= zero);
+    // One alone is right when the other then parts.
+    const WideMask first = (only0 > zero) & (k01 * only0 + b1 >= zero);
+    const WideMask second = (only1 > zero) & (k01 * only1 + b0 >= zero);
+    Wide new0 = select(both, both0, select(first, only0, zero));
+    Wide new1 = select(both, both1, select(first, zero, select(second, only1, zero)));
+    // All but singular: the two points lie on each other; they share.
+    const WideMask shared = ~regular & ~first & ~second;
+    new0 = select(shared, only0 * splat(0.5f), new0);
+    new1 = select(shared, only1 * splat(0.5f), new1);
+    store(m.lambda[0], new0);
+    store(m.lambda[1], new1);
+    const Wide d0 = new0 - old0, d1 = new1 - old1, total = d0 + d1;
+    pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.turn);
+    pair.store();
+
+    BlockReport report;
+    if constexpr (kLast) {
+        store(m.gap[0], gap0);
+        store(m.gap[1], gap1);
+        const Wide sum = new0 + new1;
+        Wide points = select(gap0 < splat(0.5f * no_point), splat(1), zero) +
+                      select(gap1 < splat(0.5f * no_point), splat(1), zero);
+        const Wide steady = load(m.steady);
+        store(m.steady, steady + splat(set.forget) * (sum / max(points, splat(1)) - steady));
+        const Wide size = root(turned * turned);
+        const Wide age = load(side.moved) + root(mx * mx + my * my) + load(m.lever) * size +
+                         splat(0.3f) * root(dar * dar);
+        store(side.moved, age);
+        report.aged = lane_bits(age > splat(set.reuse));
+        report.touching = lane_bits(sum > zero) |
+                          (side.touching & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
+    }
+    return report;
+}
+
+}  // namespace jostle::physics

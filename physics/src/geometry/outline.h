@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// What a shape is in a planar world: its outline in the xy plane, a convex polygon with rounded
+// corners. A sphere is a disc, a capsule a stadium, a hull the shadow that it throws along z.
+#pragma once
+
+#include "geometry/mass_properties.h"
+#include "geometry/placed.h"
+#include "jostle/physics/hull.h"
+
+namespace jostle::physics {
+
+struct Outline {
+    int count = 0;                      // corners: 1 a point, 2 a segment, more a polygon
+    Vec3 corner[max_hull_vertices];     // counter-clockwise, z = 0
+    double radius = 0;                  // of the rounding
+};
+
+inline bool has_outline(ShapeKind kind) {
+    return kind == ShapeKind::sphere || kind == ShapeKind::capsule || kind == ShapeKind::box ||
+           kind == ShapeKind::hull;
+}
+
+// Seen from `origin`.
+Outline outline_of(const Placed& shape, Vec3 origin);
+
+// Of a slice 1 m thick: mass = density * area, inertia about z alone counts.
+MassProperties planar_mass_of(const Geometry& geometry, double density);
+
+}  // namespace jostle::physics

@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "jostle/physics/geometry.h"
+#include "jostle/physics/compound.h"
+#include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::test {
@@ -114,8 +117,41 @@ inline double signed_distance(const physics::Geometry& geometry, physics::Vec3 p
                 deepest = std::max(deepest, dot(face.normal, p) - face.offset);
             return deepest <= 0 ? deepest : length(p - nearest_on_border(hull, p));
         }
-        default:
-            break;  // surfaces and compounds have tests of their own
+        case physics::ShapeKind::compound: {
+            double nearest = 1e300;
+            for (const auto& child : std::get<physics::Compound>(geometry).data->children)
+                nearest = std::min(nearest, signed_distance(child.geometry,
+                                                            physics::apply_inverse(child.pose, p)));
+            return nearest;
+        }
+        case physics::ShapeKind::mesh: {
+            const auto& mesh = *std::get<physics::Mesh>(geometry).data;
+            double nearest = 1e300;
+            for (const auto& t : mesh.triangles)
+                nearest = std::min(nearest, length(p - nearest_on_triangle(p, mesh.vertices[t[0]],
+                                                                           mesh.vertices[t[1]],
+                                                                           mesh.vertices[t[2]])));
+            return nearest;
+        }
+        case physics::ShapeKind::height_field: {
+            const auto& grid = *std::get<physics::HeightField>(geometry).data;
+            const auto at = [&](std::uint32_t c, std::uint32_t r) {
+                return Vec3{(c - (grid.columns - 1) / 2.0) * grid.spacing_x,
+                            grid.heights[r * grid.columns + c],
+                            (r - (grid.rows - 1) / 2.0) * grid.spacing_z};
+            };
+            double nearest = 1e300;
+            for (std::uint32_t r = 0; r + 1 < grid.rows; r++)
+                for (std::uint32_t c = 0; c + 1 < grid.columns; c++) {
+                    if (!grid.holes.empty() && grid.holes[r * (grid.columns - 1) + c] != 0)
+                        continue;
+                    for (const Vec3 third : {at(c + 1, r), at(c, r + 1)})
+                        nearest = std::min(nearest,
+                                           length(p - nearest_on_triangle(p, at(c, r), third,
+                                                                          at(c + 1, r + 1))));
+                }
+            return nearest;
+        }
     }
     return 0;
 }

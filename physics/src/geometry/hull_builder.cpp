@@ -196,6 +196,45 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
     return std::shared_ptr<const ConvexHull>(std::move(hull));
 }
 
+namespace {
+
+// Vertices that some loop uses, and the loops in their numbers.
+Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
+    const std::vector<Vec3>& kept, const std::vector<std::vector<std::uint32_t>>& loops) {
+    std::vector<std::uint32_t> used;
+    for (const auto& loop : loops) used.insert(used.end(), loop.begin(), loop.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (used.size() > max_hull_vertices)
+        return invalid("it has " + std::to_string(used.size()) + " vertices; at most " +
+                       std::to_string(max_hull_vertices) + " are allowed: simplify the shape");
+    std::vector<Vec3> vertices;
+    for (const std::uint32_t p : used) vertices.push_back(kept[p]);
+    std::vector<std::vector<std::uint16_t>> faces;
+    for (const auto& loop : loops) {
+        if (loop.size() > max_face_vertices)
+            return invalid("a face has " + std::to_string(loop.size()) + " corners; at most " +
+                           std::to_string(max_face_vertices) + " are allowed: simplify the shape");
+        std::vector<std::uint16_t> face;
+        for (const std::uint32_t p : loop)
+            face.push_back(static_cast<std::uint16_t>(
+                std::lower_bound(used.begin(), used.end(), p) - used.begin()));
+        faces.push_back(face);
+    }
+    return assemble_hull(std::move(vertices), faces);
+}
+
+// Every corner of a face lies on its plane, above which there is nothing.
+bool is_flat_and_convex(const ConvexHull& hull, double size) {
+    for (const HullFace& face : hull.faces)
+        for (const std::uint16_t v : hull.vertices_of(face))
+            if (face.offset - dot(face.normal, hull.vertices[v]) > 4 * merge_fraction * size)
+                return false;
+    return true;
+}
+
+}  // namespace
+
 Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> points) {
     if (points.size() < 4)
         return invalid("it has " + std::to_string(points.size()) + " points; give at least 4");
@@ -242,34 +281,21 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     const auto broken = [](const auto& all) {
         return std::any_of(all.begin(), all.end(), [](const auto& l) { return l.size() < 3; });
     };
-    if (!loops || broken(*loops)) {
-        loops.emplace();
-        for (const HullTriangle& t : *triangles) loops->push_back({t.begin(), t.end()});
+    if (loops && !broken(*loops)) {
+        auto merged = hull_of_loops(kept, *loops);
+        if (merged.ok() && is_flat_and_convex(**merged, size) &&
+            (*merged)->inner_radius >= 1e-6 * size)
+            return merged;
+        // Too large to be one is final; a bent face is not.
+        if (!merged.ok() && merged.error().message.find("simplify") != std::string::npos)
+            return merged;
     }
-
-    std::vector<std::uint32_t> used;
-    for (const auto& loop : *loops) used.insert(used.end(), loop.begin(), loop.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    if (used.size() > max_hull_vertices)
-        return invalid("it has " + std::to_string(used.size()) + " vertices; at most " +
-                       std::to_string(max_hull_vertices) + " are allowed: simplify the shape");
-    std::vector<Vec3> vertices;
-    for (const std::uint32_t p : used) vertices.push_back(kept[p]);
-    std::vector<std::vector<std::uint16_t>> faces;
-    for (const auto& loop : *loops) {
-        if (loop.size() > max_face_vertices)
-            return invalid("a face has " + std::to_string(loop.size()) + " corners; at most " +
-                           std::to_string(max_face_vertices) + " are allowed: simplify the shape");
-        std::vector<std::uint16_t> face;
-        for (const std::uint32_t p : loop)
-            face.push_back(static_cast<std::uint16_t>(
-                std::lower_bound(used.begin(), used.end(), p) - used.begin()));
-        faces.push_back(face);
-    }
-    auto hull = assemble_hull(std::move(vertices), faces);
-    if (hull.ok() && (*hull)->inner_radius < 1e-6 * size)
-        return invalid("it is thinner than a millionth of its length; it has no volume to speak of");
+    loops.emplace();
+    for (const HullTriangle& t : *triangles) loops->push_back({t.begin(), t.end()});
+    auto hull = hull_of_loops(kept, *loops);
+    if (hull.ok() && ((*hull)->inner_radius < 1e-6 * size || !is_flat_and_convex(**hull, size)))
+        return invalid("it is so thin, or its points so nearly in line, that its faces are not "
+                       "known; make it thicker or give fewer points");
     return hull;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "collision/narrowphase/collide.h"
 #include "collision/narrowphase/collide_composite.h"
 #include "geometry/bounds.h"
 #include "state/links.h"
@@ -14,13 +13,7 @@ namespace {
 bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
     const Placed pa = placed(sa, warm_of(world, sa.body)), pb = placed(sb, warm_of(world, sb.body));
-    if (is_composite(kind_of(sa.geometry)) || is_composite(kind_of(sb.geometry))) {
-        std::vector<PartManifold> parts;
-        collide_composite(pa, pb, 0, parts);
-        return !parts.empty();
-    }
-    PairCache cache;
-    return collide(pa, pb, 0, cache).count > 0;
+    return shapes_overlap(pa, pb);
 }
 
 void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,

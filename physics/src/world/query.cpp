@@ -47,16 +47,6 @@ std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
     return shapes;
 }
 
-bool touch(const Placed& a, const Placed& b) {
-    if (is_composite(kind_of(*a.geometry)) || is_composite(kind_of(*b.geometry))) {
-        std::vector<PartManifold> parts;
-        collide_composite(a, b, 0, parts);
-        return !parts.empty();
-    }
-    PairCache cache;
-    return collide(a, b, 0, cache).count > 0;
-}
-
 Status check_ray(const Ray& ray) {
     if (Status s = check_vector("ray.origin", ray.origin, tuning::max_coordinate); !s.ok())
         return s;
@@ -124,7 +114,7 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& sh
     const Placed probe = placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
     const double size = radius_of(cast.geometry), gap = 1e-6 * size;
     double fraction = 0;
-    if (!touch(probe, shape.placed)) {
+    if (!shapes_overlap(probe, shape.placed)) {
         const SweptShape moving{.geometry = &cast.geometry,
                                 .offset = {},
                                 .axes = {},
@@ -306,7 +296,7 @@ Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry,
     const Placed probe = placed(geometry, {pose.position, unit(pose.rotation)});
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, bounds_of(probe), filter))
-        if (touch(probe, shape.placed)) ids.push_back(shape.shape);
+        if (shapes_overlap(probe, shape.placed)) ids.push_back(shape.shape);
     return ids;
 }
 

@@ -18,14 +18,19 @@ struct Sum {
     Mat3 second = diagonal({0, 0, 0});  // sum of m p p^T
 };
 
+double reach_of(const Geometry& g) {
+    if (const auto* c = std::get_if<Capsule>(&g)) return c->radius + c->half_length;
+    if (const auto* s = std::get_if<Sphere>(&g)) return s->radius;
+    if (const auto* c = std::get_if<Cylinder>(&g)) return std::max(c->radius, c->half_length);
+    if (const auto* c = std::get_if<Cone>(&g)) return std::max(c->radius, c->half_length);
+    if (const auto* h = std::get_if<Hull>(&g))
+        return length(max(abs(h->data->bounds.low), abs(h->data->bounds.high)));
+    return length(std::get<Box>(g).half_extents);
+}
+
 // Cells of 1/80 of the shape's size; a cell counts by the share of it below the surface.
 void add_cells(Sum& sum, const ShapeDef& shape, const Transform& body) {
-    const double size = kind_of(shape.geometry) == ShapeKind::capsule
-                            ? std::get<Capsule>(shape.geometry).radius +
-                                  std::get<Capsule>(shape.geometry).half_length
-                        : kind_of(shape.geometry) == ShapeKind::sphere
-                            ? std::get<Sphere>(shape.geometry).radius
-                            : length(std::get<Box>(shape.geometry).half_extents);
+    const double size = reach_of(shape.geometry);
     const double cell = size / 40;
     for (int i = -41; i <= 41; i++)
         for (int j = -41; j <= 41; j++)
@@ -53,17 +58,23 @@ void expect_inertia(const Mat3& value, const Mat3& expected, double tolerance) {
 
 TEST(Mass, of_random_compounds_is_the_sum_of_their_cells) {
     Random random(5);
-    for (int round = 0; round < 6; round++) {
+    for (int round = 0; round < 8; round++) {
         World world = make_world();
         const Transform pose{random.vector(3), random.rotation()};
         const BodyId body = must(world.create_body({.pose = pose}));
         Sum sum;
         const int shapes = 1 + round % 3;
         for (int i = 0; i < shapes; i++) {
+            std::vector<Vec3> points;
+            for (int k = 0; k < 12; k++) points.push_back(random.vector(0.9));
             const Geometry kinds[] = {
-                Sphere{random.in(0.2, 1)}, Capsule{random.in(0.2, 0.6), random.in(0.2, 0.8)},
-                Box{{random.in(0.3, 1), random.in(0.3, 1), random.in(0.3, 1)}}};
-            const ShapeDef shape{.geometry = kinds[(round + i) % 3],
+                Sphere{random.in(0.2, 1)},
+                Capsule{random.in(0.2, 0.6), random.in(0.2, 0.8)},
+                Box{{random.in(0.3, 1), random.in(0.3, 1), random.in(0.3, 1)}},
+                Cylinder{random.in(0.3, 0.8), random.in(0.3, 0.8)},
+                Cone{random.in(0.4, 0.9), random.in(0.4, 0.9)},
+                Hull{must(build_hull(points))}};
+            const ShapeDef shape{.geometry = kinds[(round + 2 * i) % 6],
                                  .pose = {random.vector(1), random.rotation()},
                                  .density = random.in(200, 3000)};
             must(world.create_shape(body, shape));

@@ -67,21 +67,52 @@ void collide_parts(const Placed& a, const Placed& b, double margin, std::uint64_
     if (m.count > 0) out.push_back({key, m});
 }
 
+bool parts_overlap(const Placed& a, const Placed& b) {
+    if (is_surface(a)) return is_convex(kind_of(*b.geometry)) && overlaps_surface(a, b);
+    if (is_surface(b)) return is_convex(kind_of(*a.geometry)) && overlaps_surface(b, a);
+    PairCache cache;
+    return collide(a, b, 0, cache).count > 0;
+}
+
+// Calls visit(part of a, part of b, key) for every two parts that may be near, until it says stop.
+template <class Visit>
+void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit) {
+    const auto* compound_a = std::get_if<Compound>(a.geometry);
+    const auto* compound_b = std::get_if<Compound>(b.geometry);
+    const auto against_b = [&](const Placed& part, std::uint64_t key) {
+        if (compound_b == nullptr) return visit(part, b, key);
+        for (const std::uint32_t k : children_near(b, part, margin))
+            if (visit(part, child_of(b, compound_b->data->children[k]),
+                      key | (std::uint64_t{k} + 1)))
+                return true;
+        return false;
+    };
+    if (compound_a == nullptr) {
+        against_b(a, 0);
+        return;
+    }
+    for (const std::uint32_t k : children_near(a, b, margin))
+        if (against_b(child_of(a, compound_a->data->children[k]), (std::uint64_t{k} + 1) << 32))
+            return;
+}
+
 }  // namespace
 
 void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<PartManifold>& out) {
-    const auto* compound_a = std::get_if<Compound>(a.geometry);
-    const auto* compound_b = std::get_if<Compound>(b.geometry);
-    const auto against_b = [&](const Placed& part, std::uint64_t key) {
-        if (compound_b == nullptr) return collide_parts(part, b, margin, key, out);
-        for (const std::uint32_t k : children_near(b, part, margin))
-            collide_parts(part, child_of(b, compound_b->data->children[k]), margin,
-                          key | (std::uint64_t{k} + 1), out);
-    };
-    if (compound_a == nullptr) return against_b(a, 0);
-    for (const std::uint32_t k : children_near(a, b, margin))
-        against_b(child_of(a, compound_a->data->children[k]), (std::uint64_t{k} + 1) << 32);
+    for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
+        collide_parts(pa, pb, margin, key, out);
+        return false;
+    });
+}
+
+bool shapes_overlap(const Placed& a, const Placed& b) {
+    bool any = false;
+    for_each_two(a, b, 0, [&](const Placed& pa, const Placed& pb, std::uint64_t) {
+        any = parts_overlap(pa, pb);
+        return any;
+    });
+    return any;
 }
 
 }  // namespace jostle::physics

@@ -28,4 +28,7 @@ inline bool is_composite(ShapeKind kind) {
 void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<PartManifold>& out);
 
+// Whether two shapes of any kind share a point.
+bool shapes_overlap(const Placed& a, const Placed& b);
+
 }  // namespace jostle::physics

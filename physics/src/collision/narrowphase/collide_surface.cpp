@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "collision/narrowphase/collide_convex.h"
+#include "collision/narrowphase/gjk.h"
 #include "geometry/bounds.h"
 #include "geometry/surface.h"
 
@@ -63,6 +64,17 @@ public:
         box_ = grow(bounds_of(local), margin);
         box_ = {box_.low + origin_, box_.high + origin_};
         size_ = size_of(shape_);
+    }
+
+    bool overlaps() const {
+        bool any = false;
+        for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
+            if (any) return;
+            const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                    t.corner[2] - origin_};
+            any = gjk(triangle_convex(corner, {}, {}), shape_, {}).distance <= shape_.radius;
+        });
+        return any;
     }
 
     void collide(std::vector<Manifold>& out) {
@@ -158,6 +170,10 @@ private:
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
                      std::vector<Manifold>& out) {
     SurfacePair(surface, convex, margin).collide(out);
+}
+
+bool overlaps_surface(const Placed& surface, const Placed& convex) {
+    return SurfacePair(surface, convex, 0).overlaps();
 }
 
 }  // namespace jostle::physics

@@ -15,4 +15,7 @@ namespace jostle::physics {
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
                      std::vector<Manifold>& out);
 
+// Whether they share a point: seams count here.
+bool overlaps_surface(const Placed& surface, const Placed& convex);
+
 }  // namespace jostle::physics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "parts.h"
 
+#include "jostle/physics/hull.h"
+
 namespace jostle::scenes {
 
 using namespace physics;
@@ -21,6 +23,17 @@ SceneBody loose(std::string name, Vec3 position, Geometry geometry, Quat rotatio
             .body = {.pose = {position, rotation}},
             .shapes = {{.geometry = geometry}},
             .color = {}};
+}
+
+Geometry stone(Random& random, double radius) {
+    std::vector<Vec3> points;
+    for (int k = 0; k < 14; k++) {
+        const double x = random.in(-1, 1), y = random.in(-1, 1), z = random.in(-1, 1);
+        points.push_back(normalized(Vec3{x, y, z}) * radius);
+    }
+    // Fourteen random directions never lie in one plane; a box stands in for the impossible.
+    const auto hull = build_hull(points);
+    return hull.ok() ? Geometry(Hull{*hull}) : Geometry(Box{{radius, radius, radius}});
 }
 
 SceneBody colored(SceneBody body, std::uint32_t color) {

@@ -28,6 +28,8 @@ SceneBody fixed_box(std::string name, physics::Vec3 center, physics::Vec3 half_e
 // A dynamic body of one shape.
 SceneBody loose(std::string name, physics::Vec3 position, physics::Geometry geometry,
                 physics::Quat rotation = {});
+// A convex stone of 14 corners about as large as the radius.
+physics::Geometry stone(Random& random, double radius);
 SceneBody colored(SceneBody body, std::uint32_t color);
 
 // Scenes, one function each; the catalogue lists them.
@@ -41,5 +43,15 @@ SceneDescription rain();
 SceneDescription billiards();
 SceneDescription incline();
 SceneDescription free_space();
+SceneDescription shapes();
+SceneDescription terrain();
+SceneDescription ragdolls();
+SceneDescription bridge();
+SceneDescription workshop();
+SceneDescription conveyor();
+SceneDescription gates();
+SceneDescription bullets();
+SceneDescription locked();
+SceneDescription flatland();
 
 }  // namespace jostle::scenes

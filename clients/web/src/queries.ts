@@ -11,7 +11,7 @@ import {
   type DebugResponse,
 } from './gen/jostle/v1/query_pb';
 
-const PATIENCE_MS = 3000;
+const PATIENCE_MS = 10_000; // a page that draws without a graphics processor may take seconds to look at an answer
 const NOT_SERVED = [404, 501];
 
 export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;

@@ -8,7 +8,7 @@ const ball = { kind: { case: 'sphere' as const, value: { radius: 1 } } };
 
 it('a body is called by its name, else after its first shape', () => {
   expect(thingName(create(EntitySchema, { name: 'goal', shapes: [ball] }), 3)).toBe('goal');
-  expect(thingName(create(EntitySchema, { shapes: [ball] }), 3)).toBe('sphere 3');
+  expect(thingName(create(EntitySchema, { shapes: [ball] }), 3)).toBe('ball 3');
   expect(thingName(undefined, 3)).toBe('body 3');
 });
 

@@ -23,10 +23,14 @@ export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] =
 
 const THROW_SPEED = 18; // m/s
 const CLICK_PIXELS = 6; // a pointer that moved less was a click
-const CLICK_WAITS_MS = 150; // for the server's answer, counted from the end of the click
+const WAITS_MS = 150; // for the server's answer, after a click and while hovering; then what is drawn counts
 const HOVER_MS = 100;
 
 const xyz = (v: THREE.Vector3) => ({ x: v.x, y: v.y, z: v.z });
+
+function inTime<T>(asked: Promise<T>): Promise<T | undefined> {
+  return Promise.race([asked, new Promise<undefined>((done) => setTimeout(() => done(undefined), WAITS_MS))]);
+}
 
 interface Press {
   readonly x: number;
@@ -136,7 +140,7 @@ export class Tools {
     if (!event) return;
     const raycaster = this.ray(event);
     const drawn = pickDrawn(this.view, raycaster);
-    const hit = settle(drawn, await pickAsked(this.queries, raycaster.ray), this.moves);
+    const hit = settle(drawn, await inTime(pickAsked(this.queries, raycaster.ray)), this.moves);
     if (!this.hovering) return; // the pointer left in the meantime
     if (this.tool === 'drag') this.canvas.style.cursor = this.isLoose(hit) ? 'grab' : '';
     this.over(hit);
@@ -163,8 +167,7 @@ export class Tools {
   }
 
   private async click(press: Press, tool: Tool): Promise<void> {
-    const late = new Promise<undefined>((done) => setTimeout(() => done(undefined), CLICK_WAITS_MS));
-    const hit = settle(press.drawn, await Promise.race([press.asked, late]), this.moves);
+    const hit = settle(press.drawn, await inTime(press.asked), this.moves);
     if (!hit) return;
     switch (tool) {
       case 'box':

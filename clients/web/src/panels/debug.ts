@@ -7,6 +7,7 @@ import type { Queries } from '../queries';
 import type { SceneView } from '../scene_view';
 
 const EVERY_MS = 200;
+const MISSES = 2;
 
 type Toggle = keyof DebugWishes | 'sleep';
 const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
@@ -27,6 +28,7 @@ export class DebugPanel {
     joints: false,
     broadPhase: false,
   };
+  private missed = 0;
   private readonly note = document.createElement('p');
   private readonly asking = new Paced(EVERY_MS, () => this.ask());
 
@@ -81,7 +83,10 @@ export class DebugPanel {
     const answer = await this.queries.debug({ contacts, islands, bounds, joints, broadPhase });
     // Toggles may have changed in the meantime.
     if (!this.asksServer) return;
+    // One answer that came too late is no reason to make the lines flicker.
+    this.missed = answer ? 0 : this.missed + 1;
     if (!answer) {
+      if (this.missed < MISSES) return;
       this.lines.clear();
       this.view.setTints(undefined);
       this.note.textContent = 'The server does not tell.';

@@ -40,21 +40,24 @@ SceneDescription conveyor() {
     SceneDescription scene{.name = "conveyor",
                            .description = "Four belts in a ring carry crates, drums and balls round.",
                            .bodies = {ground()}};
-    const Vec3 centers[] = {{0, 0.7, -3}, {3, 0.6, 0}, {0, 0.5, 3}, {-3, 0.4, 0}};
+    // A ring of belts that hand over to each other, with a rail on either side.
+    const Vec3 centers[] = {{-0.7, 0.4, -3}, {3, 0.4, -0.7}, {0.7, 0.4, 3}, {-3, 0.4, 0.7}};
     const Vec3 along[] = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
     for (int k = 0; k < 4; k++) {
         const bool x = along[k].x != 0;
         SceneBody belt = colored(
-            fixed_box("belt", centers[k], x ? Vec3{3.8, 0.1, 0.8} : Vec3{0.8, 0.1, 3.8}), 0x495057);
+            fixed_box("belt", centers[k], x ? Vec3{3, 0.1, 0.7} : Vec3{0.7, 0.1, 3}), 0x495057);
         belt.shapes[0].material = {.friction = 0.9, .surface_velocity = along[k] * 1.5};
         scene.bodies.push_back(belt);
+        const Vec3 out = cross(along[k], Vec3{0, 1, 0}) * -1;
+        for (const double from_middle : {3.8, 2.2}) {
+            const double half = from_middle > 3 ? 3.9 : 2.1;
+            SceneBody rail = fixed_box("rail", out * -from_middle + Vec3{0, 0.65, 0},
+                                       x ? Vec3{half, 0.35, 0.1} : Vec3{0.1, 0.35, half});
+            rail.shapes[0].material = {.friction = 0.05, .friction_rule = Combine::minimum};
+            scene.bodies.push_back(colored(rail, 0x6c757d));
+        }
     }
-    // A lift of the last belt back to the first: a steeper one.
-    SceneBody lift = colored(fixed_box("lift", {-3.2, 0.75, -2.6}, {0.8, 0.1, 1.3},
-                                       from_axis_angle({1, 0, 0}, 0.3)),
-                             0x343a40);
-    lift.shapes[0].material = {.friction = 1.5, .surface_velocity = {0, 0, -1.5}};
-    scene.bodies.push_back(lift);
     for (int i = 0; i < 24; i++) {
         const Geometry kinds[] = {Box{{0.22, 0.18, 0.25}}, Cylinder{0.2, 0.2}, Box{{0.3, 0.12, 0.2}},
                                   Sphere{0.2}};

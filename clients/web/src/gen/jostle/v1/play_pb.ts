@@ -234,7 +234,7 @@ export const InputSchema: GenMessage<Input> = /*@__PURE__*/
  */
 export type SpawnInput = Message<"jostle.v1.SpawnInput"> & {
   /**
-   * sphere, capsule or box, each size between 0.05 and 2 m
+   * sphere, capsule, box, cylinder, cone or hull (32 points), each size between 0.05 and 2 m
    *
    * @generated from field: jostle.v1.Shape shape = 1;
    */

@@ -77,11 +77,13 @@ try {
 
   const errors = [];
   let debugQuestions = 0;
+  let raysAnswered = 0;
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => {
     const expected = !servesQueries && message.location().url.includes('/api/query/');
     if (message.type() === 'error' && !expected) errors.push(message.text());
   });
+  page.on('response', (response) => response.url().endsWith('/api/query/CastRays') && response.status() === 200 && raysAnswered++);
   page.on('request', (request) => request.url().endsWith('/api/query/Debug') && debugQuestions++);
   // Drawn in software here: few pixels, or the page would have no time for anything else.
   await page.goto(`http://127.0.0.1:${ports.http}/?quality=low`);
@@ -101,6 +103,15 @@ try {
   await page.mouse.move(at.x, at.y);
   const readout = await until('the line on what is under the pointer', 5, () => page.locator('#readout:not([hidden])').textContent({ timeout: 3000 }));
   expect(readout.startsWith(`tower · id ${box} · box · `), `under the pointer: ${readout}`);
+  if (servesQueries) {
+    await until('the server answers the ray of the pointer', 5, () => raysAnswered > 0);
+    const [before, began] = [raysAnswered, Date.now()];
+    for (let i = 0; i < 60; i++) await page.mouse.move(at.x + (i % 3) - 1, at.y);
+    await new Promise((done) => setTimeout(done, 1000));
+    const perSecond = (raysAnswered - before) / ((Date.now() - began) / 1000);
+    expect(perSecond > 0 && perSecond <= 11, `60 moves of the pointer: ${perSecond.toFixed(1)} rays answered a second`);
+    await page.mouse.move(at.x, at.y);
+  }
   await page.mouse.down();
   for (let i = 1; i <= 20; i++) {
     await page.mouse.move(at.x - 10 * i, at.y - 4 * i);

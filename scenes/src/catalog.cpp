@@ -8,10 +8,9 @@ namespace {
 
 using Make = SceneDescription (*)();
 
-constexpr Make makers[] = {sandbox, pyramid, stack,     wall,    dominoes,
-                           pile,    rain,    billiards, incline, free_space,
-                           shapes,  terrain, ragdolls,  bridge,  workshop,
-                           conveyor, gates,  bullets,   locked,  flatland};
+constexpr Make makers[] = {sandbox,   pyramid,  stack,      wall,    dominoes, pile,     rain,
+                           billiards, incline,  free_space, shapes,  terrain,  ragdolls, bridge,
+                           workshop,  conveyor, gates,      bullets, locked,   flatland};
 
 // Each scene says its own name and description; they are asked once.
 struct Listed {

@@ -10,14 +10,16 @@ using namespace physics;
 SceneDescription bullets() {
     SceneDescription scene{
         .name = "bullets",
-        .description = "Bullets at 200 m/s, walls of 5 cm, spinning rods and thin posts: nothing passes.",
+        .description =
+            "Bullets at 200 m/s, walls of 5 cm, spinning rods and thin posts: nothing passes.",
         .bodies = {ground()}};
     scene.bodies.push_back(colored(fixed_box("wall", {6, 2.5, 0}, {0.025, 2.5, 6}), 0x6c757d));
     Random random(19);
     for (int i = 0; i < 120; i++) {
         const double x = random.in(-60, -8);
-        SceneBody bullet = colored(
-            loose("bullet", {x, 0.4 + (i / 12) * 0.4, (i % 12 - 5.5) * 0.7}, Sphere{0.06}), 0xffb703);
+        SceneBody bullet =
+            colored(loose("bullet", {x, 0.4 + (i / 12) * 0.4, (i % 12 - 5.5) * 0.7}, Sphere{0.06}),
+                    0xffb703);
         bullet.body.linear_velocity = {200, 0, 0};
         bullet.body.gravity_scale = 0.2;
         bullet.shapes[0].material.restitution = 0.4;

@@ -10,8 +10,9 @@ using namespace physics;
 
 SceneDescription shapes() {
     SceneDescription scene{.name = "shapes",
-                           .description = "Every kind of moving shape poured into a yard: dice, drums, "
-                                          "cones, jacks, stones.",
+                           .description =
+                               "Every kind of moving shape poured into a yard: dice, drums, "
+                               "cones, jacks, stones.",
                            .bodies = {ground()}};
     for (const double side : {-1.0, 1.0}) {
         scene.bodies.push_back(fixed_box("wall", {side * 4.5, 1, 0}, {0.3, 1, 4.8}));
@@ -21,25 +22,26 @@ SceneDescription shapes() {
     const Geometry jack = Compound{*build_compound({{Box{{0.4, 0.07, 0.07}}, {}},
                                                     {Box{{0.07, 0.4, 0.07}}, {}},
                                                     {Box{{0.07, 0.07, 0.4}}, {}}})};
-    const Geometry kinds[] = {stone(random, 0.35), Cylinder{0.28, 0.22},  Cone{0.3, 0.35}, jack,
-                              Sphere{0.28},        Capsule{0.18, 0.25},   Box{{0.3, 0.2, 0.25}},
-                              stone(random, 0.45)};
+    const Geometry kinds[] = {
+        stone(random, 0.35), Cylinder{0.28, 0.22}, Cone{0.3, 0.35},       jack,
+        Sphere{0.28},        Capsule{0.18, 0.25},  Box{{0.3, 0.2, 0.25}}, stone(random, 0.45)};
     const std::uint32_t colors[] = {0x8ecae6, 0x219ebc, 0xffb703, 0xfb8500,
                                     0xe63946, 0x9b5de5, 0x2a9d8f, 0xadb5bd};
     for (int i = 0; i < 160; i++) {
         const double x = random.in(-3.2, 3.2), z = random.in(-3.2, 3.2), turn = random.in(0, 3);
-        scene.bodies.push_back(colored(loose("thing", {x, 1 + 0.16 * i, z}, kinds[i % 8],
-                                             from_axis_angle({x, 1, z}, turn)),
-                                       colors[i % 8]));
+        scene.bodies.push_back(colored(
+            loose("thing", {x, 1 + 0.16 * i, z}, kinds[i % 8], from_axis_angle({x, 1, z}, turn)),
+            colors[i % 8]));
         scene.bodies.back().shapes[0].material.rolling_friction = 0.003;
     }
     return scene;
 }
 
 SceneDescription conveyor() {
-    SceneDescription scene{.name = "conveyor",
-                           .description = "Four belts in a ring carry crates, drums and balls round.",
-                           .bodies = {ground()}};
+    SceneDescription scene{
+        .name = "conveyor",
+        .description = "Four belts in a ring carry crates, drums and balls round.",
+        .bodies = {ground()}};
     // A ring of belts that hand over to each other, with a rail on either side.
     const Vec3 centers[] = {{-0.7, 0.4, -3}, {3, 0.4, -0.7}, {0.7, 0.4, 3}, {-3, 0.4, 0.7}};
     const Vec3 along[] = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
@@ -59,11 +61,11 @@ SceneDescription conveyor() {
         }
     }
     for (int i = 0; i < 24; i++) {
-        const Geometry kinds[] = {Box{{0.22, 0.18, 0.25}}, Cylinder{0.2, 0.2}, Box{{0.3, 0.12, 0.2}},
-                                  Sphere{0.2}};
-        scene.bodies.push_back(colored(
-            loose("parcel", {(i % 8 - 3.5) * 0.75, 1.4 + 0.6 * (i / 8), -3}, kinds[i % 4]),
-            i % 4 == 3 ? 0xe63946 : (i % 2 == 0 ? 0xe9c46a : 0x457b9d)));
+        const Geometry kinds[] = {Box{{0.22, 0.18, 0.25}}, Cylinder{0.2, 0.2},
+                                  Box{{0.3, 0.12, 0.2}}, Sphere{0.2}};
+        scene.bodies.push_back(
+            colored(loose("parcel", {(i % 8 - 3.5) * 0.75, 1.4 + 0.6 * (i / 8), -3}, kinds[i % 4]),
+                    i % 4 == 3 ? 0xe63946 : (i % 2 == 0 ? 0xe9c46a : 0x457b9d)));
         scene.bodies.back().shapes[0].material = {.friction = 0.8, .rolling_friction = 0.05};
     }
     return scene;
@@ -72,8 +74,9 @@ SceneDescription conveyor() {
 SceneDescription gates() {
     SceneDescription scene{
         .name = "gates",
-        .description = "Balls fall through triggers; red and blue pass each other's sieve; a turning "
-                       "cross sweeps them up.",
+        .description =
+            "Balls fall through triggers; red and blue pass each other's sieve; a turning "
+            "cross sweeps them up.",
         .bodies = {ground()}};
     constexpr std::uint32_t red = 2, blue = 4;
     for (int k = 0; k < 3; k++) {
@@ -82,8 +85,8 @@ SceneDescription gates() {
         gate.color = 0x80ed99;
         scene.bodies.push_back(gate);
     }
-    for (const auto& [name, x, sees, color] :
-         {std::tuple("red sieve", -1.6, red, 0xd62828u), std::tuple("blue sieve", 1.6, blue, 0x1d4ed8u)}) {
+    for (const auto& [name, x, sees, color] : {std::tuple("red sieve", -1.6, red, 0xd62828u),
+                                               std::tuple("blue sieve", 1.6, blue, 0x1d4ed8u)}) {
         SceneBody sieve = colored(fixed_box(name, {x, 1.6, 0}, {1.5, 0.08, 3},
                                             from_axis_angle({0, 0, 1}, x < 0 ? 0.12 : -0.12)),
                                   color);
@@ -102,8 +105,9 @@ SceneDescription gates() {
     Random random(8);
     for (int i = 0; i < 60; i++) {
         const double x = random.in(-2.6, 2.6), z = random.in(-2.6, 2.6);
-        SceneBody ball = colored(loose(i % 2 == 0 ? "red" : "blue", {x, 7 + 0.25 * i, z}, Sphere{0.2}),
-                                 i % 2 == 0 ? 0xef4444 : 0x3b82f6);
+        SceneBody ball =
+            colored(loose(i % 2 == 0 ? "red" : "blue", {x, 7 + 0.25 * i, z}, Sphere{0.2}),
+                    i % 2 == 0 ? 0xef4444 : 0x3b82f6);
         ball.shapes[0].filter.category = i % 2 == 0 ? red : blue;
         ball.shapes[0].material = {.friction = 0.4, .restitution = 0.2, .rolling_friction = 0.004};
         ball.shapes[0].report_stays = i == 0;
@@ -140,16 +144,18 @@ SceneDescription locked() {
         scene.bodies.push_back(wheel);
     }
     for (int i = 0; i < 20; i++)
-        scene.bodies.push_back(colored(
-            loose("ball", {-4.4 + 0.45 * i, 4 + 0.3 * (i % 5), i % 2 == 0 ? -2.0 : 4.0}, Sphere{0.2}),
-            0xf2cc8f));
+        scene.bodies.push_back(
+            colored(loose("ball", {-4.4 + 0.45 * i, 4 + 0.3 * (i % 5), i % 2 == 0 ? -2.0 : 4.0},
+                          Sphere{0.2}),
+                    0xf2cc8f));
     return scene;
 }
 
 SceneDescription flatland() {
     SceneDescription scene{.name = "flatland",
-                           .description = "A planar world: a pyramid, discs, sticks and a hinge, all in "
-                                          "one plane.",
+                           .description =
+                               "A planar world: a pyramid, discs, sticks and a hinge, all in "
+                               "one plane.",
                            .bodies = {}};
     scene.world.planar = true;
     scene.bodies.push_back(fixed_box("ground", {0, -0.5, 0}, {30, 0.5, 0.5}));
@@ -157,10 +163,10 @@ SceneDescription flatland() {
         scene.bodies.push_back(fixed_box("wall", {side * 14, 3, 0}, {0.5, 3, 0.5}));
     for (int i = 0; i < 12; i++)
         for (int j = 0; j < 12 - i; j++)
-            scene.bodies.push_back(colored(
-                loose("box", {-4 + (j - (11 - i) / 2.0) * 0.63, 0.3 + 0.6 * i, 0},
-                      Box{{0.3, 0.3, 0.3}}),
-                i % 2 == 0 ? 0xe9c46a : 0xf4a261));
+            scene.bodies.push_back(
+                colored(loose("box", {-4 + (j - (11 - i) / 2.0) * 0.63, 0.3 + 0.6 * i, 0},
+                              Box{{0.3, 0.3, 0.3}}),
+                        i % 2 == 0 ? 0xe9c46a : 0xf4a261));
     Random random(14);
     for (int i = 0; i < 50; i++) {
         const double r = random.in(0.15, 0.35), x = random.in(4, 11);

@@ -17,8 +17,8 @@ std::size_t find_body(FieldReader& in, const SceneDescription& scene, const std:
                       const std::string& text) {
     std::string name = text;
     std::size_t which = 0;
-    if (const std::size_t open = text.rfind('['); open != std::string::npos && !text.empty() &&
-                                                  text.back() == ']') {
+    if (const std::size_t open = text.rfind('[');
+        open != std::string::npos && !text.empty() && text.back() == ']') {
         const char *first = text.data() + open + 1, *last = text.data() + text.size() - 1;
         const auto [end, error] = std::from_chars(first, last, which);
         if (error != std::errc{} || end != last || first == last) {
@@ -44,10 +44,11 @@ std::string name_of(const SceneDescription& scene, std::size_t body) {
     return before == 0 ? name : name + "[" + std::to_string(before) + "]";
 }
 
+// The rotation stays as it is given: made unit length twice it may differ in the last bit, and the
+// world does it once.
 Transform read_frame(FieldReader& in, const std::string& path, const v1::Frame& m) {
-    const Quat q = in.rotation(path + ".rotation", m.has_rotation(), m.rotation());
     return {in.vector(path + ".position", m.position(), tuning::max_coordinate),
-            norm_squared(q) == 1 || norm_squared(q) == 0 ? q : normalized(q)};
+            in.rotation(path + ".rotation", m.has_rotation(), m.rotation())};
 }
 
 JointSpring read_spring(FieldReader& in, const std::string& path, const v1::Spring& m) {
@@ -87,8 +88,7 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
             const std::string at = path + ".cone_twist";
             ConeTwistJoint out{.swing = in.number(at + ".swing", c.swing(), 0, pi)};
             out.twist = c.has_twist() ? read_limit(in, at + ".twist", c.twist()) : JointLimit{};
-            out.friction_torque =
-                in.number(at + ".friction_torque", c.friction_torque(), 0, 1e12);
+            out.friction_torque = in.number(at + ".friction_torque", c.friction_torque(), 0, 1e12);
             return out;
         }
         case v1::Joint::kFixed: {
@@ -102,11 +102,11 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
         case v1::Joint::kDistance: {
             const v1::DistanceJoint& d = m.distance();
             const std::string at = path + ".distance";
-            DistanceJoint out{.min_length = in.number(at + ".min_length", d.min_length(), 0, 1e6),
-                              .max_length = in.number(at + ".max_length", d.max_length(), 0, 1e6),
-                              .spring = read_spring(in, at + ".spring", d.spring()),
-                              .rest_length =
-                                  in.number(at + ".rest_length", d.rest_length(), 0, 1e6)};
+            DistanceJoint out{
+                .min_length = in.number(at + ".min_length", d.min_length(), 0, 1e6),
+                .max_length = in.number(at + ".max_length", d.max_length(), 0, 1e6),
+                .spring = read_spring(in, at + ".spring", d.spring()),
+                .rest_length = in.number(at + ".rest_length", d.rest_length(), 0, 1e6)};
             if (out.max_length < out.min_length)
                 in.note(at + ".max_length", "is less than min_length");
             return out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies that hang together: ragdolls on stairs, a bridge and a wrecking ball, a workshop of motors.
+// Bodies that hang together: ragdolls on stairs, a bridge and a wrecking ball, a workshop of
+// motors.
 #include "parts.h"
 
 namespace jostle::scenes {
@@ -41,29 +42,30 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
         scene.bodies.push_back(body);
     };
     const Quat across = from_axis_angle({0, 0, 1}, pi / 2);
-    bone({0, 1.0, 0}, Box{{0.16, 0.12, 0.1}});                   // 0 pelvis
-    bone({0, 1.32, 0}, Box{{0.17, 0.18, 0.1}});                  // 1 chest
-    bone({0, 1.66, 0}, Sphere{0.12});                            // 2 head
-    bone({-0.1, 0.66, 0}, Capsule{0.07, 0.14});                  // 3 thighs
-    bone({0.1, 0.66, 0}, Capsule{0.07, 0.14});                   // 4
-    bone({-0.1, 0.25, 0}, Capsule{0.06, 0.14});                  // 5 shins
-    bone({0.1, 0.25, 0}, Capsule{0.06, 0.14});                   // 6
-    bone({-0.36, 1.42, 0}, Capsule{0.05, 0.1}, across);          // 7 upper arms
-    bone({0.36, 1.42, 0}, Capsule{0.05, 0.1}, across);           // 8
-    bone({-0.64, 1.42, 0}, Capsule{0.045, 0.1}, across);         // 9 forearms
-    bone({0.64, 1.42, 0}, Capsule{0.045, 0.1}, across);          // 10
+    bone({0, 1.0, 0}, Box{{0.16, 0.12, 0.1}});            // 0 pelvis
+    bone({0, 1.32, 0}, Box{{0.17, 0.18, 0.1}});           // 1 chest
+    bone({0, 1.66, 0}, Sphere{0.12});                     // 2 head
+    bone({-0.1, 0.66, 0}, Capsule{0.07, 0.14});           // 3 thighs
+    bone({0.1, 0.66, 0}, Capsule{0.07, 0.14});            // 4
+    bone({-0.1, 0.25, 0}, Capsule{0.06, 0.14});           // 5 shins
+    bone({0.1, 0.25, 0}, Capsule{0.06, 0.14});            // 6
+    bone({-0.36, 1.42, 0}, Capsule{0.05, 0.1}, across);   // 7 upper arms
+    bone({0.36, 1.42, 0}, Capsule{0.05, 0.1}, across);    // 8
+    bone({-0.64, 1.42, 0}, Capsule{0.045, 0.1}, across);  // 9 forearms
+    bone({0.64, 1.42, 0}, Capsule{0.045, 0.1}, across);   // 10
     const auto cone = [&](std::size_t a, std::size_t b, Vec3 place, Vec3 along, double swing,
                           double twist) {
-        join(scene, "cone", first + a, first + b, {at + place, facing(along)},
-             ConeTwistJoint{.swing = swing, .twist = {true, -twist, twist}, .friction_torque = 0.5});
+        join(
+            scene, "cone", first + a, first + b, {at + place, facing(along)},
+            ConeTwistJoint{.swing = swing, .twist = {true, -twist, twist}, .friction_torque = 0.5});
     };
     cone(0, 1, {0, 1.13, 0}, {0, 1, 0}, 0.5, 0.4);
     cone(1, 2, {0, 1.53, 0}, {0, 1, 0}, 0.6, 0.8);
     const auto hinge = [&](std::size_t a, std::size_t b, Vec3 place, Vec3 axis, double lower,
                            double upper) {
         // The hinge turns about its frame's z axis.
-        const Quat turn = axis.x != 0 ? from_axis_angle({0, 1, 0}, pi / 2)
-                                      : from_axis_angle({1, 0, 0}, -pi / 2);
+        const Quat turn =
+            axis.x != 0 ? from_axis_angle({0, 1, 0}, pi / 2) : from_axis_angle({1, 0, 0}, -pi / 2);
         join(scene, "hinge", first + a, first + b, {at + place, turn},
              HingeJoint{.limit = {true, lower, upper}});
     };
@@ -80,12 +82,14 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
 }  // namespace
 
 SceneDescription ragdolls() {
-    SceneDescription scene{.name = "ragdolls",
-                           .description = "Twelve people of eleven bones fall down a flight of stairs.",
-                           .bodies = {ground()}};
+    SceneDescription scene{
+        .name = "ragdolls",
+        .description = "Twelve people of eleven bones fall down a flight of stairs.",
+        .bodies = {ground()}};
     for (int k = 0; k < 8; k++)
-        scene.bodies.push_back(colored(
-            fixed_box("step", {-4 + k * 0.8, 0.2 * (8 - k), 0}, {0.4, 0.2 * (8 - k), 4}), 0x8d99ae));
+        scene.bodies.push_back(
+            colored(fixed_box("step", {-4 + k * 0.8, 0.2 * (8 - k), 0}, {0.4, 0.2 * (8 - k), 4}),
+                    0x8d99ae));
     const std::uint32_t colors[] = {0xe07a5f, 0x3d405b, 0x81b29a, 0xf2cc8f};
     for (int i = 0; i < 12; i++)
         add_ragdoll(scene, {-3.4 + (i / 4) * 1.4, 4.2 + 1.9 * (i / 4), (i % 4 - 1.5) * 1.8},
@@ -107,7 +111,8 @@ SceneDescription bridge() {
     const Quat along_z{};  // hinges turn about z: across the bridge
     for (int k = 0; k < 20; k++) {
         const double x = -5.7 + 0.6 * k;
-        scene.bodies.push_back(colored(loose("plank", {x, 2.95, 0}, Box{{0.28, 0.05, 1}}), 0xa47148));
+        scene.bodies.push_back(
+            colored(loose("plank", {x, 2.95, 0}, Box{{0.28, 0.05, 1}}), 0xa47148));
         scene.bodies.back().body.angular_damping = 0.3;
         join(scene, "hinge", before, scene.bodies.size() - 1, {{x - 0.3, 2.95, 0}, along_z},
              HingeJoint{});
@@ -123,8 +128,8 @@ SceneDescription bridge() {
     scene.bodies.push_back(fixed_box("hook", {0, 9, 8}, {0.3, 0.1, 0.3}));
     const Quat lying = from_axis_angle({1, 0, 0}, pi / 2);
     for (int k = 0; k < 10; k++) {
-        scene.bodies.push_back(colored(
-            loose("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
+        scene.bodies.push_back(
+            colored(loose("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
         scene.bodies.back().shapes[0].density = 4000;
         join(scene, "link", before, scene.bodies.size() - 1, {{0, 8.9, 8.05 + 0.5 * k}, {}},
              BallJoint{});
@@ -144,7 +149,8 @@ SceneDescription bridge() {
             scene.bodies.push_back(
                 colored(loose("board", {x, y, 4}, Box{{0.59, 0.34, 0.06}}), 0xb5533c));
             const std::size_t self = scene.bodies.size() - 1;
-            join(scene, "board", k == 0 ? post : self - 1, self, {{x - 0.6, y, 4}, {}}, FixedJoint{});
+            join(scene, "board", k == 0 ? post : self - 1, self, {{x - 0.6, y, 4}, {}},
+                 FixedJoint{});
             scene.joints.back().joint.break_force = 6000;
             if (k < 2) continue;
             join(scene, "board", self, post + 1, {{x + 0.6, y, 4}, {}}, FixedJoint{});
@@ -154,11 +160,12 @@ SceneDescription bridge() {
 }
 
 SceneDescription workshop() {
-    SceneDescription scene{.name = "workshop",
-                           .description =
-                               "A mixer on a motor, doors with limits and springs, weights on ropes, "
-                               "rods and springs.",
-                           .bodies = {ground()}};
+    SceneDescription scene{
+        .name = "workshop",
+        .description =
+            "A mixer on a motor, doors with limits and springs, weights on ropes, "
+            "rods and springs.",
+        .bodies = {ground()}};
     const std::size_t floor = 0;
     // A drum of eight boards that a motor turns, with balls in it.
     SceneBody drum = colored(loose("drum", {0, 2.2, 0}, Box{{0.1, 0.1, 0.1}}), 0x577590);
@@ -166,17 +173,16 @@ SceneDescription workshop() {
     for (int k = 0; k < 8; k++) {
         const double turn = k * pi / 4;
         const SinCos at = sin_cos(turn);
-        drum.shapes.push_back({.geometry = Box{{0.75, 0.08, 1}},
-                               .pose = {{1.7 * at.sin, 1.7 * at.cos, 0},
-                                        from_axis_angle({0, 0, 1}, -turn)},
-                               .density = 300});
+        drum.shapes.push_back(
+            {.geometry = Box{{0.75, 0.08, 1}},
+             .pose = {{1.7 * at.sin, 1.7 * at.cos, 0}, from_axis_angle({0, 0, 1}, -turn)},
+             .density = 300});
     }
     for (const double side : {-1.0, 1.0})
-        drum.shapes.push_back({.geometry = Box{{1.4, 1.4, 0.06}}, .pose = {{0, 0, side * 1.06}, {}},
-                               .density = 100});
+        drum.shapes.push_back(
+            {.geometry = Box{{1.4, 1.4, 0.06}}, .pose = {{0, 0, side * 1.06}, {}}, .density = 100});
     scene.bodies.push_back(drum);
-    join(scene, "axle", floor, 1, {{0, 2.2, 0}, {}},
-         HingeJoint{.motor = {true, 1.2, 60000}});
+    join(scene, "axle", floor, 1, {{0, 2.2, 0}, {}}, HingeJoint{.motor = {true, 1.2, 60000}});
     for (int i = 0; i < 24; i++)
         scene.bodies.push_back(colored(
             loose("ball", {(i % 4 - 1.5) * 0.45, 1.5 + 0.4 * (i / 8), (i / 4 % 2 - 0.5) * 0.8},
@@ -198,7 +204,8 @@ SceneDescription workshop() {
     const auto hang = [&](const char* name, double z, Vec3 offset, const DistanceJoint& kind) {
         scene.bodies.push_back(
             colored(loose(name, Vec3{-7, 4.9, z} + offset, Sphere{0.3}), 0x277da1));
-        SceneJoint joint{.name = name, .body_a = beam, .body_b = scene.bodies.size() - 1, .joint = {}};
+        SceneJoint joint{
+            .name = name, .body_a = beam, .body_b = scene.bodies.size() - 1, .joint = {}};
         joint.joint.frame_a = {{0, -0.1, z}, {}};
         joint.joint.kind = kind;
         scene.joints.push_back(joint);

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <iterator>
 
+#include "joint_message.h"
 #include "jostle/physics/tuning.h"
 #include "jostle/scenes/catalog.h"
+#include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
 #include "json_place.h"
-#include "joint_message.h"
 #include "scene_json.h"
-#include "jostle/scenes/shape_message.h"
 #include "shape_reader.h"
 
 namespace jostle::scenes {

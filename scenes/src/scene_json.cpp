@@ -162,17 +162,20 @@ private:
                 return fault(std::string("must be a text in quotes, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_ENUM:
                 return check_enum(value, field);
+            case FieldDescriptor::CPPTYPE_INT32:
+                if (is_whole(value, -2147483648.0, 2147483647.0)) return {};
+                return fault("must be a whole number from -2147483648 to 2147483647");
             default:
-                if (is_whole(value)) return {};
+                if (is_whole(value, 0, 4294967295.0)) return {};
                 return fault("must be a whole number from 0 to 4294967295");
         }
     }
 
     // 8 and 8.0 are the same number.
-    static bool is_whole(const json& value) {
+    static bool is_whole(const json& value, double low, double high) {
         if (!value.is_number()) return false;
         const double x = value.get<double>();
-        return x == std::floor(x) && 0 <= x && x <= 4294967295.0;
+        return x == std::floor(x) && low <= x && x <= high;
     }
 
     std::optional<std::string> check_enum(const json& value, const FieldDescriptor& field) {

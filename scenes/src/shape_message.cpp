@@ -20,17 +20,19 @@ std::vector<Vec3> points_of(FieldReader& in, const std::string& path,
     std::vector<Vec3> out;
     out.reserve(static_cast<std::size_t>(points.size()));
     for (int i = 0; i < points.size() && !in.failed(); i++)
-        out.push_back(
-            in.vector(path + "[" + std::to_string(i) + "]", points[i], max_shape_size));
+        out.push_back(in.vector(path + "[" + std::to_string(i) + "]", points[i], max_shape_size));
     return out;
 }
 
-// What a builder made, or a note of why it could not. Messages of builders begin with their kind.
+// What a builder made, or a note of why it could not. Messages of builders begin with their kind
+// ("hull: it has 3 points"), which the path says already.
 template <class Shape, class Data>
 std::optional<Geometry> built(FieldReader& in, const std::string& path,
                               const Result<std::shared_ptr<const Data>>& made) {
     if (made.ok()) return Shape{*made};
-    in.note(path, made.error().message);
+    const std::string& why = made.error().message;
+    const std::size_t kind = why.find(": ");
+    in.note(path, kind == std::string::npos ? why : why.substr(kind + 2));
     return std::nullopt;
 }
 
@@ -141,15 +143,13 @@ Material read_material(FieldReader& in, const std::string& path, const v1::Shape
     if (m.has_restitution())
         out.restitution = in.number(path + ".restitution", m.restitution(), 0, 1);
     if (m.has_rolling_friction())
-        out.rolling_friction =
-            in.number(path + ".rolling_friction", m.rolling_friction(), 0, 100);
+        out.rolling_friction = in.number(path + ".rolling_friction", m.rolling_friction(), 0, 100);
     if (m.has_torsional_friction())
         out.torsional_friction =
             in.number(path + ".torsional_friction", m.torsional_friction(), 0, 100);
     out.surface_velocity =
         in.vector(path + ".surface_velocity", m.surface_velocity(), tuning::max_speed);
-    out.friction_rule =
-        rule_of(in, path + ".friction_rule", m.friction_rule(), out.friction_rule);
+    out.friction_rule = rule_of(in, path + ".friction_rule", m.friction_rule(), out.friction_rule);
     out.restitution_rule =
         rule_of(in, path + ".restitution_rule", m.restitution_rule(), out.restitution_rule);
     return out;
@@ -170,9 +170,7 @@ struct WriteGeometry {
     void operator()(const Box& b) const {
         set(*to.mutable_box()->mutable_half_extents(), b.half_extents);
     }
-    void operator()(const Plane& p) const {
-        set(*to.mutable_plane()->mutable_normal(), p.normal);
-    }
+    void operator()(const Plane& p) const { set(*to.mutable_plane()->mutable_normal(), p.normal); }
     void operator()(const Cylinder& c) const {
         to.mutable_cylinder()->set_radius(c.radius);
         to.mutable_cylinder()->set_half_length(c.half_length);
@@ -221,8 +219,8 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
         case v1::Shape::kBox: {
             const std::string at = path + ".box.half_extents";
             const v1::Vec3& h = m.box().half_extents();
-            return Box{{in.size(at + ".x", h.x()), in.size(at + ".y", h.y()),
-                        in.size(at + ".z", h.z())}};
+            return Box{
+                {in.size(at + ".x", h.x()), in.size(at + ".y", h.y()), in.size(at + ".z", h.z())}};
         }
         case v1::Shape::kPlane: {
             if (!m.plane().has_normal()) return Plane{};
@@ -295,8 +293,7 @@ void write_shape(v1::Shape& out, const ShapeDef& def) {
     out.set_restitution(m.restitution);
     if (m.rolling_friction != 0) out.set_rolling_friction(m.rolling_friction);
     if (m.torsional_friction != 0) out.set_torsional_friction(m.torsional_friction);
-    if (!(m.surface_velocity == Vec3{}))
-        set(*out.mutable_surface_velocity(), m.surface_velocity);
+    if (!(m.surface_velocity == Vec3{})) set(*out.mutable_surface_velocity(), m.surface_velocity);
     if (m.friction_rule != plain.material.friction_rule)
         out.set_friction_rule(to_message(m.friction_rule));
     if (m.restitution_rule != plain.material.restitution_rule)

@@ -34,8 +34,8 @@ inline double support(const physics::Geometry& geometry, const physics::Transfor
         return center + cylinder->half_length * std::fabs(d.y) +
                cylinder->radius * std::hypot(d.x, d.z);
     if (const auto* cone = std::get_if<Cone>(&geometry))
-        return center + std::max(cone->half_length * d.y, cone->radius * std::hypot(d.x, d.z) -
-                                                              cone->half_length * d.y);
+        return center + std::max(cone->half_length * d.y,
+                                 cone->radius * std::hypot(d.x, d.z) - cone->half_length * d.y);
     if (const auto* hull = std::get_if<Hull>(&geometry)) {
         double most = -1e300;
         for (const Vec3 v : hull->data->vertices) most = std::max(most, dot(v, d));
@@ -146,7 +146,8 @@ inline physics::Vec3 nearest_point(const physics::Geometry& geometry,
         return apply(pose, {clamp(q.x, -h.x, h.x), clamp(q.y, -h.y, h.y), clamp(q.z, -h.z, h.z)});
     }
     if (const auto* hull = std::get_if<Hull>(&geometry))
-        return signed_distance(geometry, q) <= 0 ? p : apply(pose, nearest_on_border(*hull->data, q));
+        return signed_distance(geometry, q) <= 0 ? p
+                                                 : apply(pose, nearest_on_border(*hull->data, q));
     if (std::holds_alternative<Cylinder>(geometry) || std::holds_alternative<Cone>(geometry)) {
         const auto outline = std::holds_alternative<Cone>(geometry)
                                  ? outline_of(std::get<Cone>(geometry))

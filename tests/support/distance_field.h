@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "jostle/physics/geometry.h"
 #include "jostle/physics/compound.h"
+#include "jostle/physics/geometry.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
@@ -23,9 +23,10 @@ inline physics::Vec3 nearest_on_triangle(physics::Vec3 p, physics::Vec3 a, physi
                                          physics::Vec3 c) {
     using physics::Vec3;
     const Vec3 n = cross(b - a, c - a);
-    const auto left_of = [&](Vec3 from, Vec3 to) { return dot(cross(n, to - from), p - from) >= 0; };
-    if (left_of(a, b) && left_of(b, c) && left_of(c, a))
-        return p - n * (dot(p - a, n) / dot(n, n));
+    const auto left_of = [&](Vec3 from, Vec3 to) {
+        return dot(cross(n, to - from), p - from) >= 0;
+    };
+    if (left_of(a, b) && left_of(b, c) && left_of(c, a)) return p - n * (dot(p - a, n) / dot(n, n));
     Vec3 best;
     double nearest = 1e300;
     const Vec3 ends[3][2] = {{a, b}, {b, c}, {c, a}};
@@ -53,8 +54,8 @@ inline physics::Vec3 nearest_on_border(const physics::ConvexHull& hull, physics:
     return best;
 }
 
-// The nearest point of a convex polygon in the half plane (r, y), corners in order: what turns round
-// the y axis is its outline.
+// The nearest point of a convex polygon in the half plane (r, y), corners in order: what turns
+// round the y axis is its outline.
 struct Flat {
     double r, y;
 };
@@ -74,7 +75,9 @@ inline double distance_to_outline(const std::vector<Flat>& corners, Flat p, Flat
     return inside ? -best : best;
 }
 inline std::vector<Flat> outline_of(const physics::Cylinder& c) {
-    return {{0, -c.half_length}, {c.radius, -c.half_length}, {c.radius, c.half_length},
+    return {{0, -c.half_length},
+            {c.radius, -c.half_length},
+            {c.radius, c.half_length},
             {0, c.half_length}};
 }
 inline std::vector<Flat> outline_of(const physics::Cone& c) {
@@ -146,9 +149,9 @@ inline double signed_distance(const physics::Geometry& geometry, physics::Vec3 p
                     if (!grid.holes.empty() && grid.holes[r * (grid.columns - 1) + c] != 0)
                         continue;
                     for (const Vec3 third : {at(c + 1, r), at(c, r + 1)})
-                        nearest = std::min(nearest,
-                                           length(p - nearest_on_triangle(p, at(c, r), third,
-                                                                          at(c + 1, r + 1))));
+                        nearest = std::min(
+                            nearest,
+                            length(p - nearest_on_triangle(p, at(c, r), third, at(c + 1, r + 1))));
                 }
             return nearest;
         }

@@ -127,14 +127,16 @@ inline physics::World fair_scene(int threads = 1) {
         }
     add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .type = BodyType::fixed});
     add_walls(world, 8);
-    const BodyId belt = must(world.create_body({.type = BodyType::fixed, .pose = {{5, 0.6, 5}, {}}}));
+    const BodyId belt =
+        must(world.create_body({.type = BodyType::fixed, .pose = {{5, 0.6, 5}, {}}}));
     must(world.create_shape(
         belt, {.geometry = Box{{2, 0.1, 1}}, .material = {.surface_velocity = {-1, 0, 0.3}}}));
     std::vector<Vec3> stone;
     for (int i = 0; i < 14; i++) stone.push_back(random.direction() * 0.4);
     const Geometry hull = Hull{must(build_hull(stone))};
-    const Geometry jack = Compound{must(build_compound(
-        {{Box{{0.5, 0.08, 0.08}}, {}}, {Box{{0.08, 0.5, 0.08}}, {}}, {Sphere{0.2}, {{0, 0, 0.3}, {}}}}))};
+    const Geometry jack = Compound{must(build_compound({{Box{{0.5, 0.08, 0.08}}, {}},
+                                                        {Box{{0.08, 0.5, 0.08}}, {}},
+                                                        {Sphere{0.2}, {{0, 0, 0.3}, {}}}}))};
     const Geometry kinds[] = {hull, Cylinder{0.3, 0.25}, Cone{0.35, 0.4}, jack, Sphere{0.3}};
     for (int i = 0; i < 60; i++) {
         const Vec3 place{random.in(-6, 6), 1.5 + 0.25 * i, random.in(-6, 6)};
@@ -148,16 +150,16 @@ inline physics::World fair_scene(int threads = 1) {
              .filter = {.category = i % 7 == 0 ? 2u : 1u, .mask = i % 7 == 0 ? 1u : 3u},
              .report_stays = i == 0}));
     }
-    BodyId above = add(world, {.geometry = Sphere{0.1}, .position = {-4, 5, -4},
-                               .type = BodyType::fixed});
+    BodyId above =
+        add(world, {.geometry = Sphere{0.1}, .position = {-4, 5, -4}, .type = BodyType::fixed});
     for (int i = 0; i < 6; i++) {
         const BodyId link = add(world, {.geometry = Capsule{0.08, 0.2},
                                         .position = {-4 + 0.5 * i, 5, -4},
                                         .rotation = from_rotation_vector({0, 0, pi / 2})});
-        const JointKind kind = i % 2 == 0 ? JointKind(BallJoint{})
-                                          : JointKind(ConeTwistJoint{.swing = 0.7,
-                                                                     .twist = {true, -0.3, 0.3},
-                                                                     .friction_torque = 0.5});
+        const JointKind kind =
+            i % 2 == 0 ? JointKind(BallJoint{})
+                       : JointKind(ConeTwistJoint{
+                             .swing = 0.7, .twist = {true, -0.3, 0.3}, .friction_torque = 0.5});
         must(world.create_joint({.body_a = above,
                                  .body_b = link,
                                  .frame_a = {i == 0 ? Vec3{} : Vec3{0, -0.25, 0},
@@ -166,10 +168,10 @@ inline physics::World fair_scene(int threads = 1) {
                                  .kind = kind}));
         above = link;
     }
-    const BodyId post = add(world, {.geometry = Box{{0.1, 1, 0.1}}, .position = {3, 1, -4},
-                                    .type = BodyType::fixed});
-    const BodyId arm = must(world.create_body(
-        {.pose = {{3.8, 1.5, -4}, {}}}, {.geometry = Box{{0.7, 0.1, 0.1}}}));
+    const BodyId post = add(
+        world, {.geometry = Box{{0.1, 1, 0.1}}, .position = {3, 1, -4}, .type = BodyType::fixed});
+    const BodyId arm =
+        must(world.create_body({.pose = {{3.8, 1.5, -4}, {}}}, {.geometry = Box{{0.7, 0.1, 0.1}}}));
     must(world.create_joint({.body_a = post,
                              .body_b = arm,
                              .frame_a = {{0, 0.5, 0}, from_rotation_vector({pi / 2, 0, 0})},
@@ -177,13 +179,19 @@ inline physics::World fair_scene(int threads = 1) {
                              .kind = HingeJoint{.motor = {true, 2, 200}}}));
     const BodyId pair_a = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {0, 4, 6}});
     const BodyId pair_b = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {0.6, 4, 6}});
-    must(world.create_joint({.body_a = pair_a, .body_b = pair_b, .frame_a = {{0.6, 0, 0}, {}},
-                             .kind = FixedJoint{.angular = {8, 0.5}}, .break_force = 3e4}));
-    must(world.create_joint({.body_a = pair_b, .body_b = arm,
-                             .kind = DistanceJoint{.min_length = 0.5, .max_length = 12,
-                                                   .spring = {0.7, 0.2}, .rest_length = 4}}));
-    must(world.create_body({.pose = {{-6, 0.7, 0}, {}}, .locks = lock_z | lock_turn_x | lock_turn_y},
-                           {.geometry = Box{{0.4, 0.3, 0.4}}}));
+    must(world.create_joint({.body_a = pair_a,
+                             .body_b = pair_b,
+                             .frame_a = {{0.6, 0, 0}, {}},
+                             .kind = FixedJoint{.angular = {8, 0.5}},
+                             .break_force = 3e4}));
+    must(world.create_joint(
+        {.body_a = pair_b,
+         .body_b = arm,
+         .kind = DistanceJoint{
+             .min_length = 0.5, .max_length = 12, .spring = {0.7, 0.2}, .rest_length = 4}}));
+    must(
+        world.create_body({.pose = {{-6, 0.7, 0}, {}}, .locks = lock_z | lock_turn_x | lock_turn_y},
+                          {.geometry = Box{{0.4, 0.3, 0.4}}}));
     must(world.create_body({.type = BodyType::fixed, .pose = {{0, 1, 0}, {}}},
                            {.geometry = Sphere{2}, .trigger = true}));
     for (int i = 0; i < 4; i++)
@@ -201,9 +209,10 @@ struct TestScene {
 };
 
 inline const std::vector<TestScene>& test_scenes() {
-    static const std::vector<TestScene> all = {
-        {"pyramid", pyramid_scene}, {"pile", pile_scene}, {"yard", yard_scene},
-        {"fair", fair_scene}};
+    static const std::vector<TestScene> all = {{"pyramid", pyramid_scene},
+                                               {"pile", pile_scene},
+                                               {"yard", yard_scene},
+                                               {"fair", fair_scene}};
     return all;
 }
 

@@ -93,9 +93,9 @@ void warm_start(ManifoldStore& store, std::span<HotBody> bodies, const ContactSe
                 TaskTeam& team) {
     for_each_block(store, team, [&](Colour& colour, std::size_t k, auto second, auto inertia) {
         if (set.planar)
-            return warm_start_planar<second()>(colour.blocks[k], rough_of(colour, k), bodies.data());
-        warm_start_block<second(), inertia()>(colour.blocks[k], rough_of(colour, k),
-                                              bodies.data());
+            return warm_start_planar<second()>(colour.blocks[k], rough_of(colour, k),
+                                               bodies.data());
+        warm_start_block<second(), inertia()>(colour.blocks[k], rough_of(colour, k), bodies.data());
     });
 }
 

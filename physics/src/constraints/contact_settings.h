@@ -7,7 +7,7 @@ namespace jostle::physics {
 
 struct ContactSettings {
     int substeps = 0;
-    bool planar = false;  // the kernels of constraints/planar_kernel.h run
+    bool planar = false;         // the kernels of constraints/planar_kernel.h run
     float h = 0, inverse_h = 0;  // sub-step, s
     float bias_rate = 0;         // 1/s: how fast overlap is pushed out
     float mass_scale = 0;        // 1 is rigid

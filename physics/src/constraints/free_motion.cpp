@@ -14,9 +14,9 @@ double damping_factor(double damping, double dt) {
 }
 
 // In the frame of the start, which turns with the body, the inertia is constant: the midpoint rule
-// keeps energy and |L|, and with the Cayley map for the turn L itself. In that frame each round gains
-// a factor of about h |w|, however thin the body is, because no principal moment is less than the
-// difference of the other two.
+// keeps energy and |L|, and with the Cayley map for the turn L itself. In that frame each round
+// gains a factor of about h |w|, however thin the body is, because no principal moment is less than
+// the difference of the other two.
 EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, double dt) {
     const double wished = length(w) * dt * 4;
     const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
@@ -72,7 +72,8 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     // Torque in two halves round the free turn.
     const Mat3 inertia = warm.axes * cold.inertia * transpose(warm.axes);
     const Mat3 inverse = warm.axes * cold.inverse_inertia * transpose(warm.axes);
-    const EulerStep turned = euler_step(inertia, inverse, warm.w + inverse * warm.torque * (0.5 * dt), dt);
+    const EulerStep turned =
+        euler_step(inertia, inverse, warm.w + inverse * warm.torque * (0.5 * dt), dt);
     const Quat rotation = normalized(turned.turn * warm.rotation);
     Vec3 w = rotate(turned.turn, turned.w);
     if (warm.torque != Vec3{}) {

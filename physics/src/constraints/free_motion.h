@@ -14,8 +14,8 @@ struct FreeMotion {
 };
 
 // Exact under constant force (x += v dt + a dt^2 / 2). Rotation: the implicit midpoint rule for
-// Euler's equations with the Cayley map, which keeps the angular momentum and the energy to rounding
-// (Austin, Krishnaprasad, Wang, "Almost Poisson integration of rigid body systems", 1993).
+// Euler's equations with the Cayley map, which keeps the angular momentum and the energy to
+// rounding (Austin, Krishnaprasad, Wang, "Almost Poisson integration of rigid body systems", 1993).
 FreeMotion free_motion(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity, double dt);
 
 // Acceleration by gravity and the user's force, m/s^2.

@@ -2,8 +2,9 @@
 //
 // The contact passes of planar worlds: bodies have three degrees of freedom, manifolds two points
 // and one direction of friction. The two normal impulses of a manifold are solved together as the
-// linear complementarity problem that they are (Catto, "Box2D" block solver, 2009). Same blocks, same
-// order, same rules as contact_kernel.h; what lies out of the plane is neither loaded nor computed.
+// linear complementarity problem that they are (Catto, "Box2D" block solver, 2009). Same blocks,
+// same order, same rules as contact_kernel.h; what lies out of the plane is neither loaded nor
+// computed.
 #pragma once
 
 #include "constraints/contact_kernel.h"
@@ -115,11 +116,11 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
         if (rough != nullptr) {
             // Rolling resistance: about z.
             velocities();
-            const Wide k = load(m.g[5]), hold = load(rough->rolling) *
-                                                (load(m.lambda[0]) + load(m.lambda[1]));
+            const Wide k = load(m.g[5]),
+                       hold = load(rough->rolling) * (load(m.lambda[0]) + load(m.lambda[1]));
             const Wide before = load(rough->roll[1]);
-            const Wide after = max(
-                -hold, min(before - pair.turn * w / max(k, splat(1e-30f)), hold));
+            const Wide after =
+                max(-hold, min(before - pair.turn * w / max(k, splat(1e-30f)), hold));
             store(rough->roll[1], after);
             pair.apply(zero, zero, pair.turn * (after - before));
         }

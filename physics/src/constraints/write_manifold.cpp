@@ -129,8 +129,8 @@ void write_rough(const WorldState& world, const Contact& contact, const LanePlac
 }
 
 bool is_rough(const BlockRough& rough, int lane) {
-    return rough.surface[0][lane] != 0 || rough.surface[1][lane] != 0 ||
-           rough.rolling[lane] != 0 || rough.torsion[lane] != 0;
+    return rough.surface[0][lane] != 0 || rough.surface[1][lane] != 0 || rough.rolling[lane] != 0 ||
+           rough.torsion[lane] != 0;
 }
 
 }  // namespace

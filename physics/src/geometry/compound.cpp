@@ -54,8 +54,7 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
         if (norm != 1) child.pose.rotation = normalized(child.pose.rotation);
         boxes.push_back(bounds_of(placed(child.geometry, child.pose)));
         compound->bounds = i == 0 ? boxes[0] : unite(compound->bounds, boxes[i]);
-        compound->inner_radius =
-            minimum(compound->inner_radius, inner_radius_of(child.geometry));
+        compound->inner_radius = minimum(compound->inner_radius, inner_radius_of(child.geometry));
         add_to(hasher, child.geometry);
         for (int k = 0; k < 3; k++) hasher.add(bits_of(child.pose.position[k]));
         const Quat q = child.pose.rotation;

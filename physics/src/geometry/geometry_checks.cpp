@@ -81,8 +81,7 @@ Status check_geometry(const char* name, const Geometry& geometry) {
             return check_data(name, std::get<HeightField>(geometry).data != nullptr,
                               "build_height_field");
         case ShapeKind::compound:
-            return check_data(name, std::get<Compound>(geometry).data != nullptr,
-                              "build_compound");
+            return check_data(name, std::get<Compound>(geometry).data != nullptr, "build_compound");
     }
     return invalid(std::string(name) + " is of no known kind");
 }

@@ -34,8 +34,7 @@ Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
     if (grid.heights.size() != std::size_t{grid.columns} * grid.rows)
         return invalid("it has " + std::to_string(grid.heights.size()) + " heights; " +
                        std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
-                       " samples need " +
-                       std::to_string(std::size_t{grid.columns} * grid.rows));
+                       " samples need " + std::to_string(std::size_t{grid.columns} * grid.rows));
     for (const double s : {grid.spacing_x, grid.spacing_z})
         if (!(s >= min_shape_size && s <= max_shape_size))
             return invalid("its spacing is out of the range 0.001 to 10000 m");
@@ -44,8 +43,8 @@ Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
         return invalid("it is wider than 20000 m");
     const std::size_t cells = std::size_t{grid.columns - 1} * (grid.rows - 1);
     if (!grid.holes.empty() && grid.holes.size() != cells)
-        return invalid("it has " + std::to_string(grid.holes.size()) +
-                       " hole flags; there are " + std::to_string(cells) + " cells");
+        return invalid("it has " + std::to_string(grid.holes.size()) + " hole flags; there are " +
+                       std::to_string(cells) + " cells");
     bool any_hole = false;
     for (std::uint8_t& hole : grid.holes) {
         hole = hole != 0 ? 1 : 0;

@@ -244,8 +244,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     Aabb box{points[0], points[0]};
     for (std::size_t i = 0; i < points.size(); i++) {
         const Vec3 reach = abs(points[i]);
-        if (!is_finite(points[i]) ||
-            maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
+        if (!is_finite(points[i]) || maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
             return invalid("points[" + std::to_string(i) + "] is (" + text(points[i].x) + ", " +
                            text(points[i].y) + ", " + text(points[i].z) +
                            "); coordinates must be finite and within " + text(max_shape_size) +
@@ -294,8 +293,9 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     for (const HullTriangle& t : *triangles) loops->push_back({t.begin(), t.end()});
     auto hull = hull_of_loops(kept, *loops);
     if (hull.ok() && ((*hull)->inner_radius < 1e-6 * size || !is_flat_and_convex(**hull, size)))
-        return invalid("it is so thin, or its points so nearly in line, that its faces are not "
-                       "known; make it thicker or give fewer points");
+        return invalid(
+            "it is so thin, or its points so nearly in line, that its faces are not "
+            "known; make it thicker or give fewer points");
     return hull;
 }
 

@@ -12,7 +12,6 @@ namespace {
 // Products of three coordinate differences need 95 bits.
 __extension__ typedef __int128 Wide;
 
-
 struct Face {
     std::array<std::uint32_t, 3> corner{};
     std::array<std::uint32_t, 3> across{};  // face beyond the edge from corner k to corner k + 1
@@ -72,8 +71,8 @@ private:
             const Wide vx = r.x - o.x, vy = r.y - o.y, vz = r.z - o.z;
             // The largest component of the cross product is measure enough.
             const auto size = [](Wide w) { return w < 0 ? -w : w; };
-            const Wide area = std::max({size(uy * vz - uz * vy), size(uz * vx - ux * vz),
-                                        size(ux * vy - uy * vx)});
+            const Wide area = std::max(
+                {size(uy * vz - uz * vy), size(uz * vx - ux * vz), size(ux * vy - uy * vx)});
             if (area > widest) {
                 widest = area;
                 c = i;
@@ -119,8 +118,8 @@ private:
     }
 
     struct Rim {
-        std::uint32_t from, to;   // counter-clockwise seen from outside, as the visible face had it
-        std::uint32_t beyond;     // the face that stays
+        std::uint32_t from, to;  // counter-clockwise seen from outside, as the visible face had it
+        std::uint32_t beyond;    // the face that stays
     };
 
     void add_point(std::uint32_t start) {
@@ -147,8 +146,8 @@ private:
         for (const std::uint32_t f : visible_)
             for (std::size_t e = 0; e < 3; e++)
                 if (!faces_[faces_[f].across[e]].seen)
-                    rim_.push_back({faces_[f].corner[e], faces_[f].corner[(e + 1) % 3],
-                                    faces_[f].across[e]});
+                    rim_.push_back(
+                        {faces_[f].corner[e], faces_[f].corner[(e + 1) % 3], faces_[f].across[e]});
         // In order around the rim: each edge begins where the last one ended.
         for (std::size_t k = 1; k < rim_.size(); k++) {
             std::size_t next = k;
@@ -161,9 +160,8 @@ private:
             const Rim& r = rim_[k];
             const std::uint32_t before = first_new + (k + count - 1) % count;
             const std::uint32_t after = first_new + (k + 1) % count;
-            faces_.push_back({.corner = {r.from, r.to, top},
-                              .across = {r.beyond, after, before},
-                              .above = {}});
+            faces_.push_back(
+                {.corner = {r.from, r.to, top}, .across = {r.beyond, after, before}, .above = {}});
             Face& beyond = faces_[r.beyond];
             for (std::size_t e = 0; e < 3; e++)
                 if (beyond.corner[e] == r.to && beyond.corner[(e + 1) % 3] == r.from)

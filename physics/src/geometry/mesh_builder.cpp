@@ -31,9 +31,8 @@ std::vector<std::uint32_t> same_places(const std::vector<Vec3>& vertices) {
     };
     std::sort(order.begin(), order.end(), less);
     for (std::size_t k = 0; k < order.size(); k++)
-        first[order[k]] = k > 0 && vertices[order[k]] == vertices[order[k - 1]]
-                              ? first[order[k - 1]]
-                              : order[k];
+        first[order[k]] =
+            k > 0 && vertices[order[k]] == vertices[order[k - 1]] ? first[order[k - 1]] : order[k];
     return first;
 }
 

@@ -104,9 +104,8 @@ MassProperties planar_mass_of(const Geometry& geometry, double density) {
         // A rectangle and two half discs whose centres of area are 4 r / (3 pi) beyond its ends.
         const double r = capsule->radius, h = capsule->half_length, r2 = r * r;
         const double rectangle = density * 4 * r * h, ends = density * pi * r2;
-        return disc(rectangle + ends,
-                    rectangle * (r2 + h * h) / 3 +
-                        ends * (0.5 * r2 + h * h + 8 * r * h / (3 * pi)));
+        return disc(rectangle + ends, rectangle * (r2 + h * h) / 3 +
+                                          ends * (0.5 * r2 + h * h + 8 * r * h / (3 * pi)));
     }
     if (kind_of(geometry) == ShapeKind::box || kind_of(geometry) == ShapeKind::hull)
         return mass_of_polygon(outline_of(placed(geometry, {}), {}), density);

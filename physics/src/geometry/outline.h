@@ -11,9 +11,9 @@
 namespace jostle::physics {
 
 struct Outline {
-    int count = 0;                      // corners: 1 a point, 2 a segment, more a polygon
-    Vec3 corner[max_hull_vertices];     // counter-clockwise, z = 0
-    double radius = 0;                  // of the rounding
+    int count = 0;                   // corners: 1 a point, 2 a segment, more a polygon
+    Vec3 corner[max_hull_vertices];  // counter-clockwise, z = 0
+    double radius = 0;               // of the rounding
 };
 
 inline bool has_outline(ShapeKind kind) {

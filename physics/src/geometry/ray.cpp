@@ -139,8 +139,7 @@ Hit cast_at_cone(Vec3 o, Vec3 m, const Cone& cone) {
     }
     if (m.y > 0 && o.y < -h) {
         const double t = (-h - o.y) / m.y, x = o.x + t * m.x, z = o.z + t * m.z;
-        if (t <= 1 && x * x + z * z <= cone.radius * cone.radius &&
-            (!best || t < best->fraction))
+        if (t <= 1 && x * x + z * z <= cone.radius * cone.radius && (!best || t < best->fraction))
             best = ShapeRayHit{t, {0, -1, 0}};
     }
     return best;

@@ -103,7 +103,8 @@ Convex convex_of(const Placed& shape, Vec3 origin) {
 }
 
 Convex triangle_convex(const Vec3 corner[3], Vec3 position, const Mat3& axes) {
-    return {.core = Core::triangle, .position = position, .axes = axes, .size = {}, .corner = corner};
+    return {
+        .core = Core::triangle, .position = position, .axes = axes, .size = {}, .corner = corner};
 }
 
 Vec3 support(const Convex& shape, Vec3 d) {

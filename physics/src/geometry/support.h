@@ -15,11 +15,11 @@ struct Convex {
     Core core = Core::point;
     Vec3 position;
     Mat3 axes;
-    double radius = 0;                  // of the rounding
-    Vec3 size;                          // segment: y is its half length; box: half extents;
-                                        // cylinder and cone: x is the radius, y the half length
-    const ConvexHull* hull = nullptr;   // hull
-    const Vec3* corner = nullptr;       // triangle: three corners in its own frame
+    double radius = 0;                 // of the rounding
+    Vec3 size;                         // segment: y is its half length; box: half extents;
+                                       // cylinder and cone: x is the radius, y the half length
+    const ConvexHull* hull = nullptr;  // hull
+    const Vec3* corner = nullptr;      // triangle: three corners in its own frame
 };
 
 // A convex shape where it stands, seen from `origin` (differences of large coordinates are taken

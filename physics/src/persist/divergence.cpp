@@ -8,8 +8,8 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/physics/world.h"
 #include "persist/field_list.h"
-#include "persist/shared_geometry.h"
 #include "persist/path.h"
+#include "persist/shared_geometry.h"
 
 namespace jostle::physics {
 namespace {

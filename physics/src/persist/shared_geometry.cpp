@@ -219,8 +219,7 @@ void SharedGeometry::write(ByteWriter& out) const {
         if (const auto* grid = std::get_if<2>(&entry)) write_entry(out, **grid);
         if (const auto* compound = std::get_if<3>(&entry)) {
             write_count(out, (*compound)->children.size());
-            for (const CompoundChild& child : (*compound)->children)
-                write_child(out, child, *this);
+            for (const CompoundChild& child : (*compound)->children) write_child(out, child, *this);
         }
     }
 }

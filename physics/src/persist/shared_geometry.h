@@ -40,10 +40,9 @@ public:
     }
 
 private:
-    using Entry = std::variant<std::shared_ptr<const ConvexHull>,
-                               std::shared_ptr<const TriangleMesh>,
-                               std::shared_ptr<const HeightGrid>,
-                               std::shared_ptr<const CompoundShape>>;
+    using Entry =
+        std::variant<std::shared_ptr<const ConvexHull>, std::shared_ptr<const TriangleMesh>,
+                     std::shared_ptr<const HeightGrid>, std::shared_ptr<const CompoundShape>>;
     void add(const Geometry& geometry);
     void put(const void* data, Entry entry);
 

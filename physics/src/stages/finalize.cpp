@@ -28,8 +28,7 @@ void finalize(StepContext& step) {
             const BodyWarm& warm = world.bodies.awake[i];
             // Kinematic bodies were settled with the free ones: contacts do not move them.
             if (world.bodies.cold[warm.body].type == BodyType::dynamic)
-                settle_body(step, i,
-                            motion_of(scratch.hot[i + 1], warm, scratch.tumbling[i] != 0));
+                settle_body(step, i, motion_of(scratch.hot[i + 1], warm, scratch.tumbling[i] != 0));
         }
     });
     // Trees are changed serially, in order of the awake set.

@@ -22,10 +22,10 @@ struct Traveller {
     Sweep sweep;
     // What forces add to the velocity over a whole step, and, while nothing acts but forces, the
     // angular momentum: how fast the body moves at a moment of its sweep follows from them.
-    Vec3 velocity, gain;   // m/s at sweep.from, m/s over a step
-    bool flies = false;    // no contact or joint acts on it
-    Vec3 spin, momentum;   // rad/s; N m s while it flies
-    Quat end_rotation;     // at the end of the step, when it is not met before
+    Vec3 velocity, gain;  // m/s at sweep.from, m/s over a step
+    bool flies = false;   // no contact or joint acts on it
+    Vec3 spin, momentum;  // rad/s; N m s while it flies
+    Quat end_rotation;    // at the end of the step, when it is not met before
     Vec3 end_spin;
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
@@ -92,10 +92,9 @@ private:
             vector = l > 1e-12 ? v * (sign * 2 * arc_tangent(l, turn.w * sign) / l) : Vec3{};
         }
         const BodyCold& cold = world_.bodies.cold[now.body];
-        Traveller& t = travellers_[add(now.body,
-                                       {0, before.center, before.rotation,
-                                        now.center - before.center, vector},
-                                       true)];
+        Traveller& t = travellers_[add(
+            now.body, {0, before.center, before.rotation, now.center - before.center, vector},
+            true)];
         t.end_rotation = now.rotation;
         t.end_spin = t.spin = now.w;
         t.velocity = now.v;
@@ -135,8 +134,8 @@ private:
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
             return {0, warm.center, warm.rotation, {}, {}};
         const Vec3 motion = warm.v * step_.dt, turn = warm.w * step_.dt;
-        return {0, warm.center - motion,
-                normalized(from_rotation_vector(-turn) * warm.rotation), motion, turn};
+        return {0, warm.center - motion, normalized(from_rotation_vector(-turn) * warm.rotation),
+                motion, turn};
     }
 
     SweptShape swept(std::uint32_t shape, const Sweep& sweep) const {
@@ -263,8 +262,7 @@ private:
     // When a ball inside the body first touches; 2: never.
     double core_impact(const Traveller& t, std::uint32_t own, std::uint32_t other,
                        const Sweep& motion, double from) const {
-        const Geometry ball =
-            Sphere{0.5 * inner_radius_of(world_.shapes.shapes[own].geometry)};
+        const Geometry ball = Sphere{0.5 * inner_radius_of(world_.shapes.shapes[own].geometry)};
         SweptShape core = swept(own, t.sweep);
         core.geometry = &ball;
         core.radius = length(core.offset) + std::get<Sphere>(ball).radius;
@@ -286,8 +284,8 @@ private:
         const Vec3 ca = center_at(a, fraction), cb = center_at(b, fraction);
         const Speed sa = speed_at(body_a, a, fraction), sb = speed_at(body_b, b, fraction);
         for (const Point& p : touching(own, other, a, b, fraction)) {
-            const Vec3 u = (sb.v + cross(sb.w, p.position - cb)) -
-                           (sa.v + cross(sa.w, p.position - ca));
+            const Vec3 u =
+                (sb.v + cross(sb.w, p.position - cb)) - (sa.v + cross(sa.w, p.position - ca));
             if (dot(u, p.normal) < -1e-3) return true;
         }
         return false;
@@ -370,8 +368,13 @@ private:
             loads[k].approach = dot(relative(points[k]), points[k].normal);
             if (-loads[k].approach > hardest) {
                 hardest = -loads[k].approach;
-                hit_ = {shape_id(world_, own), shape_id(world_, other), body_id(world_, a.body),
-                        body_id(world_, b.body), points[k].position, points[k].normal, hardest};
+                hit_ = {shape_id(world_, own),
+                        shape_id(world_, other),
+                        body_id(world_, a.body),
+                        body_id(world_, b.body),
+                        points[k].position,
+                        points[k].normal,
+                        hardest};
             }
         }
         for (int sweep = 0; sweep < 12; sweep++)
@@ -383,8 +386,8 @@ private:
                 const double response_n = response(p, p.normal);
                 if (!(response_n > 0)) continue;
                 const double before = load.normal;
-                load.normal = maximum(
-                    0, before - (dot(relative(p), p.normal) - target) / response_n);
+                load.normal =
+                    maximum(0, before - (dot(relative(p), p.normal) - target) / response_n);
                 push(p, p.normal * (load.normal - before));
                 const Vec3 u = relative(p), slip = u - p.normal * dot(u, p.normal);
                 const double speed = length(slip);

@@ -153,8 +153,7 @@ void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, 
     std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
-    const bool swept =
-        will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
+    const bool swept = will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
     for (const PartManifold& part : parts) {
         if (swept && part.manifold.distance > tuning::touch_gap) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
@@ -169,12 +168,11 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     const ShapeRecord& sb = world.shapes.shapes[c.shape_b];
     const Placed a = placed(sa, warm_of(world, c.body_a)), b = placed(sb, warm_of(world, c.body_b));
     if (c.composite) return look_at_composite(world, check, a, b, dt);
-    const bool swept =
-        will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
-    const double margin = swept ? tuning::touch_gap
-                                : tuning::speculative_margin + closing_reach(world, c, dt);
-    check.manifold = world.def.planar ? collide_planar(a, b, margin, c.cache)
-                                      : collide(a, b, margin, c.cache);
+    const bool swept = will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
+    const double margin =
+        swept ? tuning::touch_gap : tuning::speculative_margin + closing_reach(world, c, dt);
+    check.manifold =
+        world.def.planar ? collide_planar(a, b, margin, c.cache) : collide(a, b, margin, c.cache);
     check.gap_ahead = expected_gap(world, c, check.manifold, dt);
     check.expected = check.gap_ahead < tuning::speculative_margin;
     if (c.colour >= 0 && check.manifold.count > 0) write_manifold(world, c, check.manifold, false);

@@ -40,18 +40,17 @@ struct BodyCold {
     Vec3 local_center;                           // of mass, from the body's origin
     double radius = 0;                           // m from the centre of mass to the furthest point
     double inner_radius = 0;                     // m: of its thinnest shape
-    bool isotropic =
-        true;  // inertia is a multiple of the identity: no gyroscopic term, no inertia to turn.
-               // Never of bodies with locks: those need the full matrix
+    bool isotropic = true;  // inertia is a multiple of the identity: no gyroscopic term, no inertia
+                            // to turn. Never of bodies with locks: those need the full matrix
 
     // Where it is and what hangs on it.
     BodySet set = BodySet::fixed;
     std::uint32_t at = 0;  // index in its set
     std::uint32_t first_shape = none,
-                  last_shape = none;  // list through ShapeRecord::next, in order of creation
+                  last_shape = none;   // list through ShapeRecord::next, in order of creation
     std::uint32_t first_edge = none;   // list of contacts: contact * 2 + side
     std::uint32_t first_joint = none;  // list of joints: joint * 2 + side
-    std::uint32_t island = none;      // dynamic bodies always have one
+    std::uint32_t island = none;       // dynamic bodies always have one
     std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
     std::uint64_t colours = 0;                             // colours its lanes take
     std::uint32_t lanes = 0;                               // manifolds in the solver

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Contacts: one record per pair of shapes whose fat boxes overlap, from that moment until they
-// part; and one per manifold of pairs that have several. A contact is in one of three places: in a lane of the solver (it has a manifold), on the
-// waiting list (too far apart for one), or dormant (no body of it is awake; its manifold, if any,
-// is kept by the sleeping island).
+// part; and one per manifold of pairs that have several. A contact is in one of three places: in a
+// lane of the solver (it has a manifold), on the waiting list (too far apart for one), or dormant
+// (no body of it is awake; its manifold, if any, is kept by the sleeping island).
 #pragma once
 
 #include <cstdint>
@@ -31,11 +31,11 @@ struct Contact {
     // of its own, a part, that names it as parent.
     bool composite = false;
     std::uint32_t parent = none;
-    std::uint32_t first_part = none;      // of a composite
-    std::uint32_t next_part = none;       // of the same parent
-    std::uint64_t key = 0;                // which part: PartManifold::key
-    std::uint32_t parts_touching = 0;     // of a composite; `touching` is what was last reported
-    bool queued = false;                  // within a step: already among the pairs to look at
+    std::uint32_t first_part = none;   // of a composite
+    std::uint32_t next_part = none;    // of the same parent
+    std::uint64_t key = 0;             // which part: PartManifold::key
+    std::uint32_t parts_touching = 0;  // of a composite; `touching` is what was last reported
+    bool queued = false;               // within a step: already among the pairs to look at
 
     // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};

@@ -21,18 +21,18 @@ struct Joint {
     double break_force = 0, break_torque = 0;
     std::uint64_t user_data = 0;
 
-    // Impulses of one sub-step on b, N s and N m s. Vectors turn with body b (with a when b does not
-    // move): kept in the world's axes they would lag behind and push what turns. Which of them mean
-    // something depends on the kind.
-    Vec3 point;                      // holds the frames' origins together
-    Vec3 turn;                       // holds their directions together
-    double lower = 0, upper = 0;     // of a limit, >= 0
-    double swing = 0;                // of a cone, >= 0
+    // Impulses of one sub-step on b, N s and N m s. Vectors turn with body b (with a when b does
+    // not move): kept in the world's axes they would lag behind and push what turns. Which of them
+    // mean something depends on the kind.
+    Vec3 point;                   // holds the frames' origins together
+    Vec3 turn;                    // holds their directions together
+    double lower = 0, upper = 0;  // of a limit, >= 0
+    double swing = 0;             // of a cone, >= 0
     double spring = 0;
-    double motor = 0;                // about the axis
-    Vec3 drive;                      // friction
+    double motor = 0;  // about the axis
+    Vec3 drive;        // friction
     // What acted during the last step, for reports and for breaking.
-    Vec3 force, torque;              // N, N m
+    Vec3 force, torque;  // N, N m
 
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
 };

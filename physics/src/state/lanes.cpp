@@ -130,7 +130,8 @@ void take_lane(WorldState& world, std::uint32_t contact_index) {
     place.side->contact[place.lane] = contact_index;
     const bool turning = !a.isotropic || (kind == Second::moving && !b.isotropic);
     place.side->turning = with_bit(place.side->turning, place.lane, turning);
-    const bool locked = !world.def.planar && (a.locks != 0 || (kind == Second::moving && b.locks != 0));
+    const bool locked =
+        !world.def.planar && (a.locks != 0 || (kind == Second::moving && b.locks != 0));
     place.side->locked = with_bit(place.side->locked, place.lane, locked);
     write_body_indices(world, contact);
 }

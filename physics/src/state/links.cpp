@@ -505,10 +505,10 @@ void leave_tree(WorldState& world, std::uint32_t index) {
     // What it was in, or what was in it, is told with the next step, while its id still means it.
     std::erase_if(world.triggers.inside, [&](const Inside& pair) {
         if (pair.trigger != index && pair.shape != index) return false;
-        world.events.pending_left.push_back(
-            {shape_id(world, pair.trigger), shape_id(world, pair.shape),
-             body_id(world, world.shapes.shapes[pair.trigger].body),
-             body_id(world, world.shapes.shapes[pair.shape].body)});
+        world.events.pending_left.push_back({shape_id(world, pair.trigger),
+                                             shape_id(world, pair.shape),
+                                             body_id(world, world.shapes.shapes[pair.trigger].body),
+                                             body_id(world, world.shapes.shapes[pair.shape].body)});
         return true;
     });
     if (shape.moved) {

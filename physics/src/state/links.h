@@ -14,7 +14,8 @@ namespace jostle::physics {
 std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b);
 // A manifold of a composite pair; it has no lane yet.
 std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key);
-// Destroys its parts, frees its lane, unbinds the islands, reports the end when it was touching (to `ended`).
+// Destroys its parts, frees its lane, unbinds the islands, reports the end when it was touching (to
+// `ended`).
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended);
 void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended);
 void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape,

@@ -30,9 +30,9 @@ struct ShapeRecord {
     bool moved = false;         // on ShapeStore::moved: its pairs are to be looked for
 
     // Derived, not saved.
-    Vec3 offset;          // of the shape's origin from the centre of mass, body axes
-    Mat3 axes;            // to_matrix(pose.rotation)
-    bool aligned = true;  // axes is the identity
+    Vec3 offset;             // of the shape's origin from the centre of mass, body axes
+    Mat3 axes;               // to_matrix(pose.rotation)
+    bool aligned = true;     // axes is the identity
     std::int32_t leaf = -1;  // in its broad phase
 };
 

@@ -52,11 +52,11 @@ struct StepScratch {
     std::vector<std::vector<FoundPart>> parts;
     std::vector<NewLane> new_lanes;
     std::vector<std::uint32_t> to_wake, pairs_changed, found;
-    std::vector<std::uint32_t> joints;  // that have an awake body, rising
-    std::vector<JointWork> joint_work;  // one each
+    std::vector<std::uint32_t> joints;   // that have an awake body, rising
+    std::vector<JointWork> joint_work;   // one each
     std::vector<std::uint8_t> tumbling;  // by awake body in the solver: turns far, and not evenly
-    std::vector<std::uint8_t> fast;     // by awake body: moved far, to be swept
-    std::vector<BodyWarm> before;       // by awake body: as it was before the step, of the fast ones
+    std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
+    std::vector<BodyWarm> before;  // by awake body: as it was before the step, of the fast ones
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     std::vector<std::uint8_t> left_fat_box;    // by awake body: some shape of it did

@@ -17,8 +17,8 @@ struct Inside {
 
 struct TriggerStore {
     std::vector<Inside> inside;        // rising
-    std::vector<std::uint32_t> fresh;  // triggers that are new or were moved: to be looked into even
-                                       // where nothing moves
+    std::vector<std::uint32_t> fresh;  // triggers that are new or were moved: to be looked into
+                                       // even where nothing moves
 };
 
 }  // namespace jostle::physics

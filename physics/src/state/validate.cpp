@@ -147,8 +147,7 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
             return at("contacts", i, "has a broken list of parts");
         touching += contacts[p].touching ? 1 : 0;
     }
-    if (touching != c.parts_touching)
-        return at("contacts", i, "counts its touching parts wrongly");
+    if (touching != c.parts_touching) return at("contacts", i, "counts its touching parts wrongly");
     return {};
 }
 
@@ -191,7 +190,8 @@ Fault check_joints(const WorldState& world) {
 Fault check_triggers(const WorldState& world) {
     const auto& inside = world.triggers.inside;
     for (std::size_t k = 0; k < inside.size(); k++) {
-        if (!world.shapes.ids.alive(inside[k].trigger) || !world.shapes.ids.alive(inside[k].shape) ||
+        if (!world.shapes.ids.alive(inside[k].trigger) ||
+            !world.shapes.ids.alive(inside[k].shape) ||
             !world.shapes.shapes[inside[k].trigger].trigger ||
             (k > 0 && !(inside[k - 1] < inside[k])))
             return at("triggers.inside", k, "is out of order or names no trigger");
@@ -358,9 +358,8 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (Fault f = check_pool("joints", world.joints.ids, world.joints.joints)) return f;
     if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
     // In this order: each relies on what those before it found sound.
-    for (const auto check :
-         {check_bodies, check_sets, check_shapes, check_joints, check_triggers, check_contacts,
-          check_manifolds, check_islands})
+    for (const auto check : {check_bodies, check_sets, check_shapes, check_joints, check_triggers,
+                             check_contacts, check_manifolds, check_islands})
         if (Fault f = check(world)) return f;
     return {};
 }

@@ -107,16 +107,16 @@ Result<BodyId> World::create_body(const BodyDef& def) {
         world.bodies.cold.emplace_back();
         world.bodies.reach.emplace_back();
     }
-    world.bodies.cold[index] = BodyCold{.type = def.type,
-                                        .may_sleep = def.may_sleep,
-                                        .continuous = def.continuous,
-                                        .locks = static_cast<AxisLocks>(
-                                            def.locks | (world.def.planar ? out_of_plane : 0)),
-                                        .linear_damping = def.linear_damping,
-                                        .angular_damping = def.angular_damping,
-                                        .gravity_scale = def.gravity_scale,
-                                        .wanted_mass = def.mass,
-                                        .user_data = def.user_data};
+    world.bodies.cold[index] =
+        BodyCold{.type = def.type,
+                 .may_sleep = def.may_sleep,
+                 .continuous = def.continuous,
+                 .locks = static_cast<AxisLocks>(def.locks | (world.def.planar ? out_of_plane : 0)),
+                 .linear_damping = def.linear_damping,
+                 .angular_damping = def.angular_damping,
+                 .gravity_scale = def.gravity_scale,
+                 .wanted_mass = def.mass,
+                 .user_data = def.user_data};
     world.bodies.reach[index] = {};
     BodyWarm warm{.body = index,
                   .center = def.pose.position,
@@ -304,10 +304,10 @@ Status World::move_to(BodyId body, const Transform& pose, double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
     const BodyCold& cold = world.bodies.cold[body.index];
     if (cold.type != BodyType::kinematic)
-        return Error{ErrorCode::failed_precondition,
-                     "body {" + std::to_string(body.index) + ", " +
-                         std::to_string(body.generation) +
-                         "} is not kinematic; move dynamic bodies by forces, fixed ones not at all"};
+        return Error{
+            ErrorCode::failed_precondition,
+            "body {" + std::to_string(body.index) + ", " + std::to_string(body.generation) +
+                "} is not kinematic; move dynamic bodies by forces, fixed ones not at all"};
     const BodyWarm& warm = warm_of(world, body.index);
     const Quat q = unit(pose.rotation) * conjugate(warm.rotation);
     const Vec3 axis{q.x, q.y, q.z};
@@ -373,8 +373,8 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
     wake_neighbours(world, body.index);
     BodyWarm& warm = stir(world, body.index);
     destroy_contacts_of(world, body.index, world.events.pending_ended);
-    world.bodies.cold[body.index].locks = static_cast<AxisLocks>(
-        locks | (world.def.planar ? lock_z | lock_turn_x | lock_turn_y : 0));
+    world.bodies.cold[body.index].locks =
+        static_cast<AxisLocks>(locks | (world.def.planar ? lock_z | lock_turn_x | lock_turn_y : 0));
     obey_locks(world.bodies.cold[body.index], warm);
     update_mass(world, body.index);
     touch_up(world, body.index);

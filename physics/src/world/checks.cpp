@@ -110,8 +110,7 @@ Status check_material(const Material& m) {
     if (Status s = check_range("rolling_friction", m.rolling_friction, 0, 100); !s.ok()) return s;
     if (Status s = check_range("torsional_friction", m.torsional_friction, 0, 100); !s.ok())
         return s;
-    if (Status s = check_vector("surface_velocity", m.surface_velocity, tuning::max_speed);
-        !s.ok())
+    if (Status s = check_vector("surface_velocity", m.surface_velocity, tuning::max_speed); !s.ok())
         return s;
     if (m.friction_rule > Combine::maximum || m.restitution_rule > Combine::maximum)
         return invalid("friction_rule or restitution_rule is of no known kind");

@@ -23,8 +23,7 @@ void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
     const Vec3 t1 = vec(tangent), t2 = cross(info.normal, t1), middle = center + vec(arm);
     for (int k = 0; k < 4; k++) {
         if (row(gap + k) > 0.5f * no_point) continue;
-        info.point[info.count] =
-            middle + t1 * double{row(x + k)} + t2 * double{row(y + k)};
+        info.point[info.count] = middle + t1 * double{row(x + k)} + t2 * double{row(y + k)};
         info.gap[info.count] = double{row(gap + k)};
         info.impulse[info.count] = double{row(lambda + k)};
         info.count++;

@@ -67,8 +67,7 @@ Status check_kind(const JointKind& joint) {
                                    distance->min_length, most);
             !s.ok())
             return s;
-        if (Status s = check_range("distance.rest_length", distance->rest_length, 0, most);
-            !s.ok())
+        if (Status s = check_range("distance.rest_length", distance->rest_length, 0, most); !s.ok())
             return s;
         return check_spring("distance.spring", distance->spring);
     }

@@ -38,10 +38,10 @@ void update_mass(WorldState& world, std::uint32_t body) {
     MassProperties total;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         const ShapeRecord& shape = world.shapes.shapes[s];
-        if (!shape.trigger) total = combined(total, moved(mass_of_shape(shape, world.def.planar), shape.pose));
+        if (!shape.trigger)
+            total = combined(total, moved(mass_of_shape(shape, world.def.planar), shape.pose));
     }
-    if (cold.wanted_mass > 0 && total.mass > 0)
-        total = scaled_to(total, cold.wanted_mass);
+    if (cold.wanted_mass > 0 && total.mass > 0) total = scaled_to(total, cold.wanted_mass);
     const bool dynamic = cold.type == BodyType::dynamic && total.mass > 0;
     const Vec3 origin = warm.center - warm.axes * cold.local_center;
     const Vec3 old_center = warm.center;

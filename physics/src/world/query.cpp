@@ -93,9 +93,8 @@ std::optional<RayHit> first_hit(const QuerySource& source, const Ray& ray,
     std::optional<RayHit> best;
     along_ray(source, ray, filter,
               [&](const QueryShape& shape, const ShapeRayHit& hit, double limit) {
-                  const bool closer =
-                      !best || hit.fraction < best->fraction ||
-                      (hit.fraction == best->fraction && shape.shape < best->shape);
+                  const bool closer = !best || hit.fraction < best->fraction ||
+                                      (hit.fraction == best->fraction && shape.shape < best->shape);
                   if (!closer) return limit;
                   best = hit_of(shape, ray, hit);
                   return minimum(limit, hit.fraction);
@@ -115,12 +114,12 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& sh
     const double size = radius_of(cast.geometry), gap = 1e-6 * size;
     double fraction = 0;
     if (!shapes_overlap(probe, shape.placed)) {
-        const SweptShape moving{.geometry = &cast.geometry,
-                                .offset = {},
-                                .axes = {},
-                                .radius = size,
-                                .sweep = {0, cast.pose.position, unit(cast.pose.rotation),
-                                          cast.motion, {}}};
+        const SweptShape moving{
+            .geometry = &cast.geometry,
+            .offset = {},
+            .axes = {},
+            .radius = size,
+            .sweep = {0, cast.pose.position, unit(cast.pose.rotation), cast.motion, {}}};
         const SweptShape still{.geometry = shape.placed.geometry,
                                .offset = {},
                                .axes = shape.placed.axes,
@@ -155,8 +154,8 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& sh
 }
 
 Aabb way_of(const ShapeCast& cast) {
-    const Aabb box = bounds_of(placed(cast.geometry, {cast.pose.position,
-                                                      unit(cast.pose.rotation)}));
+    const Aabb box =
+        bounds_of(placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)}));
     return grow({box.low + min(cast.motion, Vec3{}), box.high + max(cast.motion, Vec3{})}, 1e-6);
 }
 
@@ -232,8 +231,7 @@ Result<bool> Queries::ray_hits_any(const Ray& ray, const QueryFilter& filter) co
     return any;
 }
 
-Result<std::vector<RayHit>> Queries::cast_ray_all(const Ray& ray,
-                                                  const QueryFilter& filter) const {
+Result<std::vector<RayHit>> Queries::cast_ray_all(const Ray& ray, const QueryFilter& filter) const {
     if (Status s = check_ray(ray); !s.ok()) return s.error();
     std::vector<RayHit> hits;
     along_ray(*source_, ray, filter,
@@ -249,8 +247,8 @@ Result<std::vector<RayHit>> Queries::cast_ray_all(const Ray& ray,
 
 Result<std::vector<std::optional<RayHit>>> Queries::cast_rays(std::span<const Ray> rays,
                                                               const QueryFilter& filter) const {
-    return each<std::optional<RayHit>>(
-        rays, "rays", [&](const Ray& ray) { return cast_ray(ray, filter); });
+    return each<std::optional<RayHit>>(rays, "rays",
+                                       [&](const Ray& ray) { return cast_ray(ray, filter); });
 }
 
 Result<std::optional<ShapeCastHit>> Queries::cast_shape(const ShapeCast& cast,
@@ -288,8 +286,7 @@ Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,
     return ids;
 }
 
-Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry,
-                                                    const Transform& pose,
+Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry, const Transform& pose,
                                                     const QueryFilter& filter) const {
     if (Status s = check_probe("geometry", geometry); !s.ok()) return s.error();
     if (Status s = check_pose("pose", pose); !s.ok()) return s.error();
@@ -321,9 +318,8 @@ Result<std::optional<ClosestPoint>> Queries::closest_point(Vec3 point, double ma
 
 Result<std::vector<std::optional<ClosestPoint>>> Queries::closest_points(
     std::span<const Vec3> points, double max_distance, const QueryFilter& filter) const {
-    return each<std::optional<ClosestPoint>>(points, "points", [&](Vec3 point) {
-        return closest_point(point, max_distance, filter);
-    });
+    return each<std::optional<ClosestPoint>>(
+        points, "points", [&](Vec3 point) { return closest_point(point, max_distance, filter); });
 }
 
 Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const Geometry& b,

@@ -56,8 +56,7 @@ WorldSummary World::summary() const {
         }
         const auto& d = std::get<DistanceJoint>(j.def.kind);
         sum.max_joint_error = maximum(
-            sum.max_joint_error,
-            maximum(d.min_length - j.separation, j.separation - d.max_length));
+            sum.max_joint_error, maximum(d.min_length - j.separation, j.separation - d.max_length));
     }
     return sum;
 }

@@ -59,8 +59,8 @@ TEST(HullBuilder, turned_cube_still_has_six_faces) {
         const Vec3 at = random.vector(50);
         std::vector<Vec3> points;
         for (int k = 0; k < 8; k++)
-            points.push_back(at + rotate(turn, {k & 1 ? 1.0 : -1.0, k & 2 ? 0.5 : -0.5,
-                                                k & 4 ? 0.25 : -0.25}));
+            points.push_back(
+                at + rotate(turn, {k & 1 ? 1.0 : -1.0, k & 2 ? 0.5 : -0.5, k & 4 ? 0.25 : -0.25}));
         const auto hull = must(build_hull(points));
         EXPECT_EQ(hull->faces.size(), 6u) << round;
         EXPECT_EQ(hull->vertices.size(), 8u) << round;
@@ -78,13 +78,14 @@ TEST(HullBuilder, tetrahedron_has_its_textbook_inertia) {
     EXPECT_NEAR(hull->volume, volume, 1e-12);
     EXPECT_TRUE(near(hull->center, {3, -2, 1}, 1e-12));
     for (int k = 0; k < 3; k++) {
-        const Vec3 column = k == 0 ? hull->unit_inertia.x
-                                   : (k == 1 ? hull->unit_inertia.y : hull->unit_inertia.z);
+        const Vec3 column =
+            k == 0 ? hull->unit_inertia.x : (k == 1 ? hull->unit_inertia.y : hull->unit_inertia.z);
         EXPECT_NEAR(column[k], volume * a * a / 20, 1e-12);
     }
 }
 
-// Clouds of many kinds: in balls, on spheres, on grids, in near-planes, with duplicates, tiny, huge.
+// Clouds of many kinds: in balls, on spheres, on grids, in near-planes, with duplicates, tiny,
+// huge.
 TEST(HullBuilder, holds_every_point_of_ten_thousand_clouds) {
     Random random(4);
     int built = 0, refused = 0;

@@ -55,8 +55,8 @@ TEST(Surface, mesh_knows_folds_whatever_the_winding) {
     for (const bool flipped : {false, true}) {
         const std::array<std::uint32_t, 3> other =
             flipped ? std::array<std::uint32_t, 3>{0, 3, 1} : std::array<std::uint32_t, 3>{0, 1, 3};
-        const Geometry mesh = Mesh{must(build_mesh(
-            vertices, std::vector<std::array<std::uint32_t, 3>>{{0, 2, 1}, other}))};
+        const Geometry mesh = Mesh{must(
+            build_mesh(vertices, std::vector<std::array<std::uint32_t, 3>>{{0, 2, 1}, other}))};
         const SurfaceTriangle t = triangle_of(mesh, 0);
         ASSERT_GT(normal_of(t).y, 0.5);
         const SurfaceEdge ridge = edge_of(mesh, t, 2);
@@ -85,8 +85,7 @@ TEST(Surface, height_field_triangles_lie_where_the_header_says) {
                           EXPECT_GT(normal_of(s).y, 0);
                           for (int k = 0; k < 3; k++) {
                               const SurfaceEdge e = edge_of(field, s, k);
-                              EXPECT_NEAR(e.border ? 0 : e.fold, 0, 1e-9)
-                                  << "the field is a plane";
+                              EXPECT_NEAR(e.border ? 0 : e.fold, 0, 1e-9) << "the field is a plane";
                           }
                       });
     EXPECT_EQ(seen, 12);
@@ -109,8 +108,8 @@ TEST(Surface, builders_say_what_is_wrong) {
             .ok());
     EXPECT_FALSE(
         build_height_field({.columns = 0xffffffff, .rows = 0xffffffff, .heights = {}}).ok());
-    const auto holed = must(build_height_field(
-        {.columns = 3, .rows = 2, .heights = {0, 0, std::nan(""), 0, 0, 0}}));
+    const auto holed = must(
+        build_height_field({.columns = 3, .rows = 2, .heights = {0, 0, std::nan(""), 0, 0, 0}}));
     EXPECT_EQ(holed->holes, (std::vector<std::uint8_t>{0, 1})) << "no height, no ground";
     EXPECT_FALSE(build_compound({}).ok());
     EXPECT_FALSE(build_compound({{Plane{}, {}}}).ok());

@@ -30,13 +30,12 @@ struct RandomScene {
     static Geometry random_convex(Random& random) {
         std::vector<Vec3> points;
         for (int i = 0; i < 9; i++) points.push_back(random.vector(0.8));
-        const Geometry kinds[] = {
-            Sphere{random.in(0.2, 1)},
-            Capsule{random.in(0.1, 0.4), random.in(0.2, 1)},
-            Box{{random.in(0.1, 1), random.in(0.1, 1), random.in(0.1, 1)}},
-            Cylinder{random.in(0.1, 0.8), random.in(0.1, 0.8)},
-            Cone{random.in(0.2, 0.8), random.in(0.2, 0.8)},
-            Hull{must(build_hull(points))}};
+        const Geometry kinds[] = {Sphere{random.in(0.2, 1)},
+                                  Capsule{random.in(0.1, 0.4), random.in(0.2, 1)},
+                                  Box{{random.in(0.1, 1), random.in(0.1, 1), random.in(0.1, 1)}},
+                                  Cylinder{random.in(0.1, 0.8), random.in(0.1, 0.8)},
+                                  Cone{random.in(0.2, 0.8), random.in(0.2, 0.8)},
+                                  Hull{must(build_hull(points))}};
         return kinds[random.below(6)];
     }
 
@@ -59,18 +58,19 @@ struct RandomScene {
                 shapes.push_back({id, geometry, compose(pose, local)});
             }
         }
-        const Geometry compound = Compound{must(build_compound(
-            {{random_convex(random), {random.vector(0.5), random.rotation()}},
-             {random_convex(random), {random.vector(0.5), random.rotation()}},
-             {random_convex(random), {random.vector(0.5), random.rotation()}}}))};
+        const Geometry compound = Compound{must(
+            build_compound({{random_convex(random), {random.vector(0.5), random.rotation()}},
+                            {random_convex(random), {random.vector(0.5), random.rotation()}},
+                            {random_convex(random), {random.vector(0.5), random.rotation()}}}))};
         add_one(BodyType::dynamic, compound, {random.vector(5), random.rotation()});
         std::vector<Vec3> vertices;
         for (int i = 0; i < 12; i++) vertices.push_back(random.vector(3));
-        add_one(BodyType::fixed,
-                Mesh{must(build_mesh(
-                    vertices, std::vector<std::array<std::uint32_t, 3>>{
-                                  {0, 1, 2}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {9, 10, 11}}))},
-                {random.vector(3), random.rotation()});
+        add_one(
+            BodyType::fixed,
+            Mesh{must(build_mesh(vertices,
+                                 std::vector<std::array<std::uint32_t, 3>>{
+                                     {0, 1, 2}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {9, 10, 11}}))},
+            {random.vector(3), random.rotation()});
         HeightGrid grid{.columns = 7, .rows = 5, .spacing_x = 1.2, .spacing_z = 1.5, .heights = {}};
         for (int i = 0; i < 35; i++) grid.heights.push_back(random.in(-1, 1));
         grid.holes.assign(24, 0);
@@ -286,7 +286,8 @@ TEST(Queries, cast_balls_stop_where_marching_stops) {
         for (int step = 0; step < 5000 && t <= far; step++) {
             double nearest = 1e300;
             for (const Placement& s : scene.shapes) {
-                const double d = signed_distance(s.geometry, s.pose, start + motion * (t / far)) - r;
+                const double d =
+                    signed_distance(s.geometry, s.pose, start + motion * (t / far)) - r;
                 if (d < nearest) nearest = d, nearest_shape = &s;
             }
             if (nearest < 1e-7) break;
@@ -300,7 +301,8 @@ TEST(Queries, cast_balls_stop_where_marching_stops) {
         }
         ASSERT_TRUE(hit.has_value()) << i;
         hits++;
-        EXPECT_NEAR(hit->fraction * far, t, 2e-5) << i << " " << kind_name(kind_of(nearest_shape->geometry));
+        EXPECT_NEAR(hit->fraction * far, t, 2e-5)
+            << i << " " << kind_name(kind_of(nearest_shape->geometry));
         if (t == 0) continue;
         const Vec3 center = start + motion * hit->fraction;
         EXPECT_TRUE(near(hit->point, center - hit->normal * r, 2e-3)) << i;
@@ -352,7 +354,8 @@ TEST(Queries, closest_point_is_the_nearest_surface) {
         ASSERT_TRUE(found.has_value());
         EXPECT_NEAR(found->distance, nearest, 1e-5) << i;
         EXPECT_NEAR(length(found->point - p), std::fabs(found->distance), 1e-5) << i;
-        const auto none = must(scene.world.queries().closest_point(p, std::max(0.0, nearest - 0.01)));
+        const auto none =
+            must(scene.world.queries().closest_point(p, std::max(0.0, nearest - 0.01)));
         EXPECT_EQ(none.has_value(), nearest < 0) << i;
         const auto inside = must(scene.world.queries().shapes_at(p));
         EXPECT_EQ(!inside.empty(), nearest < 0) << i;
@@ -361,9 +364,9 @@ TEST(Queries, closest_point_is_the_nearest_surface) {
 
 TEST(Queries, filters_hide_categories_and_triggers) {
     World world = make_world({.gravity = {}});
-    const BodyId wall = must(world.create_body(
-        {.type = BodyType::fixed, .pose = {{2, 0, 0}, {}}},
-        {.geometry = Box{{0.1, 1, 1}}, .filter = {.category = 4}}));
+    const BodyId wall =
+        must(world.create_body({.type = BodyType::fixed, .pose = {{2, 0, 0}, {}}},
+                               {.geometry = Box{{0.1, 1, 1}}, .filter = {.category = 4}}));
     must(world.create_body({.type = BodyType::fixed, .pose = {{1, 0, 0}, {}}},
                            {.geometry = Sphere{0.3}, .trigger = true}));
     const Ray ray{{0, 0, 0}, {5, 0, 0}};

@@ -74,7 +74,7 @@ struct ShapeDef {
 
 // Directions in which a body cannot move, as bits: along the world's axes, and about them.
 using AxisLocks = std::uint8_t;
-inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;                 // motion along
+inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;                   // motion along
 inline constexpr AxisLocks lock_turn_x = 8, lock_turn_y = 16, lock_turn_z = 32;  // turns about
 
 struct BodyDef {
@@ -87,8 +87,8 @@ struct BodyDef {
     double gravity_scale = 1;    // 0 floats, -1 rises
     bool may_sleep = true;
     AxisLocks locks = 0;
-    bool continuous = true;  // swept when it moves further than its own thickness in a step
-    double mass = 0;         // kg; above 0: what the shapes give is scaled to it
+    bool continuous = true;       // swept when it moves further than its own thickness in a step
+    double mass = 0;              // kg; above 0: what the shapes give is scaled to it
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 

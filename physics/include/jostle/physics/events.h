@@ -30,11 +30,11 @@ struct ContactEnd {
 struct ContactStay {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Vec3 point;                  // m, world: the middle of the contact points
-    Vec3 normal;                 // unit, from a to b
-    double normal_impulse = 0;   // N s over the step
+    Vec3 point;                   // m, world: the middle of the contact points
+    Vec3 normal;                  // unit, from a to b
+    double normal_impulse = 0;    // N s over the step
     double friction_impulse = 0;  // N s over the step
-    double penetration = 0;      // m, deepest point; negative: apart
+    double penetration = 0;       // m, deepest point; negative: apart
 };
 
 // They met faster than WorldDef::hit_speed.

@@ -94,8 +94,8 @@ struct Compound {
     bool operator==(const Compound& other) const;
 };
 
-using Geometry = std::variant<Sphere, Capsule, Box, Plane, Cylinder, Cone, Hull, Mesh, HeightField,
-                              Compound>;
+using Geometry =
+    std::variant<Sphere, Capsule, Box, Plane, Cylinder, Cone, Hull, Mesh, HeightField, Compound>;
 
 // In the order of Geometry's alternatives.
 enum class ShapeKind {

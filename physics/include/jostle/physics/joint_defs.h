@@ -45,7 +45,7 @@ struct BallJoint {
 struct HingeJoint {
     JointLimit limit;  // rad, within -pi..pi
     JointMotor motor;
-    JointSpring spring;      // pulls the angle towards spring_angle when hertz > 0
+    JointSpring spring;       // pulls the angle towards spring_angle when hertz > 0
     double spring_angle = 0;  // rad
 
     bool operator==(const HingeJoint&) const = default;
@@ -94,10 +94,10 @@ struct JointDef {
 struct JointState {
     JointId id;
     JointDef def;
-    Vec3 force;            // N on b, world, mean of the last step
-    Vec3 torque;           // N m on b, world
-    double angle = 0;      // hinge: rad; cone-twist: rad of twist
-    double swing = 0;      // cone-twist: rad
+    Vec3 force;             // N on b, world, mean of the last step
+    Vec3 torque;            // N m on b, world
+    double angle = 0;       // hinge: rad; cone-twist: rad of twist
+    double swing = 0;       // cone-twist: rad
     double separation = 0;  // m between the frames' origins; distance: the present length
 };
 

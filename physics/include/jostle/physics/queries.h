@@ -63,8 +63,8 @@ struct ClosestPoint {
 
 // How two shapes stand to each other.
 struct ShapeDistance {
-    double distance = 0;  // m; negative: the depth of the overlap (least way to part them)
-    Vec3 normal;          // unit, from a to b
+    double distance = 0;    // m; negative: the depth of the overlap (least way to part them)
+    Vec3 normal;            // unit, from a to b
     Vec3 point_a, point_b;  // m, world, on the surfaces; the closest or the deepest pair
 };
 

@@ -65,9 +65,9 @@ struct ContactInfo {
     BodyId body_a, body_b;
     Vec3 normal;  // unit, from a to b
     int count = 0;
-    Vec3 point[4];            // m, world
-    double gap[4] = {};       // m; negative: overlap
-    double impulse[4] = {};   // N s along the normal, of the last sub-step
+    Vec3 point[4];           // m, world
+    double gap[4] = {};      // m; negative: overlap
+    double impulse[4] = {};  // N s along the normal, of the last sub-step
     bool touching = false;
     bool asleep = false;
 };
@@ -75,7 +75,7 @@ struct ContactInfo {
 // Sums over the world, for reports and tests.
 struct WorldSummary {
     int bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
-    int contacts = 0;             // touching manifolds, awake and asleep
+    int contacts = 0;  // touching manifolds, awake and asleep
     int joints = 0;
     double max_joint_error = 0;   // m: furthest that two anchors that belong together are apart
     double kinetic_energy = 0;    // J
@@ -161,10 +161,10 @@ public:
     Queries query_frame() const;
 
     // --- for debug views ---
-    std::vector<ContactInfo> contacts() const;                // by shapes
-    std::vector<std::vector<BodyId>> islands() const;         // each by id
-    std::vector<Aabb> broad_phase_cells() const;              // how the broad phase is organised
-    Result<Aabb> bounds(ShapeId shape) const;                 // not of planes
+    std::vector<ContactInfo> contacts() const;         // by shapes
+    std::vector<std::vector<BodyId>> islands() const;  // each by id
+    std::vector<Aabb> broad_phase_cells() const;       // how the broad phase is organised
+    Result<Aabb> bounds(ShapeId shape) const;          // not of planes
     Result<Aabb> fat_bounds(ShapeId shape) const;
 
     // For the library's own files (snapshot, tests): the stores behind this world.

@@ -21,8 +21,7 @@ void DynamicTree::release(std::int32_t i) {
     free_ = i;
 }
 
-std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item,
-                                 std::uint32_t category) {
+std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item, std::uint32_t category) {
     const std::int32_t leaf = allocate();
     node(leaf).box = box;
     node(leaf).item = item;

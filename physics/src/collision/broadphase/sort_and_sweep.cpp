@@ -49,14 +49,13 @@ void SortAndSweep::settle() {
         }
     }
     if (work >= patience)
-        std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-            return a.box.low.x < b.box.low.x;
-        });
+        std::stable_sort(entries_.begin(), entries_.end(),
+                         [](const Entry& a, const Entry& b) { return a.box.low.x < b.box.low.x; });
     reach_.resize(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); k++) {
         place_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
-        reach_[k] = k == 0 ? entries_[k].box.high.x
-                           : maximum(reach_[k - 1], entries_[k].box.high.x);
+        reach_[k] =
+            k == 0 ? entries_[k].box.high.x : maximum(reach_[k - 1], entries_[k].box.high.x);
     }
     sorted_ = true;
 }

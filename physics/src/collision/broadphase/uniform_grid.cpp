@@ -160,8 +160,7 @@ void UniformGrid::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
     for (const std::int32_t handle : large_) consider(handle);
     // Cell by cell (Amanatides and Woo, "A fast voxel traversal algorithm", 1987); a ray that
     // crosses more cells than there are boxes looks at the boxes instead.
-    const double crossings =
-        (absolute(motion.x) + absolute(motion.y) + absolute(motion.z)) / cell_;
+    const double crossings = (absolute(motion.x) + absolute(motion.y) + absolute(motion.z)) / cell_;
     if (crossings > static_cast<double>(entries_.size()) + 16) {
         for (std::size_t k = 0; k < entries_.size(); k++)
             if (!entries_[k].large) consider(static_cast<std::int32_t>(k));
@@ -204,9 +203,9 @@ void UniformGrid::cells(std::vector<Aabb>& out) const {
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     for (const auto& c : all) {
-        const Vec3 low = Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]),
-                              static_cast<double>(c[2])} *
-                         cell_;
+        const Vec3 low =
+            Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])} *
+            cell_;
         out.push_back({low, low + Vec3{cell_, cell_, cell_}});
     }
 }

@@ -46,7 +46,7 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::int32_t>> cells_;  // looked up, never walked
                                                                           // in a way that matters
     std::vector<std::int32_t> large_;
-    double cell_ = 2;  // m
+    double cell_ = 2;            // m
     std::size_t sized_for_ = 0;  // entries when the cell was chosen
 };
 

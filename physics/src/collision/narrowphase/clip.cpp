@@ -134,8 +134,7 @@ struct Sink {
         const double gap = dot(pb - pa, normal) - radius_a - radius_b;
         if (gap > margin) return;
         out.gap[out.count] = gap;
-        out.point[out.count] =
-            (pa + normal * radius_a + pb - normal * radius_b) * 0.5;
+        out.point[out.count] = (pa + normal * radius_a + pb - normal * radius_b) * 0.5;
         out.count++;
     }
 };
@@ -178,8 +177,7 @@ void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, 
     }
     const double slope = dot(reference.normal, n);
     for (int k = 0; k < count; k++) {
-        const double rise =
-            dot(reference.normal, polygon[k] - reference.corner[0]) / slope;
+        const double rise = dot(reference.normal, polygon[k] - reference.corner[0]) / slope;
         const Vec3 on_reference = polygon[k] - n * rise;
         if (reference_is_a)
             sink.add(on_reference, polygon[k]);
@@ -225,8 +223,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
     if (lowest > deepest + 5e-5 * minimum(size_of(a), size_of(b)) && deepest <= margin) {
         if (out.count == ContactPoints::capacity) out.count--;
         out.gap[out.count] = deepest;
-        out.point[out.count] =
-            (witness.on_a + n * a.radius + witness.on_b - n * b.radius) * 0.5;
+        out.point[out.count] = (witness.on_a + n * a.radius + witness.on_b - n * b.radius) * 0.5;
         out.count++;
     }
     return out;
@@ -242,8 +239,8 @@ ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double 
 Manifold manifold_of(const ContactPoints& points, Vec3 normal) {
     Manifold m{.normal = normal};
     FacePoint flat[ContactPoints::capacity];
-    const Vec3 u = normalized(
-        cross(normal, absolute(normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+    const Vec3 u =
+        normalized(cross(normal, absolute(normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 v = cross(normal, u);
     for (int k = 0; k < points.count; k++)
         flat[k] = {dot(points.point[k], u), dot(points.point[k], v), points.gap[k], k};

@@ -11,17 +11,17 @@ namespace jostle::physics {
 
 // The part of a convex core that looks along a direction.
 struct Feature {
-    int count = 0;         // corners: 1 a point, 2 an edge, more a face
+    int count = 0;  // corners: 1 a point, 2 an edge, more a face
     Vec3 corner[max_face_vertices];
-    Vec3 normal;           // unit, out of the shape; of an edge: the one nearest to the direction
+    Vec3 normal;  // unit, out of the shape; of an edge: the one nearest to the direction
 };
 Feature feature_along(const Convex& shape, Vec3 direction);
 
 // What an axis test or GJK or EPA found: the cores' separation along the normal and a pair of
 // points where it is attained.
 struct Witness {
-    Vec3 normal;           // unit, from a to b
-    double distance = 0;   // m, between the cores
+    Vec3 normal;          // unit, from a to b
+    double distance = 0;  // m, between the cores
     Vec3 on_a, on_b;
 };
 

@@ -179,8 +179,8 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
     if (edges || separation > 0.01 * size) {
         cache.axis = edges ? 7 : 0;
         PairCache free;
-        Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin,
-                                    free);
+        Manifold m =
+            collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, free);
         for (int k = 0; k < m.count; k++) m.point[k] += a.position;
         return m;
     }

@@ -13,8 +13,9 @@
 namespace jostle::physics {
 
 struct PartManifold {
-    std::uint64_t key = 0;  // child of a in the upper half, of b in the lower, each plus one; pieces
-                            // of a surface have no key of their own and are told apart by normal
+    std::uint64_t key =
+        0;  // child of a in the upper half, of b in the lower, each plus one; pieces
+            // of a surface have no key of their own and are told apart by normal
     Manifold manifold;
 };
 

@@ -67,7 +67,8 @@ void consider(Nearest& best, Vec3 corner, Vec3 from, Vec3 to, bool corner_is_a) 
 Nearest nearest(const Outline& a, const Outline& b) {
     Nearest best;
     for (int k = 0; k < a.count; k++)
-        for (int s = 0; s < b.count; s++) consider(best, a.corner[k], b.corner[s], end_of(b, s), true);
+        for (int s = 0; s < b.count; s++)
+            consider(best, a.corner[k], b.corner[s], end_of(b, s), true);
     for (int k = 0; k < b.count; k++)
         for (int s = 0; s < a.count; s++)
             consider(best, b.corner[k], a.corner[s], end_of(a, s), false);
@@ -107,7 +108,8 @@ Manifold cut_side(const Outline& reference, const Outline& other, const Axis& ax
             const Vec3 first = p, last = q;
             if (sp < 0) p = at(minimum(0, maximum(sp, sq)));
             if (sp > width) p = at(maximum(width, minimum(sp, sq)));
-            if (sq < 0) q = first + (last - first) * ((minimum(0, maximum(sp, sq)) - sp) / (sq - sp));
+            if (sq < 0)
+                q = first + (last - first) * ((minimum(0, maximum(sp, sq)) - sp) / (sq - sp));
             if (sq > width)
                 q = first + (last - first) * ((maximum(width, minimum(sp, sq)) - sp) / (sq - sp));
         }
@@ -155,7 +157,8 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
             return m;
         }
     }
-    const bool a_is_reference = on_a.separation >= on_b.separation - (cached(side_of_a) >= 0 ? tie : -tie);
+    const bool a_is_reference =
+        on_a.separation >= on_b.separation - (cached(side_of_a) >= 0 ? tie : -tie);
     if (a_is_reference) {
         cache.axis = side_of_a | static_cast<AxisCode>(on_a.side);
         return cut_side(a, b, on_a, margin, true);

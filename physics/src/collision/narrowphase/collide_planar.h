@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Two outlines in the plane: separating axes among the sides of both (the last one cached), then the
-// facing side cut to the other: one or two points.
+// Two outlines in the plane: separating axes among the sides of both (the last one cached), then
+// the facing side cut to the other: one or two points.
 #pragma once
 
 #include "collision/narrowphase/collide_convex.h"

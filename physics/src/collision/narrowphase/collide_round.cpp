@@ -214,8 +214,8 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
         m.point[m.count] = b.position + b.axes.y * at - m.normal * (r + 0.5 * point_gap);
         m.count++;
     };
-    // Lying on a face: two points, at the ends of what is over it. Over its rim the normal leans and
-    // heights above the face are no longer gaps.
+    // Lying on a face: two points, at the ends of what is over it. Over its rim the normal leans
+    // and heights above the face are no longer gaps.
     for (int k = 0; k < 3; k++) {
         if (absolute(n[k]) < 0.99 || absolute(d[k]) > 0.2) continue;
         if (absolute(n[k]) < 1 - 1e-9) return std::nullopt;

@@ -26,7 +26,7 @@ struct Patch {
 // its normal on the shape's side.
 bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n) {
     const double up = dot(n, face), out = dot(n, outward);
-    constexpr double slack = 0.01;  // rad
+    constexpr double slack = 0.01;   // rad
     if (out < -slack) return false;  // leans inward: the face itself pushes
     if (edge.border) return up > -slack;
     if (edge.fold * side > -1e-4 * edge.reach) return out < slack;  // flat or hollow

@@ -107,9 +107,9 @@ private:
         if (count_ == 1)
             for (const Vec3 axis : axes)
                 for (const double sign : {1.0, -1.0})
-                    if (count_ == 1) try_point(axis * sign, [&](Vec3 w) {
-                            return length(w - points_[0].w) > least;
-                        });
+                    if (count_ == 1)
+                        try_point(axis * sign,
+                                  [&](Vec3 w) { return length(w - points_[0].w) > least; });
         if (count_ == 2) {
             const Vec3 u = normalized(points_[1].w - points_[0].w);
             for (const Vec3 axis : axes)
@@ -120,19 +120,17 @@ private:
                         });
         }
         if (count_ == 3) {
-            const Vec3 n = normalized(
-                cross(points_[1].w - points_[0].w, points_[2].w - points_[0].w));
+            const Vec3 n =
+                normalized(cross(points_[1].w - points_[0].w, points_[2].w - points_[0].w));
             for (const double sign : {1.0, -1.0})
                 if (count_ == 3)
-                    try_point(n * sign, [&](Vec3 w) {
-                        return absolute(dot(w - points_[0].w, n)) > least;
-                    });
+                    try_point(n * sign,
+                              [&](Vec3 w) { return absolute(dot(w - points_[0].w, n)) > least; });
         }
         if (count_ < 4) return false;
         const Vec3 n = cross(points_[1].w - points_[0].w, points_[2].w - points_[0].w);
         if (dot(n, points_[3].w - points_[0].w) > 0) std::swap(points_[1], points_[2]);
-        return add_facet(0, 1, 2) && add_facet(0, 3, 1) && add_facet(1, 3, 2) &&
-               add_facet(2, 3, 0);
+        return add_facet(0, 1, 2) && add_facet(0, 3, 1) && add_facet(1, 3, 2) && add_facet(2, 3, 0);
     }
     template <class Accept>
     void try_point(Vec3 d, Accept&& accept) {
@@ -147,8 +145,7 @@ private:
         const Vec3 n = cross(points_[j].w - points_[i].w, points_[k].w - points_[i].w);
         const double l = length(n);
         if (l < 1e-18 * size_ * size_) return false;
-        facets_[facet_count_++] = {
-            {i, j, k}, n * (1 / l), dot(n, points_[i].w) / l, true};
+        facets_[facet_count_++] = {{i, j, k}, n * (1 / l), dot(n, points_[i].w) / l, true};
         return true;
     }
     void compact() {

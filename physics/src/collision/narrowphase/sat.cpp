@@ -178,17 +178,14 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
 Separation separate_segment(const Convex& polyhedron, const Convex& segment) {
     PolyhedronParts parts;
     const Polyhedron p = polyhedron_of(polyhedron, parts);
-    const Vec3 middle =
-        transposed_times(polyhedron.axes, segment.position - polyhedron.position);
-    const Vec3 along =
-        transposed_times(polyhedron.axes, segment.axes.y) * segment.size.y;
+    const Vec3 middle = transposed_times(polyhedron.axes, segment.position - polyhedron.position);
+    const Vec3 along = transposed_times(polyhedron.axes, segment.axes.y) * segment.size.y;
     Best best;
     for (std::uint32_t f = 0; f < p.faces.size(); f++) {
         const Vec3 n = p.faces[f].normal;
         const Vec3 end = dot(n, along) > 0 ? middle - along : middle + along;
         const double s = dot(n, end) - p.faces[f].offset;
-        if (s > best.distance)
-            best = {s, n, face_of_a | f << 14, end - n * s, end};
+        if (s > best.distance) best = {s, n, face_of_a | f << 14, end - n * s, end};
     }
     for (std::uint32_t e = 0; e < p.edges.size(); e++) {
         const HullEdge& edge = p.edges[e];

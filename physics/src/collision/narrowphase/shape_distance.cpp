@@ -22,8 +22,8 @@ SignedDistance signed_distance(const Placed& a, const Placed& b, PairCache& cach
     }
     const Convex ca = convex_of(a, a.position), cb = convex_of(b, a.position);
     const Witness w = find_witness(ca, cb, 1e300, cache);
-    return {w.distance - ca.radius - cb.radius, w.normal, a.position + w.on_a + w.normal * ca.radius,
-            a.position + w.on_b - w.normal * cb.radius};
+    return {w.distance - ca.radius - cb.radius, w.normal,
+            a.position + w.on_a + w.normal * ca.radius, a.position + w.on_b - w.normal * cb.radius};
 }
 
 }  // namespace jostle::physics

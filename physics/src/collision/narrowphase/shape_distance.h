@@ -8,9 +8,9 @@
 namespace jostle::physics {
 
 struct SignedDistance {
-    double distance = 0;    // m; negative: overlap
-    Vec3 normal;            // unit, from a to b
-    Vec3 on_a, on_b;        // m, world, on the surfaces
+    double distance = 0;  // m; negative: overlap
+    Vec3 normal;          // unit, from a to b
+    Vec3 on_a, on_b;      // m, world, on the surfaces
 };
 
 SignedDistance signed_distance(const Placed& a, const Placed& b, PairCache& cache);

@@ -67,8 +67,9 @@ Aabb way_in(const SweptShape& frame, const SweptShape& shape, double from) {
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
     const double own = (length(frame.sweep.motion) +
-                        length(frame.sweep.turn) * (length(half) + length(middle -
-                                                    center_at(frame.sweep, from)))) * (1 - from);
+                        length(frame.sweep.turn) *
+                            (length(half) + length(middle - center_at(frame.sweep, from)))) *
+                       (1 - from);
     const Placed p = placed_at(frame, from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
@@ -93,8 +94,8 @@ std::optional<Impact> surface_impact(const SweptShape& surface, const SweptShape
                           PairCache cache;
                           const auto hit = advance(surface, shape, from, gap, [&](double at) {
                               const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
-                              const Convex triangle = triangle_convex(
-                                  t.corner, ps.position - pc.position, ps.axes);
+                              const Convex triangle =
+                                  triangle_convex(t.corner, ps.position - pc.position, ps.axes);
                               const Convex c = convex_of(pc, pc.position);
                               const GjkResult g = gjk(triangle, c, cache.direction);
                               cache.direction = g.normal;
@@ -149,7 +150,8 @@ std::optional<Impact> time_of_impact(const SweptShape& a, const SweptShape& b, d
         const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
         std::optional<Impact> best;
         const auto consider = [&](std::uint32_t k) {
-            keep_first(best, time_of_impact(child_of(compound, data.children[k]), other, from, gap));
+            keep_first(best,
+                       time_of_impact(child_of(compound, data.children[k]), other, from, gap));
         };
         const ShapeKind kind = first ? kb : ka;
         if (kind == ShapeKind::plane) {

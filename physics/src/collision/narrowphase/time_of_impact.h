@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // When two moving shapes first touch, with rotation: conservative advancement (Mirtich,
-// "Impulse-based dynamic simulation", 1996). Steps forward by the distance over the fastest that any
-// two points can close it, so that nothing is ever stepped over.
+// "Impulse-based dynamic simulation", 1996). Steps forward by the distance over the fastest that
+// any two points can close it, so that nothing is ever stepped over.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace jostle::physics {
 
 // A rigid body's motion over a step, as fractions 0..1 of it: even, and about the centre of mass.
 struct Sweep {
-    double from = 0;   // the fraction at which `center` and `rotation` hold
-    Vec3 center;       // m
+    double from = 0;  // the fraction at which `center` and `rotation` hold
+    Vec3 center;      // m
     Quat rotation;
     Vec3 motion, turn;  // m, rad over a whole step
 };
@@ -24,9 +24,9 @@ Quat rotation_at(const Sweep& sweep, double fraction);
 
 struct SweptShape {
     const Geometry* geometry = nullptr;
-    Vec3 offset;          // of the shape's origin from the centre of mass, body axes
-    Mat3 axes;            // in the body
-    double radius = 0;    // m: the body's furthest point from its centre of mass
+    Vec3 offset;        // of the shape's origin from the centre of mass, body axes
+    Mat3 axes;          // in the body
+    double radius = 0;  // m: the body's furthest point from its centre of mass
     Sweep sweep;
 };
 Placed placed_at(const SweptShape& shape, double fraction);
@@ -34,7 +34,7 @@ Placed placed_at(const SweptShape& shape, double fraction);
 Aabb swept_bounds(const SweptShape& shape, double from);
 
 struct Impact {
-    double fraction = 0;  // of the step
+    double fraction = 0;    // of the step
     bool at_start = false;  // they touched already at `from`
 };
 

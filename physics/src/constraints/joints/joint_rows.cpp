@@ -98,8 +98,7 @@ double JointPair::inverse_mass_along(Vec3 unit) const {
 void hold_points(JointPair& pair, const JointStep& step, const Softness& softness, Vec3& impulse) {
     const Softness s = of(step, softness);
     const Vec3 error = pair.anchor_velocity() + pair.apart * s.bias_rate;
-    const Vec3 d =
-        solve3(pair.point_matrix(), error) * -s.mass_scale - impulse * s.impulse_scale;
+    const Vec3 d = solve3(pair.point_matrix(), error) * -s.mass_scale - impulse * s.impulse_scale;
     impulse += d;
     pair.push(d);
 }
@@ -172,12 +171,11 @@ void limit_row(JointPair& pair, const JointStep& step, const Row& row, double ro
     impulse = now;
 }
 
-void spring_row(JointPair& pair, const Row& row, const Softness& s, double error,
-                double& impulse) {
+void spring_row(JointPair& pair, const Row& row, const Softness& s, double error, double& impulse) {
     if (!(row.inverse_mass > 0)) return;
-    const double d = -s.mass_scale * (speed_of(pair, row) + error * s.bias_rate) /
-                         row.inverse_mass -
-                     s.impulse_scale * impulse;
+    const double d =
+        -s.mass_scale * (speed_of(pair, row) + error * s.bias_rate) / row.inverse_mass -
+        s.impulse_scale * impulse;
     impulse += d;
     apply_row(pair, row, d);
 }

@@ -50,8 +50,7 @@ public:
         for (Vec3* v : {&joint.point, &joint.turn, &joint.drive}) *v = rotate(turn_, *v);
     }
     ~InWorld() {
-        for (Vec3* v : {&joint_.point, &joint_.turn, &joint_.drive})
-            *v = inverse_rotate(turn_, *v);
+        for (Vec3* v : {&joint_.point, &joint_.turn, &joint_.drive}) *v = inverse_rotate(turn_, *v);
     }
     InWorld(const InWorld&) = delete;
     InWorld& operator=(const InWorld&) = delete;

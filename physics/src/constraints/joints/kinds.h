@@ -26,8 +26,7 @@ double hinge_angle(Quat frame_a, Quat frame_b);  // rad, -pi..pi
 void warm_start_cone_twist(JointPair& pair, const ConeTwistJoint& kind, Joint& joint);
 void solve_cone_twist(JointPair& pair, const JointStep& step, const ConeTwistJoint& kind,
                       Joint& joint);
-JointLoad load_of_cone_twist(const JointPair& pair, const ConeTwistJoint& kind,
-                             const Joint& joint);
+JointLoad load_of_cone_twist(const JointPair& pair, const ConeTwistJoint& kind, const Joint& joint);
 double twist_angle(Quat frame_a, Quat frame_b);  // rad, -pi..pi
 double swing_angle(Quat frame_a, Quat frame_b);  // rad, 0..pi
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Contacts that stay are listed with their impulses, hard ones as hits, parted ones as ends: once for
-// a pair, however many manifolds it has.
+// Contacts that stay are listed with their impulses, hard ones as hits, parted ones as ends: once
+// for a pair, however many manifolds it has.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ using namespace physics;
 TEST(ContactReports, resting_box_presses_with_its_weight) {
     World world = make_world();
     add_floor(world);
-    const BodyId box = must(world.create_body({.pose = {{0, 0.5, 0}, {}}, .may_sleep = false},
-                                              {.report_stays = true}));
+    const BodyId box = must(
+        world.create_body({.pose = {{0, 0.5, 0}, {}}, .may_sleep = false}, {.report_stays = true}));
     const BodyId other = add(world, {.position = {5, 0.5, 0}, .may_sleep = false});
     run(world, 1);
     const auto stays = world.events().contacts;
@@ -38,7 +38,8 @@ TEST(ContactReports, friction_of_a_box_on_a_slope_is_its_weight_along_it) {
     run(world, 1);
     const double angle = std::atan(slope), weight = 1000 * 9.81 / 60;
     ASSERT_EQ(world.events().contacts.size(), 1u);
-    EXPECT_NEAR(world.events().contacts[0].friction_impulse, weight * std::sin(angle), 0.01 * weight);
+    EXPECT_NEAR(world.events().contacts[0].friction_impulse, weight * std::sin(angle),
+                0.01 * weight);
     EXPECT_NEAR(world.events().contacts[0].normal_impulse, weight * std::cos(angle), 0.01 * weight);
 }
 
@@ -77,9 +78,12 @@ TEST(ContactReports, mesh_is_one_contact_however_many_triangles) {
         triangles.push_back({v + 1, v + 3, v + 2});
     }
     World world = make_world();
-    add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .friction = 0,
+    add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))},
+                .friction = 0,
                 .type = BodyType::fixed});
-    add(world, {.geometry = Box{{0.4, 0.2, 0.4}}, .position = {-4, 0.2, 0}, .velocity = {6, 0, 0},
+    add(world, {.geometry = Box{{0.4, 0.2, 0.4}},
+                .position = {-4, 0.2, 0},
+                .velocity = {6, 0, 0},
                 .friction = 0});
     int began = 0, ended = 0;
     for (int i = 0; i < 150; i++) {

@@ -22,11 +22,11 @@ TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
         Random random(77);
         std::vector<BodyId> balls;
         for (int i = 0; i < 1000; i++)
-            balls.push_back(add(world, {.geometry = Sphere{0.1},
-                                        .position = {random.in(-15, -5) - phase * 200.0 / 60 / 16,
-                                                     ((i % 32) - 15.5) * 0.5,
-                                                     ((i / 32) - 15.5) * 0.5},
-                                        .velocity = {200, 0, 0}}));
+            balls.push_back(
+                add(world, {.geometry = Sphere{0.1},
+                            .position = {random.in(-15, -5) - phase * 200.0 / 60 / 16,
+                                         ((i % 32) - 15.5) * 0.5, ((i / 32) - 15.5) * 0.5},
+                            .velocity = {200, 0, 0}}));
         run(world, 0.15);
         int passed = 0;
         for (const BodyId ball : balls) passed += position_of(world, ball).x > 0 ? 1 : 0;
@@ -39,8 +39,8 @@ TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
 TEST(Continuous, spinning_rod_does_not_cut_through_a_post) {
     for (const double spin : {30.0, 100.0, 600.0}) {
         World world = make_world({.gravity = {}});
-        add(world, {.geometry = Box{{0.01, 1, 0.01}}, .position = {0, 0, 0.8},
-                    .type = BodyType::fixed});
+        add(world,
+            {.geometry = Box{{0.01, 1, 0.01}}, .position = {0, 0, 0.8}, .type = BodyType::fixed});
         const BodyId rod = add(world, {.geometry = Box{{1, 0.02, 0.02}}, .spin = {0, -spin, 0}});
         int hits = 0;
         for (int i = 0; i < 30; i++) {
@@ -58,10 +58,14 @@ TEST(Continuous, two_bullets_meet) {
     for (int phase = 0; phase < 8; phase++) {
         World world = make_world({.gravity = {}});
         const double shift = phase * 200.0 / 60 / 8;
-        const BodyId a = add(world, {.geometry = Sphere{0.02}, .position = {-10 - shift, 0, 0},
-                                     .velocity = {200, 0, 0}, .restitution = 1});
-        const BodyId b = add(world, {.geometry = Sphere{0.02}, .position = {10 + shift, 0, 0},
-                                     .velocity = {-200, 0, 0}, .restitution = 1});
+        const BodyId a = add(world, {.geometry = Sphere{0.02},
+                                     .position = {-10 - shift, 0, 0},
+                                     .velocity = {200, 0, 0},
+                                     .restitution = 1});
+        const BodyId b = add(world, {.geometry = Sphere{0.02},
+                                     .position = {10 + shift, 0, 0},
+                                     .velocity = {-200, 0, 0},
+                                     .restitution = 1});
         run(world, 0.2);
         EXPECT_NEAR(velocity_of(world, a).x, -200, 0.1) << phase;
         EXPECT_NEAR(velocity_of(world, b).x, 200, 0.1) << phase;
@@ -72,11 +76,13 @@ TEST(Continuous, two_bullets_meet) {
 TEST(Continuous, time_after_the_impact_is_kept) {
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
-        add(world, {.geometry = Box{{0.5, 5, 5}}, .position = {0.5, 0, 0},
-                    .type = BodyType::fixed});
+        add(world,
+            {.geometry = Box{{0.5, 5, 5}}, .position = {0.5, 0, 0}, .type = BodyType::fixed});
         const double start = -5 - phase * 0.1;
-        const BodyId ball = add(world, {.geometry = Sphere{0.05}, .position = {start, 0, 0},
-                                        .velocity = {100, 0, 0}, .restitution = 1});
+        const BodyId ball = add(world, {.geometry = Sphere{0.05},
+                                        .position = {start, 0, 0},
+                                        .velocity = {100, 0, 0},
+                                        .restitution = 1});
         const int steps = 6;
         for (int i = 0; i < steps; i++) must(world.step(1.0 / 60));
         const double way = 100.0 * steps / 60, to_wall = -0.05 - start;
@@ -88,13 +94,14 @@ TEST(Continuous, time_after_the_impact_is_kept) {
 TEST(Continuous, dynamic_target_takes_the_momentum) {
     World world = make_world({.gravity = {}});
     const BodyId crate = add(world, {.geometry = Box{{0.02, 0.5, 0.5}}});
-    const BodyId bullet = add(world, {.geometry = Sphere{0.03}, .position = {-7.3, 0, 0},
-                                      .velocity = {300, 0, 0}, .density = 8000});
+    const BodyId bullet = add(world, {.geometry = Sphere{0.03},
+                                      .position = {-7.3, 0, 0},
+                                      .velocity = {300, 0, 0},
+                                      .density = 8000});
     const double before = 300 * state_of(world, bullet).mass;
     run(world, 0.1);
     const BodyState c = state_of(world, crate), b = state_of(world, bullet);
-    EXPECT_NEAR(c.mass * c.linear_velocity.x + b.mass * b.linear_velocity.x, before,
-                1e-6 * before);
+    EXPECT_NEAR(c.mass * c.linear_velocity.x + b.mass * b.linear_velocity.x, before, 1e-6 * before);
     EXPECT_GT(c.linear_velocity.x, b.linear_velocity.x - 1e-3) << "it did not pass through";
     EXPECT_GT(c.pose.position.x, b.pose.position.x);
 }
@@ -106,7 +113,9 @@ TEST(Continuous, bullet_wakes_what_it_hits) {
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
     run(world, 2);
     ASSERT_FALSE(state_of(world, box).awake);
-    add(world, {.geometry = Sphere{0.05}, .position = {-20, 0.5, 0.1}, .velocity = {250, 0, 0},
+    add(world, {.geometry = Sphere{0.05},
+                .position = {-20, 0.5, 0.1},
+                .velocity = {250, 0, 0},
                 .density = 8000});
     run(world, 0.2);
     EXPECT_TRUE(state_of(world, box).awake);
@@ -116,8 +125,8 @@ TEST(Continuous, bullet_wakes_what_it_hits) {
 // A kinematic blade that turns fast bats a ball away instead of passing it.
 TEST(Continuous, kinematic_blade_bats_a_ball) {
     World world = make_world({.gravity = {}});
-    const BodyId blade = add(world, {.geometry = Box{{1, 0.5, 0.01}}, .spin = {0, 40, 0},
-                                     .type = BodyType::kinematic});
+    const BodyId blade = add(
+        world, {.geometry = Box{{1, 0.5, 0.01}}, .spin = {0, 40, 0}, .type = BodyType::kinematic});
     const BodyId ball = add(world, {.geometry = Sphere{0.05}, .position = {0, 0, 0.7}});
     run(world, 0.2);
     EXPECT_GT(length(velocity_of(world, ball)), 10);
@@ -129,8 +138,8 @@ TEST(Continuous, mesh_of_paper_stops_bullets) {
     const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
-        add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))},
-                    .type = BodyType::fixed});
+        add(world,
+            {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .type = BodyType::fixed});
         const BodyId bullet = add(world, {.geometry = Box{{0.03, 0.02, 0.02}},
                                           .position = {-5 - phase * 0.2, 0.3, 0.3},
                                           .velocity = {200, 3, 1},

@@ -18,20 +18,16 @@ BodyId anchor(World& world, Vec3 at = {}) {
 
 JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform frame_a,
              Transform frame_b) {
-    return must(world.create_joint({.body_a = a,
-                                    .body_b = b,
-                                    .frame_a = frame_a,
-                                    .frame_b = frame_b,
-                                    .kind = kind}));
+    return must(world.create_joint(
+        {.body_a = a, .body_b = b, .frame_a = frame_a, .frame_b = frame_b, .kind = kind}));
 }
 
 // A rod of 1 m on a hinge, released level: the period of a physical pendulum at 90 degrees is
 // 1.935750 s (4 K(k) / w0).
 TEST(Joints, pendulum_swings_with_the_exact_period) {
     World world = make_world();
-    const BodyId rod = add(world, {.geometry = Box{{0.5, 0.05, 0.05}},
-                                   .position = {0.5, 0, 0},
-                                   .may_sleep = false});
+    const BodyId rod = add(
+        world, {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0}, .may_sleep = false});
     const JointId hinge = join(world, anchor(world), rod, HingeJoint{}, {}, {{-0.5, 0, 0}, {}});
     // The rod comes back to the level after whole periods.
     double last = 0, returned = 0, worst = 0;
@@ -53,13 +49,12 @@ TEST(Joints, pendulum_swings_with_the_exact_period) {
 
 TEST(Joints, hinge_keeps_its_axis_and_stops_at_its_limits) {
     World world = make_world();
-    const BodyId door = add(world, {.geometry = Box{{0.5, 1, 0.05}}, .position = {0.5, 0, 0},
-                                    .spin = {0, 3, 0}});
+    const BodyId door =
+        add(world, {.geometry = Box{{0.5, 1, 0.05}}, .position = {0.5, 0, 0}, .spin = {0, 3, 0}});
     // The hinge's z axis stands along the world's y.
     const Quat upright = from_rotation_vector({-pi / 2, 0, 0});
-    const JointId hinge = join(world, anchor(world), door,
-                               HingeJoint{.limit = {true, -0.5, 1.0}}, {{}, upright},
-                               {{-0.5, 0, 0}, upright});
+    const JointId hinge = join(world, anchor(world), door, HingeJoint{.limit = {true, -0.5, 1.0}},
+                               {{}, upright}, {{-0.5, 0, 0}, upright});
     double most = 0;
     for (int i = 0; i < 120; i++) {
         must(world.step(1.0 / 60));
@@ -73,12 +68,12 @@ TEST(Joints, hinge_keeps_its_axis_and_stops_at_its_limits) {
 // Without gravity: the speed rises as torque over inertia until the motor's own.
 TEST(Joints, motor_accelerates_by_its_torque_to_its_speed) {
     World world = make_world({.gravity = {}});
-    const BodyId rod = add(world, {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0},
-                                   .may_sleep = false});
+    const BodyId rod = add(
+        world, {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0}, .may_sleep = false});
     const BodyState s = state_of(world, rod);
     const double about_pivot = s.inertia.z.z + s.mass * 0.25;
-    join(world, anchor(world), rod,
-         HingeJoint{.motor = {true, 2, about_pivot}}, {}, {{-0.5, 0, 0}, {}});
+    join(world, anchor(world), rod, HingeJoint{.motor = {true, 2, about_pivot}}, {},
+         {{-0.5, 0, 0}, {}});
     run(world, 1);  // 1 rad/s^2
     EXPECT_NEAR(state_of(world, rod).angular_velocity.z, 1, 0.01);
     run(world, 2);
@@ -87,14 +82,15 @@ TEST(Joints, motor_accelerates_by_its_torque_to_its_speed) {
 
 TEST(Joints, cone_twist_holds_swing_and_twist) {
     World world = make_world();
-    const BodyId arm = add(world, {.geometry = Capsule{0.1, 0.4}, .position = {0.5, 0, 0},
+    const BodyId arm = add(world, {.geometry = Capsule{0.1, 0.4},
+                                   .position = {0.5, 0, 0},
                                    .rotation = from_rotation_vector({0, 0, pi / 2}),
                                    .spin = {8, 0, 0}});
     // b's frame: x along the arm. The capsule stands along its own y.
     const Quat along = from_rotation_vector({0, 0, -pi / 2});
-    const JointId shoulder = join(world, anchor(world), arm,
-                                  ConeTwistJoint{.swing = 0.6, .twist = {true, -0.4, 0.7}}, {},
-                                  {{0, 0.5, 0}, along});
+    const JointId shoulder =
+        join(world, anchor(world), arm, ConeTwistJoint{.swing = 0.6, .twist = {true, -0.4, 0.7}},
+             {}, {{0, 0.5, 0}, along});
     double swing = 0, twist = 0, apart = 0;
     for (int i = 0; i < 300; i++) {
         must(world.step(1.0 / 60));
@@ -111,10 +107,15 @@ TEST(Joints, cone_twist_holds_swing_and_twist) {
 
 TEST(Joints, fixed_bodies_move_as_one) {
     World world = make_world({.gravity = {}});
-    const BodyId a = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .velocity = {0, 1, 0},
-                                 .spin = {0, 0, 2}, .may_sleep = false});
-    const BodyId b = add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {1, 0, 0},
-                                 .velocity = {0, 3, 0}, .spin = {0, 0, 2}, .may_sleep = false});
+    const BodyId a = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
+                                 .velocity = {0, 1, 0},
+                                 .spin = {0, 0, 2},
+                                 .may_sleep = false});
+    const BodyId b = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
+                                 .position = {1, 0, 0},
+                                 .velocity = {0, 3, 0},
+                                 .spin = {0, 0, 2},
+                                 .may_sleep = false});
     const Transform turned{{1, 0, 0}, {}};
     join(world, a, b, FixedJoint{}, turned, {});
     run(world, 5);
@@ -127,14 +128,11 @@ TEST(Joints, fixed_bodies_move_as_one) {
 // A weight on a spring: sinks by g / w^2 and swings with its own frequency.
 TEST(Joints, spring_swings_with_its_frequency) {
     World world = make_world();
-    const BodyId weight = add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0},
-                                      .may_sleep = false});
+    const BodyId weight =
+        add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0}, .may_sleep = false});
     const double hertz = 1;
     join(world, anchor(world), weight,
-         DistanceJoint{.min_length = 0,
-                       .max_length = 10,
-                       .spring = {hertz, 0},
-                       .rest_length = 1},
+         DistanceJoint{.min_length = 0, .max_length = 10, .spring = {hertz, 0}, .rest_length = 1},
          {}, {});
     const double w = 2 * pi * hertz, sag = 9.81 / (w * w);
     double lowest = 0;
@@ -152,8 +150,8 @@ TEST(Joints, rope_is_slack_until_it_is_taut_and_a_rod_never_is) {
     const BodyId fixed = anchor(world);
     const BodyId on_rope = add(world, {.geometry = Sphere{0.1}, .position = {0, -0.5, 0}});
     const BodyId on_rod = add(world, {.geometry = Sphere{0.1}, .position = {1, 0, 0}});
-    const JointId rope = join(world, fixed, on_rope,
-                              DistanceJoint{.min_length = 0, .max_length = 2}, {}, {});
+    const JointId rope =
+        join(world, fixed, on_rope, DistanceJoint{.min_length = 0, .max_length = 2}, {}, {});
     const JointId rod = join(world, fixed, on_rod, DistanceJoint{}, {}, {});
     double rod_error = 0, longest = 0;
     for (int i = 0; i < 240; i++) {
@@ -175,8 +173,8 @@ TEST(Joints, rope_is_slack_until_it_is_taut_and_a_rod_never_is) {
 TEST(Joints, break_above_their_force_and_tell) {
     for (const double bears : {90.0, 110.0}) {
         World world = make_world();
-        const BodyId weight = must(world.create_body(
-            {.pose = {{0, -1, 0}, {}}, .mass = 10}, {.geometry = Sphere{0.2}}));
+        const BodyId weight = must(
+            world.create_body({.pose = {{0, -1, 0}, {}}, .mass = 10}, {.geometry = Sphere{0.2}}));
         const JointId joint = must(world.create_joint({.body_a = anchor(world),
                                                        .body_b = weight,
                                                        .frame_b = {{0, 1, 0}, {}},

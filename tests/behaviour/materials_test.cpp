@@ -53,9 +53,8 @@ TEST(Materials, restitution_is_combined_by_the_stronger_rule) {
         World world = make_world();
         add_with(world, {.geometry = Plane{}, .type = BodyType::fixed},
                  {.restitution = 0.4, .restitution_rule = rule});
-        const BodyId ball = add_with(
-            world, {.geometry = Sphere{0.1}, .position = {0, 1.1, 0}},
-            {.restitution = 0.9, .restitution_rule = rule});
+        const BodyId ball = add_with(world, {.geometry = Sphere{0.1}, .position = {0, 1.1, 0}},
+                                     {.restitution = 0.9, .restitution_rule = rule});
         double highest = 0;
         for (int i = 0; i < 120; i++) {
             must(world.step(1.0 / 60));
@@ -105,7 +104,8 @@ TEST(Materials, torsional_friction_stops_a_spinning_ball_in_time) {
 // A belt takes a box along: it slides at mu g until it has the belt's speed, then rides.
 TEST(Materials, conveyor_takes_a_box_to_its_speed) {
     World world = make_world();
-    add_with(world, {.geometry = Box{{20, 0.5, 1}}, .position = {0, -0.5, 0}, .type = BodyType::fixed},
+    add_with(world,
+             {.geometry = Box{{20, 0.5, 1}}, .position = {0, -0.5, 0}, .type = BodyType::fixed},
              {.friction = 0.5, .surface_velocity = {2, 0, 0.5}});
     const BodyId box = add_with(world, {.geometry = Box{{0.3, 0.2, 0.3}}, .position = {0, 0.2, 0}},
                                 {.friction = 0.5});
@@ -145,8 +145,9 @@ TEST(Filters, categories_masks_and_groups_decide_who_meets) {
     };
     for (const Case& c : cases) {
         World world = make_world();
-        add_with(world, {.geometry = Box{{5, 0.5, 5}}, .position = {0, -0.5, 0},
-                         .type = BodyType::fixed}, {}, c.a);
+        add_with(world,
+                 {.geometry = Box{{5, 0.5, 5}}, .position = {0, -0.5, 0}, .type = BodyType::fixed},
+                 {}, c.a);
         const BodyId ball =
             add_with(world, {.geometry = Sphere{0.3}, .position = {0, 1, 0}}, {}, c.b);
         run(world, 2);
@@ -170,9 +171,9 @@ TEST(Filters, change_takes_effect_with_the_next_step) {
 // A body that may only move along x and turn about z, pushed by a ball from an odd side.
 TEST(Locks, locked_axes_do_not_move_and_the_others_keep_momentum) {
     World world = make_world({.gravity = {}});
-    const BodyId slider = must(world.create_body(
-        {.locks = lock_y | lock_z | lock_turn_x | lock_turn_y},
-        {.geometry = Box{{0.5, 0.3, 0.4}}, .material = {.friction = 0.5}}));
+    const BodyId slider =
+        must(world.create_body({.locks = lock_y | lock_z | lock_turn_x | lock_turn_y},
+                               {.geometry = Box{{0.5, 0.3, 0.4}}, .material = {.friction = 0.5}}));
     const BodyId ball = add(world, {.geometry = Sphere{0.2},
                                     .position = {-2, 0.25, 0.2},
                                     .velocity = {6, 0.3, 0.1},
@@ -187,8 +188,8 @@ TEST(Locks, locked_axes_do_not_move_and_the_others_keep_momentum) {
     EXPECT_GT(s.linear_velocity.x, 0.5);
     EXPECT_NE(s.angular_velocity.z, 0) << "the ball hit it above its centre";
     const double before = 6 * state_of(world, ball).mass;
-    const double after = s.mass * s.linear_velocity.x +
-                         state_of(world, ball).mass * velocity_of(world, ball).x;
+    const double after =
+        s.mass * s.linear_velocity.x + state_of(world, ball).mass * velocity_of(world, ball).x;
     EXPECT_NEAR(after, before, 1e-3 * before);
 }
 
@@ -207,12 +208,12 @@ TEST(Locks, locked_turns_keep_a_tall_box_upright) {
 
 TEST(Bodies, gravity_scale_and_damping_are_each_bodys_own) {
     World world = make_world();
-    const BodyId light = must(world.create_body({.gravity_scale = 0.25}, {.geometry = Sphere{0.1}}));
+    const BodyId light =
+        must(world.create_body({.gravity_scale = 0.25}, {.geometry = Sphere{0.1}}));
     const BodyId rising = must(world.create_body({.gravity_scale = -1}, {.geometry = Sphere{0.1}}));
-    const BodyId slow = must(world.create_body({.linear_velocity = {4, 0, 0},
-                                                .linear_damping = 0.5,
-                                                .gravity_scale = 0},
-                                               {.geometry = Sphere{0.1}}));
+    const BodyId slow = must(
+        world.create_body({.linear_velocity = {4, 0, 0}, .linear_damping = 0.5, .gravity_scale = 0},
+                          {.geometry = Sphere{0.1}}));
     must(world.set_pose(rising, {{5, 0, 0}, {}}));
     must(world.set_pose(slow, {{0, 0, 5}, {}}));
     run(world, 1);

@@ -23,7 +23,8 @@ TEST(Planar, masses_are_those_of_slices) {
     const BodyState disc = state_of(world, add(world, {.geometry = Sphere{0.5}, .density = 10}));
     EXPECT_NEAR(disc.mass, 10 * pi * 0.25, 1e-9);
     EXPECT_NEAR(disc.inertia.z.z, 0.5 * disc.mass * 0.25, 1e-9);
-    const BodyState box = state_of(world, add(world, {.geometry = Box{{0.5, 1, 9}}, .density = 10}));
+    const BodyState box =
+        state_of(world, add(world, {.geometry = Box{{0.5, 1, 9}}, .density = 10}));
     EXPECT_NEAR(box.mass, 10 * 2, 1e-9);
     EXPECT_NEAR(box.inertia.z.z, box.mass / 3 * 1.25, 1e-9);
 }
@@ -32,7 +33,8 @@ TEST(Planar, disc_rolls_down_a_slope_as_a_disc) {
     const double slope = 0.2;
     World world = flat_world(Vec3{slope, -1, 0} * (9.81 / std::sqrt(1 + slope * slope)));
     add_floor(world, 1);
-    const BodyId disc = add(world, {.geometry = Sphere{0.3}, .position = {0, 0.3, 0}, .friction = 1});
+    const BodyId disc =
+        add(world, {.geometry = Sphere{0.3}, .position = {0, 0.3, 0}, .friction = 1});
     run(world, 2);
     const double a = 2.0 / 3 * 9.81 * slope / std::sqrt(1 + slope * slope);
     EXPECT_NEAR(position_of(world, disc).x, 2 * a, 0.01 * 2 * a);
@@ -62,10 +64,10 @@ TEST(Planar, nothing_ever_leaves_the_plane) {
     Random random(3);
     for (int i = 0; i < 120; i++) {
         const double a = random.in(0.1, 0.3), b = random.in(0.1, 0.3);
-        const Geometry kinds[] = {Sphere{a}, Capsule{a * 0.6, b}, Box{{a, b, 0.2}},
-                                  Hull{must(build_hull(std::vector<Vec3>{
-                                      {a, 0, 0.1}, {-a, 0.05, 0.1}, {0, b, 0.1}, {0.05, -b, 0.1},
-                                      {0, 0, -0.2}}))}};
+        const Geometry kinds[] = {
+            Sphere{a}, Capsule{a * 0.6, b}, Box{{a, b, 0.2}},
+            Hull{must(build_hull(std::vector<Vec3>{
+                {a, 0, 0.1}, {-a, 0.05, 0.1}, {0, b, 0.1}, {0.05, -b, 0.1}, {0, 0, -0.2}}))}};
         add(world, {.geometry = kinds[i % 4],
                     .position = {random.in(-2, 2), 1 + 0.2 * i, 0},
                     .rotation = from_rotation_vector({0, 0, random.in(-3, 3)}),
@@ -93,8 +95,8 @@ TEST(Planar, nothing_ever_leaves_the_plane) {
 TEST(Planar, box_slides_as_far_as_coulomb_says) {
     World world = flat_world();
     add_floor(world, 0.5);
-    const BodyId box = add(world, {.geometry = Box{{0.5, 0.1, 0.5}}, .position = {0, 0.1, 0},
-                                   .velocity = {4, 0, 0}});
+    const BodyId box = add(
+        world, {.geometry = Box{{0.5, 0.1, 0.5}}, .position = {0, 0.1, 0}, .velocity = {4, 0, 0}});
     run(world, 3);
     EXPECT_NEAR(position_of(world, box).x, 16 / (2 * 0.5 * 9.81), 0.02);
 }
@@ -106,11 +108,14 @@ TEST(Planar, beam_shares_its_load_as_statics_says) {
     for (const Vec3 at : {left, right})
         must(world.create_body({.type = BodyType::fixed, .pose = {at, {}}},
                                {.geometry = Sphere{0.1}, .report_stays = true}));
-    const BodyId beam = add(world, {.geometry = Box{{2.5, 0.1, 1}}, .position = {0, 0.2, 0},
-                                    .density = 1});
-    const BodyId load = add(world, {.geometry = Box{{0.2, 0.2, 1}}, .position = {-1, 0.5, 0},
-                                    .density = 1000, .may_sleep = false});
-    const double own = state_of(world, beam).mass * 9.81, weight = state_of(world, load).mass * 9.81;
+    const BodyId beam =
+        add(world, {.geometry = Box{{2.5, 0.1, 1}}, .position = {0, 0.2, 0}, .density = 1});
+    const BodyId load = add(world, {.geometry = Box{{0.2, 0.2, 1}},
+                                    .position = {-1, 0.5, 0},
+                                    .density = 1000,
+                                    .may_sleep = false});
+    const double own = state_of(world, beam).mass * 9.81,
+                 weight = state_of(world, load).mass * 9.81;
     run(world, 1);
     double at_left = 0, at_right = 0;
     must(world.step(1.0 / 60));

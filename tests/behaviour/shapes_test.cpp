@@ -41,8 +41,8 @@ TEST(Shapes, toppling_follows_the_centre_of_mass) {
         must(world.create_shape(box, {.geometry = Box{}, .density = 10}));
         // Along the world's x when the box stands on its edge.
         const Vec3 place = inverse_rotate(from_rotation_vector({0, 0, pi / 4}), {lump, 0, 0});
-        must(world.create_shape(
-            box, {.geometry = Sphere{0.1}, .pose = {place, {}}, .density = 20000}));
+        must(world.create_shape(box,
+                                {.geometry = Sphere{0.1}, .pose = {place, {}}, .density = 20000}));
         run(world, 3);
         EXPECT_GT(position_of(world, box).x * lump, 0.01) << "lump at " << lump;
     }
@@ -73,9 +73,9 @@ TEST(Shapes, roly_poly_rights_itself) {
 TEST(Shapes, stand_on_their_flat_ends_and_sleep) {
     const Geometry pyramid =
         hull_of({{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}, {-0.5, 0, 0.5}, {0, 1, 0}});
-    for (const auto& [geometry, height] :
-         {std::pair<Geometry, double>{Cylinder{0.4, 0.6}, 0.6}, {Cone{0.4, 0.5}, 0.5},
-          {pyramid, 0.0}}) {
+    for (const auto& [geometry, height] : {std::pair<Geometry, double>{Cylinder{0.4, 0.6}, 0.6},
+                                           {Cone{0.4, 0.5}, 0.5},
+                                           {pyramid, 0.0}}) {
         SCOPED_TRACE(kind_name(kind_of(geometry)));
         World world = make_world();
         add_floor(world);
@@ -94,7 +94,8 @@ TEST(Shapes, five_cylinders_stand_on_each_other) {
     add_floor(world);
     std::vector<BodyId> drums;
     for (int i = 0; i < 5; i++)
-        drums.push_back(add(world, {.geometry = Cylinder{0.4, 0.3}, .position = {0, 0.3 + 0.6 * i, 0}}));
+        drums.push_back(
+            add(world, {.geometry = Cylinder{0.4, 0.3}, .position = {0, 0.3 + 0.6 * i, 0}}));
     run(world, 5);
     for (int i = 0; i < 5; i++)
         EXPECT_TRUE(near(position_of(world, drums[static_cast<std::size_t>(i)]),
@@ -137,8 +138,8 @@ TEST(Shapes, compound_moves_as_its_parts_do) {
     const auto fall = [](bool as_one) {
         World world = make_world();
         add_floor(world, 0.5);
-        const BodyId body = must(world.create_body(
-            {.pose = {{0, 2, 0}, from_rotation_vector({0.3, 0.2, 0.5})}}));
+        const BodyId body =
+            must(world.create_body({.pose = {{0, 2, 0}, from_rotation_vector({0.3, 0.2, 0.5})}}));
         const std::vector<CompoundChild> parts{{Box{{0.5, 0.1, 0.1}}, {}},
                                                {Box{{0.1, 0.1, 0.5}}, {{0.4, 0, 0.4}, {}}},
                                                {Cylinder{0.15, 0.3}, {{-0.4, 0.2, 0}, {}}}};
@@ -162,14 +163,15 @@ TEST(Shapes, compound_moves_as_its_parts_do) {
 }
 
 TEST(Shapes, dice_of_a_hundred_hulls_come_to_rest_apart) {
-    const Geometry die = hull_of({{0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.3, 0}, {0, -0.3, 0},
-                                  {0, 0, 0.3}, {0, 0, -0.3}});
+    const Geometry die =
+        hull_of({{0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.3, 0}, {0, -0.3, 0}, {0, 0, 0.3}, {0, 0, -0.3}});
     World world = make_world();
     add_floor(world, 0.6);
     for (int i = 0; i < 100; i++)
-        add(world, {.geometry = die,
-                    .position = {(i % 5) * 0.7 - 1.4, 0.5 + 0.65 * (i / 25), (i / 5 % 5) * 0.7 - 1.4},
-                    .rotation = from_rotation_vector({0.1 * i, 0.2 * i, 0.3 * i})});
+        add(world,
+            {.geometry = die,
+             .position = {(i % 5) * 0.7 - 1.4, 0.5 + 0.65 * (i / 25), (i / 5 % 5) * 0.7 - 1.4},
+             .rotation = from_rotation_vector({0.1 * i, 0.2 * i, 0.3 * i})});
     run(world, 12);
     const WorldSummary sum = world.summary();
     EXPECT_LT(sum.max_penetration, 0.005);

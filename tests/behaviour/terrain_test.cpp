@@ -42,12 +42,12 @@ Geometry tessellated_floor(int n) {
 
 Geometry flat_field(int n) {
     const auto samples = static_cast<std::uint32_t>(n + 1);
-    return HeightField{must(build_height_field(
-        {.columns = samples,
-         .rows = samples,
-         .spacing_x = 0.5,
-         .spacing_z = 0.5,
-         .heights = std::vector<double>(std::size_t{samples} * samples, 0.0)}))};
+    return HeightField{must(
+        build_height_field({.columns = samples,
+                            .rows = samples,
+                            .spacing_x = 0.5,
+                            .spacing_z = 0.5,
+                            .heights = std::vector<double>(std::size_t{samples} * samples, 0.0)}))};
 }
 
 void add_ground(World& world, const Geometry& ground, double friction) {
@@ -83,16 +83,14 @@ Ride slide(const Geometry& ground, const Geometry& slider, double rest_height) {
 }
 
 TEST(Terrain, seams_of_a_flat_floor_cannot_be_felt) {
-    const Geometry hull = Hull{must(build_hull(std::vector<Vec3>{{-0.4, -0.3, -0.3},
-                                                                 {0.4, -0.3, -0.3},
-                                                                 {0.4, -0.3, 0.3},
-                                                                 {-0.4, -0.3, 0.3},
-                                                                 {0, 0.3, 0}}))};
+    const Geometry hull = Hull{must(build_hull(std::vector<Vec3>{
+        {-0.4, -0.3, -0.3}, {0.4, -0.3, -0.3}, {0.4, -0.3, 0.3}, {-0.4, -0.3, 0.3}, {0, 0.3, 0}}))};
     for (const bool field : {false, true}) {
         const Geometry ground = field ? flat_field(40) : tessellated_floor(40);
-        for (const auto& [slider, height] :
-             {std::pair<Geometry, double>{Sphere{0.3}, 0.3}, {Box{{0.4, 0.25, 0.3}}, 0.25},
-              {Cylinder{0.3, 0.2}, 0.2}, {hull, 0.3}}) {
+        for (const auto& [slider, height] : {std::pair<Geometry, double>{Sphere{0.3}, 0.3},
+                                             {Box{{0.4, 0.25, 0.3}}, 0.25},
+                                             {Cylinder{0.3, 0.2}, 0.2},
+                                             {hull, 0.3}}) {
             SCOPED_TRACE(kind_name(kind_of(slider)));
             const Ride ride = slide(ground, slider, height);
             EXPECT_LT(ride.highest, 1e-4);
@@ -108,9 +106,9 @@ TEST(Terrain, ball_rolls_over_triangles_as_over_a_plane) {
     const auto roll = [](const Geometry& ground) {
         World world = make_world();
         add_ground(world, ground, 0.5);
-        const BodyId ball = add(world, {.geometry = Sphere{0.25},
-                                        .position = {-6, 0.25, 0.1},
-                                        .velocity = {5, 0, 0.7}});
+        const BodyId ball =
+            add(world,
+                {.geometry = Sphere{0.25}, .position = {-6, 0.25, 0.1}, .velocity = {5, 0, 0.7}});
         run(world, 2);
         return position_of(world, ball);
     };
@@ -123,8 +121,7 @@ TEST(Terrain, stack_on_a_mesh_stands_and_sleeps) {
     World world = make_world();
     add_ground(world, tessellated_floor(20), 0.6);
     std::vector<BodyId> boxes;
-    for (int i = 0; i < 5; i++)
-        boxes.push_back(add(world, {.position = {0.3, 0.5 + i, 0.2}}));
+    for (int i = 0; i < 5; i++) boxes.push_back(add(world, {.position = {0.3, 0.5 + i, 0.2}}));
     run(world, 5);
     for (int i = 0; i < 5; i++) {
         EXPECT_TRUE(near(position_of(world, boxes[static_cast<std::size_t>(i)]),
@@ -143,7 +140,8 @@ TEST(Terrain, balls_gather_in_a_valley) {
     add_ground(world, HeightField{must(build_height_field(grid))}, 0.8);
     std::vector<BodyId> balls;
     for (int i = 0; i < 6; i++)
-        balls.push_back(add(world, {.geometry = Sphere{0.3}, .position = {i * 1.3 - 3, 4, i * 0.9}}));
+        balls.push_back(
+            add(world, {.geometry = Sphere{0.3}, .position = {i * 1.3 - 3, 4, i * 0.9}}));
     run(world, 20);
     for (const BodyId ball : balls) {
         const Vec3 p = position_of(world, ball);
@@ -181,8 +179,8 @@ TEST(Terrain, ridge_and_underside_hold) {
     add_ground(world, Mesh{must(build_mesh(vertices, triangles))}, 1);
     const BodyId saddle = must(world.create_body({.pose = {{0, 1.5, 0}, {}}}));
     for (const double z : {-0.5, 0.5})
-        must(world.create_shape(saddle, {.geometry = Box{{0.3, 0.1, 0.1}},
-                                         .pose = {{0, -0.35, z}, {}}}));
+        must(world.create_shape(saddle,
+                                {.geometry = Box{{0.3, 0.1, 0.1}}, .pose = {{0, -0.35, z}, {}}}));
     run(world, 3);
     const Vec3 p = position_of(world, saddle);
     EXPECT_GT(p.y, 0.9);

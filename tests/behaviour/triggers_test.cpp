@@ -51,8 +51,8 @@ TEST(Triggers, ball_falls_through_a_gate_in_the_time_that_free_fall_takes) {
 TEST(Triggers, see_what_their_mask_lets_them_see) {
     World world = make_world();
     add_trigger(world, Sphere{1}, {0, 0, 0}, BodyType::fixed, {.mask = 4});
-    const BodyId seen = must(world.create_body({.pose = {{0, 2, 0}, {}}},
-                                               {.geometry = Sphere{0.1}, .filter = {.category = 4}}));
+    const BodyId seen = must(world.create_body(
+        {.pose = {{0, 2, 0}, {}}}, {.geometry = Sphere{0.1}, .filter = {.category = 4}}));
     const BodyId unseen = must(world.create_body(
         {.pose = {{0.5, 2, 0}, {}}}, {.geometry = Sphere{0.1}, .filter = {.category = 2}}));
     int entered = 0;
@@ -71,8 +71,8 @@ TEST(Triggers, that_move_find_walls_and_sleepers) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {3, 0.5, 0}});
-    const BodyId wall = add(world, {.geometry = Box{{0.1, 1, 1}}, .position = {5, 1, 0},
-                                    .type = BodyType::fixed});
+    const BodyId wall =
+        add(world, {.geometry = Box{{0.1, 1, 1}}, .position = {5, 1, 0}, .type = BodyType::fixed});
     run(world, 2);
     ASSERT_FALSE(state_of(world, box).awake);
     const BodyId sweeper = add_trigger(world, Sphere{0.3}, {0, 0.6, 0}, BodyType::kinematic);

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+//
+// Files that are wrong, and what their writers are told: line, field, what is there, what to do.
+#include <gtest/gtest.h>
+
+#include "jostle/scenes/scene_file.h"
+
+namespace jostle::scenes {
+namespace {
+
+struct Case {
+    std::string text, message;
+};
+
+void expect_starts(const std::string& text, const std::string& message) {
+    const auto scene = read_scene_json(text);
+    ASSERT_FALSE(scene.ok()) << text;
+    EXPECT_EQ(scene.error().message.substr(0, message.size()), message) << text;
+}
+
+void expect_refused(const std::string& text, const std::string& message) {
+    const auto scene = read_scene_json(text);
+    ASSERT_FALSE(scene.ok()) << text;
+    EXPECT_EQ(scene.error().message, message) << text;
+}
+
+// The file can be read, but no world can be made of it.
+void expect_not_built(const std::string& text, const std::string& message) {
+    const auto scene = read_scene_json(text);
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const auto built = build_scene(*scene);
+    ASSERT_FALSE(built.ok()) << text;
+    EXPECT_EQ(built.error().message, message) << text;
+}
+
+// A scene of one body, whose shape begins on line 3.
+std::string body(const std::string& shape, const std::string& type = "DYNAMIC") {
+    return R"({"name": "a",
+ "bodies": [{"name": "it", "type": "BODY_TYPE_)" +
+           type + R"(", "shapes": [
+)" + shape +
+           "]}]}";
+}
+
+// The same where all lies in one plane.
+std::string planar(const std::string& shape) {
+    std::string text = body(shape);
+    return text.replace(text.find('\n'), 1, R"( "world": {"planar": true},)");
+}
+
+// Three bodies called link, and a joint that begins on line 5.
+std::string links(const std::string& joint, const std::string& type = "DYNAMIC") {
+    return R"({"name": "a",
+ "bodies": [{"name": "link", "type": "BODY_TYPE_)" +
+           type + R"(", "shapes": [{"sphere": {"radius": 0.1}}],
+  "repeat": [{"count": 3, "offset": {"x": 1}}]}],
+ "joints": [
+{)" + joint +
+           "}]}";
+}
+
+const std::string neighbours = R"("name": "pin", "body_a": "link", "body_b": "link[1]",)";
+
+}  // namespace
+
+TEST(SceneFaults, each_fault_is_named_with_its_line_and_field) {
+    const Case cases[] = {
+        {"{\"name\": \"a\",", "this is not JSON: parse error at line 1"},
+        {"[]", "line 1: the scene: must be an object {...}, not array"},
+        {"{}", "name: must be a text of 1 to 64 bytes"},
+        {"{\"name\": 7}", "line 1: name: must be a text in quotes, not number"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {\"postion\": {}}]}",
+         "line 3: bodies[0].postion: there is no such field; did you mean \"position\"?"},
+        {"{\"name\": \"a\",\n \"bodies\": {}}", "line 2: bodies: must be a list [...], not object"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {}]}",
+         "bodies[0].shapes: is empty; give the body at least one shape"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [\n {}]}]}",
+         "line 4: bodies[0].shapes[0]: has no kind; give one of sphere, capsule, box, plane"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [\n {\"sphere\": {\n\"radius\": "
+         "-1}}]}]}",
+         "line 5: bodies[0].shapes[0].sphere.radius: -1 is out of range; it must be from 0.001 to "
+         "10000"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"plane\": {}}]}]}",
+         "line 3: bodies[0].shapes[0].plane: is infinite; only a body of type BODY_TYPE_FIXED may "
+         "have one"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {\"type\": \"FIXED\"}]}",
+         "line 3: bodies[0].type: must be one of BODY_TYPE_FIXED, BODY_TYPE_KINEMATIC, "
+         "BODY_TYPE_DYNAMIC"},
+        {"{\"name\": \"a\",\n \"world\": {\"hz\": 1}}",
+         "line 2: world.hz: 1 is out of range; it must be from 4 to 1000"},
+        {"{\"name\": \"a\",\n \"world\": {\"substeps\": -1}}",
+         "line 2: world.substeps: must be a whole number from 0 to 4294967295"},
+        {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"sphere\": {\"radius\": 1}}],\n"
+         "   \"repeat\": [{\"count\": 100000}, {\"count\": 3}]}]}",
+         "line 4: bodies[0].repeat[1].count: makes more than 200000 bodies"},
+    };
+    for (const auto& [text, message] : cases) expect_starts(text, message);
+}
+
+TEST(SceneFaults, a_hull_needs_four_points_that_are_not_in_one_plane) {
+    expect_refused(body(R"({"hull": {"points": [{"x": 0}, {"x": 1}, {"y": 1}]}})"),
+                   "line 3: bodies[0].shapes[0].hull: it has 3 points; give at least 4");
+    expect_refused(
+        body(R"({"hull": {"points": [{"x": 0}, {"x": 1}, {"y": 1}, {"x": 1, "y": 1}]}})"),
+        "line 3: bodies[0].shapes[0].hull: its points lie in one plane; it has no volume");
+}
+
+TEST(SceneFaults, a_mesh_of_three_vertices_has_no_vertex_3) {
+    const std::string vertices = R"({"mesh": {"vertices": [{"x": 0}, {"x": 1}, {"z": 1}],)";
+    expect_refused(body(vertices + "\n" + R"("indices": [0, 1, 3]}})", "FIXED"),
+                   "line 3: bodies[0].shapes[0].mesh: triangles[0] names vertex 3; there are 3");
+    expect_refused(body(vertices + "\n" + R"("indices": [0, 1, 2, 0]}})", "FIXED"),
+                   "line 4: bodies[0].shapes[0].mesh.indices: has 4 entries; give three for each "
+                   "triangle");
+}
+
+TEST(SceneFaults, a_surface_has_no_mass_for_a_dynamic_body_and_no_inside_for_a_trigger) {
+    const std::string mesh =
+        R"({"mesh": {"vertices": [{"x": 0}, {"x": 1}, {"z": 1}], "indices": [0, 1, 2]})";
+    expect_refused(body(mesh + "}"),
+                   "line 3: bodies[0].shapes[0]: is a surface without mass; give a dynamic body "
+                   "hulls or a compound");
+    expect_not_built(body(mesh + R"(, "trigger": true})", "FIXED"),
+                     "bodies[0] 'it': a mesh has no inside; a trigger needs a solid shape");
+}
+
+TEST(SceneFaults, a_height_field_of_2_by_2_has_four_heights_and_one_cell) {
+    const std::string grid = R"({"height_field": {"columns": 2, "rows": 2, "spacing_x": 1,)";
+    expect_refused(
+        body(grid + R"("spacing_z": 1, "heights": [0, 0, 0]}})", "FIXED"),
+        "line 3: bodies[0].shapes[0].height_field: it has 3 heights; 2 x 2 samples need 4");
+    expect_refused(body(grid + R"("spacing_z": 1, "heights": [0, 0, 0, 0],
+"holes": [0,
+1]}})",
+                        "FIXED"),
+                   "line 5: bodies[0].shapes[0].height_field.holes[1]: is 1; there are 1 cells");
+    expect_refused(body(grid + "\n" + R"("heights": [0, 0, 0, 0]}})", "FIXED"),
+                   "bodies[0].shapes[0].height_field.spacing_z: 0 is out of range; it must be from "
+                   "0.001 to 10000");
+}
+
+TEST(SceneFaults, a_compound_holds_convex_shapes_only) {
+    expect_refused(body(R"({"compound": {"children": [
+{"sphere": {"radius": 1}},
+{"compound": {"children": [{"sphere": {"radius": 1}}]}}]}})"),
+                   "line 5: bodies[0].shapes[0].compound.children[1]: is a compound in a compound; "
+                   "put its children here");
+    expect_refused(body(R"({"compound": {"children": [{"plane": {}}]}})"),
+                   "line 3: bodies[0].shapes[0].compound: children[0] is a plane; children are "
+                   "spheres, capsules, boxes, cylinders, cones or hulls");
+    expect_refused(body(R"({"compound": {}})"),
+                   "line 3: bodies[0].shapes[0].compound: it has no children");
+}
+
+TEST(SceneFaults, a_joint_names_bodies_that_are_there) {
+    expect_refused(links("\"body_a\": \"link\",\n\"body_b\": \"lnik\", \"ball\": {}"),
+                   "line 6: joints[0].body_b: is \"lnik\"; no body has the name \"lnik\"");
+    expect_refused(
+        links("\"body_a\": \"link\",\n\"body_b\": \"link[9]\", \"ball\": {}"),
+        "line 6: joints[0].body_b: is \"link[9]\"; there are only 3 bodies called \"link\"");
+    expect_refused(
+        links("\"body_a\": \"link\",\n\"body_b\": \"link[-1]\", \"ball\": {}"),
+        "line 6: joints[0].body_b: is \"link[-1]\"; write name[number], counting from 0");
+    expect_refused(links(neighbours + "\"ball\": {},\n\"repeat\": {\"count\": 3}"),
+                   "line 6: joints[0].repeat.count: goes beyond the last body; copy number i joins "
+                   "the bodies i places further on");
+}
+
+TEST(SceneFaults, a_joint_has_one_kind_and_one_way_to_say_where) {
+    expect_refused(links(neighbours + "\"collide_connected\": true"),
+                   "line 5: joints[0]: has no kind; give one of ball, hinge, cone_twist, fixed, "
+                   "distance");
+    expect_refused(links(neighbours + "\"ball\": {},\n\"hinge\": {}"),
+                   "line 6: joints[0].hinge: is one kind too many; give one only");
+    expect_refused(links(neighbours + "\"ball\": {}, \"frame_a\": {},\n\"frame\": {}"),
+                   "line 6: joints[0].frame: is given beside frame_a or frame_b; give the one or "
+                   "the others");
+}
+
+TEST(SceneFaults, a_limit_has_its_lower_end_below_its_upper) {
+    expect_refused(links(neighbours + R"("hinge": {"limit": {
+"lower": 1,
+"upper": -1}})"),
+                   "line 6: joints[0].hinge.limit.lower: is above the upper limit");
+    expect_refused(links(neighbours + R"("cone_twist": {"swing": 1, "twist": {
+"lower": 0.2, "upper": 0.1}})"),
+                   "line 6: joints[0].cone_twist.twist.lower: is above the upper limit");
+    expect_refused(links(neighbours + "\"distance\": {\"min_length\": 2,\n\"max_length\": 1}"),
+                   "line 6: joints[0].distance.max_length: is less than min_length");
+}
+
+TEST(SceneFaults, a_joint_moves_one_of_two_different_bodies) {
+    expect_not_built(links(neighbours + "\"ball\": {}", "FIXED"),
+                     "joints[0] 'pin': neither body_a nor body_b is dynamic; a joint moves at "
+                     "least one of them");
+    expect_not_built(links(R"("name": "pin", "body_a": "link", "body_b": "link[0]", "ball": {})"),
+                     "joints[0] 'pin': body_a and body_b are the same body; a joint joins two");
+}
+
+TEST(SceneFaults, groups_may_be_negative_and_masks_may_not) {
+    const auto scene =
+        read_scene_json(body(R"({"sphere": {"radius": 1}, "filter": {"group": -2147483648}})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->bodies[0].shapes[0].filter.group, -2147483647 - 1);
+    expect_refused(body(R"({"sphere": {"radius": 1}, "filter": {"group": 2147483648}})"),
+                   "line 3: bodies[0].shapes[0].filter.group: must be a whole number from "
+                   "-2147483648 to 2147483647");
+    expect_refused(body(R"({"sphere": {"radius": 1}, "filter": {"mask": -1}})"),
+                   "line 3: bodies[0].shapes[0].filter.mask: must be a whole number from 0 to "
+                   "4294967295");
+}
+
+TEST(SceneFaults, a_planar_world_takes_what_lies_in_its_plane) {
+    expect_not_built(planar(R"({"cylinder": {"radius": 1, "half_length": 1}})"),
+                     "bodies[0] 'it': a cylinder has no place in a planar world; use spheres "
+                     "(discs), capsules, boxes, hulls and planes");
+    expect_not_built(planar(R"({"sphere": {"radius": 1}, "position": {"z": 0.5}})"),
+                     "bodies[0] 'it': shape pose.position.z is 0.5; in a planar world it is 0");
+    expect_not_built(R"({"name": "a", "world": {"planar": true, "gravity": {"y": -9.81, "z": 1}}})",
+                     "world: gravity.z is 1; in a planar world it is 0");
+}
+
+}  // namespace jostle::scenes

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "broadphase.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "broadphase_workload.h"
+#include "collision/broadphase/broad_phase.h"
+#include "measure.h"
+
+namespace jostle::bench {
+namespace {
+
+using physics::BroadPhase;
+using physics::BroadPhaseIndex;
+
+const std::map<std::string, BroadPhase> kind_names = {{"tree", BroadPhase::dynamic_tree},
+                                                      {"sweep", BroadPhase::sort_and_sweep},
+                                                      {"grid", BroadPhase::uniform_grid}};
+const std::map<std::string, Arrangement> arrangement_names = {
+    {"pile", Arrangement::pile}, {"flat", Arrangement::flat}, {"sizes", Arrangement::sizes}};
+const std::map<std::string, Moving> moving_names = {
+    {"all", Moving::all}, {"few", Moving::few}, {"none", Moving::none}};
+
+constexpr const char* footer = R"(
+A broad phase finds the boxes that overlap. A world keeps a fat box for each body and tells the broad phase only when a
+body has left its own. One step here: move() for each fat box that was left, settle(), and query() for each that moved;
+every pair found is counted once. Bodies fly straight at 0.5 to 3 m/s, 60 steps a second. All kinds replay the same
+recorded moves, turn by turn, from a copy of the same start.
+
+Arrangements:  pile   a cube filled to 60 %, sides of 0.8 to 1.2 m
+               flat   one layer along x and z, 2 m apart, sides of 0.8 to 1.2 m
+               sizes  a cube filled to 60 %, sides of 0.1 to 10 m
+Moving:        all, few (one in a hundred), none (nothing to move or to ask: what an idle world pays)
+Kinds:         tree (dynamic tree, what worlds use unless told), sweep (sort and sweep along x), grid (uniform grid)
+
+Columns: moves (fat boxes left per step), pairs (found per step), then microseconds of one core per step and thousands of
+rays per second for each kind: medians over the repetitions, in processor time of the thread. A ray looks for the
+nearest box. The JSON file has the smallest and the largest repetition too, and the time to build.
+
+Examples:
+  jostle-bench broadphase
+  jostle-bench broadphase --bodies 1000,10000 --arrangements flat --kinds tree,sweep --json flat.json
+
+Exit status: 0 done, 1 the kinds found different pairs or hits, or the file could not be written, 2 wrong flags.)";
+
+struct Flags {
+    std::vector<std::uint32_t> bodies = {100, 1000, 10000, 100000};
+    std::vector<std::string> kinds = {"tree", "sweep", "grid"};
+    std::vector<std::string> arrangements = {"pile", "flat", "sizes"};
+    std::vector<std::string> moving = {"all", "few", "none"};
+    int repetitions = 5;
+    std::string json;
+};
+
+// What was found, so that kinds can be compared. The order in which a kind finds things is its own
+// business, so pairs are added up.
+struct Answers {
+    std::size_t pairs = 0;
+    std::uint64_t pair_sum = 0;  // over hashes of the pairs: equal counts of other pairs show
+    std::size_t ray_hits = 0;
+    double ray_sum = 0;  // of the fractions, ray by ray: the same bits for the same hits
+
+    bool operator==(const Answers&) const = default;
+};
+
+std::uint64_t pair_hash(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+    const std::uint64_t mixed = key * 0x9e3779b97f4a7c15ull;
+    return mixed ^ (mixed >> 29);
+}
+
+// One kind in one cell of the table.
+struct Contender {
+    std::string name;
+    std::unique_ptr<BroadPhaseIndex> start;  // as built; each repetition replays a copy
+    std::vector<std::int32_t> handles;       // by body
+    std::vector<double> build_ms, step_us, rays_per_second;
+    Answers answers;
+};
+
+struct Cell {
+    std::string arrangement, moving;
+    std::uint32_t bodies = 0;
+};
+
+void build(Contender& contender, const Workload& work) {
+    const double began = cpu_seconds();
+    auto index = physics::make_broad_phase(kind_names.at(contender.name));
+    contender.handles.clear();
+    for (std::uint32_t body = 0; body < work.fat.size(); body++)
+        contender.handles.push_back(index->insert(work.fat[body], body, 1));
+    index->settle();
+    contender.build_ms.push_back(1e3 * (cpu_seconds() - began));
+    contender.start = std::move(index);
+}
+
+// A pair of two that moved is found from both sides and counted from the one with the larger
+// number.
+void count_pairs(Answers& answers, std::uint32_t body, const std::vector<std::uint32_t>& found,
+                 const std::vector<std::uint32_t>& moved_in, std::uint32_t step) {
+    for (const std::uint32_t other : found) {
+        if (other == body || (moved_in[other] == step && other > body)) continue;
+        answers.pairs++;
+        answers.pair_sum += pair_hash(body, other);
+    }
+}
+
+Answers replay_steps(BroadPhaseIndex& index, const Contender& contender, const Workload& work,
+                     std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
+    Answers answers;
+    std::uint32_t step = 0;
+    for (const auto& moves : work.steps) {
+        step++;
+        for (const Move& move : moves) {
+            index.move(contender.handles[move.body], move.fat);
+            moved_in[move.body] = step;
+        }
+        index.settle();
+        for (const Move& move : moves) {
+            found.clear();
+            index.query(move.fat, 1, found);
+            count_pairs(answers, move.body, found, moved_in, step);
+        }
+    }
+    return answers;
+}
+
+void cast_rays(const BroadPhaseIndex& index, const Workload& work, Answers& answers) {
+    for (const BoxRay& ray : work.rays) {
+        double nearest = 2;
+        index.cast_ray(ray.origin, ray.motion, 1, [&](std::uint32_t body, double limit) {
+            const double at = physics::ray_enters(work.tight[body], ray.origin, ray.motion, limit);
+            if (at > limit) return limit;
+            return nearest = at;
+        });
+        if (nearest > 1) continue;
+        answers.ray_hits++;
+        answers.ray_sum += nearest;
+    }
+}
+
+void repeat_once(Contender& contender, const Workload& work) {
+    build(contender, work);
+    const auto index = contender.start->clone();
+    std::vector<std::uint32_t> found;
+    std::vector<std::uint32_t> moved_in(work.fat.size(), 0);
+    const double began = cpu_seconds();
+    Answers answers = replay_steps(*index, contender, work, found, moved_in);
+    const double stepped = cpu_seconds();
+    cast_rays(*index, work, answers);
+    const double cast = cpu_seconds();
+    contender.step_us.push_back(1e6 * (stepped - began) / static_cast<double>(work.steps.size()));
+    contender.rays_per_second.push_back(static_cast<double>(work.rays.size()) / (cast - stepped));
+    contender.answers = answers;
+}
+
+// Kinds take turns, so that what else the machine does meets all of them.
+bool measure_cell(const Cell& cell, const Workload& work, std::vector<Contender>& contenders,
+                  int repetitions) {
+    for (int k = 0; k < repetitions; k++)
+        for (Contender& contender : contenders) {
+            show_progress(cell.arrangement + ", " + std::to_string(cell.bodies) +
+                          " bodies, moving " + cell.moving + ": " + contender.name +
+                          ", repetition " + std::to_string(k + 1) + " of " +
+                          std::to_string(repetitions));
+            repeat_once(contender, work);
+        }
+    show_progress("");
+    bool same = true;
+    for (const Contender& c : contenders) same = same && c.answers == contenders[0].answers;
+    if (same) return true;
+    std::fprintf(stderr, "jostle-bench: %s, %u bodies, moving %s: the kinds disagree\n",
+                 cell.arrangement.c_str(), cell.bodies, cell.moving.c_str());
+    for (const Contender& c : contenders)
+        std::fprintf(stderr, "  %-6s %zu pairs (sum %016llx), %zu rays hit (sum %.17g)\n",
+                     c.name.c_str(), c.answers.pairs,
+                     static_cast<unsigned long long>(c.answers.pair_sum), c.answers.ray_hits,
+                     c.answers.ray_sum);
+    return false;
+}
+
+void print_head(const Flags& flags) {
+    std::printf("%-11s %7s %6s %8s %8s", "arrangement", "bodies", "moving", "moves", "pairs");
+    for (const std::string& kind : flags.kinds) std::printf(" %9s us", kind.c_str());
+    for (const std::string& kind : flags.kinds) std::printf(" %7s k/s", kind.c_str());
+    std::printf("\n");
+}
+
+void print_row(const Cell& cell, const Workload& work, const std::vector<Contender>& contenders) {
+    const auto steps = static_cast<double>(work.steps.size());
+    std::printf("%-11s %7u %6s %8.1f %8.1f", cell.arrangement.c_str(), cell.bodies,
+                cell.moving.c_str(), static_cast<double>(work.moves) / steps,
+                static_cast<double>(contenders[0].answers.pairs) / steps);
+    for (const Contender& c : contenders) std::printf(" %12.3f", spread_of(c.step_us).median);
+    for (const Contender& c : contenders)
+        std::printf(" %11.1f", 1e-3 * spread_of(c.rays_per_second).median);
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+// Four digits: what comes after is noise, and a result under version control should show no more.
+double rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return std::stod(text);
+}
+
+nlohmann::ordered_json to_json(const Spread& s) {
+    return {{"median", rounded(s.median)}, {"low", rounded(s.low)}, {"high", rounded(s.high)}};
+}
+
+void add_rows(nlohmann::ordered_json& rows, const Cell& cell, const Workload& work,
+              const std::vector<Contender>& contenders) {
+    const auto steps = static_cast<double>(work.steps.size());
+    for (const Contender& c : contenders)
+        rows.push_back({{"arrangement", cell.arrangement},
+                        {"bodies", cell.bodies},
+                        {"moving", cell.moving},
+                        {"kind", c.name},
+                        {"steps", work.steps.size()},
+                        {"moves_per_step", rounded(static_cast<double>(work.moves) / steps)},
+                        {"pairs", c.answers.pairs},
+                        {"rays", work.rays.size()},
+                        {"ray_hits", c.answers.ray_hits},
+                        {"step_us", to_json(spread_of(c.step_us))},
+                        {"rays_per_second", to_json(spread_of(c.rays_per_second))},
+                        {"build_ms", to_json(spread_of(c.build_ms))}});
+}
+
+int write_json(const Flags& flags, const nlohmann::ordered_json& rows) {
+    if (flags.json.empty()) return 0;
+    const nlohmann::ordered_json result = {{"benchmark", "broadphase"},
+                                           {"cpu", cpu_model()},
+                                           {"compiler", compiler()},
+                                           {"repetitions", flags.repetitions},
+                                           {"rows", rows}};
+    std::ofstream out(flags.json);
+    out << result.dump(1) << "\n";
+    out.close();
+    if (out) return 0;
+    std::fprintf(stderr, "jostle-bench: cannot write %s\n", flags.json.c_str());
+    return 1;
+}
+
+int run(const Flags& flags) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    print_head(flags);
+    for (const std::string& arrangement : flags.arrangements)
+        for (const std::uint32_t bodies : flags.bodies)
+            for (const std::string& moving : flags.moving) {
+                const Cell cell{arrangement, moving, bodies};
+                const Workload work = record_workload(arrangement_names.at(arrangement),
+                                                      moving_names.at(moving), bodies);
+                std::vector<Contender> contenders;
+                for (const std::string& kind : flags.kinds)
+                    contenders.push_back(Contender{.name = kind});
+                if (!measure_cell(cell, work, contenders, flags.repetitions)) return 1;
+                print_row(cell, work, contenders);
+                add_rows(rows, cell, work, contenders);
+            }
+    return write_json(flags, rows);
+}
+
+template <class Value>
+CLI::IsMember one_of(const std::map<std::string, Value>& names) {
+    std::vector<std::string> keys;
+    for (const auto& [name, value] : names) keys.push_back(name);
+    return CLI::IsMember(keys);
+}
+
+}  // namespace
+
+void add_broadphase(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand(
+        "broadphase", "Compares the three broad phases: time per step and rays per second.");
+    const auto flags = std::make_shared<Flags>();
+    const auto list = [&](const char* name, auto& values, const char* meaning) {
+        return command->add_option(name, values, meaning)->delimiter(',')->capture_default_str();
+    };
+    list("--bodies", flags->bodies, "How many; several with commas")
+        ->check(CLI::Range(1u, 1000000u));
+    list("--arrangements", flags->arrangements, "How they stand")->check(one_of(arrangement_names));
+    list("--moving", flags->moving, "How many of them move")->check(one_of(moving_names));
+    list("--kinds", flags->kinds, "Which broad phases")->check(one_of(kind_names));
+    command->add_option("--repetitions", flags->repetitions, "Of which the median is shown")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+    command->footer(footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

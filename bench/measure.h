@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// What every subcommand of jostle-bench needs to take a time and to say where it was taken.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace jostle::bench {
+
+// Processor time of this thread in seconds: what else the machine does then matters less. Reading
+// it is a system call, so put it around milliseconds, not around microseconds.
+double cpu_seconds();
+
+// Of several repetitions. The median is the figure; the other two say how much to trust it.
+struct Spread {
+    double median = 0, low = 0, high = 0;
+};
+Spread spread_of(std::vector<double> values);
+
+// The processor's model and the compiler: enough to read a result by, nothing that names a machine.
+std::string cpu_model();
+std::string compiler();
+
+// Replaces the line on the terminal; nothing when the output goes elsewhere. Empty: clears it.
+void show_progress(const std::string& text);
+
+}  // namespace jostle::bench

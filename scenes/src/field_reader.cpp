@@ -27,7 +27,7 @@ double FieldReader::number(const std::string& path, double x, double low, double
     if (!(low <= x && x <= high))
         note(path, text_of(x) + " is out of range; it must be from " + text_of(low) + " to " +
                        text_of(high));
-    return x;
+    return x + 0.0;  // -0 becomes 0: JSON has "-0.0" and "-0", and only one of them is negative
 }
 
 Vec3 FieldReader::vector(const std::string& path, const v1::Vec3& v, double limit) {
@@ -41,7 +41,7 @@ Quat FieldReader::rotation(const std::string& path, bool given, const v1::Quat& 
     const double norm = norm_squared(q);
     if (!is_finite(norm) || norm < 1e-6 || norm > 1e6)
         note(path, "is no rotation; give x, y, z, w of a unit quaternion");
-    return q;
+    return {q.x + 0.0, q.y + 0.0, q.z + 0.0, q.w + 0.0};
 }
 
 double FieldReader::size(const std::string& path, double x) {

@@ -39,7 +39,11 @@ std::optional<Geometry> built(FieldReader& in, const std::string& path,
 std::optional<Geometry> read_hull(FieldReader& in, const std::string& path, const v1::Hull& m) {
     const std::vector<Vec3> points = points_of(in, path + ".points", m.points());
     if (in.failed()) return std::nullopt;
-    return built<Hull>(in, path, build_hull(points));
+    auto hull = build_hull(points);
+    // Only corners are written. Faces come in an order that depends on the points which were no
+    // corners, so that the hull is built of its corners here as it is when they are read again.
+    if (hull.ok() && (*hull)->vertices.size() < points.size()) hull = build_hull((*hull)->vertices);
+    return built<Hull>(in, path, hull);
 }
 
 std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, const v1::Mesh& m) {
@@ -63,6 +67,7 @@ std::optional<Geometry> read_height_field(FieldReader& in, const std::string& pa
                     .heights = {m.heights().begin(), m.heights().end()},
                     .holes = {}};
     if (in.failed()) return std::nullopt;
+    for (double& h : grid.heights) h += 0.0;  // no -0, as FieldReader::number
     if (m.holes_size() > 0 && grid.columns >= 2 && grid.rows >= 2 &&
         grid.columns <= max_height_samples && grid.rows <= max_height_samples &&
         std::size_t{grid.columns} * grid.rows <= max_height_samples) {

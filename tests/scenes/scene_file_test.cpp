@@ -120,6 +120,28 @@ TEST(SceneFile, every_field_written_and_read_is_the_same_world_thirty_steps_on) 
     }
 }
 
+// "-0.0" is a number with a sign of its own, "-0" is not: a file must not be able to tell them
+// apart.
+TEST(SceneFile, minus_zero_is_zero) {
+    const std::string text =
+        R"({"name": "a", "world": {"gravity": {"x": 0.0, "y": -9.81}}, "bodies": [
+        {"type": "BODY_TYPE_FIXED", "rotation": {"x": 0.0, "w": 1}, "shapes": [
+          {"plane": {"normal": {"x": 0.0, "y": 1}}, "surface_velocity": {"x": 0.0, "z": 1}},
+          {"mesh": {"vertices": [{"x": 0.0}, {"x": 1, "y": 0.0}, {"z": 1}], "indices": [0, 1, 2]}},
+          {"height_field": {"columns": 2, "rows": 2, "spacing_x": 1, "spacing_z": 1, "heights": [0.0, 1, 0.0, 1]}},
+          {"hull": {"points": [{"x": 0.0}, {"x": 1}, {"y": 1, "x": 0.0}, {"z": 1}]}},
+          {"compound": {"children": [
+            {"sphere": {"radius": 1}, "position": {"x": 0.0, "y": 1}, "rotation": {"y": 0.0, "w": 1}}]}}]}]})";
+    std::string negative = text;
+    for (std::size_t at = 0; (at = negative.find(" 0.0", at)) != std::string::npos; at += 5)
+        negative.insert(at + 1, "-");
+    const auto a = read_scene_json(text), b = read_scene_json(negative);
+    ASSERT_TRUE(a.ok() && b.ok()) << (a.ok() ? b : a).error().message;
+    const auto world_a = build_scene(*a), world_b = build_scene(*b);
+    ASSERT_TRUE(world_a.ok() && world_b.ok());
+    EXPECT_EQ(physics::state_hash(world_a->world), physics::state_hash(world_b->world));
+}
+
 TEST(SceneFile, each_example_of_the_document_runs_for_a_second) {
     const std::string document = read(PROJECT_FOLDER "/docs/scene_format.md");
     int examples = 0;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "jostle/physics/aabb.h"
@@ -33,7 +34,7 @@ public:
     template <class Visit>
     void for_each_branch(Visit&& visit) const {
         if (root_ == null_node) return;
-        Stack stack;
+        Stack<std::int32_t> stack;
         stack.push(root_);
         while (!stack.empty()) {
             const Node& n = node(stack.pop());
@@ -49,7 +50,7 @@ public:
     template <class Visit>
     void query(const Aabb& box, std::uint32_t mask, Visit&& visit) const {
         if (root_ == null_node) return;
-        Stack stack;
+        Stack<std::int32_t> stack;
         stack.push(root_);
         while (!stack.empty()) {
             const Node& n = node(stack.pop());
@@ -63,24 +64,29 @@ public:
         }
     }
 
-    // Calls visit(item, limit) for every leaf that the segment meets within [0, limit]; visit
-    // returns the new limit (the fraction of its best hit so far, or the old limit).
+    // Calls visit(item, limit) for leaves that the segment meets within [0, limit], nearer branches
+    // first; visit returns the new limit (the fraction of its best hit so far, or the old limit).
     template <class Visit>
     void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask, Visit&& visit) const {
         if (root_ == null_node) return;
         double limit = 1;
-        Stack stack;
-        stack.push(root_);
+        const auto enters = [&](const Node& n) {
+            return (n.categories & mask) == 0 ? 2 : ray_enters(n.box, origin, motion, limit);
+        };
+        Stack<Entered> stack;
+        stack.push({root_, enters(node(root_))});
         while (!stack.empty()) {
-            const Node& n = node(stack.pop());
-            if ((n.categories & mask) == 0 || ray_enters(n.box, origin, motion, limit) > limit)
-                continue;
+            const Entered at = stack.pop();
+            if (at.fraction > limit) continue;  // a hit came nearer since it was put there
+            const Node& n = node(at.node);
             if (n.left == null_node) {
                 limit = visit(n.item, limit);
-            } else {
-                stack.push(n.left);
-                stack.push(n.right);
+                continue;
             }
+            Entered near{n.left, enters(node(n.left))}, far{n.right, enters(node(n.right))};
+            if (far.fraction < near.fraction) std::swap(near, far);
+            if (far.fraction <= limit) stack.push(far);
+            if (near.fraction <= limit) stack.push(near);
         }
     }
 
@@ -94,31 +100,38 @@ private:
         std::uint32_t categories = 0;  // of all leaves below
     };
 
+    // A branch that a ray is still to look into, and where along the ray it begins.
+    struct Entered {
+        std::int32_t node;
+        double fraction;
+    };
+
     // Depth-first order needs at most height + 1 entries; the array is enough for any tree of a
     // real scene, the vector takes what a degenerate one would add.
+    template <class Entry>
     class Stack {
     public:
-        void push(std::int32_t node) {
+        void push(Entry entry) {
             if (count_ < capacity)
-                small_[count_] = node;
+                small_[count_] = entry;
             else
-                more_.push_back(node);
+                more_.push_back(entry);
             count_++;
         }
-        std::int32_t pop() {
+        Entry pop() {
             count_--;
             if (count_ < capacity) return small_[count_];
-            const std::int32_t node = more_.back();
+            const Entry entry = more_.back();
             more_.pop_back();
-            return node;
+            return entry;
         }
         bool empty() const { return count_ == 0; }
 
     private:
         static constexpr int capacity = 128;
-        std::int32_t small_[capacity];
+        Entry small_[capacity];
         int count_ = 0;
-        std::vector<std::int32_t> more_;
+        std::vector<Entry> more_;
     };
 
     Node& node(std::int32_t i) { return nodes_[static_cast<std::size_t>(i)]; }

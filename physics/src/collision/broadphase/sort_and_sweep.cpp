@@ -76,16 +76,33 @@ void SortAndSweep::query(const Aabb& box, std::uint32_t mask,
     }
 }
 
+// Along the list in the ray's own direction, as far as the best hit so far.
 void SortAndSweep::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
                             const RayVisit& visit) const {
-    const double low = minimum(origin.x, origin.x + motion.x);
-    const double high = maximum(origin.x, origin.x + motion.x);
     double limit = 1;
-    for (std::size_t k = first_from(low); k < entries_.size(); k++) {
-        const Entry& e = entries_[k];
-        if (sorted_ && e.box.low.x > high) break;
+    const auto consider = [&](const Entry& e) {
         if ((e.category & mask) != 0 && ray_enters(e.box, origin, motion, limit) <= limit)
             limit = visit(e.item, limit);
+    };
+    if (!sorted_) {
+        for (const Entry& e : entries_) consider(e);
+        return;
+    }
+    // Rounding here and in the slab test differ; boxes that begin where the ray ends must be met.
+    const double pad = 1e-9 * (absolute(origin.x) + absolute(motion.x));
+    const auto end = [&] { return origin.x + motion.x * limit; };
+    if (motion.x >= 0) {
+        for (std::size_t k = first_from(origin.x - pad); k < entries_.size(); k++) {
+            if (limit < 0 || entries_[k].box.low.x > end() + pad) break;
+            consider(entries_[k]);
+        }
+        return;
+    }
+    const auto past = std::upper_bound(entries_.begin(), entries_.end(), origin.x + pad,
+                                       [](double x, const Entry& e) { return x < e.box.low.x; });
+    for (auto k = static_cast<std::size_t>(past - entries_.begin()); k-- > 0;) {
+        if (limit < 0 || reach_[k] < end() - pad) break;
+        consider(entries_[k]);
     }
 }
 

@@ -104,7 +104,10 @@ void UniformGrid::move(std::int32_t handle, const Aabb& box) {
 }
 
 // Chooses the cell anew when there are twice or half as many boxes as when it was chosen: twice the
-// median of the boxes' longest sides.
+// median of the boxes' longest sides. Every question looks at all large boxes, so the cell may be
+// up to twice that where it leaves at most one box in a hundred large: a side of three cells lies
+// in at most four, and 4^3 is cells_max. Where a few are huge that would not help, only crowd the
+// cells.
 void UniformGrid::settle() {
     const std::size_t count = entries_.size() - free_.size();
     if (count == 0 || (count < 2 * sized_for_ && 2 * count > sized_for_)) return;
@@ -117,7 +120,11 @@ void UniformGrid::settle() {
     }
     const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
     std::nth_element(sides.begin(), middle, sides.end());
-    cell_ = maximum(1e-3, 2 * *middle);
+    const double usual = 2 * *middle;
+    const auto longest = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() * 99 / 100);
+    std::nth_element(middle, longest, sides.end());
+    const double roomy = *longest / 3;
+    cell_ = maximum(1e-3, usual < roomy && roomy < 2 * usual ? roomy : usual);
     cells_.clear();
     large_.clear();
     for (std::size_t k = 0; k < entries_.size(); k++)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Boxes in the cells of a grid without borders (spatial hashing: Teschner et al. 2003). The cell is
-// twice the typical box; a box that covers too many cells stands in a list of its own.
+// two to four times the typical box; a box that covers too many cells stands in a list of its own.
 #pragma once
 
 #include <array>

@@ -232,15 +232,20 @@ void add_rows(nlohmann::ordered_json& rows, const Cell& cell, const Workload& wo
                         {"build_ms", to_json(spread_of(c.build_ms))}});
 }
 
+// A row a line: results are under version control, where lines are compared.
 int write_json(const Flags& flags, const nlohmann::ordered_json& rows) {
     if (flags.json.empty()) return 0;
-    const nlohmann::ordered_json result = {{"benchmark", "broadphase"},
-                                           {"cpu", cpu_model()},
-                                           {"compiler", compiler()},
-                                           {"repetitions", flags.repetitions},
-                                           {"rows", rows}};
+    const nlohmann::ordered_json head = {{"benchmark", "broadphase"},
+                                         {"cpu", cpu_model()},
+                                         {"compiler", compiler()},
+                                         {"repetitions", flags.repetitions}};
     std::ofstream out(flags.json);
-    out << result.dump(1) << "\n";
+    out << "{\n";
+    for (const auto& [key, value] : head.items()) out << "\"" << key << "\":" << value << ",\n";
+    out << "\"rows\":[\n";
+    for (std::size_t k = 0; k < rows.size(); k++)
+        out << rows[k] << (k + 1 < rows.size() ? ",\n" : "\n");
+    out << "]}\n";
     out.close();
     if (out) return 0;
     std::fprintf(stderr, "jostle-bench: cannot write %s\n", flags.json.c_str());

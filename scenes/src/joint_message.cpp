@@ -121,10 +121,9 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
 // A frame in the world, as a body sees it.
 Transform local(const SceneBody& body, const Transform& world) {
     const Transform& pose = body.body.pose;
-    const double n = norm_squared(pose.rotation);
-    const Quat turn = n == 1 ? pose.rotation : normalized(pose.rotation);
-    const Quat rotation = conjugate(turn) * world.rotation;
-    return {inverse_rotate(turn, world.position - pose.position), normalized(rotation)};
+    const Quat turn = unit(pose.rotation);
+    return {inverse_rotate(turn, world.position - pose.position),
+            unit(conjugate(turn) * world.rotation)};
 }
 
 void write(v1::Spring& out, const JointSpring& spring) {

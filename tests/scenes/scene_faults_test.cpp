@@ -216,6 +216,9 @@ TEST(SceneFaults, a_planar_world_takes_what_lies_in_its_plane) {
                      "(discs), capsules, boxes, hulls and planes");
     expect_not_built(planar(R"({"sphere": {"radius": 1}, "position": {"z": 0.5}})"),
                      "bodies[0] 'it': shape pose.position.z is 0.5; in a planar world it is 0");
+    expect_not_built(R"({"name": "a", "world": {"planar": true},
+ "bodies": [{"name": "it", "position": {"z": 1}, "shapes": [{"sphere": {"radius": 1}}]}]})",
+                     "bodies[0] 'it': pose.position.z is 1; in a planar world it is 0");
     expect_not_built(R"({"name": "a", "world": {"planar": true, "gravity": {"y": -9.81, "z": 1}}})",
                      "world: gravity.z is 1; in a planar world it is 0");
 }

@@ -51,7 +51,7 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
         if (!is_finite(child.pose) || norm < 1e-6 ||
             maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
             return invalid(name + ".pose is not finite, too far away or no rotation");
-        if (norm != 1) child.pose.rotation = normalized(child.pose.rotation);
+        child.pose.rotation = unit(child.pose.rotation);
         boxes.push_back(bounds_of(placed(child.geometry, child.pose)));
         compound->bounds = i == 0 ? boxes[0] : unite(compound->bounds, boxes[i]);
         compound->inner_radius = minimum(compound->inner_radius, inner_radius_of(child.geometry));

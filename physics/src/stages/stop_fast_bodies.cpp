@@ -216,25 +216,28 @@ private:
         t.looked = true;
         t.fraction = 2;
         if (t.impacts >= tuning::sweep_impacts) return;
-        for (const std::uint32_t other : t.near) {
-            const Sweep motion = sweep_of(world_.shapes.shapes[other].body);
-            for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
-                 own = world_.shapes.shapes[own].next) {
-                if (!may_hit(own, other)) continue;
-                const double from = std::max(t.sweep.from, motion.from);
-                const auto hit = time_of_impact(swept(own, t.sweep), swept(other, motion), from,
-                                                tuning::sweep_gap);
-                if (!hit) continue;
-                // What touches already is the contact solver's, or was resolved just now; but the
-                // heart of the body stays on its side.
-                const double fraction =
-                    hit->at_start ? core_impact(t, own, other, motion, from) : hit->fraction;
-                if (fraction >= t.fraction) continue;
-                if (!hit->at_start && !closes_in(own, other, t.sweep, motion, fraction)) continue;
-                t.fraction = fraction;
-                t.own_shape = own;
-                t.other_shape = other;
-            }
+        for (const std::uint32_t other : t.near) look_at(t, other);
+    }
+
+    // Whether one shape is met before all that are known.
+    void look_at(Traveller& t, std::uint32_t other) {
+        const Sweep motion = sweep_of(world_.shapes.shapes[other].body);
+        for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
+             own = world_.shapes.shapes[own].next) {
+            if (!may_hit(own, other)) continue;
+            const double from = std::max(t.sweep.from, motion.from);
+            const auto hit =
+                time_of_impact(swept(own, t.sweep), swept(other, motion), from, tuning::sweep_gap);
+            if (!hit) continue;
+            // What touches already is the contact solver's, or was resolved just now; but the
+            // heart of the body stays on its side.
+            const double fraction =
+                hit->at_start ? core_impact(t, own, other, motion, from) : hit->fraction;
+            if (fraction >= t.fraction) continue;
+            if (!hit->at_start && !closes_in(own, other, t.sweep, motion, fraction)) continue;
+            t.fraction = fraction;
+            t.own_shape = own;
+            t.other_shape = other;
         }
     }
 
@@ -327,14 +330,20 @@ private:
         travellers_[index].impacts++;
         go_on(a, sweep_a, at);
         go_on(b, sweep_b, at);
-        // Whoever might meet one of the two has to look anew.
-        for (Traveller& t : travellers_)
-            if (t.body == body_a || t.body == body_b ||
-                std::any_of(t.near.begin(), t.near.end(), [&](std::uint32_t s) {
-                    const std::uint32_t body = world_.shapes.shapes[s].body;
-                    return body == body_a || body == body_b;
-                }))
+        // Whoever might meet one of the two looks anew, at those two or, if it would have met one
+        // of them next, at everything.
+        const auto changed = [&](std::uint32_t shape) {
+            const std::uint32_t body = world_.shapes.shapes[shape].body;
+            return body == body_a || body == body_b;
+        };
+        for (Traveller& t : travellers_) {
+            if (!t.looked) continue;
+            if (t.body == body_a || t.body == body_b || (t.fraction < 2 && changed(t.other_shape)))
                 t.looked = false;
+            else if (t.impacts < tuning::sweep_impacts)
+                for (const std::uint32_t s : t.near)
+                    if (changed(s)) look_at(t, s);
+        }
     }
 
     // Sequential impulses on the points: restitution against the approach, friction in a cone.

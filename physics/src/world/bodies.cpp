@@ -141,6 +141,7 @@ Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
     if (state_->def.planar)
         if (Status s = check_flat_shape(shape); !s.ok()) return s.error();
     Result<BodyId> body = create_body(def);
+    if (!body.ok()) return body.error();
     if (Result<ShapeId> made = create_shape(*body, shape); !made.ok()) return made.error();
     return body;
 }

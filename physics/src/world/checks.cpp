@@ -161,10 +161,6 @@ Status check_id(const WorldState& world, JointId id) {
                                            "}; it never existed, broke or was destroyed"};
 }
 
-Quat unit(Quat q) {
-    return norm_squared(q) == 1 ? q : normalized(q);
-}
-
 Geometry stored(const Geometry& geometry) {
     if (kind_of(geometry) != ShapeKind::plane) return geometry;
     return Plane{normalized(std::get<Plane>(geometry).normal)};

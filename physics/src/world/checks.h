@@ -30,8 +30,6 @@ Status check_id(const WorldState& world, ShapeId id);
 Status check_id(const WorldState& world, JointId id);
 Status check_material(const Material& material);
 
-// The rotation with unit length; exactly unit ones keep their bits.
-Quat unit(Quat q);
 // The geometry as it is stored: a plane's normal has unit length.
 Geometry stored(const Geometry& geometry);
 

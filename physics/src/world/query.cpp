@@ -123,6 +123,9 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& sh
         const SweptShape still{.geometry = shape.placed.geometry,
                                .offset = {},
                                .axes = shape.placed.axes,
+                               .radius = kind_of(*shape.placed.geometry) == ShapeKind::plane
+                                             ? 0
+                                             : radius_of(*shape.placed.geometry),
                                .sweep = {0, shape.placed.position, {}, {}, {}}};
         const auto impact = time_of_impact(moving, still, 0, gap);
         if (!impact) return std::nullopt;

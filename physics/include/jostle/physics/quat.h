@@ -32,6 +32,10 @@ inline Quat normalized(Quat q) {
     const double s = 1 / square_root(norm_squared(q));
     return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
+// Normalised, unless it is unit to rounding: doing it twice changes no bit.
+inline Quat unit(Quat q) {
+    return absolute(norm_squared(q) - 1) <= 0x1p-50 ? q : normalized(q);
+}
 
 inline Vec3 rotate(Quat q, Vec3 v) {
     const Vec3 u{q.x, q.y, q.z}, t = cross(u, v) * 2;

@@ -60,12 +60,12 @@ Witness snapped(const Convex& a, const Convex& b, const Witness& w) {
     return best;
 }
 
-Witness round_witness(const Convex& a, const Convex& b, PairCache& cache) {
-    const GjkResult g = gjk(a, b, cache.direction);
+Witness round_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
+    const GjkResult g = gjk(a, b, cache.direction, {.beyond = enough});
     const double size = minimum(size_of(a), size_of(b));
     if (g.distance > 1e-9 * size) {
         cache.direction = g.normal;
-        return snapped(a, b, from(g));
+        return g.distance > enough ? from(g) : snapped(a, b, from(g));
     }
     const Penetration p = penetration(a, b, g.simplex);
     cache.direction = p.normal;
@@ -77,19 +77,21 @@ Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairC
     cache.axis = s.code;
     if (s.distance <= 0 || s.distance > enough) return from(s);
     // Apart: an axis shows less than the distance when corners are what is nearest.
-    const GjkResult g = gjk(a, b, length_squared(cache.direction) > 0 ? cache.direction : s.normal);
+    const GjkResult g = gjk(a, b, length_squared(cache.direction) > 0 ? cache.direction : s.normal,
+                            {.beyond = enough});
     if (g.distance <= s.distance + 2e-5 * minimum(size_of(a), size_of(b))) return from(s);
     cache.direction = g.normal;
     return from(g);
 }
 
 // A point or a segment against a polyhedron.
-Witness core_witness(const Convex& polyhedron, const Convex& core, PairCache& cache) {
-    const GjkResult g = gjk(polyhedron, core, cache.direction);
+Witness core_witness(const Convex& polyhedron, const Convex& core, double enough,
+                     PairCache& cache) {
+    const GjkResult g = gjk(polyhedron, core, cache.direction, {.beyond = enough});
     const double size = minimum(size_of(polyhedron), size_of(core));
     if (g.distance > 1e-9 * size) {
         cache.direction = g.normal;
-        return snapped(polyhedron, core, from(g));
+        return g.distance > enough ? from(g) : snapped(polyhedron, core, from(g));
     }
     return from(separate_segment(polyhedron, core));
 }
@@ -101,15 +103,15 @@ Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache&
     const auto is_line = [](const Convex& c) {
         return c.core == Core::point || c.core == Core::segment;
     };
-    if (is_polyhedron(a) && is_line(b)) return core_witness(a, b, cache);
+    if (is_polyhedron(a) && is_line(b)) return core_witness(a, b, enough, cache);
     if (is_line(a) && is_polyhedron(b)) {
         PairCache turned{cache.axis, -cache.direction};
-        const Witness w = flipped(core_witness(b, a, turned));
+        const Witness w = flipped(core_witness(b, a, enough, turned));
         cache = {turned.axis, -turned.direction};
         return w;
     }
     if (is_line(a) && is_line(b)) {
-        const GjkResult g = gjk(a, b, cache.direction);
+        const GjkResult g = gjk(a, b, cache.direction, {.beyond = enough});
         const double size = minimum(size_of(a), size_of(b));
         if (g.distance > 1e-12 * size) {
             cache.direction = g.normal;
@@ -117,7 +119,7 @@ Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache&
         }
         return cross_segments(a, b);
     }
-    return round_witness(a, b, cache);
+    return round_witness(a, b, enough, cache);
 }
 
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {

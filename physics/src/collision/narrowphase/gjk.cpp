@@ -4,33 +4,13 @@
 namespace jostle::physics {
 namespace {
 
-// Cuts the simplex down to the points that carry the closest point to the origin, with their
-// weights.
-void keep(Simplex& s, const int* which, const double* weights, int count) {
-    Simplex out;
-    for (int k = 0; k < count; k++) {
-        out.point[k] = s.point[which[k]];
-        out.weight[k] = weights[k];
-    }
-    out.count = count;
-    s = out;
-}
-
-void closest_on_segment(Simplex& s, int i, int j) {
-    const Vec3 a = s.point[i].w, ab = s.point[j].w - a;
-    const double l2 = length_squared(ab), t = -dot(a, ab);
-    if (t <= 0 || l2 == 0) {
-        const double one = 1;
-        keep(s, &i, &one, 1);
-    } else if (t >= l2) {
-        const double one = 1;
-        keep(s, &j, &one, 1);
-    } else {
-        const int which[2] = {i, j};
-        const double weights[2] = {1 - t / l2, t / l2};
-        keep(s, which, weights, 2);
-    }
-}
+// Which points of a simplex carry its closest point to the origin, and how much each.
+struct Carrier {
+    int count = 0;
+    int which[3] = {};
+    double weight[3] = {};
+    double distance2 = 1e300;  // m2, of that point from the origin
+};
 
 Vec3 point_of(const Simplex& s) {
     Vec3 v;
@@ -38,7 +18,32 @@ Vec3 point_of(const Simplex& s) {
     return v;
 }
 
-void closest_on_triangle(Simplex& s, int i, int j, int k) {
+Carrier measured(const Simplex& s, Carrier c) {
+    Vec3 v;
+    for (int k = 0; k < c.count; k++) v += s.point[c.which[k]].w * c.weight[k];
+    c.distance2 = length_squared(v);
+    return c;
+}
+
+void keep(Simplex& s, const Carrier& c) {
+    SimplexPoint point[3];
+    for (int k = 0; k < c.count; k++) point[k] = s.point[c.which[k]];
+    for (int k = 0; k < c.count; k++) {
+        s.point[k] = point[k];
+        s.weight[k] = c.weight[k];
+    }
+    s.count = c.count;
+}
+
+Carrier closest_on_segment(const Simplex& s, int i, int j) {
+    const Vec3 a = s.point[i].w, ab = s.point[j].w - a;
+    const double l2 = length_squared(ab), t = -dot(a, ab);
+    if (t <= 0 || l2 == 0) return measured(s, {1, {i}, {1}});
+    if (t >= l2) return measured(s, {1, {j}, {1}});
+    return measured(s, {2, {i, j}, {1 - t / l2, t / l2}});
+}
+
+Carrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
     const Vec3 a = s.point[i].w, b = s.point[j].w, c = s.point[k].w;
     const Vec3 ab = b - a, ac = c - a, n = cross(ab, ac);
     const double n2 = length_squared(n);
@@ -46,35 +51,22 @@ void closest_on_triangle(Simplex& s, int i, int j, int k) {
     if (n2 > 1e-30 * longest * longest) {
         // Barycentric coordinates of the origin's projection.
         const double u = dot(cross(b, c), n) / n2, v = dot(cross(c, a), n) / n2, w = 1 - u - v;
-        if (u >= 0 && v >= 0 && w >= 0) {
-            const int which[3] = {i, j, k};
-            const double weights[3] = {u, v, w};
-            keep(s, which, weights, 3);
-            return;
-        }
+        if (u >= 0 && v >= 0 && w >= 0) return measured(s, {3, {i, j, k}, {u, v, w}});
     }
     // Outside: the nearest of the three edges.
-    Simplex best;
-    double nearest = 1e300;
+    Carrier best;
     const int ends[3][2] = {{i, j}, {j, k}, {k, i}};
     for (const auto& e : ends) {
-        Simplex edge = s;
-        closest_on_segment(edge, e[0], e[1]);
-        const double d2 = length_squared(point_of(edge));
-        if (d2 < nearest) {
-            nearest = d2;
-            best = edge;
-        }
+        const Carrier edge = closest_on_segment(s, e[0], e[1]);
+        if (edge.distance2 < best.distance2) best = edge;
     }
-    s = best;
+    return best;
 }
 
-// True when the origin is inside.
-bool closest_on_tetrahedron(Simplex& s) {
+// Nothing carries it when the origin is inside.
+Carrier closest_on_tetrahedron(const Simplex& s) {
     static constexpr int face[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
-    Simplex best = s;
-    double nearest = 1e300;
-    bool inside = true;
+    Carrier best;
     for (const auto& f : face) {
         const Vec3 a = s.point[f[0]].w, b = s.point[f[1]].w, c = s.point[f[2]].w;
         const Vec3 n = cross(b - a, c - a);
@@ -83,23 +75,15 @@ bool closest_on_tetrahedron(Simplex& s) {
         // in cannot tell: flat tetrahedra, as round shapes make them, hold nothing.
         const double reach = length(n) * length(s.point[f[3]].w - a);
         if (origin * other > 0 && absolute(other) > 1e-9 * reach) continue;
-        inside = false;
-        Simplex part = s;
-        closest_on_triangle(part, f[0], f[1], f[2]);
-        const double d2 = length_squared(point_of(part));
-        if (d2 < nearest) {
-            nearest = d2;
-            best = part;
-        }
+        const Carrier part = closest_on_triangle(s, f[0], f[1], f[2]);
+        if (best.count == 0 || part.distance2 < best.distance2) best = part;
     }
-    if (inside) return true;
-    s = best;
-    return false;
+    return best;
 }
 
 }  // namespace
 
-GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint) {
+GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) {
     constexpr int rounds_max = 128;
     const double size = size_of(a) + size_of(b);
     const double overlap2 = 1e-26 * size * size;
@@ -123,38 +107,47 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint) {
             result.simplex = s;
             return result;
         }
-        const Simplex before = s;
         const Vec3 w = add(-v);
-        // No point of the difference lies much nearer than v: the gap between the upper and the
-        // lower bound of the distance.
-        bool done = v2 - dot(v, w) <= 1e-12 * v2;
+        // No point of the difference lies nearer than `along` in the direction of v: the lower
+        // bound of the distance, as |v| is the upper.
+        const double along = dot(v, w);
+        const bool far = along > 0 && along * along > goal.beyond * goal.beyond * v2;
+        double missing = 1e-12 * v2;
+        if (goal.loose > 0)
+            missing = maximum(missing, goal.loose * (v2 - goal.radii * square_root(v2)));
+        bool done = far || v2 - along <= missing;
+        if (done) result.distance = along / square_root(v2);
         for (int k = 0; k + 1 < s.count && !done; k++) done = s.point[k].w == w;
         if (done) {
-            s = before;
+            s.count--;
             break;
         }
+        Carrier carrier;
         if (s.count == 2)
-            closest_on_segment(s, 0, 1);
+            carrier = closest_on_segment(s, 0, 1);
         else if (s.count == 3)
-            closest_on_triangle(s, 0, 1, 2);
-        else if (closest_on_tetrahedron(s)) {
+            carrier = closest_on_triangle(s, 0, 1, 2);
+        else
+            carrier = closest_on_tetrahedron(s);
+        if (carrier.count == 0) {
             result.simplex = s;
             return result;
         }
-        const Vec3 next = point_of(s);
-        if (length_squared(next) >= v2) {  // rounding: no progress any more
-            s = before;
+        if (carrier.distance2 >= v2) {  // rounding: no progress any more
+            s.count--;
             break;
         }
-        v = next;
+        keep(s, carrier);
+        v = point_of(s);
     }
     for (int k = 0; k < s.count; k++) {
         result.on_a += s.point[k].a * s.weight[k];
         result.on_b += s.point[k].b * s.weight[k];
     }
     result.simplex = s;
-    result.distance = length(v);
-    if (result.distance > 0) result.normal = v * (-1 / result.distance);
+    const double size_of_v = length(v);
+    if (result.distance == 0) result.distance = size_of_v;
+    if (size_of_v > 0) result.normal = v * (-1 / size_of_v);
     return result;
 }
 

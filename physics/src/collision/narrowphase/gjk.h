@@ -21,14 +21,21 @@ struct Simplex {
 };
 
 struct GjkResult {
-    double distance = 0;  // m between the cores; 0: they overlap
+    double distance = 0;  // m by which the normal separates the cores; 0: they overlap
     Vec3 normal;          // unit, from a to b; meaningless when they overlap
     Vec3 on_a, on_b;
     Simplex simplex;  // when they overlap: holds the origin
     int rounds = 0;
 };
 
+// When to stop before the distance is exact. What is found then is a lower bound of it.
+struct GjkGoal {
+    double beyond = 1e300;  // m: as soon as some direction separates the cores by more
+    double loose = 0;       // part that may be missing of the gap between the round shapes
+    double radii = 0;       // m, of both around the cores
+};
+
 // `hint`: a guess of the direction from a to b; zero: none.
-GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint);
+GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal = {});
 
 }  // namespace jostle::physics

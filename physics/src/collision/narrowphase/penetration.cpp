@@ -12,6 +12,7 @@ struct Facet {
     Vec3 normal;      // unit, outward
     double distance;  // of its plane from the origin
     bool alive;
+    bool spent = false;  // cannot be replaced by finer ones
 };
 
 class Polytope {
@@ -22,22 +23,26 @@ public:
         for (int k = 0; k < start.count; k++) points_[count_++] = start.point[k];
         if (!make_tetrahedron()) return descend();
         const double tolerance = 1e-7 * size_;
-        int best = nearest();
+        // A facet bounds the depth from below, the support along its normal from above.
+        Facet best = facets_[0];
+        double upper = 1e300;
         while (count_ < max_points) {
-            const Facet f = facets_[best];
+            const int at = nearest();
+            if (at < 0 || facets_[at].distance >= upper - tolerance) break;
+            const Facet f = facets_[at];
             const SimplexPoint p = support_along(f.normal);
-            if (dot(p.w, f.normal) - f.distance <= tolerance || known(p.w)) break;
-            points_[count_++] = p;
-            if (!add_point(count_ - 1)) break;
-            const int next = nearest();
-            if (next < 0) break;
-            best = next;
+            const double h = dot(p.w, f.normal);
+            if (h < upper) {
+                upper = h;
+                best = f;
+            }
+            if (h - f.distance <= tolerance) break;
+            if (known(p.w) || !add_point(p)) facets_[nearest()].spent = true;
         }
-        // The facet bounds the depth from below, the support along its normal from above. Round
-        // shapes deep in each other would need thousands of facets to bring the two together, and
-        // rounding may have stopped the growth: then the last part is a descent.
-        const double upper = height(facets_[best].normal);
-        if (upper - facets_[best].distance <= 1e-6 * size_) return answer(facets_[best]);
+        if (upper - best.distance <= 1e-6 * size_ && !spent_below(upper - 1e-6 * size_))
+            return answer(best);
+        // Round shapes deep in each other would need thousands of facets to bring the two bounds
+        // together, and rounding may have stopped the growth: then the last part is a descent.
         return descend();
     }
 
@@ -50,9 +55,15 @@ private:
     // How far the difference reaches along a unit vector: an upper bound of the depth.
     double height(Vec3 n) const { return dot(support(a_, n) - support(b_, -n), n); }
 
-    // From the facet whose normal promises the least depth, to the direction of least depth near
-    // it: a ring of trials that turns, and shrinks when none is better.
-    Penetration descend() const {
+    bool spent_below(double distance) const {
+        for (int k = 0; k < facet_count_; k++)
+            if (facets_[k].alive && facets_[k].spent && facets_[k].distance < distance) return true;
+        return false;
+    }
+
+    // From the facets that promise the least depth, and the shapes' own axes, to the direction of
+    // least depth near them.
+    Penetration descend() {
         Vec3 n;
         double least = 1e300;
         const auto consider = [&](Vec3 direction) {
@@ -61,11 +72,34 @@ private:
             least = h;
             n = direction;
         };
-        for (int k = 0; k < facet_count_; k++) consider(facets_[k].normal);
-        // Where the polytope is not to be trusted: the shapes' own axes.
         for (const Convex* shape : {&a_, &b_})
             for (const Vec3 axis : {shape->axes.x, shape->axes.y, shape->axes.z})
                 for (const double sign : {1.0, -1.0}) consider(axis * sign);
+        for (int k = 0; k < facet_count_; k++)
+            if (facets_[k].alive) consider(facets_[k].normal);
+        least = walk_down(n, least);
+        constexpr int starts = 12;
+        for (int k = 0; k < facet_count_; k++) facets_[k].spent = false;
+        for (int start = 0; start < starts; start++) {
+            const int at = nearest();
+            if (at < 0 || facets_[at].distance >= least - 1e-6 * size_) break;
+            facets_[at].spent = true;
+            Vec3 other = facets_[at].normal;
+            const double h = walk_down(other, height(other));
+            if (h >= least) continue;
+            least = h;
+            n = other;
+        }
+        // Moved out that way the shapes part where they touch last.
+        Convex moved = b_;
+        const Vec3 out = n * (maximum(0, least) + 1e-3 * size_);
+        moved.position += out;
+        const GjkResult parted = gjk(a_, moved, n);
+        return {maximum(0, least), n, parted.on_a, parted.on_b - out};
+    }
+
+    // A ring of trials around the direction that turns, and shrinks when none is better.
+    double walk_down(Vec3& n, double least) const {
         double turn = 0;
         for (double step = 0.1; step > 1e-7;) {
             const Vec3 u =
@@ -90,7 +124,7 @@ private:
                 step *= 0.5;
             }
         }
-        return {maximum(0, least), n, support(a_, n), support(b_, -n)};
+        return least;
     }
 
     bool known(Vec3 w) const {
@@ -144,8 +178,14 @@ private:
         if (facet_count_ == max_faces) return false;
         const Vec3 n = cross(points_[j].w - points_[i].w, points_[k].w - points_[i].w);
         const double l = length(n);
-        if (l < 1e-18 * size_ * size_) return false;
-        facets_[facet_count_++] = {{i, j, k}, n * (1 / l), dot(n, points_[i].w) / l, true};
+        const double longest2 = maximum(length_squared(points_[j].w - points_[i].w),
+                                        maximum(length_squared(points_[k].w - points_[j].w),
+                                                length_squared(points_[i].w - points_[k].w)));
+        // Where the corners all but lie in a line, the normal is noise.
+        if (l * l <= 1e-20 * size_ * size_ * longest2) return false;
+        const double distance = dot(n, points_[i].w) / l;
+        if (distance < -1e-9 * size_) return false;  // the origin is inside
+        facets_[facet_count_++] = {{i, j, k}, n * (1 / l), distance, true};
         return true;
     }
     void compact() {
@@ -158,16 +198,19 @@ private:
     int nearest() const {
         int best = -1;
         for (int k = 0; k < facet_count_; k++)
-            if (facets_[k].alive && (best < 0 || facets_[k].distance < facets_[best].distance))
+            if (facets_[k].alive && !facets_[k].spent &&
+                (best < 0 || facets_[k].distance < facets_[best].distance))
                 best = k;
         return best;
     }
 
     // Replaces the facets that see the new point by a fan to their rim. False when rounding made a
     // facet without area: the polytope then stays as it was before.
-    bool add_point(int index) {
+    bool add_point(const SimplexPoint& point) {
         compact();
-        const Vec3 w = points_[index].w;
+        const int index = count_;
+        points_[count_++] = point;
+        const Vec3 w = point.w;
         int edges[max_faces][2];
         int edge_count = 0;
         const auto add_edge = [&](int i, int j) {
@@ -192,7 +235,7 @@ private:
             for (int e = 0; e < 3; e++)
                 if (!add_edge(f.corner[e], f.corner[(e + 1) % 3])) return revive(before);
         }
-        if (edge_count == 0) return false;
+        if (edge_count == 0) return revive(before);
         for (int k = 0; k < edge_count; k++)
             if (!add_facet_at_end(edges[k][0], edges[k][1], index)) return revive(before);
         return true;
@@ -202,6 +245,7 @@ private:
         return facet_count_ < max_faces && add_facet(i, j, k);
     }
     bool revive(int before) {
+        count_--;
         facet_count_ = before;
         for (int k = 0; k < before; k++) facets_[k].alive = true;
         return false;

@@ -20,10 +20,30 @@ struct Gap {
     Vec3 normal;      // from a to b
 };
 
+// Gaps need not be exact to advance safely: a direction that separates by nearly as much will do.
+constexpr double loose = 0.1;
+
+// Fastest closing of any two points along any direction, m per step: what is further apart than
+// they can come in the time that is left needs no better direction.
+double closing_at_most(const SweptShape& a, const SweptShape& b) {
+    return length(a.sweep.motion - b.sweep.motion) + length(a.sweep.turn) * a.radius +
+           length(b.sweep.turn) * b.radius;
+}
+
 // Fastest closing of any two points along a direction, m per step.
 double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b, Vec3 normal) {
     return dot(a.motion - b.motion, normal) + length(cross(normal, a.turn)) * radius_a +
            length(cross(normal, b.turn)) * radius_b;
+}
+
+// Whether the balls around the two bodies' centres never touch on the way.
+bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap) {
+    const Vec3 apart = center_at(b.sweep, from) - center_at(a.sweep, from);
+    const Vec3 motion = b.sweep.motion - a.sweep.motion;
+    const double speed2 = length_squared(motion);
+    const double nearest = speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, 1 - from) : 0;
+    const double reach = a.radius + b.radius + 2 * gap;
+    return length_squared(apart + motion * nearest) > reach * reach;
 }
 
 template <class GapAt>
@@ -47,6 +67,7 @@ std::optional<Impact> advance(const SweptShape& a, const SweptShape& b, double f
 std::optional<Impact> simple_impact(const SweptShape& a, const SweptShape& b, double from,
                                     double gap) {
     PairCache cache;
+    const double most = closing_at_most(a, b);
     return advance(a, b, from, gap, [&](double t) {
         const Placed pa = placed_at(a, t), pb = placed_at(b, t);
         if (kind_of(*a.geometry) == ShapeKind::plane || kind_of(*b.geometry) == ShapeKind::plane) {
@@ -54,9 +75,12 @@ std::optional<Impact> simple_impact(const SweptShape& a, const SweptShape& b, do
             return Gap{d.distance, d.normal};
         }
         const Convex ca = convex_of(pa, pa.position), cb = convex_of(pb, pa.position);
-        const GjkResult g = gjk(ca, cb, cache.direction);
+        const double radii = ca.radius + cb.radius;
+        const GjkResult g =
+            gjk(ca, cb, cache.direction,
+                {.beyond = radii + gap + most * (1 - t), .loose = loose, .radii = radii});
         cache.direction = g.normal;
-        return Gap{g.distance - ca.radius - cb.radius, g.normal};
+        return Gap{g.distance - radii, g.normal};
     });
 }
 
@@ -89,6 +113,7 @@ void keep_first(std::optional<Impact>& best, const std::optional<Impact>& next) 
 std::optional<Impact> surface_impact(const SweptShape& surface, const SweptShape& shape,
                                      double from, double gap) {
     std::optional<Impact> best;
+    const double most = closing_at_most(surface, shape);
     for_each_triangle(*surface.geometry, grow(way_in(surface, shape, from), 2 * gap),
                       [&](const SurfaceTriangle& t) {
                           PairCache cache;
@@ -97,7 +122,10 @@ std::optional<Impact> surface_impact(const SweptShape& surface, const SweptShape
                               const Convex triangle =
                                   triangle_convex(t.corner, ps.position - pc.position, ps.axes);
                               const Convex c = convex_of(pc, pc.position);
-                              const GjkResult g = gjk(triangle, c, cache.direction);
+                              const GjkResult g = gjk(triangle, c, cache.direction,
+                                                      {.beyond = c.radius + gap + most * (1 - at),
+                                                       .loose = loose,
+                                                       .radii = c.radius});
                               cache.direction = g.normal;
                               return Gap{g.distance - c.radius, g.normal};
                           });
@@ -144,6 +172,8 @@ Aabb swept_bounds(const SweptShape& shape, double from) {
 std::optional<Impact> time_of_impact(const SweptShape& a, const SweptShape& b, double from,
                                      double gap) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
+    if (ka != ShapeKind::plane && kb != ShapeKind::plane && pass_by(a, b, from, gap))
+        return std::nullopt;
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {
         const bool first = ka == ShapeKind::compound;
         const SweptShape &compound = first ? a : b, &other = first ? b : a;

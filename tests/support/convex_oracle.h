@@ -103,15 +103,10 @@ Separation climb(const Gap& gap, physics::Vec3 n) {
 
 }  // namespace detail
 
-// a is no plane. Good to about 1e-6 of the sizes.
-inline Separation separation(const physics::Geometry& a, const physics::Transform& pose_a,
-                             const physics::Geometry& b, const physics::Transform& pose_b) {
-    using namespace physics;
-    if (const auto* plane = std::get_if<Plane>(&b)) {
-        const Vec3 up = rotate(pose_b.rotation, plane->normal);
-        return {-support(a, pose_a, -up) - dot(up, pose_b.position), -up};
-    }
-    const auto gap = [&](Vec3 n) { return slab_gap(a, pose_a, b, pose_b, n); };
+// The largest gap(n) over all n. Good to about 1e-6 of the sizes.
+template <class Gap>
+Separation widest(const Gap& gap) {
+    using physics::Vec3;
     // The best few of all directions, each climbed: hills of s are as wide as the faces that make
     // them.
     constexpr int starts = 10;
@@ -132,6 +127,17 @@ inline Separation separation(const physics::Geometry& a, const physics::Transfor
         if (top.distance > result.distance) result = top;
     }
     return result;
+}
+
+// a is no plane.
+inline Separation separation(const physics::Geometry& a, const physics::Transform& pose_a,
+                             const physics::Geometry& b, const physics::Transform& pose_b) {
+    using namespace physics;
+    if (const auto* plane = std::get_if<Plane>(&b)) {
+        const Vec3 up = rotate(pose_b.rotation, plane->normal);
+        return {-support(a, pose_a, -up) - dot(up, pose_b.position), -up};
+    }
+    return widest([&](Vec3 n) { return slab_gap(a, pose_a, b, pose_b, n); });
 }
 
 // The point of the shape nearest to p. Not for planes.

@@ -8,7 +8,7 @@
 #include "collision/narrowphase/collide.h"
 #include "support/convex_oracle.h"
 #include "support/distance_field.h"
-#include "support/random.h"
+#include "support/random_shapes.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -34,51 +34,6 @@ double size_of(const Geometry& g) {
     if (const auto* hull = std::get_if<Hull>(&g))
         return length(hull->data->bounds.high - hull->data->bounds.low) / 2;
     return 1e300;
-}
-
-Geometry random_geometry(ShapeKind kind, Random& random) {
-    switch (kind) {
-        case ShapeKind::sphere:
-            return Sphere{random.in(0.1, 1)};
-        case ShapeKind::capsule:
-            return Capsule{random.in(0.05, 0.5), random.in(0.1, 1)};
-        case ShapeKind::box:
-            return Box{{random.in(0.1, 1), random.in(0.1, 1), random.in(0.1, 1)}};
-        case ShapeKind::plane:
-            return Plane{random.direction()};
-        case ShapeKind::cylinder:
-            return Cylinder{random.in(0.1, 1), random.in(0.1, 1)};
-        case ShapeKind::cone:
-            return Cone{random.in(0.1, 1), random.in(0.1, 1)};
-        case ShapeKind::hull: {
-            std::vector<Vec3> points;
-            const auto count = 4 + random.below(20);
-            const Vec3 stretch{random.in(0.3, 1), random.in(0.3, 1), random.in(0.3, 1)};
-            while (points.size() < count) {
-                const Vec3 p = random.vector(1);
-                points.push_back({p.x * stretch.x, p.y * stretch.y, p.z * stretch.z});
-            }
-            return Hull{must(build_hull(points))};
-        }
-        default:
-            break;
-    }
-    return Sphere{};
-}
-
-// Rotations: any, right angles, or almost right angles: where the branches of a narrow phase
-// change.
-Quat random_rotation(Random& random) {
-    const auto style = random.below(3);
-    if (style == 0) return random.rotation();
-    Quat q;
-    for (int axis = 0; axis < 3; axis++) {
-        Vec3 turn;
-        turn[axis] = pi / 2 * static_cast<double>(random.below(4));
-        q = q * from_rotation_vector(turn);
-    }
-    if (style == 2) q = from_rotation_vector(random.vector(1e-4)) * q;
-    return normalized(q);
 }
 
 // b is moved along a random direction so that the signed distance is about what is wanted; exact

@@ -40,9 +40,9 @@ struct FaceAxis {
     double separation = -1e300;  // largest over all six
 };
 
-FaceAxis best_face(const BoxPair& p, int cached) {
-    constexpr double preference = 0.0005;  // m
-    constexpr double tie = 1e-6;           // m: of equal axes the first wins
+FaceAxis best_face(const BoxPair& p, double size, int cached) {
+    const double preference = minimum(0.0005, 1e-3 * size);  // m
+    constexpr double tie = 1e-6;                             // m: of equal axes the first wins
     FaceAxis best;
     for (int k = 0; k < 6; k++) {
         const int i = k % 3;
@@ -166,7 +166,8 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
 
 Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCache& cache) {
     const BoxPair pair = make_pair(a, b);
-    const FaceAxis face = best_face(pair, static_cast<int>(cache.axis) - 1);
+    const double size = minimum(length(pair.half_a), length(pair.half_b));
+    const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin) return {.distance = face.separation};
     const EdgeAxis edge = best_edge(pair);
     const double separation = maximum(face.separation, edge.separation);
@@ -174,20 +175,19 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
 
     // Edges must be better by more than rounding, or resting faces would flicker. And boxes that
     // are apart may be nearest at corners, where an axis shows less than the distance.
-    const double size = minimum(length(pair.half_a), length(pair.half_b));
     const bool edges = edge.separation > face.preferred + 2e-5 * size;
-    if (edges || separation > 0.01 * size) {
+    if (!edges && separation <= 0.01 * size) {
+        cache.axis = static_cast<AxisCode>(face.axis) + 1;
+        Manifold m = face_contact(a, pair, face.axis, margin);
+        m.distance = separation;
+        // Near the margin the clipped face may leave nothing although the boxes are within it.
+        if (m.count > 0) return m;
+    } else {
         cache.axis = edges ? 7 : 0;
-        PairCache free;
-        Manifold m =
-            collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, free);
-        for (int k = 0; k < m.count; k++) m.point[k] += a.position;
-        return m;
     }
-    cache.axis = static_cast<AxisCode>(face.axis) + 1;
-    Manifold m = face_contact(a, pair, face.axis, margin);
-    // Near the margin the clipped face may leave nothing although the boxes are within it.
-    m.distance = m.count > 0 ? separation : maximum(separation, margin * 0.5);
+    PairCache free;
+    Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, free);
+    for (int k = 0; k < m.count; k++) m.point[k] += a.position;
     return m;
 }
 

@@ -20,6 +20,17 @@ struct Patch {
     double deepest = 1e300;
     std::uint32_t triangle = 0;
     ContactPoints points;
+    Vec3 corner[3];  // from the shape's position
+};
+
+// A triangle that comes nearer than what may push there: a seam forbids its own contact, and its
+// face does not reach as far. Normally its neighbour pushes instead.
+struct Waiting {
+    Vec3 corner[3];  // from the shape's position
+    Witness witness;
+    Vec3 nearest;  // on the triangle; the witness of flat features need not lie on both
+    std::uint32_t triangle = 0;
+    bool covered = false;
 };
 
 // Whether an edge lets a contact push along n. `outward` lies in the triangle's plane, `face` is
@@ -79,6 +90,7 @@ public:
 
     void collide(std::vector<Manifold>& out) {
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) { add(t); });
+        take_the_uncovered();
         // Deepest first: the normal of a piece is that of its deepest triangle.
         std::sort(patches_.begin(), patches_.end(), [](const Patch& x, const Patch& y) {
             return x.deepest < y.deepest || (x.deepest == y.deepest && x.triangle < y.triangle);
@@ -149,11 +161,88 @@ private:
         } else {
             patch.normal = face;
             patch.points = points_over_face(triangle, shape_, face, margin_);
+            drop_outside(patch.points, face);
+            double nearest = 1e300;
+            for (int k = 0; k < patch.points.count; k++)
+                nearest = minimum(nearest, patch.points.gap[k]);
+            if (nearest > gap_of(w) + slack())
+                waiting_.push_back(
+                    {{corner[0], corner[1], corner[2]}, w, nearest_on(triangle, w.on_a), t.index});
         }
-        if (patch.points.count == 0) return;
+        if (patch.points.count > 0) take(patch, corner);
+    }
+
+    static Vec3 nearest_on(const Convex& triangle, Vec3 p) {
+        const Convex point{.core = Core::point, .position = p, .size = {}};
+        const GjkResult g = gjk(triangle, point, {});
+        return g.distance > 0 ? g.on_a : p;
+    }
+    double gap_of(const Witness& w) const { return w.distance - shape_.radius; }
+    double slack() const { return 1e-3 * size_; }
+
+    // A shape that is below the face without reaching up to it, as a plank under the edge of a
+    // table, is not in it.
+    void drop_outside(ContactPoints& points, Vec3 face) const {
+        int kept = 0;
+        for (int k = 0; k < points.count; k++) {
+            // Half way between the surfaces; the face's is half the gap up.
+            const Convex above{.core = Core::point,
+                               .position = points.point[k] - face * (0.5 * points.gap[k]),
+                               .size = {}};
+            if (points.gap[k] < -0.02 * size_ &&
+                gjk(above, shape_, face).distance > shape_.radius + slack())
+                continue;
+            points.point[kept] = points.point[k];
+            points.gap[kept++] = points.gap[k];
+        }
+        points.count = kept;
+    }
+
+    void take(Patch& patch, const Vec3 corner[3]) {
+        std::copy(corner, corner + 3, patch.corner);
         for (int k = 0; k < patch.points.count; k++)
             patch.deepest = minimum(patch.deepest, patch.points.gap[k]);
         patches_.push_back(patch);
+    }
+
+    // A neighbour pushes in its stead where it is nearest to the shape, and as far out.
+    void cover(const Vec3 corner[3], double gap) {
+        for (Waiting& w : waiting_)
+            if (!w.covered && gap <= gap_of(w.witness) + slack() && holds(corner, w.nearest)) {
+                w.covered = true;
+                cover(w.corner, gap);
+            }
+    }
+    bool holds(const Vec3 corner[3], Vec3 p) const {
+        const Vec3 n = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
+        const double near = 1e-5 * (size_ + length(corner[1] - corner[0]));
+        if (absolute(dot(p - corner[0], n)) > near) return false;
+        for (int k = 0; k < 3; k++) {
+            const Vec3 outward = normalized(cross(corner[(k + 1) % 3] - corner[k], n));
+            if (dot(p - corner[k], outward) > near) return false;
+        }
+        return true;
+    }
+
+    // Where no neighbour pushes, as at the sharp folds of a crumpled surface, a seam is an edge
+    // like any other. The nearest first; those that it covers need nothing more.
+    void take_the_uncovered() {
+        for (std::size_t k = 0; k < patches_.size() && !waiting_.empty(); k++)
+            cover(patches_[k].corner, patches_[k].deepest);
+        for (;;) {
+            Waiting* next = nullptr;
+            for (Waiting& w : waiting_)
+                if (!w.covered && (next == nullptr || w.witness.distance < next->witness.distance))
+                    next = &w;
+            if (next == nullptr) return;
+            next->covered = true;
+            Patch patch{.normal = next->witness.normal, .triangle = next->triangle, .points = {}};
+            patch.points = contact_points(triangle_convex(next->corner, {}, {}), shape_,
+                                          next->witness, margin_);
+            if (patch.points.count == 0) continue;
+            take(patch, next->corner);
+            cover(next->corner, patches_.back().deepest);
+        }
     }
 
     const Placed& surface_;
@@ -163,6 +252,7 @@ private:
     Aabb box_;
     double size_ = 0;
     std::vector<Patch> patches_;
+    std::vector<Waiting> waiting_;
 };
 
 }  // namespace

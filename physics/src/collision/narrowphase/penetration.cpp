@@ -17,12 +17,13 @@ struct Facet {
 
 class Polytope {
 public:
-    Polytope(const Convex& a, const Convex& b) : a_(a), b_(b), size_(size_of(a) + size_of(b)) {}
+    Polytope(const Convex& a, const Convex& b)
+        : a_(a), b_(b), size_(size_of(a) + size_of(b)), fine_(minimum(size_of(a), size_of(b))) {}
 
     Penetration expand(const Simplex& start) {
         for (int k = 0; k < start.count; k++) points_[count_++] = start.point[k];
         if (!make_tetrahedron()) return descend();
-        const double tolerance = 1e-7 * size_;
+        const double tolerance = 1e-7 * fine_;
         // A facet bounds the depth from below, the support along its normal from above.
         Facet best = facets_[0];
         double upper = 1e300;
@@ -39,7 +40,7 @@ public:
             if (h - f.distance <= tolerance) break;
             if (known(p.w) || !add_point(p)) facets_[nearest()].spent = true;
         }
-        if (upper - best.distance <= 1e-6 * size_ && !spent_below(upper - 1e-6 * size_))
+        if (upper - best.distance <= 1e-6 * fine_ && !spent_below(upper - 1e-6 * fine_))
             return answer(best);
         // Round shapes deep in each other would need thousands of facets to bring the two bounds
         // together, and rounding may have stopped the growth: then the last part is a descent.
@@ -82,7 +83,7 @@ private:
         for (int k = 0; k < facet_count_; k++) facets_[k].spent = false;
         for (int start = 0; start < starts; start++) {
             const int at = nearest();
-            if (at < 0 || facets_[at].distance >= least - 1e-6 * size_) break;
+            if (at < 0 || facets_[at].distance >= least - 1e-6 * fine_) break;
             facets_[at].spent = true;
             Vec3 other = facets_[at].normal;
             const double h = walk_down(other, height(other));
@@ -266,7 +267,7 @@ private:
     }
 
     const Convex &a_, &b_;
-    double size_;
+    double size_, fine_;  // m: of both together, of the smaller
     SimplexPoint points_[max_points];
     int count_ = 0;
     Facet facets_[max_faces];

@@ -90,6 +90,78 @@ TEST(Continuous, time_after_the_impact_is_kept) {
     }
 }
 
+// One end of a plank meets a sheet of a centimetre, a plane or a mesh, and within the same step the
+// other end comes down on it.
+void throw_plank(const Geometry& ground) {
+    for (int phase = 0; phase < 16; phase++)
+        for (const double speed : {11.0, 40.0, 90.0}) {
+            World world = make_world({.gravity = {}});
+            add(world, {.geometry = ground, .type = BodyType::fixed});
+            const BodyId plank = add(world, {.geometry = Box{{1, 0.05, 0.2}},
+                                             .position = {0, 1 + phase * speed / 60 / 16, 0},
+                                             .rotation = from_rotation_vector({0, 0, 0.2}),
+                                             .velocity = {0, -speed, 0}});
+            double deepest = 0;
+            for (int i = 0; i < 20; i++) {
+                must(world.step(1.0 / 60));
+                deepest = std::max(deepest, world.summary().max_penetration);
+                ASSERT_GT(position_of(world, plank).y, 0) << speed << " m/s, phase " << phase;
+            }
+            EXPECT_LT(deepest, 0.02) << speed << " m/s, phase " << phase;
+        }
+}
+TEST(Continuous, far_end_of_a_plank_does_not_go_through) {
+    throw_plank(Box{{5, 0.005, 5}});
+    throw_plank(Plane{});
+    const std::vector<Vec3> vertices{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}, {0.1, 0, 0.2}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{
+        {0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}};
+    throw_plank(Mesh{must(build_mesh(vertices, triangles))});
+}
+
+// Thin rods that tumble fast lose energy at walls and posts, and never gain any.
+TEST(Continuous, tumbling_rods_gain_no_energy) {
+    Random random(12);
+    for (int i = 0; i < 60; i++) {
+        World world = make_world({.gravity = {}});
+        for (const double x : {-3.0, 3.0})
+            add(world,
+                {.geometry = Box{{0.05, 5, 5}}, .position = {x, 0, 0}, .type = BodyType::fixed});
+        add(world,
+            {.geometry = Box{{0.01, 5, 0.01}}, .position = {0.7, 0, 0}, .type = BodyType::fixed});
+        add(world, {.geometry = Box{{1, 0.03, 0.03}},
+                    .position = {-1.2, random.in(-1, 1), random.in(-1, 1)},
+                    .rotation = random.rotation(),
+                    .velocity = random.vector(40),
+                    .spin = random.vector(120)});
+        double before = world.summary().kinetic_energy;
+        for (int step = 0; step < 40; step++) {
+            must(world.step(1.0 / 60));
+            const double now = world.summary().kinetic_energy;
+            ASSERT_LE(now, before * 1.01) << "rod " << i << ", step " << step;
+            before = now;
+        }
+    }
+}
+
+// Six times to and fro between two sheets of a centimetre in every step: what is behind the ball
+// when the step begins is in its way as well.
+TEST(Continuous, ball_stays_between_two_thin_walls) {
+    World world = make_world({.gravity = {}});
+    for (const double x : {-0.3, 0.3})
+        add(world,
+            {.geometry = Box{{0.005, 5, 5}}, .position = {x, 0, 0}, .type = BodyType::fixed});
+    const BodyId ball = add(world, {.geometry = Sphere{0.05},
+                                    .position = {0.1, 0, 0},
+                                    .velocity = {200, 0, 0},
+                                    .restitution = 1});
+    for (int i = 0; i < 60; i++) {
+        must(world.step(1.0 / 60));
+        ASSERT_LT(std::fabs(position_of(world, ball).x), 0.25) << "step " << i;
+        ASSERT_NEAR(std::fabs(velocity_of(world, ball).x), 200, 1e-6);
+    }
+}
+
 // A bullet into a crate that stands free: momentum goes over in full.
 TEST(Continuous, dynamic_target_takes_the_momentum) {
     World world = make_world({.gravity = {}});

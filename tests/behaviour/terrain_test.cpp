@@ -150,6 +150,41 @@ TEST(Terrain, balls_gather_in_a_valley) {
     }
 }
 
+// Boxes, stones and cones thrown on crumpled ground: what lies across several of its facets is held
+// by all of them at once and does not rock, and what fell over a ridge is not caught by its slopes.
+TEST(Terrain, rubble_comes_to_rest_on_crumpled_ground) {
+    HeightGrid grid{.columns = 25, .rows = 25, .spacing_x = 1, .spacing_z = 1, .heights = {}};
+    Random random(3);
+    for (int r = 0; r < 25; r++)
+        for (int c = 0; c < 25; c++) {
+            const int rim = std::max(std::abs(c - 12), std::abs(r - 12)) - 9;
+            grid.heights.push_back(0.5 * std::sin(c * 0.5) * std::cos(r * 0.4) + random.in(0, 0.3) +
+                                   3.0 * std::max(0, rim));
+        }
+    World world = make_world();
+    add_ground(world, HeightField{must(build_height_field(grid))}, 0.5);
+    std::vector<BodyId> stones;
+    for (int i = 0; i < 90; i++) {
+        Geometry shape = Box{{random.in(0.1, 0.5), random.in(0.1, 0.5), random.in(0.1, 0.5)}};
+        if (i % 3 == 1) shape = Cone{random.in(0.1, 0.3), random.in(0.15, 0.5)};
+        if (i % 3 == 2) {
+            std::vector<Vec3> points;
+            for (int k = 0; k < 12; k++) points.push_back(random.vector(0.5));
+            shape = Hull{must(build_hull(points))};
+        }
+        const BodyId body = add(world, {.geometry = shape,
+                                        .position = random.vector(7) + Vec3{0, 11, 0},
+                                        .rotation = random.rotation()});
+        if (i % 3 != 1) stones.push_back(body);
+    }
+    run(world, 15);
+    EXPECT_LT(world.summary().max_penetration, 0.004);
+    int awake = 0;
+    for (const BodyId stone : stones) awake += state_of(world, stone).awake ? 1 : 0;
+    EXPECT_LE(awake, 1);
+    for (const BodyId body : world.bodies()) EXPECT_GT(position_of(world, body).y, -0.6);
+}
+
 TEST(Terrain, hole_lets_through_and_its_rim_holds) {
     HeightGrid grid{.columns = 11,
                     .rows = 11,

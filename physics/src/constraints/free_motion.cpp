@@ -18,7 +18,7 @@ double damping_factor(double damping, double dt) {
 // gains a factor of about h |w|, however thin the body is, because no principal moment is less than
 // the difference of the other two.
 EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, double dt) {
-    const double wished = length(w) * dt * 4;
+    const double wished = length(w) * absolute(dt) * 4;
     const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
     const double h = dt / parts;
     EulerStep result{.turn = {}, .w = w};

@@ -37,7 +37,7 @@ struct FreeSpin {
     Quat rotation;
     Vec3 w;
 };
-// The rotational part, without damping.
+// The rotational part, without damping. A negative dt looks back.
 FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt);
 
 // What is left of a velocity after dt with dv/dt = -damping v; second order, never negative.

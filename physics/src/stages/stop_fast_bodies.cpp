@@ -2,39 +2,46 @@
 #include "stages/stop_fast_bodies.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "collision/narrowphase/collide.h"
 #include "collision/narrowphase/collide_composite.h"
+#include "collision/narrowphase/collide_convex.h"
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
 #include "constraints/free_motion.h"
-#include "geometry/inner_radius.h"
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
 
 namespace jostle::physics {
 namespace {
 
+struct Point {
+    Vec3 position, normal;  // m, world; unit, from the traveller to what it meets
+};
+
 // One end of an impact, or one body under way.
 struct Traveller {
     std::uint32_t body = none;
     Sweep sweep;
-    // What forces add to the velocity over a whole step, and, while nothing acts but forces, the
-    // angular momentum: how fast the body moves at a moment of its sweep follows from them.
-    Vec3 velocity, gain;  // m/s at sweep.from, m/s over a step
-    bool flies = false;   // no contact or joint acts on it
-    Vec3 spin, momentum;  // rad/s; N m s while it flies
-    Quat end_rotation;    // at the end of the step, when it is not met before
+    Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
+    // The spin and the attitude at one moment of the step; at others Euler's equations give it.
+    double spin_at = 1;  // fraction
+    Vec3 spin;           // rad/s
+    Quat spin_rotation;
+    Quat end_rotation;  // at the end of the step, when it is not met before
     Vec3 end_spin;
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
     // The first impact that is known, if any.
     bool looked = false;
-    double fraction = 2;
+    double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;
-    std::vector<std::uint32_t> near;  // shapes that may be in the way
+    std::vector<Point> points;
+    Aabb way;                         // holds all that is left of it
+    std::vector<std::uint32_t> near;  // shapes that may be in it, in order and once each
 };
 
 class Sweeper {
@@ -48,8 +55,7 @@ public:
         world_.shapes.fixed->settle();
         world_.shapes.moving->settle();
         find_near_fast();
-        const std::size_t fast = travellers_.size();
-        for (std::size_t k = 0; k < fast; k++) find_near(k);
+        for (Traveller& t : travellers_) find_near(t);
         // Every impact uses up one of somebody's, so this ends.
         for (;;) {
             std::size_t first = none;
@@ -96,13 +102,18 @@ private:
             now.body, {0, before.center, before.rotation, now.center - before.center, vector},
             true)];
         t.end_rotation = now.rotation;
-        t.end_spin = t.spin = now.w;
+        t.end_spin = now.w;
         t.velocity = now.v;
-        t.flies = cold.type == BodyType::dynamic && cold.lanes == 0 && cold.first_joint == none;
-        if (!t.flies) return;
+        t.spin = now.w;
+        t.spin_rotation = now.rotation;
+        const bool flies =
+            cold.type == BodyType::dynamic && cold.lanes == 0 && cold.first_joint == none;
+        if (!flies) return;
         t.velocity = before.v;
         t.gain = now.v - before.v;
-        t.momentum = before.axes * (cold.inertia * transposed_times(before.axes, before.w));
+        t.spin_at = 0;
+        t.spin = before.w;
+        t.spin_rotation = before.rotation;
     }
 
     // The velocities of a body at a fraction of the step.
@@ -118,10 +129,17 @@ private:
         const Traveller& t = travellers_[known->second];
         Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
         const BodyCold& cold = world_.bodies.cold[body];
-        if (t.flies && !cold.isotropic && cold.locks == 0) {
-            const Mat3 axes = to_matrix(rotation_at(sweep, fraction));
-            s.w = axes * (cold.inverse_inertia * transposed_times(axes, t.momentum));
-        }
+        if (cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0) return s;
+        // The sweep turns evenly, a tumbling body does not. Its spin is taken over in the body's
+        // own axes: seen from a slightly wrong attitude the same angular momentum would be a
+        // thousandfold spin about the thin axis of a rod.
+        BodyWarm warm = warm_of(world_, body);
+        warm.rotation = t.spin_rotation;
+        warm.axes = to_matrix(warm.rotation);
+        warm.w = t.spin;
+        warm.torque = {};
+        const FreeSpin free = free_spin(warm, cold, (fraction - t.spin_at) * step_.dt);
+        s.w = rotate(rotation_at(sweep, fraction) * conjugate(free.rotation), free.w);
         return s;
     }
 
@@ -165,56 +183,71 @@ private:
         return !joined_without_contact(world_, a.body, b.body);
     }
 
+    void add_shapes(Traveller& to, std::uint32_t body) {
+        for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
+             s = world_.shapes.shapes[s].next)
+            to.near.push_back(s);
+    }
+    // In order and once each: of two that are met at the same moment the first counts.
+    void tidy_near(Traveller& t) {
+        std::sort(t.near.begin(), t.near.end());
+        t.near.erase(std::unique(t.near.begin(), t.near.end()), t.near.end());
+        std::erase_if(t.near, [&](std::uint32_t s) {
+            return world_.shapes.shapes[s].body == t.body || world_.shapes.shapes[s].trigger;
+        });
+    }
+
     // Two fast bodies may meet where neither is any more.
     void find_near_fast() {
-        struct Way {
-            Aabb box;
-            std::size_t traveller;
-        };
-        std::vector<Way> ways;
-        for (std::size_t k = 0; k < travellers_.size(); k++)
-            ways.push_back({bounds_of_way(travellers_[k]), k});
-        std::sort(ways.begin(), ways.end(), [](const Way& x, const Way& y) {
-            return x.box.low.x < y.box.low.x ||
-                   (x.box.low.x == y.box.low.x && x.traveller < y.traveller);
+        std::vector<std::size_t> order(travellers_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (Traveller& t : travellers_) t.way = bounds_of_way(t);
+        std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+            const double lx = travellers_[x].way.low.x, ly = travellers_[y].way.low.x;
+            return lx < ly || (lx == ly && x < y);
         });
-        const auto add_shapes = [&](Traveller& to, std::uint32_t body) {
-            for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
-                 s = world_.shapes.shapes[s].next)
-                to.near.push_back(s);
-        };
-        for (std::size_t i = 0; i < ways.size(); i++)
-            for (std::size_t j = i + 1; j < ways.size() && ways[j].box.low.x <= ways[i].box.high.x;
-                 j++) {
-                if (!overlap(ways[i].box, ways[j].box)) continue;
-                Traveller &x = travellers_[ways[i].traveller], &y = travellers_[ways[j].traveller];
+        for (std::size_t i = 0; i < order.size(); i++) {
+            Traveller& x = travellers_[order[i]];
+            for (std::size_t j = i + 1; j < order.size(); j++) {
+                Traveller& y = travellers_[order[j]];
+                if (y.way.low.x > x.way.high.x) break;
+                if (!overlap(x.way, y.way)) continue;
                 add_shapes(x, y.body);
                 add_shapes(y, x.body);
             }
+        }
     }
 
-    void find_near(std::size_t k) {
-        Traveller& t = travellers_[k];
-        const Aabb box = bounds_of_way(t);
-        std::vector<std::uint32_t> found = std::move(t.near);
-        // The first way only: after an impact a body goes elsewhere.
-        world_.shapes.fixed->query(box, 0xffffffff, found);
-        world_.shapes.moving->query(box, 0xffffffff, found);
+    void find_near(Traveller& t) {
+        world_.shapes.fixed->query(t.way, 0xffffffff, t.near);
+        world_.shapes.moving->query(t.way, 0xffffffff, t.near);
         for (const std::uint32_t plane : world_.shapes.planes)
-            if (reaches_plane(world_, world_.shapes.shapes[plane], box)) found.push_back(plane);
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        std::erase_if(found, [&](std::uint32_t s) {
-            return world_.shapes.shapes[s].body == t.body || world_.shapes.shapes[s].trigger;
-        });
-        t.near = std::move(found);
+            if (reaches_plane(world_, world_.shapes.shapes[plane], t.way)) t.near.push_back(plane);
+        tidy_near(t);
+    }
+
+    // A body that goes another way from now on may meet others there, and they it.
+    void find_near_anew(std::size_t index) {
+        Traveller& t = travellers_[index];
+        t.way = bounds_of_way(t);
+        t.looked = false;
+        t.near.clear();
+        for (std::size_t k = 0; k < travellers_.size(); k++) {
+            Traveller& other = travellers_[k];
+            if (k == index || !overlap(other.way, t.way)) continue;
+            add_shapes(t, other.body);
+            if (!other.fast) continue;
+            add_shapes(other, t.body);
+            tidy_near(other);
+        }
+        if (t.fast) find_near(t);
     }
 
     // The first impact on the way that is left.
     void look(std::size_t k) {
         Traveller& t = travellers_[k];
         t.looked = true;
-        t.fraction = 2;
+        t.fraction = Impact::never;
         if (t.impacts >= tuning::sweep_impacts) return;
         for (const std::uint32_t other : t.near) look_at(t, other);
     }
@@ -226,24 +259,38 @@ private:
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
             const double from = std::max(t.sweep.from, motion.from);
-            const auto hit =
+            const Impact hit =
                 time_of_impact(swept(own, t.sweep), swept(other, motion), from, tuning::sweep_gap);
-            if (!hit) continue;
-            // What touches already is the contact solver's, or was resolved just now; but the
-            // heart of the body stays on its side.
-            const double fraction =
-                hit->at_start ? core_impact(t, own, other, motion, from) : hit->fraction;
-            if (fraction >= t.fraction) continue;
-            if (!hit->at_start && !closes_in(own, other, t.sweep, motion, fraction)) continue;
-            t.fraction = fraction;
-            t.own_shape = own;
-            t.other_shape = other;
+            const auto meet = [&](double fraction, const std::vector<Point>& points) {
+                if (fraction >= t.fraction) return true;
+                if (!closes_in(own, other, points, motion, t, fraction)) return false;
+                t.fraction = fraction;
+                t.own_shape = own;
+                t.other_shape = other;
+                t.points = points;
+                return true;
+            };
+            bool touches = hit.at_start;
+            if (hit.fraction < t.fraction)
+                touches |= !meet(hit.fraction, touching(own, other, t.sweep, motion, hit.fraction));
+            // What touches without going in is the contact solver's, or was resolved just now. But
+            // one end may rest while the other comes down, or solver and impact have left it going
+            // inwards: then smaller and smaller parts of the shape, about its middle, stop where
+            // the whole is in by what they lack.
+            SweptShape core = swept(own, t.sweep);
+            for (const double scale : {0.98, 0.95, 0.9, 0.8, 0.6, 0.3}) {
+                if (!touches) break;
+                core.scale = scale;
+                const Impact later =
+                    time_of_impact(core, swept(other, motion), from, tuning::sweep_gap);
+                touches = later.at_start;
+                if (later.fraction < t.fraction)
+                    touches |= !meet(later.fraction, along(own, other, t.sweep, motion, later));
+            }
+            if (touches) meet(from, touching(own, other, t.sweep, motion, from));
         }
     }
 
-    struct Point {
-        Vec3 position, normal;
-    };
     std::vector<Point> touching(std::uint32_t own, std::uint32_t other, const Sweep& a,
                                 const Sweep& b, double fraction) const {
         const Placed pa = placed_at(swept(own, a), fraction),
@@ -262,31 +309,46 @@ private:
         return points;
     }
 
-    // When a ball inside the body first touches; 2: never.
-    double core_impact(const Traveller& t, std::uint32_t own, std::uint32_t other,
-                       const Sweep& motion, double from) const {
-        const Geometry ball = Sphere{0.5 * inner_radius_of(world_.shapes.shapes[own].geometry)};
-        SweptShape core = swept(own, t.sweep);
-        core.geometry = &ball;
-        core.radius = length(core.offset) + std::get<Sphere>(ball).radius;
-        const auto hit = time_of_impact(core, swept(other, motion), from, tuning::sweep_gap);
-        if (!hit) return 2;
-        // There already: only if it goes on inwards.
-        const Vec3 u = speed_at(world_.shapes.shapes[other].body, motion, hit->fraction).v -
-                       speed_at(t.body, t.sweep, hit->fraction).v;
-        for (const Point& p : touching(own, other, t.sweep, motion, hit->fraction))
-            if (dot(u, p.normal) < 0) return hit->fraction;
-        return 2;
+    // Where the whole shapes meet along the normal at which a part of one met the other.
+    std::vector<Point> along(std::uint32_t own, std::uint32_t other, const Sweep& a, const Sweep& b,
+                             const Impact& impact) const {
+        const Placed pa = placed_at(swept(own, a), impact.fraction),
+                     pb = placed_at(swept(other, b), impact.fraction);
+        const ShapeKind kind_a = kind_of(*pa.geometry), kind_b = kind_of(*pb.geometry);
+        std::vector<Point> points;
+        if (is_convex(kind_a) && kind_b == ShapeKind::plane) {
+            const Convex ca = convex_of(pa, impact.point);
+            const Feature feature = feature_along(ca, impact.normal);
+            for (int k = 0; k < feature.count; k++) {
+                const Vec3 corner = feature.corner[k] + impact.normal * ca.radius;
+                if (dot(corner, impact.normal) >= 0)
+                    points.push_back({impact.point + corner, impact.normal});
+            }
+        }
+        if (!is_convex(kind_a) || !is_convex(kind_b)) {
+            if (points.empty()) points.push_back({impact.point, impact.normal});
+            return points;
+        }
+        const Convex ca = convex_of(pa, pa.position), cb = convex_of(pb, pa.position);
+        const Vec3 middle = impact.point - pa.position;
+        const double distance =
+            dot(support(cb, -impact.normal) - support(ca, impact.normal), impact.normal);
+        const ContactPoints found =
+            contact_points(ca, cb, {impact.normal, distance, middle, middle}, 0);
+        for (int k = 0; k < found.count; k++)
+            points.push_back({pa.position + found.point[k], impact.normal});
+        return points;
     }
 
     // Whether the velocities there still bring them together.
-    bool closes_in(std::uint32_t own, std::uint32_t other, const Sweep& a, const Sweep& b,
-                   double fraction) const {
+    bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<Point>& points,
+                   const Sweep& motion, const Traveller& t, double fraction) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
-        const Vec3 ca = center_at(a, fraction), cb = center_at(b, fraction);
-        const Speed sa = speed_at(body_a, a, fraction), sb = speed_at(body_b, b, fraction);
-        for (const Point& p : touching(own, other, a, b, fraction)) {
+        const Vec3 ca = center_at(t.sweep, fraction), cb = center_at(motion, fraction);
+        const Speed sa = speed_at(body_a, t.sweep, fraction),
+                    sb = speed_at(body_b, motion, fraction);
+        for (const Point& p : points) {
             const Vec3 u =
                 (sb.v + cross(sb.w, p.position - cb)) - (sa.v + cross(sa.w, p.position - ca));
             if (dot(u, p.normal) < -1e-3) return true;
@@ -320,7 +382,7 @@ private:
         const std::uint32_t body_a = travellers_[index].body,
                             body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = travellers_[index].sweep, sweep_b = sweep_of(body_b);
-        const std::vector<Point> points = touching(own, other, sweep_a, sweep_b, at);
+        const std::vector<Point> points = std::move(travellers_[index].points);
         if (world_.bodies.cold[body_b].set == BodySet::sleeping) {
             wake_island(world_, world_.bodies.cold[body_b].island, world_.events.woke);
             world_.scratch.not_finite.resize(world_.bodies.awake.size(), 0);
@@ -328,21 +390,25 @@ private:
         End a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         bounce(own, other, a, b, points);
         travellers_[index].impacts++;
-        go_on(a, sweep_a, at);
-        go_on(b, sweep_b, at);
-        // Whoever might meet one of the two looks anew, at those two or, if it would have met one
-        // of them next, at everything.
-        const auto changed = [&](std::uint32_t shape) {
-            const std::uint32_t body = world_.shapes.shapes[shape].body;
-            return body == body_a || body == body_b;
-        };
+        travellers_[index].looked = false;
+        for (const auto& [end, sweep] : {std::pair{a, sweep_a}, std::pair{b, sweep_b}})
+            if (go_on(end, sweep, at)) look_out_for(where_.at(end.body));
+    }
+
+    // Whoever might meet a body that goes another way now looks anew: at that body or, if it would
+    // have met it next, at everything.
+    void look_out_for(std::size_t index) {
+        find_near_anew(index);
+        const Traveller& moved = travellers_[index];
         for (Traveller& t : travellers_) {
-            if (!t.looked) continue;
-            if (t.body == body_a || t.body == body_b || (t.fraction < 2 && changed(t.other_shape)))
+            if (!t.looked || t.impacts >= tuning::sweep_impacts) continue;
+            if (t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == moved.body) {
                 t.looked = false;
-            else if (t.impacts < tuning::sweep_impacts)
-                for (const std::uint32_t s : t.near)
-                    if (changed(s)) look_at(t, s);
+            } else if (overlap(t.way, moved.way)) {
+                for (std::uint32_t s = world_.bodies.cold[moved.body].first_shape; s != none;
+                     s = world_.shapes.shapes[s].next)
+                    look_at(t, s);
+            }
         }
     }
 
@@ -404,24 +470,32 @@ private:
                 const Vec3 along = slip * (1 / speed);
                 const double response_t = response(p, along);
                 if (!(response_t > 0)) continue;
-                const Vec3 old = load.friction;
-                Vec3 now = old - along * (speed / response_t);
-                const double most = mu * load.normal, size = length(now);
-                if (size > most) now = now * (size > 0 ? most / size : 0);
-                load.friction = now;
-                push(p, now - old);
+                const double most = mu * load.normal;
+                Vec3 wished = load.friction - along * (speed / response_t);
+                if (const double size = length(wished); size > most)
+                    wished = wished * (size > 0 ? most / size : 0);
+                // Back into the cone is another way than along the slip: only as far as it takes
+                // energy. On a thin rod the rest would spin it up.
+                const Vec3 change = wished - load.friction;
+                const double size = length(change);
+                if (!(size > 1e-12 * most)) continue;
+                const double takes =
+                    -dot(u, change) / (size * size * response(p, change * (1 / size)));
+                const Vec3 impulse = change * clamp(takes, 0, 1);
+                load.friction += impulse;
+                push(p, impulse);
             }
         if (hardest >= world_.def.hit_speed) world_.events.hits.push_back(hit_);
     }
 
-    // The rest of the step with the new velocity. What impulses cannot move keeps its way.
-    void go_on(const End& end, const Sweep& old, double at) {
-        if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return;
+    // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.
+    bool go_on(const End& end, const Sweep& old, double at) {
+        if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
         const BodyCold& cold = world_.bodies.cold[end.body];
         const double left = 1 - at, dt = left * step_.dt;
         const auto known = where_.find(end.body);
-        const std::size_t index = known == where_.end() ? add(end.body, old, false) : known->second;
-        Traveller& t = travellers_[index];
+        Traveller& t =
+            travellers_[known == where_.end() ? add(end.body, old, false) : known->second];
         // From here on it flies, whatever held it before: the next step's contacts will see.
         BodyWarm there = warm_of(world_, end.body);
         there.rotation = rotation_at(old, at);
@@ -431,9 +505,9 @@ private:
         const FreeSpin free = dt > 0 ? free_spin(there, cold, dt) : FreeSpin{there.rotation, end.w};
         t.end_rotation = free.rotation;
         t.end_spin = free.w;
-        t.flies = true;
-        t.momentum = there.axes * (cold.inertia * transposed_times(there.axes, end.w));
+        t.spin_at = at;
         t.spin = end.w;
+        t.spin_rotation = there.rotation;
         t.velocity = end.v;
         // The way that is turned: the short one while it is less than half round.
         Vec3 turned = end.w * dt;
@@ -447,14 +521,12 @@ private:
         t.sweep = {at, end.center, there.rotation, mean * step_.dt,
                    left > 0 ? turned * (1 / left) : Vec3{}};
         t.changed = true;
-        if (t.fast) return;
+        if (t.fast) return true;
         // What was hit may now be fast itself.
         const double way = (length(end.v) + length(end.w) * cold.radius) * dt;
-        if (!cold.continuous || way <= tuning::sweep_fraction * cold.inner_radius) return;
+        if (!cold.continuous || way <= tuning::sweep_fraction * cold.inner_radius) return true;
         t.fast = true;
-        find_near(index);
-        for (Traveller& other : travellers_)
-            if (&other != &t && other.fast) other.looked = false;
+        return true;
     }
 
     void arrive(Traveller& t) {

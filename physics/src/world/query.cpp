@@ -127,9 +127,9 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& sh
                                              ? 0
                                              : radius_of(*shape.placed.geometry),
                                .sweep = {0, shape.placed.position, {}, {}, {}}};
-        const auto impact = time_of_impact(moving, still, 0, gap);
-        if (!impact) return std::nullopt;
-        fraction = impact->fraction;
+        const Impact impact = time_of_impact(moving, still, 0, gap);
+        if (!impact.at_start && impact.fraction > 1) return std::nullopt;
+        fraction = impact.at_start ? 0 : impact.fraction;
     }
     Placed there = probe;
     there.position += cast.motion * fraction;

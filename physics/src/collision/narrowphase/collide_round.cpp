@@ -29,7 +29,7 @@ SegmentPair closest_on_segments(Vec3 a, Vec3 u, double ha, Vec3 b, Vec3 v, doubl
     const Vec3 r = b - a;
     const double c = dot(u, v), ru = dot(r, u), rv = dot(r, v), det = 1 - c * c;
     double s;
-    if (det > 1e-8) {
+    if (det > 1e-12) {
         s = clamp((ru - c * rv) / det, -ha, ha);
     } else {
         const double reach = hb, low = maximum(-ha, ru - reach), high = minimum(ha, ru + reach);

@@ -12,7 +12,7 @@ namespace jostle::physics {
 namespace {
 
 constexpr double same_piece = 0.9962;  // cosine of 5 degrees: normals of one manifold
-constexpr std::size_t pieces_max = 8;  // manifolds of one pair
+constexpr double flat = 1e-3;          // of the shape's size: how even the ground of one is
 
 // Points of one triangle.
 struct Patch {
@@ -30,6 +30,7 @@ struct Waiting {
     Witness witness;
     Vec3 nearest;  // on the triangle; the witness of flat features need not lie on both
     std::uint32_t triangle = 0;
+    bool through = false;  // the shortest way out is to the other side: only if nothing else pushes
     bool covered = false;
 };
 
@@ -96,17 +97,16 @@ public:
             return x.deepest < y.deepest || (x.deepest == y.deepest && x.triangle < y.triangle);
         });
         std::vector<bool> used(patches_.size(), false);
-        std::size_t pieces = 0;
-        for (std::size_t i = 0; i < patches_.size() && pieces < pieces_max; i++) {
+        for (std::size_t i = 0; i < patches_.size(); i++) {
             if (used[i]) continue;
-            ContactPoints& sum = patches_[i].points;
+            const Vec3 ground = on_ground(patches_[i], 0);
+            ContactPoints sum = patches_[i].points;
             for (std::size_t j = i + 1; j < patches_.size(); j++) {
-                if (used[j] || dot(patches_[i].normal, patches_[j].normal) < same_piece) continue;
+                if (used[j] || !continues(patches_[i].normal, ground, patches_[j])) continue;
                 used[j] = true;
                 for (int k = 0; k < patches_[j].points.count; k++)
                     merge(sum, patches_[j].points.point[k], patches_[j].points.gap[k]);
             }
-            pieces++;
             Manifold m = manifold_of(sum, patches_[i].normal);
             m.normal = surface_.axes * m.normal;
             for (int k = 0; k < m.count; k++)
@@ -116,6 +116,19 @@ public:
     }
 
 private:
+    // Where a contact point is on its triangle.
+    static Vec3 on_ground(const Patch& patch, int k) {
+        return patch.points.point[k] - patch.normal * (0.5 * patch.points.gap[k]);
+    }
+    // Only what goes on as a plane makes one manifold: on a curved ground four points of many
+    // cannot stand for the others, and which four are best changes with every step.
+    bool continues(Vec3 normal, Vec3 ground, const Patch& next) const {
+        if (dot(normal, next.normal) < same_piece) return false;
+        for (int k = 0; k < next.points.count; k++)
+            if (absolute(dot(on_ground(next, k) - ground, normal)) > flat * size_) return false;
+        return true;
+    }
+
     // Points that two triangles share count once.
     void merge(ContactPoints& sum, Vec3 point, double gap) const {
         const double near = 1e-4 * size_;
@@ -146,15 +159,17 @@ private:
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
         const Vec3 front = normal_of(t);
-        const double side = dot(front, middle_of(shape_) - corner[0]) < 0 ? -1 : 1;
-        const Vec3 face = front * side;
         // Quick: the shape does not reach the plane.
-        const double above = dot(support(shape_, -face) - corner[0], face) - shape_.radius;
-        if (above > margin_) return;
+        const double reach = shape_.radius + margin_;
+        if (dot(support(shape_, -front) - corner[0], front) > reach ||
+            dot(support(shape_, front) - corner[0], front) < -reach)
+            return;
         const Convex triangle = triangle_convex(corner, {}, {});
         PairCache cache;
-        const Witness w = find_witness(triangle, shape_, margin_ + shape_.radius, cache);
-        if (w.distance - shape_.radius > margin_) return;
+        const Witness w = find_witness(triangle, shape_, reach, cache);
+        if (w.distance > reach) return;
+        const double side = is_behind(t, corner, w) ? -1 : 1;
+        const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
         if (may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal)) {
             patch.points = contact_points(triangle, shape_, w, margin_);
@@ -166,10 +181,61 @@ private:
             for (int k = 0; k < patch.points.count; k++)
                 nearest = minimum(nearest, patch.points.gap[k]);
             if (nearest > gap_of(w) + slack())
-                waiting_.push_back(
-                    {{corner[0], corner[1], corner[2]}, w, nearest_on(triangle, w.on_a), t.index});
+                waiting_.push_back({{corner[0], corner[1], corner[2]},
+                                    w,
+                                    nearest_on(triangle, w.on_a),
+                                    t.index,
+                                    dot(w.normal, face) <= 0});
         }
         if (patch.points.count > 0) take(patch, corner);
+    }
+
+    // On which side of a triangle the shape is. Apart from it, where the shortest way between them
+    // says; over it, where the middle of the shape is. What is over another slope of a ridge is
+    // above this one too, though below its plane: there all that faces the way of the triangle
+    // nearest to the middle is met from its front, and at sharper edges both slopes count.
+    bool is_behind(const SurfaceTriangle& t, const Vec3 corner[3], const Witness& w) {
+        const Vec3 front = normal_of(t);
+        const double up = dot(front, w.normal);
+        if (gap_of(w) > -flat * size_ && absolute(up) > 0.5) return up < 0;
+        const Vec3 middle = middle_of(shape_);
+        const Vec3 nearest = nearest_on(triangle_convex(corner, {}, {}), middle);
+        const bool below = dot(middle - corner[0], front) < 0;
+        bool behind = below, beside = false;
+        for (int k = 0; k < 3; k++) {
+            const Vec3 along = corner[(k + 1) % 3] - corner[k];
+            const Vec3 beyond = cross(along, front);
+            const double reach = dot(corner[(k + 2) % 3] - corner[k], beyond);
+            if (dot(nearest - corner[k], beyond) < 1e-6 * reach) continue;
+            beside = true;
+            const SurfaceEdge edge = edge_of(*surface_.geometry, t, k);
+            if (edge.border) continue;
+            const bool behind_that = dot(middle - corner[k], edge.normal) < 0;
+            behind = edge.fold < 0 ? behind && behind_that : behind || behind_that;
+        }
+        if (beside && dot(front, way_out(middle)) > 0) return false;
+        return behind;
+    }
+
+    // The normal, on the shape's side, of the triangle nearest to its middle.
+    Vec3 way_out(Vec3 middle) {
+        if (way_out_ != Vec3{}) return way_out_;
+        double least = 1e300, upright = 0;
+        for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
+            const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                    t.corner[2] - origin_};
+            const Vec3 to = middle - nearest_on(triangle_convex(corner, {}, {}), middle);
+            const Vec3 front = normal_of(t);
+            const double distance = length(to), up = dot(to, front);
+            // Of those that share the nearest point the one that faces it most.
+            const double near = 1e-6 * size_;
+            if (distance > least + near || (distance > least - near && absolute(up) <= upright))
+                return;
+            least = minimum(least, distance);
+            upright = absolute(up);
+            way_out_ = up < 0 ? -front : front;
+        });
+        return way_out_;
     }
 
     static Vec3 nearest_on(const Convex& triangle, Vec3 p) {
@@ -224,6 +290,11 @@ private:
         return true;
     }
 
+    bool any_overlaps() const {
+        return std::any_of(patches_.begin(), patches_.end(),
+                           [](const Patch& p) { return p.deepest < 0; });
+    }
+
     // Where no neighbour pushes, as at the sharp folds of a crumpled surface, a seam is an edge
     // like any other. The nearest first; those that it covers need nothing more.
     void take_the_uncovered() {
@@ -232,7 +303,8 @@ private:
         for (;;) {
             Waiting* next = nullptr;
             for (Waiting& w : waiting_)
-                if (!w.covered && (next == nullptr || w.witness.distance < next->witness.distance))
+                if (!w.covered && !(w.through && any_overlaps()) &&
+                    (next == nullptr || w.witness.distance < next->witness.distance))
                     next = &w;
             if (next == nullptr) return;
             next->covered = true;
@@ -251,6 +323,7 @@ private:
     Convex shape_;
     Aabb box_;
     double size_ = 0;
+    Vec3 way_out_;  // zero: not known yet
     std::vector<Patch> patches_;
     std::vector<Waiting> waiting_;
 };

@@ -48,7 +48,8 @@ Carrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
     const Vec3 ab = b - a, ac = c - a, n = cross(ab, ac);
     const double n2 = length_squared(n);
     const double longest = maximum(length_squared(ab), length_squared(ac));
-    if (n2 > 1e-30 * longest * longest) {
+    // In a sliver, as points on a rim make them, rounding decides; an edge is as near.
+    if (n2 > 1e-14 * longest * longest) {
         // Barycentric coordinates of the origin's projection.
         const double u = dot(cross(b, c), n) / n2, v = dot(cross(c, a), n) / n2, w = 1 - u - v;
         if (u >= 0 && v >= 0 && w >= 0) return measured(s, {3, {i, j, k}, {u, v, w}});
@@ -63,18 +64,21 @@ Carrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
     return best;
 }
 
-// Nothing carries it when the origin is inside.
+// Nothing carries it when the origin is inside. A flat tetrahedron, as round shapes make them, has
+// no inside: rounding decides on which side of its faces anything lies.
 Carrier closest_on_tetrahedron(const Simplex& s) {
     static constexpr int face[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
+    double longest2 = 0;
+    for (int k = 1; k < 4; k++)
+        longest2 = maximum(longest2, length_squared(s.point[k].w - s.point[0].w));
     Carrier best;
     for (const auto& f : face) {
         const Vec3 a = s.point[f[0]].w, b = s.point[f[1]].w, c = s.point[f[2]].w;
         const Vec3 n = cross(b - a, c - a);
-        const double origin = -dot(n, a), other = dot(n, s.point[f[3]].w - a);
-        // Behind this face, as seen from outside. A face whose plane the fourth point all but lies
-        // in cannot tell: flat tetrahedra, as round shapes make them, hold nothing.
-        const double reach = length(n) * length(s.point[f[3]].w - a);
-        if (origin * other > 0 && absolute(other) > 1e-9 * reach) continue;
+        // Six times its volume, and behind this face, as seen from outside.
+        const double other = dot(n, s.point[f[3]].w - a), origin = -dot(n, a);
+        const bool flat = other * other <= 1e-22 * longest2 * longest2 * longest2;
+        if (!flat && origin * other > 0) continue;
         const Carrier part = closest_on_triangle(s, f[0], f[1], f[2]);
         if (best.count == 0 || part.distance2 < best.distance2) best = part;
     }

@@ -79,7 +79,7 @@ private:
         for (int k = 0; k < facet_count_; k++)
             if (facets_[k].alive) consider(facets_[k].normal);
         least = walk_down(n, least);
-        constexpr int starts = 12;
+        constexpr int starts = 40;
         for (int k = 0; k < facet_count_; k++) facets_[k].spent = false;
         for (int start = 0; start < starts; start++) {
             const int at = nearest();
@@ -91,12 +91,16 @@ private:
             least = h;
             n = other;
         }
-        // Moved out that way the shapes part where they touch last.
+        return parted(n, maximum(0, least));
+    }
+
+    // Moved out along n the shapes part where they touch last.
+    Penetration parted(Vec3 n, double depth) const {
         Convex moved = b_;
-        const Vec3 out = n * (maximum(0, least) + 1e-3 * size_);
+        const Vec3 out = n * (depth + 1e-3 * size_);
         moved.position += out;
-        const GjkResult parted = gjk(a_, moved, n);
-        return {maximum(0, least), n, parted.on_a, parted.on_b - out};
+        const GjkResult g = gjk(a_, moved, n);
+        return {depth, n, g.on_a, g.on_b - out};
     }
 
     // A ring of trials around the direction that turns, and shrinks when none is better.
@@ -252,18 +256,36 @@ private:
         return false;
     }
 
-    Penetration answer(const Facet& f) const {
-        // Where the origin's projection lies on the facet.
-        const SimplexPoint &p = points_[f.corner[0]], &q = points_[f.corner[1]],
-                           &r = points_[f.corner[2]];
-        const Vec3 n = cross(q.w - p.w, r.w - p.w), o = f.normal * f.distance;
-        const double n2 = length_squared(n);
-        double u = dot(cross(q.w - o, r.w - o), n) / n2, v = dot(cross(r.w - o, p.w - o), n) / n2;
-        u = clamp(u, 0, 1);
-        v = clamp(v, 0, 1 - u);
-        const double t = 1 - u - v;
-        return {maximum(0, f.distance), f.normal, p.a * u + q.a * v + r.a * t,
-                p.b * u + q.b * v + r.b * t};
+    // Of the facets in one plane the one that the origin's projection lies on.
+    Penetration answer(const Facet& nearest) const {
+        const Facet* facet = nullptr;
+        double most = -1e-6, weight[3] = {};
+        for (int k = 0; k < facet_count_; k++) {
+            const Facet& f = facets_[k];
+            if (!f.alive || f.distance > nearest.distance + 1e-6 * fine_ ||
+                dot(f.normal, nearest.normal) < 1 - 1e-9)
+                continue;
+            const Vec3 p = points_[f.corner[0]].w, q = points_[f.corner[1]].w,
+                       r = points_[f.corner[2]].w;
+            const Vec3 n = cross(q - p, r - p), o = f.normal * f.distance;
+            const double n2 = length_squared(n);
+            const double u = dot(cross(q - o, r - o), n) / n2, v = dot(cross(r - o, p - o), n) / n2,
+                         t = 1 - u - v;
+            const double inside = minimum(u, minimum(v, t));
+            if (inside <= most) continue;
+            most = inside;
+            facet = &f;
+            weight[0] = u;
+            weight[1] = v;
+            weight[2] = t;
+        }
+        if (facet == nullptr) return parted(nearest.normal, maximum(0, nearest.distance));
+        Penetration result{maximum(0, nearest.distance), nearest.normal, {}, {}};
+        for (int k = 0; k < 3; k++) {
+            result.on_a += points_[facet->corner[k]].a * weight[k];
+            result.on_b += points_[facet->corner[k]].b * weight[k];
+        }
+        return result;
     }
 
     const Convex &a_, &b_;

@@ -76,6 +76,19 @@ bool arcs_cross(Vec3 na1, Vec3 na2, Vec3 along_a, Vec3 nb1, Vec3 nb2, Vec3 along
     return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
 }
 
+// Where s u, 0 <= s <= 1, and r + t v, least <= t <= 1, are closest (Ericson, "Real-Time Collision
+// Detection", 5.1.9). Edges that are all but parallel meet in what they have in common.
+struct Nearest {
+    double s, t;
+};
+Nearest nearest_on_edges(Vec3 r, Vec3 u, Vec3 v, double least) {
+    const double uu = length_squared(u), vv = length_squared(v), uv = dot(u, v);
+    const double ru = dot(r, u), rv = dot(r, v);
+    const double s = clamp((ru * vv - rv * uv) / (uu * vv - uv * uv), 0, 1);
+    const double t = clamp((s * uv - rv) / vv, least, 1);
+    return {clamp((ru + t * uv) / uu, 0, 1), t};
+}
+
 // The axis of two edges, whether or not they are a face of the difference.
 Best edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     const HullEdge &x = p.a.edges[ea], &y = p.b.edges[eb];
@@ -86,12 +99,9 @@ Best edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     if (l2 < 1e-10 * uu * vv) return {};  // parallel: a face says it better
     n = n * (1 / square_root(l2));
     if (dot(n, pa - p.a.middle) < 0) n = -n;
-    // Where the two lines are closest.
     const Vec3 r = pb - pa;
-    const double uv = dot(u, v), ru = dot(r, u), rv = dot(r, v), det = uu * vv - uv * uv;
-    const double s = clamp((ru * vv - rv * uv) / det, 0, 1);
-    const double t = clamp((ru * uv - rv * uu) / det, 0, 1);
-    return {dot(n, r), n, edge_pair | ea << 14 | eb, pa + u * s, pb + v * t};
+    const Nearest at = nearest_on_edges(r, u, v, 0);
+    return {dot(n, r), n, edge_pair | ea << 14 | eb, pa + u * at.s, pb + v * at.t};
 }
 
 Best edge_axes(const Pair& p) {
@@ -200,12 +210,8 @@ Separation separate_segment(const Convex& polyhedron, const Convex& segment) {
         if (dot(n, from - p.middle) < 0) n = -n;
         const double s = dot(n, middle - from);
         if (s <= best.distance) continue;
-        const Vec3 r = middle - from;
-        const double uv = dot(u, along), ru = dot(r, u), rv = dot(r, along),
-                     det = uu * vv - uv * uv;
-        const double at = clamp((ru * vv - rv * uv) / det, 0, 1);
-        const double t = clamp((ru * uv - rv * uu) / det, -1, 1);
-        best = {s, n, edge_pair | e << 14, from + u * at, middle + along * t};
+        const Nearest at = nearest_on_edges(middle - from, u, along, -1);
+        best = {s, n, edge_pair | e << 14, from + u * at.s, middle + along * at.t};
     }
     return in_world(polyhedron, best);
 }

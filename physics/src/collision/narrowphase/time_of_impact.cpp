@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collision/narrowphase/time_of_impact.h"
 
-#include <vector>
-
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/gjk.h"
-#include "collision/narrowphase/shape_distance.h"
 #include "geometry/bounds.h"
 #include "geometry/bvh.h"
 #include "geometry/surface.h"
@@ -18,6 +15,7 @@ namespace {
 struct Gap {
     double distance;  // m
     Vec3 normal;      // from a to b
+    Vec3 point;       // m, world, between the surfaces
 };
 
 // Gaps need not be exact to advance safely: a direction that separates by nearly as much will do.
@@ -46,41 +44,65 @@ bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap) 
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
+// gap_at(t, exact): what is not exact may say less than the distance.
 template <class GapAt>
-std::optional<Impact> advance(const SweptShape& a, const SweptShape& b, double from, double gap,
-                              GapAt&& gap_at) {
+Impact advance(const SweptShape& a, const SweptShape& b, double from, double gap, GapAt&& gap_at) {
     constexpr int rounds_max = 400;
     double t = from;
     for (int round = 0; round < rounds_max; round++) {
-        const Gap now = gap_at(t);
-        if (now.distance <= 2 * gap) return Impact{t, round == 0};
+        const Gap now = gap_at(t, false);
+        if (now.distance <= 2 * gap) {
+            if (round == 0) return {.at_start = true};
+            break;
+        }
         const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
         // All points move apart along a direction that separates: they never meet.
-        if (speed <= 0) return std::nullopt;
+        if (speed <= 0) return {};
         t += (now.distance - gap) / speed;
-        if (t > 1) return std::nullopt;
+        if (t > 1) return {};
     }
-    // Creeping towards each other: what is left of the step is shorter than rounding can tell.
-    return Impact{t, false};
+    // Met, or creeping towards each other: what is left is shorter than rounding can tell.
+    const Gap there = gap_at(t, true);
+    return {.fraction = t, .normal = there.normal, .point = there.point};
 }
 
-std::optional<Impact> simple_impact(const SweptShape& a, const SweptShape& b, double from,
-                                    double gap) {
-    PairCache cache;
+Gap gap_of(const GjkResult& g, double radius_a, double radius_b, Vec3 origin) {
+    return {g.distance - radius_a - radius_b, g.normal,
+            origin + (g.on_a + g.normal * radius_a + g.on_b - g.normal * radius_b) * 0.5};
+}
+
+Convex convex_at(const SweptShape& shape, const Placed& placed, Vec3 origin) {
+    Convex c = convex_of(placed, origin);
+    if (shape.scale == 1) return c;
+    const Vec3 middle = middle_of(c);
+    c.position = middle + (c.position - middle) * shape.scale;
+    c.axes = {c.axes.x * shape.scale, c.axes.y * shape.scale, c.axes.z * shape.scale};
+    c.radius *= shape.scale;
+    return c;
+}
+
+Impact plane_impact(const SweptShape& plane, const SweptShape& shape, double from, double gap) {
+    return advance(plane, shape, from, gap, [&](double t, bool) {
+        const Placed pp = placed_at(plane, t), ps = placed_at(shape, t);
+        const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
+        const Convex c = convex_at(shape, ps, pp.position);
+        const Vec3 lowest = support(c, -n) - n * c.radius;
+        const double distance = dot(lowest, n);
+        return Gap{distance, n, pp.position + lowest - n * (0.5 * distance)};
+    });
+}
+
+Impact convex_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
+    Vec3 hint;
     const double most = closing_at_most(a, b);
-    return advance(a, b, from, gap, [&](double t) {
+    return advance(a, b, from, gap, [&](double t, bool exact) {
         const Placed pa = placed_at(a, t), pb = placed_at(b, t);
-        if (kind_of(*a.geometry) == ShapeKind::plane || kind_of(*b.geometry) == ShapeKind::plane) {
-            const SignedDistance d = signed_distance(pa, pb, cache);
-            return Gap{d.distance, d.normal};
-        }
-        const Convex ca = convex_of(pa, pa.position), cb = convex_of(pb, pa.position);
+        const Convex ca = convex_at(a, pa, pa.position), cb = convex_at(b, pb, pa.position);
         const double radii = ca.radius + cb.radius;
-        const GjkResult g =
-            gjk(ca, cb, cache.direction,
-                {.beyond = radii + gap + most * (1 - t), .loose = loose, .radii = radii});
-        cache.direction = g.normal;
-        return Gap{g.distance - radii, g.normal};
+        const GjkGoal early{.beyond = radii + gap + most * (1 - t), .loose = loose, .radii = radii};
+        const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
+        hint = g.normal;
+        return gap_of(g, ca.radius, cb.radius, pa.position);
     });
 }
 
@@ -101,36 +123,38 @@ Aabb way_in(const SweptShape& frame, const SweptShape& shape, double from) {
     return grow({center - reach, center + reach}, own);
 }
 
-// Of several parts: the first that is met on the way, for what touches at the start does not end
-// it; that they touch at the start when nothing is met.
-void keep_first(std::optional<Impact>& best, const std::optional<Impact>& next) {
-    if (!next) return;
-    if (!best || (best->at_start && !next->at_start) ||
-        (best->at_start == next->at_start && next->fraction < best->fraction))
-        best = next;
+// Of several parts.
+void keep_first(Impact& best, const Impact& next) {
+    const bool at_start = best.at_start || next.at_start;
+    if (next.fraction < best.fraction) best = next;
+    best.at_start = at_start;
 }
 
-std::optional<Impact> surface_impact(const SweptShape& surface, const SweptShape& shape,
-                                     double from, double gap) {
-    std::optional<Impact> best;
+Impact turned_round(Impact impact) {
+    impact.normal = -impact.normal;
+    return impact;
+}
+
+Impact surface_impact(const SweptShape& surface, const SweptShape& shape, double from, double gap) {
+    Impact best;
     const double most = closing_at_most(surface, shape);
-    for_each_triangle(*surface.geometry, grow(way_in(surface, shape, from), 2 * gap),
-                      [&](const SurfaceTriangle& t) {
-                          PairCache cache;
-                          const auto hit = advance(surface, shape, from, gap, [&](double at) {
-                              const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
-                              const Convex triangle =
-                                  triangle_convex(t.corner, ps.position - pc.position, ps.axes);
-                              const Convex c = convex_of(pc, pc.position);
-                              const GjkResult g = gjk(triangle, c, cache.direction,
-                                                      {.beyond = c.radius + gap + most * (1 - at),
-                                                       .loose = loose,
-                                                       .radii = c.radius});
-                              cache.direction = g.normal;
-                              return Gap{g.distance - c.radius, g.normal};
-                          });
-                          keep_first(best, hit);
-                      });
+    for_each_triangle(
+        *surface.geometry, grow(way_in(surface, shape, from), 2 * gap),
+        [&](const SurfaceTriangle& t) {
+            Vec3 hint;
+            const Impact impact = advance(surface, shape, from, gap, [&](double at, bool exact) {
+                const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
+                const Convex triangle =
+                    triangle_convex(t.corner, ps.position - pc.position, ps.axes);
+                const Convex c = convex_at(shape, pc, pc.position);
+                const GjkGoal early{
+                    .beyond = c.radius + gap + most * (1 - at), .loose = loose, .radii = c.radius};
+                const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
+                hint = g.normal;
+                return gap_of(g, 0, c.radius, pc.position);
+            });
+            keep_first(best, impact);
+        });
     return best;
 }
 
@@ -169,16 +193,14 @@ Aabb swept_bounds(const SweptShape& shape, double from) {
     return grow(both, bulge);
 }
 
-std::optional<Impact> time_of_impact(const SweptShape& a, const SweptShape& b, double from,
-                                     double gap) {
+Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
-    if (ka != ShapeKind::plane && kb != ShapeKind::plane && pass_by(a, b, from, gap))
-        return std::nullopt;
+    if (ka != ShapeKind::plane && kb != ShapeKind::plane && pass_by(a, b, from, gap)) return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {
         const bool first = ka == ShapeKind::compound;
         const SweptShape &compound = first ? a : b, &other = first ? b : a;
         const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
-        std::optional<Impact> best;
+        Impact best;
         const auto consider = [&](std::uint32_t k) {
             keep_first(best,
                        time_of_impact(child_of(compound, data.children[k]), other, from, gap));
@@ -189,14 +211,14 @@ std::optional<Impact> time_of_impact(const SweptShape& a, const SweptShape& b, d
         } else {
             data.tree->query(grow(way_in(compound, other, from), 2 * gap), consider);
         }
-        return best;
+        return first ? best : turned_round(best);
     }
-    const auto is_surface = [](ShapeKind k) {
-        return k == ShapeKind::mesh || k == ShapeKind::height_field;
-    };
-    if (is_surface(ka)) return is_convex(kb) ? surface_impact(a, b, from, gap) : std::nullopt;
-    if (is_surface(kb)) return is_convex(ka) ? surface_impact(b, a, from, gap) : std::nullopt;
-    return simple_impact(a, b, from, gap);
+    if (is_convex(ka) && is_convex(kb)) return convex_impact(a, b, from, gap);
+    // Planes and surfaces do not meet each other.
+    if (is_convex(ka) == is_convex(kb)) return {};
+    if (is_convex(ka)) return turned_round(time_of_impact(b, a, from, gap));
+    if (ka == ShapeKind::plane) return plane_impact(a, b, from, gap);
+    return surface_impact(a, b, from, gap);
 }
 
 }  // namespace jostle::physics

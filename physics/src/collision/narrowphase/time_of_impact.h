@@ -5,8 +5,6 @@
 // any two points can close it, so that nothing is ever stepped over.
 #pragma once
 
-#include <optional>
-
 #include "geometry/placed.h"
 #include "jostle/physics/aabb.h"
 
@@ -28,19 +26,24 @@ struct SweptShape {
     Mat3 axes;          // in the body
     double radius = 0;  // m: the body's furthest point from its centre of mass
     Sweep sweep;
+    double scale = 1;  // below 1: only this part of the shape, about its middle; children of a
+                       // compound each about their own
 };
 Placed placed_at(const SweptShape& shape, double fraction);
 // Holds the shape from `from` to the end of the step. Not for planes.
 Aabb swept_bounds(const SweptShape& shape, double from);
 
 struct Impact {
-    double fraction = 0;    // of the step
-    bool at_start = false;  // they touched already at `from`
+    static constexpr double never = 2;
+    double fraction = never;  // of the step
+    Vec3 normal;              // then: unit, from a to b
+    Vec3 point;               // m, world, between the surfaces
+    bool at_start = false;    // they touched already at `from`
 };
 
-// The first fraction from `from` on at which the shapes are within `gap` of each other; any kinds.
-// Nothing when they never are. Pairs that touch at `from` answer at_start.
-std::optional<Impact> time_of_impact(const SweptShape& a, const SweptShape& b, double from,
-                                     double gap);
+// The first fraction from `from` on at which the shapes come within `gap` of each other; any kinds.
+// What touches at `from` has no such moment and says at_start; of shapes with several parts the
+// others may still have theirs.
+Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap);
 
 }  // namespace jostle::physics

@@ -8,6 +8,7 @@
 
 #include "support/near.h"
 #include "support/random.h"
+#include "support/random_shapes.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -159,6 +160,39 @@ TEST(Continuous, ball_stays_between_two_thin_walls) {
         must(world.step(1.0 / 60));
         ASSERT_LT(std::fabs(position_of(world, ball).x), 0.25) << "step " << i;
         ASSERT_NEAR(std::fabs(velocity_of(world, ball).x), 200, 1e-6);
+    }
+}
+
+// A room whose walls are 2 cm thick, and in it shapes of every kind at up to 170 m/s and 100 rad/s:
+// off walls, each other and corners they fly, tumble and bounce, but not out.
+TEST(Continuous, nothing_leaves_a_room) {
+    static constexpr ShapeKind kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, ShapeKind::box,
+                                          ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};
+    for (const double restitution : {0.0, 0.9}) {
+        World world = make_world({.gravity = {}});
+        for (int axis = 0; axis < 3; axis++)
+            for (const double side : {-6.0, 6.0}) {
+                Vec3 position, half{6.2, 6.2, 6.2};
+                position[axis] = side;
+                half[axis] = 0.01;
+                add(world, {.geometry = Box{half},
+                            .position = position,
+                            .restitution = restitution,
+                            .type = BodyType::fixed});
+            }
+        Random random(7);
+        for (int i = 0; i < 60; i++)
+            add(world, {.geometry = random_geometry(kinds[i % 6], random),
+                        .position = random.vector(4),
+                        .rotation = random.rotation(),
+                        .velocity = random.vector(100),
+                        .spin = random.vector(60),
+                        .restitution = restitution});
+        run(world, 1);
+        for (const BodyId body : world.bodies()) {
+            const Vec3 p = position_of(world, body);
+            EXPECT_LE(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 6);
+        }
     }
 }
 

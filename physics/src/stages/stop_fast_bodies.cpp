@@ -2,6 +2,7 @@
 #include "stages/stop_fast_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -24,6 +25,8 @@ struct Point {
 // One end of an impact, or one body under way.
 struct Traveller {
     std::uint32_t body = none;
+    // A tumbling body does not turn evenly: its way is cut into legs, each from where it really is
+    // to where it really will be.
     Sweep sweep;
     Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
     // The spin and the attitude at one moment of the step; at others Euler's equations give it.
@@ -44,6 +47,19 @@ struct Traveller {
     std::vector<std::uint32_t> near;  // shapes that may be in it, in order and once each
 };
 
+constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a tumbling body's
+
+// An even turn from one attitude to the other, rad, of all that end there the one most like
+// `wished`: so that the way ends where the body does, however often it went round.
+Vec3 way_round(Quat from, Quat to, Vec3 wished) {
+    const Quat turn = to * conjugate(from);
+    const Vec3 v{turn.x, turn.y, turn.z};
+    const double l = length(v);
+    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
+    const double angle = 2 * arc_tangent(l, turn.w), round = 2 * pi;
+    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
+}
+
 class Sweeper {
 public:
     explicit Sweeper(StepContext& step) : step_(step), world_(step.world) {}
@@ -56,20 +72,24 @@ public:
         world_.shapes.moving->settle();
         find_near_fast();
         for (Traveller& t : travellers_) find_near(t);
-        // Every impact uses up one of somebody's, so this ends.
+        // Every impact uses up one of somebody's, and between two there are so many legs: this
+        // ends.
         for (;;) {
             std::size_t first = none;
             double soonest = 1.5;
             for (std::size_t k = 0; k < travellers_.size(); k++) {
                 if (!travellers_[k].fast) continue;
                 if (!travellers_[k].looked) look(k);
-                if (travellers_[k].fraction < soonest) {
-                    soonest = travellers_[k].fraction;
+                if (next_of(travellers_[k]) < soonest) {
+                    soonest = next_of(travellers_[k]);
                     first = k;
                 }
             }
             if (first == none) break;
-            impact(first);
+            if (travellers_[first].fraction <= travellers_[first].sweep.until)
+                impact(first);
+            else
+                begin_leg(first);
         }
         for (Traveller& t : travellers_)
             if (t.changed) arrive(t);
@@ -86,21 +106,60 @@ private:
         return travellers_.size() - 1;
     }
 
+    // When something next happens to it.
+    static double next_of(const Traveller& t) {
+        const bool more = t.sweep.until < 1 && t.impacts < tuning::sweep_impacts;
+        return std::min(t.fraction, more ? t.sweep.until : Impact::never);
+    }
+
+    // The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
+    void aim(Traveller& t) {
+        const BodyCold& cold = world_.bodies.cold[t.body];
+        const double from = t.sweep.from, left = 1 - from;
+        const bool even = cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0;
+        t.sweep.until = 1;
+        if (!even && t.spin != Vec3{}) {
+            // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
+            const Mat3 axes = to_matrix(t.spin_rotation);
+            const Vec3 w = transposed_times(axes, t.spin);
+            const double bend = length(cold.inverse_inertia * cross(w, cold.inertia * w));
+            const double legs = left * step_.dt * square_root(bend / (8 * leg_error));
+            if (legs > 1) t.sweep.until = from + left / std::ceil(legs);
+        }
+        const Quat to = t.sweep.until < 1 ? free_from(t, t.sweep.until).rotation : t.end_rotation;
+        const double part = t.sweep.until - from;
+        t.sweep.turn =
+            part > 0 ? way_round(t.sweep.rotation, to, t.spin * (part * step_.dt)) * (1 / part)
+                     : Vec3{};
+    }
+    void begin_leg(std::size_t index) {
+        Traveller& t = travellers_[index];
+        const double at = t.sweep.until;
+        const FreeSpin free = free_from(t, at);
+        t.velocity += t.gain * (at - t.sweep.from);
+        t.sweep.center = center_at(t.sweep, at);
+        t.sweep.rotation = t.spin_rotation = free.rotation;
+        t.sweep.from = t.spin_at = at;
+        t.spin = free.w;
+        aim(t);
+        look_out_for(index);
+    }
+    FreeSpin free_from(const Traveller& t, double fraction) const {
+        BodyWarm warm = warm_of(world_, t.body);
+        warm.rotation = t.spin_rotation;
+        warm.axes = to_matrix(warm.rotation);
+        warm.w = t.spin;
+        warm.torque = {};
+        return free_spin(warm, world_.bodies.cold[t.body], (fraction - t.spin_at) * step_.dt);
+    }
+
     void start(std::uint32_t awake) {
         const BodyWarm& now = world_.bodies.awake[awake];
         const BodyWarm& before = world_.scratch.before[awake];
-        const Quat turn = now.rotation * conjugate(before.rotation);
-        // The turn as a vector; a body that turns more than half round took the way of its spin.
-        Vec3 vector = now.w * step_.dt;
-        if (length(vector) < 1.5) {
-            const Vec3 v{turn.x, turn.y, turn.z};
-            const double l = length(v), sign = turn.w < 0 ? -1 : 1;
-            vector = l > 1e-12 ? v * (sign * 2 * arc_tangent(l, turn.w * sign) / l) : Vec3{};
-        }
+        const Vec3 turn = way_round(before.rotation, now.rotation, now.w * step_.dt);
         const BodyCold& cold = world_.bodies.cold[now.body];
         Traveller& t = travellers_[add(
-            now.body, {0, before.center, before.rotation, now.center - before.center, vector},
-            true)];
+            now.body, {0, before.center, before.rotation, now.center - before.center, turn}, true)];
         t.end_rotation = now.rotation;
         t.end_spin = now.w;
         t.velocity = now.v;
@@ -114,6 +173,7 @@ private:
         t.spin_at = 0;
         t.spin = before.w;
         t.spin_rotation = before.rotation;
+        aim(t);
     }
 
     // The velocities of a body at a fraction of the step.
@@ -133,12 +193,7 @@ private:
         // The sweep turns evenly, a tumbling body does not. Its spin is taken over in the body's
         // own axes: seen from a slightly wrong attitude the same angular momentum would be a
         // thousandfold spin about the thin axis of a rod.
-        BodyWarm warm = warm_of(world_, body);
-        warm.rotation = t.spin_rotation;
-        warm.axes = to_matrix(warm.rotation);
-        warm.w = t.spin;
-        warm.torque = {};
-        const FreeSpin free = free_spin(warm, cold, (fraction - t.spin_at) * step_.dt);
+        const FreeSpin free = free_from(t, fraction);
         s.w = rotate(rotation_at(sweep, fraction) * conjugate(free.rotation), free.w);
         return s;
     }
@@ -162,12 +217,16 @@ private:
     }
 
     Aabb bounds_of_way(const Traveller& t) const {
+        if (t.sweep.until < 1) {
+            const Vec3 from = t.sweep.center, to = center_at(t.sweep, 1);
+            return grow({min(from, to), max(from, to)}, world_.bodies.cold[t.body].radius + 0.01);
+        }
         Aabb box{};
         bool first = true;
         for (std::uint32_t s = world_.bodies.cold[t.body].first_shape; s != none;
              s = world_.shapes.shapes[s].next) {
             if (world_.shapes.shapes[s].trigger) continue;
-            const Aabb own = swept_bounds(swept(s, t.sweep), t.sweep.from);
+            const Aabb own = swept_bounds(swept(s, t.sweep), t.sweep.from, 1);
             box = first ? own : unite(box, own);
             first = false;
         }
@@ -261,9 +320,10 @@ private:
             const double from = std::max(t.sweep.from, motion.from);
             const Impact hit =
                 time_of_impact(swept(own, t.sweep), swept(other, motion), from, tuning::sweep_gap);
-            const auto meet = [&](double fraction, const std::vector<Point>& points) {
+            const auto meet = [&](double fraction, const std::vector<Point>& points,
+                                  bool at_start = false) {
                 if (fraction >= t.fraction) return true;
-                if (!closes_in(own, other, points, motion, t, fraction)) return false;
+                if (!closes_in(own, other, points, motion, t, fraction, at_start)) return false;
                 t.fraction = fraction;
                 t.own_shape = own;
                 t.other_shape = other;
@@ -278,7 +338,7 @@ private:
             // inwards: then smaller and smaller parts of the shape, about its middle, stop where
             // the whole is in by what they lack.
             SweptShape core = swept(own, t.sweep);
-            for (const double scale : {0.98, 0.95, 0.9, 0.8, 0.6, 0.3}) {
+            for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
                 if (!touches) break;
                 core.scale = scale;
                 const Impact later =
@@ -287,7 +347,7 @@ private:
                 if (later.fraction < t.fraction)
                     touches |= !meet(later.fraction, along(own, other, t.sweep, motion, later));
             }
-            if (touches) meet(from, touching(own, other, t.sweep, motion, from));
+            if (touches) meet(from, touching(own, other, t.sweep, motion, from), true);
         }
     }
 
@@ -340,18 +400,25 @@ private:
         return points;
     }
 
-    // Whether the velocities there still bring them together.
+    // Whether they go on inwards there: by their velocities or, after the start, by their sweeps.
+    // (A tumbling body is where its sweep is, not where its velocities point: then there may be no
+    // impulse, but a new sweep from there.)
     bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<Point>& points,
-                   const Sweep& motion, const Traveller& t, double fraction) const {
+                   const Sweep& motion, const Traveller& t, double fraction, bool at_start) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
         const Vec3 ca = center_at(t.sweep, fraction), cb = center_at(motion, fraction);
         const Speed sa = speed_at(body_a, t.sweep, fraction),
                     sb = speed_at(body_b, motion, fraction);
+        const double least = 1e-3;  // m/s
         for (const Point& p : points) {
-            const Vec3 u =
-                (sb.v + cross(sb.w, p.position - cb)) - (sa.v + cross(sa.w, p.position - ca));
-            if (dot(u, p.normal) < -1e-3) return true;
+            const Vec3 ra = p.position - ca, rb = p.position - cb;
+            const Vec3 u = (sb.v + cross(sb.w, rb)) - (sa.v + cross(sa.w, ra));
+            const Vec3 swept = (motion.motion + cross(motion.turn, rb)) -
+                               (t.sweep.motion + cross(t.sweep.turn, ra));
+            if (dot(u, p.normal) < -least ||
+                (!at_start && dot(swept, p.normal) < -least * step_.dt))
+                return true;
         }
         return false;
     }
@@ -509,17 +576,9 @@ private:
         t.spin = end.w;
         t.spin_rotation = there.rotation;
         t.velocity = end.v;
-        // The way that is turned: the short one while it is less than half round.
-        Vec3 turned = end.w * dt;
-        if (length(turned) < 1.5 && dt > 0) {
-            const Quat q = free.rotation * conjugate(there.rotation);
-            const Vec3 v{q.x, q.y, q.z};
-            const double l = length(v), sign = q.w < 0 ? -1 : 1;
-            turned = l > 1e-12 ? v * (sign * 2 * arc_tangent(l, q.w * sign) / l) : Vec3{};
-        }
         const Vec3 mean = end.v + t.gain * (0.5 * left);
-        t.sweep = {at, end.center, there.rotation, mean * step_.dt,
-                   left > 0 ? turned * (1 / left) : Vec3{}};
+        t.sweep = {at, end.center, there.rotation, mean * step_.dt, {}};
+        aim(t);
         t.changed = true;
         if (t.fast) return true;
         // What was hit may now be fast itself.

@@ -34,12 +34,17 @@ double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b,
            length(cross(normal, b.turn)) * radius_b;
 }
 
+double end_of(const SweptShape& a, const SweptShape& b) {
+    return minimum(a.sweep.until, b.sweep.until);
+}
+
 // Whether the balls around the two bodies' centres never touch on the way.
 bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap) {
     const Vec3 apart = center_at(b.sweep, from) - center_at(a.sweep, from);
     const Vec3 motion = b.sweep.motion - a.sweep.motion;
     const double speed2 = length_squared(motion);
-    const double nearest = speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, 1 - from) : 0;
+    const double nearest =
+        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, end_of(a, b) - from) : 0;
     const double reach = a.radius + b.radius + 2 * gap;
     return length_squared(apart + motion * nearest) > reach * reach;
 }
@@ -48,6 +53,7 @@ bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap) 
 template <class GapAt>
 Impact advance(const SweptShape& a, const SweptShape& b, double from, double gap, GapAt&& gap_at) {
     constexpr int rounds_max = 400;
+    const double until = end_of(a, b);
     double t = from;
     for (int round = 0; round < rounds_max; round++) {
         const Gap now = gap_at(t, false);
@@ -59,7 +65,7 @@ Impact advance(const SweptShape& a, const SweptShape& b, double from, double gap
         // All points move apart along a direction that separates: they never meet.
         if (speed <= 0) return {};
         t += (now.distance - gap) / speed;
-        if (t > 1) return {};
+        if (t > until) return {};
     }
     // Met, or creeping towards each other: what is left is shorter than rounding can tell.
     const Gap there = gap_at(t, true);
@@ -94,12 +100,13 @@ Impact plane_impact(const SweptShape& plane, const SweptShape& shape, double fro
 
 Impact convex_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
     Vec3 hint;
-    const double most = closing_at_most(a, b);
+    const double most = closing_at_most(a, b), until = end_of(a, b);
     return advance(a, b, from, gap, [&](double t, bool exact) {
         const Placed pa = placed_at(a, t), pb = placed_at(b, t);
         const Convex ca = convex_at(a, pa, pa.position), cb = convex_at(b, pb, pa.position);
         const double radii = ca.radius + cb.radius;
-        const GjkGoal early{.beyond = radii + gap + most * (1 - t), .loose = loose, .radii = radii};
+        const GjkGoal early{
+            .beyond = radii + gap + most * (until - t), .loose = loose, .radii = radii};
         const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
         hint = g.normal;
         return gap_of(g, ca.radius, cb.radius, pa.position);
@@ -109,13 +116,14 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, double from, doub
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
 // the world and the box is turned into the frame of `frame` as it stands at `from` and at the end.
 Aabb way_in(const SweptShape& frame, const SweptShape& shape, double from) {
-    const Aabb box = swept_bounds(shape, from);
+    const double until = end_of(frame, shape);
+    const Aabb box = swept_bounds(shape, from, until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
     const double own = (length(frame.sweep.motion) +
                         length(frame.sweep.turn) *
                             (length(half) + length(middle - center_at(frame.sweep, from)))) *
-                       (1 - from);
+                       (until - from);
     const Placed p = placed_at(frame, from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
@@ -137,7 +145,7 @@ Impact turned_round(Impact impact) {
 
 Impact surface_impact(const SweptShape& surface, const SweptShape& shape, double from, double gap) {
     Impact best;
-    const double most = closing_at_most(surface, shape);
+    const double most = closing_at_most(surface, shape), until = end_of(surface, shape);
     for_each_triangle(
         *surface.geometry, grow(way_in(surface, shape, from), 2 * gap),
         [&](const SurfaceTriangle& t) {
@@ -147,8 +155,9 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, double
                 const Convex triangle =
                     triangle_convex(t.corner, ps.position - pc.position, ps.axes);
                 const Convex c = convex_at(shape, pc, pc.position);
-                const GjkGoal early{
-                    .beyond = c.radius + gap + most * (1 - at), .loose = loose, .radii = c.radius};
+                const GjkGoal early{.beyond = c.radius + gap + most * (until - at),
+                                    .loose = loose,
+                                    .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
                 hint = g.normal;
                 return gap_of(g, 0, c.radius, pc.position);
@@ -182,12 +191,12 @@ Placed placed_at(const SweptShape& shape, double fraction) {
             axes * shape.axes};
 }
 
-Aabb swept_bounds(const SweptShape& shape, double from) {
-    const Aabb start = bounds_of(placed_at(shape, from)), end = bounds_of(placed_at(shape, 1));
+Aabb swept_bounds(const SweptShape& shape, double from, double until) {
+    const Aabb start = bounds_of(placed_at(shape, from)), end = bounds_of(placed_at(shape, until));
     const Aabb both = unite(start, end);
     if (shape.sweep.turn == Vec3{}) return both;
     // On its way round a point stays within the chord of its arc: r (1 - cos(angle / 2)).
-    const double angle = length(shape.sweep.turn) * (1 - from);
+    const double angle = length(shape.sweep.turn) * (until - from);
     const double bulge =
         angle < pi ? shape.radius * (1 - sin_cos(0.5 * angle).cos) : 2 * shape.radius;
     return grow(both, bulge);
@@ -195,6 +204,7 @@ Aabb swept_bounds(const SweptShape& shape, double from) {
 
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
+    if (from > end_of(a, b)) return {};
     if (ka != ShapeKind::plane && kb != ShapeKind::plane && pass_by(a, b, from, gap)) return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {
         const bool first = ka == ShapeKind::compound;

@@ -16,6 +16,7 @@ struct Sweep {
     Vec3 center;      // m
     Quat rotation;
     Vec3 motion, turn;  // m, rad over a whole step
+    double until = 1;   // the fraction to which it goes
 };
 Vec3 center_at(const Sweep& sweep, double fraction);
 Quat rotation_at(const Sweep& sweep, double fraction);
@@ -30,8 +31,8 @@ struct SweptShape {
                        // compound each about their own
 };
 Placed placed_at(const SweptShape& shape, double fraction);
-// Holds the shape from `from` to the end of the step. Not for planes.
-Aabb swept_bounds(const SweptShape& shape, double from);
+// Holds the shape from one fraction to another. Not for planes.
+Aabb swept_bounds(const SweptShape& shape, double from, double until);
 
 struct Impact {
     static constexpr double never = 2;
@@ -41,9 +42,9 @@ struct Impact {
     bool at_start = false;    // they touched already at `from`
 };
 
-// The first fraction from `from` on at which the shapes come within `gap` of each other; any kinds.
-// What touches at `from` has no such moment and says at_start; of shapes with several parts the
-// others may still have theirs.
+// The first fraction from `from` on, while both sweeps last, at which the shapes come within `gap`
+// of each other; any kinds. What touches at `from` has no such moment and says at_start; of shapes
+// with several parts the others may still have theirs.
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap);
 
 }  // namespace jostle::physics

@@ -79,6 +79,7 @@ Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairC
     // Apart: an axis shows less than the distance when corners are what is nearest.
     const GjkResult g = gjk(a, b, length_squared(cache.direction) > 0 ? cache.direction : s.normal,
                             {.beyond = enough});
+    if (g.distance == 0) return from(s);  // they touch
     if (g.distance <= s.distance + 2e-5 * minimum(size_of(a), size_of(b)))
         return {s.normal, s.distance, g.on_a, g.on_b};
     cache.direction = g.normal;

@@ -12,15 +12,12 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
 #include "constraints/free_motion.h"
+#include "constraints/impact.h"
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
 
 namespace jostle::physics {
 namespace {
-
-struct Point {
-    Vec3 position, normal;  // m, world; unit, from the traveller to what it meets
-};
 
 // One end of an impact, or one body under way.
 struct Traveller {
@@ -42,7 +39,7 @@ struct Traveller {
     bool looked = false;
     double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;
-    std::vector<Point> points;
+    std::vector<ImpactPoint> points;
     Aabb way;                         // holds all that is left of it
     std::vector<std::uint32_t> near;  // shapes that may be in it, in order and once each
 };
@@ -320,7 +317,7 @@ private:
             const double from = std::max(t.sweep.from, motion.from);
             const Impact hit =
                 time_of_impact(swept(own, t.sweep), swept(other, motion), from, tuning::sweep_gap);
-            const auto meet = [&](double fraction, const std::vector<Point>& points,
+            const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
                                   bool at_start = false) {
                 if (fraction >= t.fraction) return true;
                 if (!closes_in(own, other, points, motion, t, fraction, at_start)) return false;
@@ -351,8 +348,8 @@ private:
         }
     }
 
-    std::vector<Point> touching(std::uint32_t own, std::uint32_t other, const Sweep& a,
-                                const Sweep& b, double fraction) const {
+    std::vector<ImpactPoint> touching(std::uint32_t own, std::uint32_t other, const Sweep& a,
+                                      const Sweep& b, double fraction) const {
         const Placed pa = placed_at(swept(own, a), fraction),
                      pb = placed_at(swept(other, b), fraction);
         std::vector<PartManifold> parts;
@@ -362,7 +359,7 @@ private:
             PairCache cache;
             parts.push_back({0, collide(pa, pb, 5 * tuning::sweep_gap, cache)});
         }
-        std::vector<Point> points;
+        std::vector<ImpactPoint> points;
         for (const PartManifold& part : parts)
             for (int k = 0; k < part.manifold.count; k++)
                 points.push_back({part.manifold.point[k], part.manifold.normal});
@@ -370,12 +367,12 @@ private:
     }
 
     // Where the whole shapes meet along the normal at which a part of one met the other.
-    std::vector<Point> along(std::uint32_t own, std::uint32_t other, const Sweep& a, const Sweep& b,
-                             const Impact& impact) const {
+    std::vector<ImpactPoint> along(std::uint32_t own, std::uint32_t other, const Sweep& a,
+                                   const Sweep& b, const Impact& impact) const {
         const Placed pa = placed_at(swept(own, a), impact.fraction),
                      pb = placed_at(swept(other, b), impact.fraction);
         const ShapeKind kind_a = kind_of(*pa.geometry), kind_b = kind_of(*pb.geometry);
-        std::vector<Point> points;
+        std::vector<ImpactPoint> points;
         if (is_convex(kind_a) && kind_b == ShapeKind::plane) {
             const Convex ca = convex_of(pa, impact.point);
             const Feature feature = feature_along(ca, impact.normal);
@@ -403,7 +400,7 @@ private:
     // Whether they go on inwards there: by their velocities or, after the start, by their sweeps.
     // (A tumbling body is where its sweep is, not where its velocities point: then there may be no
     // impulse, but a new sweep from there.)
-    bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<Point>& points,
+    bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<ImpactPoint>& points,
                    const Sweep& motion, const Traveller& t, double fraction, bool at_start) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
@@ -411,7 +408,7 @@ private:
         const Speed sa = speed_at(body_a, t.sweep, fraction),
                     sb = speed_at(body_b, motion, fraction);
         const double least = 1e-3;  // m/s
-        for (const Point& p : points) {
+        for (const ImpactPoint& p : points) {
             const Vec3 ra = p.position - ca, rb = p.position - cb;
             const Vec3 u = (sb.v + cross(sb.w, rb)) - (sa.v + cross(sa.w, ra));
             const Vec3 swept = (motion.motion + cross(motion.turn, rb)) -
@@ -423,19 +420,15 @@ private:
         return false;
     }
 
-    // Both bodies at the moment of the impact, with their masses as they stand there.
-    struct End {
-        std::uint32_t body;
-        Vec3 center, inverse_mass, v, w;
-        Mat3 inverse_inertia = diagonal({0, 0, 0});
-    };
-    End end_of(std::uint32_t body, const Sweep& sweep, double fraction) {
+    // A body at the moment of an impact, with its masses as they stand there.
+    ImpactBody end_of(std::uint32_t body, const Sweep& sweep, double fraction) {
         const BodyCold& cold = world_.bodies.cold[body];
         BodyWarm there = warm_of(world_, body);
         there.rotation = rotation_at(sweep, fraction);
         there.axes = to_matrix(there.rotation);
         const Speed speed = speed_at(body, sweep, fraction);
-        End e{body, center_at(sweep, fraction), {}, speed.v, speed.w};
+        ImpactBody e{
+            .center = center_at(sweep, fraction), .inverse_mass = {}, .v = speed.v, .w = speed.w};
         if (cold.inverse_mass == 0) return e;
         e.inverse_mass = free_directions(cold) * cold.inverse_mass;
         e.inverse_inertia = world_inverse_inertia(there, cold);
@@ -449,17 +442,20 @@ private:
         const std::uint32_t body_a = travellers_[index].body,
                             body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = travellers_[index].sweep, sweep_b = sweep_of(body_b);
-        const std::vector<Point> points = std::move(travellers_[index].points);
+        const std::vector<ImpactPoint> points = std::move(travellers_[index].points);
         if (world_.bodies.cold[body_b].set == BodySet::sleeping) {
             wake_island(world_, world_.bodies.cold[body_b].island, world_.events.woke);
             world_.scratch.not_finite.resize(world_.bodies.awake.size(), 0);
         }
-        End a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
-        bounce(own, other, a, b, points);
+        ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
+        const Material &ma = world_.shapes.shapes[own].material,
+                       &mb = world_.shapes.shapes[other].material;
+        report(own, other,
+               resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb)));
         travellers_[index].impacts++;
         travellers_[index].looked = false;
-        for (const auto& [end, sweep] : {std::pair{a, sweep_a}, std::pair{b, sweep_b}})
-            if (go_on(end, sweep, at)) look_out_for(where_.at(end.body));
+        if (go_on(body_a, a, sweep_a, at)) look_out_for(where_.at(body_a));
+        if (go_on(body_b, b, sweep_b, at)) look_out_for(where_.at(body_b));
     }
 
     // Whoever might meet a body that goes another way now looks anew: at that body or, if it would
@@ -479,92 +475,23 @@ private:
         }
     }
 
-    // Sequential impulses on the points: restitution against the approach, friction in a cone.
-    void bounce(std::uint32_t own, std::uint32_t other, End& a, End& b,
-                const std::vector<Point>& points) {
-        const Material &ma = world_.shapes.shapes[own].material,
-                       &mb = world_.shapes.shapes[other].material;
-        const double e = pair_restitution(ma, mb), mu = pair_friction(ma, mb);
-        const auto relative = [&](const Point& p) {
-            return (b.v + cross(b.w, p.position - b.center)) -
-                   (a.v + cross(a.w, p.position - a.center));
-        };
-        const auto push = [&](const Point& p, Vec3 impulse) {
-            a.v -= scaled(a.inverse_mass, impulse);
-            a.w -= a.inverse_inertia * cross(p.position - a.center, impulse);
-            b.v += scaled(b.inverse_mass, impulse);
-            b.w += b.inverse_inertia * cross(p.position - b.center, impulse);
-        };
-        const auto response = [&](const Point& p, Vec3 d) {
-            const Vec3 ta = cross(p.position - a.center, d), tb = cross(p.position - b.center, d);
-            return dot(scaled(a.inverse_mass + b.inverse_mass, d), d) +
-                   dot(ta, a.inverse_inertia * ta) + dot(tb, b.inverse_inertia * tb);
-        };
-        struct Load {
-            double approach = 0, normal = 0;
-            Vec3 friction;
-        };
-        std::vector<Load> loads(points.size());
-        double hardest = 0;
-        for (std::size_t k = 0; k < points.size(); k++) {
-            loads[k].approach = dot(relative(points[k]), points[k].normal);
-            if (-loads[k].approach > hardest) {
-                hardest = -loads[k].approach;
-                hit_ = {shape_id(world_, own),
-                        shape_id(world_, other),
-                        body_id(world_, a.body),
-                        body_id(world_, b.body),
-                        points[k].position,
-                        points[k].normal,
-                        hardest};
-            }
-        }
-        for (int sweep = 0; sweep < 12; sweep++)
-            for (std::size_t k = 0; k < points.size(); k++) {
-                const Point& p = points[k];
-                Load& load = loads[k];
-                const double target =
-                    -load.approach > tuning::restitution_speed ? -e * load.approach : 0;
-                const double response_n = response(p, p.normal);
-                if (!(response_n > 0)) continue;
-                const double before = load.normal;
-                load.normal =
-                    maximum(0, before - (dot(relative(p), p.normal) - target) / response_n);
-                push(p, p.normal * (load.normal - before));
-                const Vec3 u = relative(p), slip = u - p.normal * dot(u, p.normal);
-                const double speed = length(slip);
-                if (speed < 1e-12) continue;
-                const Vec3 along = slip * (1 / speed);
-                const double response_t = response(p, along);
-                if (!(response_t > 0)) continue;
-                const double most = mu * load.normal;
-                Vec3 wished = load.friction - along * (speed / response_t);
-                if (const double size = length(wished); size > most)
-                    wished = wished * (size > 0 ? most / size : 0);
-                // Back into the cone is another way than along the slip: only as far as it takes
-                // energy. On a thin rod the rest would spin it up.
-                const Vec3 change = wished - load.friction;
-                const double size = length(change);
-                if (!(size > 1e-12 * most)) continue;
-                const double takes =
-                    -dot(u, change) / (size * size * response(p, change * (1 / size)));
-                const Vec3 impulse = change * clamp(takes, 0, 1);
-                load.friction += impulse;
-                push(p, impulse);
-            }
-        if (hardest >= world_.def.hit_speed) world_.events.hits.push_back(hit_);
+    void report(std::uint32_t own, std::uint32_t other, const HardestPoint& hit) {
+        if (hit.approach < world_.def.hit_speed || hit.approach <= 0) return;
+        world_.events.hits.push_back({shape_id(world_, own), shape_id(world_, other),
+                                      body_id(world_, world_.shapes.shapes[own].body),
+                                      body_id(world_, world_.shapes.shapes[other].body),
+                                      hit.point.position, hit.point.normal, hit.approach});
     }
 
     // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.
-    bool go_on(const End& end, const Sweep& old, double at) {
+    bool go_on(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at) {
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
-        const BodyCold& cold = world_.bodies.cold[end.body];
+        const BodyCold& cold = world_.bodies.cold[body];
         const double left = 1 - at, dt = left * step_.dt;
-        const auto known = where_.find(end.body);
-        Traveller& t =
-            travellers_[known == where_.end() ? add(end.body, old, false) : known->second];
+        const auto known = where_.find(body);
+        Traveller& t = travellers_[known == where_.end() ? add(body, old, false) : known->second];
         // From here on it flies, whatever held it before: the next step's contacts will see.
-        BodyWarm there = warm_of(world_, end.body);
+        BodyWarm there = warm_of(world_, body);
         there.rotation = rotation_at(old, at);
         there.axes = to_matrix(there.rotation);
         there.w = end.w;
@@ -612,7 +539,6 @@ private:
     WorldState& world_;
     std::vector<Traveller> travellers_;
     std::unordered_map<std::uint32_t, std::size_t> where_;  // looked up, never walked
-    ContactHit hit_;
 };
 
 }  // namespace

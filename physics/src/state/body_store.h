@@ -96,9 +96,6 @@ inline Vec3 free_turns(const BodyCold& cold) {
             (cold.locks & lock_turn_y) != 0 ? 0.0 : 1.0,
             (cold.locks & lock_turn_z) != 0 ? 0.0 : 1.0};
 }
-inline Vec3 scaled(Vec3 a, Vec3 b) {
-    return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
 
 // Inverse inertia in world axes. With locked turns: the inverse of what is left of the inertia when
 // the locked rows and columns are taken out, not a part of the full inverse.

@@ -67,6 +67,10 @@ inline Vec3 max(Vec3 a, Vec3 b) {
 inline bool is_finite(Vec3 a) {
     return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
 }
+// Component by component.
+inline Vec3 scaled(Vec3 a, Vec3 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 
 // The unit vector along a, or `fallback` when a is too short to have a direction.
 inline Vec3 normalized(Vec3 a, Vec3 fallback = {0, 1, 0}) {

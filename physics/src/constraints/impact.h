@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// What two bodies do to each other at the moment when they meet, away from the solver's sub-steps:
+// sequential impulses with restitution and Coulomb friction. Takes energy, never gives any.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "jostle/physics/mat3.h"
+
+namespace jostle::physics {
+
+// A body at that moment; one that impulses cannot move has zero inverse mass and inertia.
+struct ImpactBody {
+    Vec3 center;                                 // m
+    Vec3 inverse_mass;                           // 1/kg along each axis of the world
+    Mat3 inverse_inertia = diagonal({0, 0, 0});  // 1/(kg m^2), world axes
+    Vec3 v, w;                                   // m/s, rad/s
+};
+
+struct ImpactPoint {
+    Vec3 position, normal;  // m, world; unit, from a to b
+};
+
+struct HardestPoint {
+    double approach = 0;  // m/s; 0: nothing approaches
+    ImpactPoint point;
+};
+
+// Changes the velocities of both. Returns where they came at each other fastest.
+HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
+                            double restitution, double friction);
+
+}  // namespace jostle::physics

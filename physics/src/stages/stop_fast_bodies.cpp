@@ -105,15 +105,15 @@ private:
 
     // When something next happens to it.
     static double next_of(const Traveller& t) {
-        const bool more = t.sweep.until < 1 && t.impacts < tuning::sweep_impacts;
-        return std::min(t.fraction, more ? t.sweep.until : Impact::never);
+        return std::min(t.fraction, t.sweep.until < 1 ? t.sweep.until : Impact::never);
     }
 
     // The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
     void aim(Traveller& t) {
         const BodyCold& cold = world_.bodies.cold[t.body];
         const double from = t.sweep.from, left = 1 - from;
-        const bool even = cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0;
+        const bool even =
+            !t.fast || cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0;
         t.sweep.until = 1;
         if (!even && t.spin != Vec3{}) {
             // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
@@ -505,13 +505,15 @@ private:
         t.velocity = end.v;
         const Vec3 mean = end.v + t.gain * (0.5 * left);
         t.sweep = {at, end.center, there.rotation, mean * step_.dt, {}};
-        aim(t);
         t.changed = true;
-        if (t.fast) return true;
+        if (t.impacts >= tuning::sweep_impacts) {  // stays here until the next step
+            t.sweep.motion = {};
+            return true;
+        }
         // What was hit may now be fast itself.
         const double way = (length(end.v) + length(end.w) * cold.radius) * dt;
-        if (!cold.continuous || way <= tuning::sweep_fraction * cold.inner_radius) return true;
-        t.fast = true;
+        t.fast |= cold.continuous && way > tuning::sweep_fraction * cold.inner_radius;
+        aim(t);
         return true;
     }
 

@@ -3,8 +3,10 @@
 // Meshes and height fields: neighbours, trees, cells, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "collision/narrowphase/collide_composite.h"
 #include "geometry/bvh.h"
 #include "geometry/surface.h"
 #include "support/near.h"
@@ -89,6 +91,64 @@ TEST(Surface, height_field_triangles_lie_where_the_header_says) {
                           }
                       });
     EXPECT_EQ(seen, 12);
+}
+
+// Every triangle of what was built is found by its own box, knows its neighbours as they know it,
+// and collides with numbers.
+void check_mesh(const std::shared_ptr<const TriangleMesh>& mesh, Random& random) {
+    for (std::uint32_t t = 0; t < mesh->triangles.size(); t++) {
+        bool found = false;
+        const Vec3 a = triangle_of(*mesh, t).corner[0];
+        mesh->tree->query({a, a}, [&](std::uint32_t k) { found = found || k == t; });
+        EXPECT_TRUE(found) << t;
+        for (const std::uint32_t other : mesh->neighbours[t]) {
+            if (other == 0xffffffff) continue;
+            const auto& back = mesh->neighbours[other];
+            EXPECT_NE(std::find(back.begin(), back.end(), t), back.end()) << t << ", " << other;
+        }
+    }
+    const Geometry ground = Mesh{mesh}, ball = Sphere{1}, box = Box{{1, 0.5, 2}};
+    for (const Geometry* shape : {&ball, &box}) {
+        std::vector<PartManifold> parts;
+        collide_composite(placed(ground, {}), placed(*shape, {random.vector(2), random.rotation()}),
+                          0.1, parts);
+        for (const PartManifold& part : parts)
+            for (int k = 0; k < part.manifold.count; k++)
+                EXPECT_TRUE(is_finite(part.manifold.point[k]) && is_finite(part.manifold.gap[k]) &&
+                            is_finite(part.manifold.normal));
+    }
+}
+
+// Vertices at the same places, in lines, far away or not numbers; triangles that are points, occur
+// twice, share an edge by three, or name what is not there.
+TEST(Surface, ten_thousand_soups_of_triangles_are_built_or_refused) {
+    Random random(99);
+    int built = 0;
+    for (int i = 0; i < 10000; i++) {
+        SCOPED_TRACE(i);
+        std::vector<Vec3> vertices;
+        const auto count = random.below(12);
+        const bool on_grid = random.below(2) == 0;
+        for (std::uint64_t k = 0; k < count; k++) {
+            Vec3 p = random.vector(2);
+            if (on_grid) p = {std::floor(p.x), std::floor(p.y), std::floor(p.z)};
+            if (random.below(400) == 0) p.x = std::nan("");
+            if (random.below(400) == 0) p.y = 1e30;
+            vertices.push_back(p);
+        }
+        std::vector<std::array<std::uint32_t, 3>> triangles(random.below(15));
+        for (auto& triangle : triangles)
+            for (std::uint32_t& corner : triangle)
+                corner = static_cast<std::uint32_t>(random.below(count + 1 + i % 2) % 12);
+        const auto mesh = build_mesh(vertices, triangles);
+        if (!mesh.ok()) {
+            EXPECT_NE(mesh.error().message.find("mesh: "), std::string::npos);
+            continue;
+        }
+        built++;
+        check_mesh(*mesh, random);
+    }
+    EXPECT_GT(built, 500);
 }
 
 TEST(Surface, builders_say_what_is_wrong) {

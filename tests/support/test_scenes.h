@@ -140,10 +140,14 @@ inline physics::World fair_scene(int threads = 1) {
     const Geometry kinds[] = {hull, Cylinder{0.3, 0.25}, Cone{0.35, 0.4}, jack, Sphere{0.3}};
     for (int i = 0; i < 60; i++) {
         const Vec3 place{random.in(-6, 6), 1.5 + 0.25 * i, random.in(-6, 6)};
+        // One after the other: compilers differ in which argument of a call they work out first.
+        const double friction = random.in(0.2, 0.9);
+        const Quat rotation = random.rotation();
+        const Vec3 spin = random.vector(4);
         must(world.create_body(
-            {.pose = {place, random.rotation()}, .angular_velocity = random.vector(4)},
+            {.pose = {place, rotation}, .angular_velocity = spin},
             {.geometry = kinds[i % 5],
-             .material = {.friction = random.in(0.2, 0.9),
+             .material = {.friction = friction,
                           .restitution = i % 3 == 0 ? 0.4 : 0,
                           .rolling_friction = i % 5 == 4 ? 0.01 : 0,
                           .torsional_friction = 0.005},

@@ -53,7 +53,7 @@ void visit(V& v, std::string_view name, Aabb& box) {
 template <class... Kinds>
 bool make_kind(std::size_t kind, std::variant<Kinds...>& value) {
     std::size_t at = 0;
-    ((at++ == kind ? (value = Kinds{}, true) : false) || ...);
+    static_cast<void>(((at++ == kind ? (value = Kinds{}, true) : false) || ...));
     return kind < sizeof...(Kinds);
 }
 

@@ -11,10 +11,10 @@
 
 namespace jostle::test {
 
-inline std::string golden_lines() {
+inline std::string golden_lines(int threads = 1) {
     std::string text;
     for (const TestScene& scene : test_scenes()) {
-        physics::World world = scene.make(1);
+        physics::World world = scene.make(threads);
         for (int step = 0; step <= 400; step++) {
             if (step % 100 == 0) {
                 char line[64];

@@ -11,7 +11,7 @@
 #include "state/manifold_store.h"
 #include "state/solver_body.h"
 
-namespace jostle::physics {
+namespace jostle::physics::JOSTLE_ISA {
 
 // What the bodies of a block need of the masses: decides what is loaded.
 enum class Inertia : unsigned char {
@@ -388,4 +388,4 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
     store(m.twist, select(bounced, zero, load(m.twist)));
 }
 
-}  // namespace jostle::physics
+}  // namespace jostle::physics::JOSTLE_ISA

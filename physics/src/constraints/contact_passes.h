@@ -6,10 +6,8 @@
 
 #include <span>
 
-#include "constraints/contact_settings.h"
+#include "constraints/kernels.h"
 #include "foundation/task_team.h"
-#include "state/manifold_store.h"
-#include "state/solver_body.h"
 
 namespace jostle::physics {
 
@@ -23,10 +21,12 @@ void relax(ManifoldStore& store, std::span<HotBody> bodies, const ContactSetting
 
 // Restitution. begin_bounces says whether any block is bouncy; if none is, the others need not
 // be called.
-bool begin_bounces(ManifoldStore& store, std::span<const HotBody> bodies, TaskTeam& team);
-void foresee_bounces(ManifoldStore& store, std::span<const HotBody> bodies,
-                     const ContactSettings& set, TaskTeam& team);
-void note_bounce_peaks(ManifoldStore& store, TaskTeam& team);
+bool begin_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+                   TaskTeam& team);
+void foresee_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+                     TaskTeam& team);
+void note_bounce_peaks(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
+                       TaskTeam& team);
 void end_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
                  TaskTeam& team);
 

@@ -9,7 +9,7 @@
 
 #include "constraints/contact_kernel.h"
 
-namespace jostle::physics {
+namespace jostle::physics::JOSTLE_ISA {
 
 struct PlanarSide {
     const float* rows[8];
@@ -214,4 +214,4 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
     return report;
 }
 
-}  // namespace jostle::physics
+}  // namespace jostle::physics::JOSTLE_ISA

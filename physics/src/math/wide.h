@@ -6,20 +6,72 @@
 // compares because minps and its scalar relatives disagree about NaN and -0.
 //
 // GCC and clang vector extensions: the compiler splits a Wide into what the target has (two SSE
-// registers, one AVX).
+// registers, one AVX). Included by one source per instruction set (constraints/kernels_*.cpp), each
+// of which names its own namespace: code built for one CPU must not be linked into another's path.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 
-namespace jostle::physics {
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#ifndef JOSTLE_ISA
+#define JOSTLE_ISA baseline
+#endif
+
+namespace jostle::physics::JOSTLE_ISA {
 
 #define JOSTLE_INLINE inline __attribute__((always_inline))
 
+#if defined(JOSTLE_SCALAR)
+// Plain loops over eight floats: proves that the bits do not come from the vector unit.
+struct alignas(32) Wide {
+    float lane[8];
+    float& operator[](int i) { return lane[i]; }
+    float operator[](int i) const { return lane[i]; }
+};
+struct alignas(32) WideMask {
+    std::int32_t lane[8];
+    std::int32_t operator[](int i) const { return lane[i]; }
+};
+#define JOSTLE_LANES(Result, Arguments, op, value)     \
+    JOSTLE_INLINE Result operator op Arguments {       \
+        Result r;                                      \
+        for (int i = 0; i < 8; i++) r.lane[i] = value; \
+        return r;                                      \
+    }
+JOSTLE_LANES(Wide, (Wide a, Wide b), +, a[i] + b[i])
+JOSTLE_LANES(Wide, (Wide a, Wide b), -, a[i] - b[i])
+JOSTLE_LANES(Wide, (Wide a, Wide b), *, a[i] * b[i])
+JOSTLE_LANES(Wide, (Wide a, Wide b), /, a[i] / b[i])
+JOSTLE_LANES(Wide, (Wide a), -, -a[i])
+JOSTLE_LANES(WideMask, (Wide a, Wide b), <, a[i] < b[i] ? -1 : 0)
+JOSTLE_LANES(WideMask, (Wide a, Wide b), >, a[i] > b[i] ? -1 : 0)
+JOSTLE_LANES(WideMask, (Wide a, Wide b), >=, a[i] >= b[i] ? -1 : 0)
+JOSTLE_LANES(WideMask, (WideMask a, WideMask b), &, a[i] & b[i])
+JOSTLE_LANES(WideMask, (WideMask a), ~, ~a[i])
+#undef JOSTLE_LANES
+JOSTLE_INLINE Wide& operator+=(Wide& a, Wide b) {
+    return a = a + b;
+}
+JOSTLE_INLINE Wide& operator-=(Wide& a, Wide b) {
+    return a = a - b;
+}
+JOSTLE_INLINE Wide select(WideMask m, Wide a, Wide b) {
+    Wide r;
+    for (int i = 0; i < 8; i++) r.lane[i] = m[i] != 0 ? a[i] : b[i];
+    return r;
+}
+#else
 typedef float Wide __attribute__((vector_size(32)));
 typedef std::int32_t WideMask __attribute__((vector_size(32)));
 typedef float Quad __attribute__((vector_size(16)));
+
+JOSTLE_INLINE Wide select(WideMask m, Wide a, Wide b) {
+    return m ? a : b;
+}
+#endif
 
 JOSTLE_INLINE Wide splat(float f) {
     return Wide{f, f, f, f, f, f, f, f};
@@ -31,9 +83,6 @@ JOSTLE_INLINE Wide load(const float* p) {
 JOSTLE_INLINE void store(float* p, Wide w) {
     *static_cast<Wide*>(static_cast<void*>(p)) = w;
 }
-JOSTLE_INLINE Wide select(WideMask m, Wide a, Wide b) {
-    return m ? a : b;
-}
 JOSTLE_INLINE Wide max(Wide a, Wide b) {
     return select(a > b, a, b);
 }
@@ -41,15 +90,23 @@ JOSTLE_INLINE Wide min(Wide a, Wide b) {
     return select(a < b, a, b);
 }
 JOSTLE_INLINE Wide root(Wide a) {
+#if defined(__AVX2__) && !defined(JOSTLE_SCALAR)
+    return _mm256_sqrt_ps(a);
+#else
     Wide r{};
-    for (int i = 0; i < 8; i++) r[i] = std::sqrt(a[i]);
+    for (int i = 0; i < 8; i++) r[i] = __builtin_sqrtf(a[i]);
     return r;
+#endif
 }
 // One bit per lane: lane k sets bit k.
 JOSTLE_INLINE unsigned lane_bits(WideMask m) {
+#if defined(__AVX2__)
+    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<Wide>(m)));
+#else
     unsigned r = 0;
-    for (int i = 0; i < 8; i++) r |= static_cast<unsigned>(m[i] & 1) << i;
+    for (int i = 0; i < 8; i++) r |= (m[i] != 0 ? 1u : 0u) << i;
     return r;
+#endif
 }
 
 struct Wide3 {
@@ -74,7 +131,21 @@ JOSTLE_INLINE Wide3 cross(Wide3 a, Wide3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// Turns a 4x4 block on its side.
+#if defined(JOSTLE_SCALAR)
+JOSTLE_INLINE void load_rows(const float* const rows[8], Wide out[8]) {
+    for (int k = 0; k < 8; k++)
+        for (int lane = 0; lane < 8; lane++) out[k][lane] = rows[lane][k];
+}
+JOSTLE_INLINE void store_rows(float* const rows[8], const Wide in[8]) {
+    for (int k = 0; k < 8; k++)
+        for (int lane = 0; lane < 8; lane++) rows[lane][k] = in[k][lane];
+}
+#else
+// Turns a 4x4 block on its side, in each half of the registers.
+template <class V>
+JOSTLE_INLINE void transpose4(V& a, V& b, V& c, V& d);
+
+template <>
 JOSTLE_INLINE void transpose4(Quad& a, Quad& b, Quad& c, Quad& d) {
     const Quad ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
     const Quad ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
@@ -86,32 +157,70 @@ JOSTLE_INLINE void transpose4(Quad& a, Quad& b, Quad& c, Quad& d) {
     d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
+#if defined(__AVX2__)
+template <>
+JOSTLE_INLINE void transpose4(Wide& a, Wide& b, Wide& c, Wide& d) {
+    const __m256 ab_low = _mm256_unpacklo_ps(a, b), ab_high = _mm256_unpackhi_ps(a, b);
+    const __m256 cd_low = _mm256_unpacklo_ps(c, d), cd_high = _mm256_unpackhi_ps(c, d);
+    a = _mm256_shuffle_ps(ab_low, cd_low, 0x44);
+    b = _mm256_shuffle_ps(ab_low, cd_low, 0xee);
+    c = _mm256_shuffle_ps(ab_high, cd_high, 0x44);
+    d = _mm256_shuffle_ps(ab_high, cd_high, 0xee);
+}
+#endif
+
+JOSTLE_INLINE Quad load_quad(const float* p) {
+    return *static_cast<const Quad*>(static_cast<const void*>(p));
+}
+
+JOSTLE_INLINE void store_quad(float* p, Quad q) {
+    *static_cast<Quad*>(static_cast<void*>(p)) = q;
+}
+
 // Reads one 32-byte row of eight bodies and turns it on its side: out[k] holds float k of all
-// eight. Rows are 16-byte aligned at least.
+// eight. Rows are 16-byte aligned at least. Halves of two rows share a register, so that every
+// shuffle stays within a half.
 JOSTLE_INLINE void load_rows(const float* const rows[8], Wide out[8]) {
-    for (int half = 0; half < 2; half++) {
+    for (int half = 0; half < 8; half += 4) {
+#if defined(__AVX2__)
+        for (int k = 0; k < 4; k++)
+            out[half + k] = _mm256_insertf128_ps(_mm256_castps128_ps256(load_quad(rows[k] + half)),
+                                                 load_quad(rows[k + 4] + half), 1);
+        transpose4(out[half], out[half + 1], out[half + 2], out[half + 3]);
+#else
         Quad q[8];
-        for (int k = 0; k < 8; k++)
-            q[k] = *static_cast<const Quad*>(static_cast<const void*>(rows[k] + 4 * half));
+        for (int k = 0; k < 8; k++) q[k] = load_quad(rows[k] + half);
         transpose4(q[0], q[1], q[2], q[3]);
         transpose4(q[4], q[5], q[6], q[7]);
         for (int k = 0; k < 4; k++)
-            out[4 * half + k] = __builtin_shufflevector(q[k], q[k + 4], 0, 1, 2, 3, 4, 5, 6, 7);
+            out[half + k] = __builtin_shufflevector(q[k], q[k + 4], 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
     }
 }
 
 JOSTLE_INLINE void store_rows(float* const rows[8], const Wide in[8]) {
-    for (int half = 0; half < 2; half++) {
+    for (int half = 0; half < 8; half += 4) {
+#if defined(__AVX2__)
+        Wide w[4] = {in[half], in[half + 1], in[half + 2], in[half + 3]};
+        transpose4(w[0], w[1], w[2], w[3]);
+        for (int k = 0; k < 4; k++) {
+            store_quad(rows[k] + half, _mm256_castps256_ps128(w[k]));
+            store_quad(rows[k + 4] + half, _mm256_extractf128_ps(w[k], 1));
+        }
+#else
         Quad q[8];
         for (int k = 0; k < 4; k++) {
-            q[k] = __builtin_shufflevector(in[4 * half + k], in[4 * half + k], 0, 1, 2, 3);
-            q[k + 4] = __builtin_shufflevector(in[4 * half + k], in[4 * half + k], 4, 5, 6, 7);
+            const Wide w = in[half + k];
+            q[k] = __builtin_shufflevector(w, w, 0, 1, 2, 3);
+            q[k + 4] = __builtin_shufflevector(w, w, 4, 5, 6, 7);
         }
         transpose4(q[0], q[1], q[2], q[3]);
         transpose4(q[4], q[5], q[6], q[7]);
-        for (int k = 0; k < 8; k++)
-            *static_cast<Quad*>(static_cast<void*>(rows[k] + 4 * half)) = q[k];
+        for (int k = 0; k < 8; k++) store_quad(rows[k] + half, q[k]);
+#endif
     }
 }
 
-}  // namespace jostle::physics
+#endif
+
+}  // namespace jostle::physics::JOSTLE_ISA

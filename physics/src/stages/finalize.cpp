@@ -24,11 +24,12 @@ void finalize(StepContext& step) {
     StepScratch& scratch = world.scratch;
     step.team.run(static_cast<int>(scratch.in_solver.size()), 256, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
-            const std::uint32_t i = scratch.in_solver[static_cast<std::size_t>(k)];
+            const std::uint32_t i = scratch.in_solver[static_cast<std::size_t>(k)] - 1;
             const BodyWarm& warm = world.bodies.awake[i];
             // Kinematic bodies were settled with the free ones: contacts do not move them.
             if (world.bodies.cold[warm.body].type == BodyType::dynamic)
-                settle_body(step, i, motion_of(scratch.hot[i + 1], warm, scratch.tumbling[i] != 0));
+                settle_body(step, i,
+                            motion_of(scratch.hot[i + 1], warm, scratch.tumbling[i + 1] != 0));
         }
     });
     // Trees are changed serially, in order of the awake set.

@@ -26,7 +26,7 @@ void sort_out_bodies(WorldState& world) {
         // Kinematic bodies fly free; the solver reads them when something may touch them.
         const bool held = cold.lanes > 0 || cold.first_joint != none;
         if (held || (cold.type == BodyType::kinematic && cold.first_edge != none))
-            scratch.in_solver.push_back(i);
+            scratch.in_solver.push_back(i + 1);
         // Kinematic bodies are moved by their velocity, whatever touches them.
         if (!held || cold.type == BodyType::kinematic) scratch.free.push_back(i);
     }
@@ -75,20 +75,6 @@ void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, Bo
     put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 
-// One 8-wide operation moves a whole body.
-void accelerate(HotBody& hot, const BodyDrive& drive, bool first) {
-    const Wide now = load(hot.v), before = load(hot.free);
-    const Wide free = now * load(drive.keep) + load(drive.push);
-    store(hot.free, free);
-    Wide warm = free;
-    if (!first) {
-        Wide pushed = now - before;  // what contacts did in the last sub-step
-        pushed[6] = pushed[7] = 0;
-        warm = free + pushed;
-    }
-    store(hot.v, warm);
-}
-
 // Euler's equations for one sub-step. Within a step the spin of a tumbling body is that in the
 // frame in which it stood at the start and turns with it since; finalize() turns it back into the
 // world.
@@ -107,10 +93,6 @@ void tumble(HotBody& hot, double h) {
     }
 }
 
-void advance(HotBody& hot, Wide pace) {
-    store(hot.dp, load(hot.dp) + load(hot.v) * pace);
-}
-
 }  // namespace
 
 void solve_constraints(StepContext& step) {
@@ -121,41 +103,49 @@ void solve_constraints(StepContext& step) {
     scratch.hot.resize(world.bodies.awake.size() + 1);
     scratch.drive.resize(world.bodies.awake.size() + 1);
     scratch.hot[0] = {};
-    const auto each_body = [&](auto&& work) {
-        step.team.run(static_cast<int>(scratch.in_solver.size()), 256, [&](int begin, int end) {
-            for (int k = begin; k < end; k++) work(scratch.in_solver[static_cast<std::size_t>(k)]);
-        });
+    const auto each_range = [&](auto&& work) {
+        step.team.run(static_cast<int>(scratch.in_solver.size()), 256, work);
     };
-    scratch.tumbling.assign(world.bodies.awake.size(), 0);
-    each_body([&](std::uint32_t i) {
-        prepare_body(step, i, scratch.hot[i + 1], scratch.drive[i + 1]);
-        const BodyWarm& warm = world.bodies.awake[i];
-        scratch.tumbling[i] = tumbles(warm, world.bodies.cold[warm.body], step.dt) ? 1 : 0;
+    scratch.tumbling.assign(world.bodies.awake.size() + 1, 0);
+    each_range([&](int begin, int end) {
+        for (int k = begin; k < end; k++) {
+            const std::uint32_t hot = scratch.in_solver[static_cast<std::size_t>(k)];
+            prepare_body(step, hot - 1, scratch.hot[hot], scratch.drive[hot]);
+            const BodyWarm& warm = world.bodies.awake[hot - 1];
+            scratch.tumbling[hot] = tumbles(warm, world.bodies.cold[warm.body], step.dt) ? 1 : 0;
+        }
     });
+    const auto range = [&](int begin, int end) {
+        return BodyRange{scratch.hot.data(), scratch.drive.data(), scratch.in_solver.data(), begin,
+                         end};
+    };
 
     prepare_joints(step);
     ManifoldStore& manifolds = world.manifolds;
     const std::span<HotBody> bodies = scratch.hot;
-    const bool bouncy = begin_bounces(manifolds, bodies, step.team);
-    Wide pace = splat(step.contacts.h);
-    pace[6] = pace[7] = 0;
+    const Kernels& kernel = kernels();
+    const bool bouncy = begin_bounces(manifolds, bodies, step.contacts, step.team);
     for (int n = 0; n < step.contacts.substeps; n++) {
         const bool first = n == 0, last = n + 1 == step.contacts.substeps;
-        each_body(
-            [&](std::uint32_t i) { accelerate(scratch.hot[i + 1], scratch.drive[i + 1], first); });
+        each_range([&](int begin, int end) {
+            (first ? kernel.accelerate_first : kernel.accelerate)(range(begin, end));
+        });
         if (first && bouncy) foresee_bounces(manifolds, bodies, step.contacts, step.team);
         // Later sub-steps are warm started by accelerate().
         warm_start_joints(step);
         if (first) warm_start(manifolds, bodies, step.contacts, step.team);
         solve_joints(step, false);
         solve(manifolds, bodies, step.contacts, step.team);
-        each_body([&](std::uint32_t i) {
-            if (scratch.tumbling[i] != 0) tumble(scratch.hot[i + 1], double{step.contacts.h});
-            advance(scratch.hot[i + 1], pace);
+        each_range([&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                const std::uint32_t hot = scratch.in_solver[static_cast<std::size_t>(k)];
+                if (scratch.tumbling[hot] != 0) tumble(scratch.hot[hot], double{step.contacts.h});
+            }
+            kernel.advance(range(begin, end), step.contacts.h);
         });
         solve_joints(step, true);
         relax(manifolds, bodies, step.contacts, last, step.team);
-        if (bouncy) note_bounce_peaks(manifolds, step.team);
+        if (bouncy) note_bounce_peaks(manifolds, bodies, step.contacts, step.team);
     }
     if (bouncy) end_bounces(manifolds, bodies, step.contacts, step.team);
     finish_joints(step);

@@ -43,8 +43,8 @@ void prepare_joints(StepContext& step) {
     auto& joints = world.scratch.joints;
     joints.clear();
     if (world.joints.ids.alive_count() > 0) {
-        for (const std::uint32_t i : world.scratch.in_solver)
-            for_each_joint(world.joints, world.bodies.cold[world.bodies.awake[i].body],
+        for (const std::uint32_t hot : world.scratch.in_solver)
+            for_each_joint(world.joints, world.bodies.cold[world.bodies.awake[hot - 1].body],
                            [&](std::uint32_t joint) { joints.push_back(joint); });
         std::sort(joints.begin(), joints.end());
         joints.erase(std::unique(joints.begin(), joints.end()), joints.end());

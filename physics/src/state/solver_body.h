@@ -5,8 +5,6 @@
 // bytes, so that one row of eight bodies is one transposed load.
 #pragma once
 
-#include "math/wide.h"
-
 namespace jostle::physics {
 
 struct alignas(64) HotBody {

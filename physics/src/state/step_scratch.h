@@ -45,7 +45,7 @@ struct NewLane {
 struct StepScratch {
     std::vector<HotBody> hot;              // [0] is the null body, awake body i is [i + 1]
     std::vector<BodyDrive> drive;          // as hot
-    std::vector<std::uint32_t> in_solver;  // indices into awake with at least one manifold
+    std::vector<std::uint32_t> in_solver;  // hot indices of bodies with at least one manifold
     std::vector<std::uint32_t> free;       // the other awake bodies
     std::vector<std::pair<std::uint32_t, std::uint32_t>> new_pairs;  // shapes
     std::vector<ContactCheck> checks;
@@ -54,7 +54,7 @@ struct StepScratch {
     std::vector<std::uint32_t> to_wake, pairs_changed, found;
     std::vector<std::uint32_t> joints;   // that have an awake body, rising
     std::vector<JointWork> joint_work;   // one each
-    std::vector<std::uint8_t> tumbling;  // by awake body in the solver: turns far, and not evenly
+    std::vector<std::uint8_t> tumbling;  // by hot index: turns far, and not evenly
     std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
     std::vector<BodyWarm> before;  // by awake body: as it was before the step, of the fast ones
     std::atomic<int> any_fast = 0;

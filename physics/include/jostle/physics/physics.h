@@ -11,6 +11,7 @@
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/ids.h"
+#include "jostle/physics/instruction_set.h"
 #include "jostle/physics/joint_defs.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/mesh.h"

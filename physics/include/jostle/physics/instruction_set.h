@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Which instructions the inner loops use. The library takes the best that the processor has; a
+// program may ask for another to measure it or to prove that the bits are the same. Process-wide;
+// may be changed between steps of any world.
+#pragma once
+
+#include <span>
+
+#include "jostle/physics/result.h"
+
+namespace jostle::physics {
+
+enum class InstructionSet {
+    scalar,    // one float at a time: for proofs
+    baseline,  // what the target's compiler assumes: SSE2 on x86-64, NEON on aarch64
+    avx2,
+    avx512,  // AVX-512 VL on 256-bit registers
+};
+
+const char* instruction_set_name(InstructionSet set);  // "scalar", "baseline", "avx2", "avx512"
+
+// Those that this build has and this processor can run, from slow to fast.
+std::span<const InstructionSet> available_instruction_sets();
+
+InstructionSet instruction_set();  // in use
+
+// An error names the sets that are available.
+Status use_instruction_set(InstructionSet set);
+
+}  // namespace jostle::physics

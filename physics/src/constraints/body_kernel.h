@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The passes over bodies: one 8-wide operation moves a whole body.
+#pragma once
+
+#include "constraints/kernels.h"
+#include "math/wide.h"
+
+namespace jostle::physics::JOSTLE_ISA {
+
+// Forces and damping of one sub-step, and the warm start of contacts: what they did in the sub-step
+// before, again.
+template <bool kFirst>
+void accelerate_range(const BodyRange& range) {
+    for (int k = range.begin; k < range.end; k++) {
+        HotBody& hot = range.bodies[range.indices[k]];
+        const BodyDrive& drive = range.drives[range.indices[k]];
+        const Wide now = load(hot.v);
+        const Wide free = now * load(drive.keep) + load(drive.push);
+        Wide warm = free;
+        if constexpr (!kFirst) {
+            Wide pushed = now - load(hot.free);
+            pushed[6] = pushed[7] = 0;  // mass and spin
+            warm = free + pushed;
+        }
+        store(hot.free, free);
+        store(hot.v, warm);
+    }
+}
+
+inline void advance_range(const BodyRange& range, float h) {
+    Wide pace = splat(h);
+    pace[6] = pace[7] = 0;
+    for (int k = range.begin; k < range.end; k++) {
+        HotBody& hot = range.bodies[range.indices[k]];
+        store(hot.dp, load(hot.dp) + load(hot.v) * pace);
+    }
+}
+
+}  // namespace jostle::physics::JOSTLE_ISA

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/kernels.h"
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace jostle::physics {
+namespace {
+
+const Kernels& table_of(InstructionSet set) {
+    switch (set) {
+#if defined(__x86_64__)
+        case InstructionSet::avx512:
+            return avx512::table;
+        case InstructionSet::avx2:
+            return avx2::table;
+#endif
+        case InstructionSet::scalar:
+            return scalar::table;
+        default:
+            return baseline::table;
+    }
+}
+
+std::vector<InstructionSet> find_available() {
+    std::vector<InstructionSet> sets{InstructionSet::scalar, InstructionSet::baseline};
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) sets.push_back(InstructionSet::avx2);
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
+        sets.push_back(InstructionSet::avx512);
+#endif
+    return sets;
+}
+
+std::atomic<InstructionSet>& in_use() {
+    static std::atomic<InstructionSet> set = available_instruction_sets().back();
+    return set;
+}
+
+}  // namespace
+
+const Kernels& kernels() {
+    return table_of(in_use().load(std::memory_order_relaxed));
+}
+
+const char* instruction_set_name(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::scalar:
+            return "scalar";
+        case InstructionSet::baseline:
+            return "baseline";
+        case InstructionSet::avx2:
+            return "avx2";
+        case InstructionSet::avx512:
+            return "avx512";
+    }
+    return "unknown";
+}
+
+std::span<const InstructionSet> available_instruction_sets() {
+    static const std::vector<InstructionSet> sets = find_available();
+    return sets;
+}
+
+InstructionSet instruction_set() {
+    return in_use().load(std::memory_order_relaxed);
+}
+
+Status use_instruction_set(InstructionSet set) {
+    std::string names;
+    for (const InstructionSet s : available_instruction_sets()) {
+        if (s == set) {
+            in_use().store(set, std::memory_order_relaxed);
+            return {};
+        }
+        names += std::string(names.empty() ? "" : ", ") + instruction_set_name(s);
+    }
+    return Error{ErrorCode::failed_precondition, std::string("instruction set ") +
+                                                     instruction_set_name(set) +
+                                                     " is not available here; these are: " + names};
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The inner loops of the solver, built once per instruction set and chosen at run time. All give
+// the same bits (math/wide.h says why), so the choice is not part of a world's state.
+#pragma once
+
+#include <cstdint>
+
+#include "constraints/contact_settings.h"
+#include "jostle/physics/instruction_set.h"
+#include "state/manifold_store.h"
+#include "state/solver_body.h"
+
+namespace jostle::physics {
+
+// Some blocks of one colour. Blocks of a colour may be solved in any order, those of an overflow
+// list only one after the other.
+struct BlockRange {
+    ManifoldBlock* blocks;
+    BlockSide* sides;
+    BlockBounce* bounces;
+    BlockRough* roughs;
+    int begin, end;
+    Second second;
+};
+
+// Some bodies by hot index.
+struct BodyRange {
+    HotBody* bodies;
+    const BodyDrive* drives;
+    const std::uint32_t* indices;
+    int begin, end;
+};
+
+using BlockPass = void (*)(const BlockRange&, HotBody*, const ContactSettings&);
+
+struct Kernels {
+    BlockPass warm_start, solve, relax;
+    BlockPass relax_last;  // ends the step: sets `aged` and `pressing` of every block
+    BlockPass begin_bounce, foresee_bounce, note_peaks, end_bounce;
+    // The first sub-step's takes no warm start from what contacts did in the one before.
+    void (*accelerate_first)(const BodyRange&);
+    void (*accelerate)(const BodyRange&);
+    void (*advance)(const BodyRange&, float h);
+};
+
+// Of the instruction set in use (jostle/physics/instruction_set.h).
+const Kernels& kernels();
+
+namespace scalar {
+extern const Kernels table;
+}
+namespace baseline {
+extern const Kernels table;
+}
+#if defined(__x86_64__)
+namespace avx2 {
+extern const Kernels table;
+}
+namespace avx512 {
+extern const Kernels table;
+}
+#endif
+
+}  // namespace jostle::physics

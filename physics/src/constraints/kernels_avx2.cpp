@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// Built with -mavx2 (physics/CMakeLists.txt).
+#if defined(__x86_64__)
+#define JOSTLE_ISA avx2
+#include "constraints/kernel_table.h"
+#endif

@@ -81,6 +81,13 @@ JOSTLE_INLINE Wide3 push(const WideSide& s, Wide3 p) {
     return {d.x * s.inertia[6], d.y * s.inertia[7], d.z * s.free_z};
 }
 
+// What the bodies of a block have done since the start of the step: b against a, at the centre of
+// the manifold.
+struct BlockMotion {
+    Wide3 moved, turned;
+    Wide3 turned_a;  // of a alone
+};
+
 // The two bodies of a block and where their manifolds are.
 template <Second kSecond, Inertia kInertia>
 struct BlockBodies {
@@ -110,7 +117,32 @@ struct BlockBodies {
         return b.w - a.w;
     }
 
-    // Impulse p at the centre and angular impulse l, against a and for b.
+    // Moves the arms to where the bodies are in this sub-step, to one point of the world: then what
+    // acts on both has the same line, and angular momentum stays.
+    JOSTLE_INLINE BlockMotion follow(const ManifoldBlock& m) {
+        Wide3 dp_a, dr_a, dp_b{}, dr_b{};
+        load_motion(a, dp_a, dr_a);
+        if constexpr (kSecond != Second::fixed) load_motion(b, dp_b, dr_b);
+        const Wide3 moved = relative(dp_a, dr_a, dp_b, dr_b);
+        if constexpr (kSecond == Second::fixed) return {moved, -dr_a, dr_a};
+        if constexpr (kSecond == Second::moving) {
+            const Wide3 apart = dp_b - dp_a, step_a = apart * load(m.share);
+            arm_a = arm_a + step_a;
+            arm_b = arm_b + (step_a - apart);
+        }
+        return {moved, dr_b - dr_a, dr_a};
+    }
+
+    // Impulse p at the centre, against a and for b.
+    JOSTLE_INLINE void apply(Wide3 p) {
+        a.v = a.v - push<kInertia>(a, p);
+        a.w = a.w - spin<kInertia>(a, cross(arm_a, p));
+        if constexpr (kSecond == Second::moving) {
+            b.v = b.v + push<kInertia>(b, p);
+            b.w = b.w + spin<kInertia>(b, cross(arm_b, p));
+        }
+    }
+    // ... and angular impulse l.
     JOSTLE_INLINE void apply(Wide3 p, Wide3 l) {
         a.v = a.v - push<kInertia>(a, p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p) + l);
@@ -139,15 +171,13 @@ struct WideImpulse {
 // G (1, y, -x): what a unit impulse at a point does to (approach, tilt 1, tilt 2).
 struct PointResponse {
     Wide r0, r1, r2, k;
-
-    JOSTLE_INLINE PointResponse(const ManifoldBlock& m, Wide x, Wide y) {
-        const Wide g01 = load(m.g[1]), g02 = load(m.g[2]), g12 = load(m.g[4]);
-        r0 = load(m.g[0]) + y * g01 - x * g02;
-        r1 = g01 + y * load(m.g[3]) - x * g12;
-        r2 = g02 + y * g12 - x * load(m.g[5]);
-        k = r0 + y * r1 - x * r2;
-    }
 };
+JOSTLE_INLINE PointResponse response_of(const ManifoldBlock& m, Wide x, Wide y) {
+    const Wide g01 = load(m.g[1]), g02 = load(m.g[2]), g12 = load(m.g[4]);
+    const Wide r0 = load(m.g[0]) + y * g01 - x * g02, r1 = g01 + y * load(m.g[3]) - x * g12,
+               r2 = g02 + y * g12 - x * load(m.g[5]);
+    return {r0, r1, r2, r0 + y * r1 - x * r2};
+}
 
 template <Second kSecond, Inertia kInertia>
 void warm_start_block(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies) {
@@ -228,31 +258,33 @@ struct BlockReport {
 // kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
 // moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
 // press.
-template <Second kSecond, Inertia kInertia, bool kRelax, bool kLast>
+// kPoints: 4, or 1 for blocks of manifolds with one point each, which lies at the centre.
+template <int kPoints, Second kSecond, Inertia kInertia, bool kRelax, bool kLast>
 BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, HotBody* bodies,
                         const ContactSettings& set, int sweeps) {
     BlockBodies<kSecond, kInertia> pair(m, bodies);
+    const BlockMotion motion = pair.follow(m);
     const Wide zero = splat(0);
     if constexpr (kRelax) solve_friction<kSecond, kInertia>(m, rough, pair);
 
-    Wide3 dp_a, dr_a, dp_b{}, dr_b{};
-    load_motion(pair.a, dp_a, dr_a);
-    if constexpr (kSecond != Second::fixed) load_motion(pair.b, dp_b, dr_b);
-    const Wide3 moved = pair.relative(dp_a, dr_a, dp_b, dr_b);
-    Wide3 turned = -dr_a;
-    if constexpr (kSecond != Second::fixed) turned = dr_b - dr_a;
-    const Wide s0 = dot(pair.n, moved), s1 = dot(pair.t1, turned), s2 = dot(pair.t2, turned);
-
+    const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.turned),
+               s2 = dot(pair.t2, motion.turned);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     WideImpulse sum;
     Wide nearest = splat(no_point);
     for (int sweep = 0; sweep < sweeps; sweep++)
-        for (int i = 0; i < 4; i++) {
-            const Wide x = load(m.x[i]), y = load(m.y[i]);
-            const Wide gap = load(m.gap[i]) + s0 + y * s1 - x * s2;
-            const PointResponse r(m, x, y);
-            const Wide vn = u0 + y * u1 - x * u2;
+        for (int i = 0; i < kPoints; i++) {
+            Wide x = zero, y = zero, gap = load(m.gap[i]) + s0, vn = u0;
+            PointResponse r;
+            if constexpr (kPoints == 1) {
+                r = {load(m.g[0]), zero, zero, load(m.g[0])};
+            } else {
+                x = load(m.x[i]), y = load(m.y[i]);
+                gap = gap + y * s1 - x * s2;
+                vn = u0 + y * u1 - x * u2;
+                r = response_of(m, x, y);
+            }
             const WideMask apart = gap > zero;
             const Wide old = load(m.lambda[i]);
             // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
@@ -272,35 +304,43 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
             now = max(now, zero);
             const Wide d = now - old;
             store(m.lambda[i], now);
-            u0 += r.r0 * d;
-            u1 += r.r1 * d;
-            u2 += r.r2 * d;
-            sum.add(x, y, d);
+            if constexpr (kPoints == 1) {
+                sum.total = d;
+            } else {
+                u0 += r.r0 * d;
+                u1 += r.r1 * d;
+                u2 += r.r2 * d;
+                sum.add(x, y, d);
+            }
             if constexpr (kLast)
                 if (sweep + 1 == sweeps) {
                     store(m.gap[i], gap);
                     nearest = min(nearest, gap);
                 }
         }
-    pair.apply(pair.n * sum.total, pair.t1 * sum.m1 + pair.t2 * sum.m2);
+    if constexpr (kPoints == 1)
+        pair.apply(pair.n * sum.total);
+    else
+        pair.apply(pair.n * sum.total, pair.t1 * sum.m1 + pair.t2 * sum.m2);
     pair.store();
 
     BlockReport report;
     if constexpr (kLast) {
         // Only the total force of the manifold is remembered, not its moments: remembering those
         // lets tall stacks sway with growing amplitude.
-        const Wide total =
-            (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
-        Wide points = zero;
-        for (int i = 0; i < 4; i++)
-            points += select(load(m.gap[i]) < splat(0.5f * no_point), splat(1), zero);
+        Wide total = load(m.lambda[0]), points = splat(1);
+        if constexpr (kPoints > 1) {
+            total = (total + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+            for (int i = 1; i < kPoints; i++)
+                points += select(load(m.gap[i]) < splat(0.5f * no_point), splat(1), zero);
+        }
         const Wide steady = load(m.steady);
-        store(m.steady, steady + splat(set.forget) * (total / max(points, splat(1)) - steady));
+        store(m.steady, steady + splat(set.forget) * (total / points - steady));
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
         // age the manifold.
-        const Wide age = load(side.moved) + root(dot(moved, moved)) +
-                         load(m.lever) * root(dot(turned, turned)) +
-                         splat(0.3f) * root(dot(dr_a, dr_a));
+        const Wide age = load(side.moved) + root(dot(motion.moved, motion.moved)) +
+                         load(m.lever) * root(dot(motion.turned, motion.turned)) +
+                         splat(0.3f) * root(dot(motion.turned_a, motion.turned_a));
         store(side.moved, age);
         report.aged = lane_bits(age > splat(set.reuse));
         // Presses now, or pressed a step ago and has hardly parted.
@@ -354,6 +394,7 @@ template <Second kSecond, Inertia kInertia>
 void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restitution,
                 HotBody* bodies, const ContactSettings& set) {
     BlockBodies<kSecond, kInertia> pair(m, bodies);
+    pair.follow(m);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     WideImpulse sum;
@@ -364,7 +405,7 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
     for (int sweep = 0; sweep < 4; sweep++)
         for (int i = 0; i < 4; i++) {
             const Wide x = load(m.x[i]), y = load(m.y[i]);
-            const PointResponse r(m, x, y);
+            const PointResponse r = response_of(m, x, y);
             const Wide approach = load(bounce.approach[i]);
             const Wide vn = u0 + y * u1 - x * u2;
             const WideMask hit = (load(bounce.peak[i]) > zero) &

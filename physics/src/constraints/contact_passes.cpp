@@ -19,7 +19,8 @@ void run(BlockPass pass, ManifoldStore& store, std::span<HotBody> bodies,
                        colour.roughs.data(),
                        0,
                        blocks,
-                       second_of(c)};
+                       second_of(c),
+                       is_single(c)};
         if (is_overflow(c)) {
             pass(all, bodies.data(), set);  // these share bodies: one after the other
             continue;

@@ -63,13 +63,17 @@ inline void warm_start_range(const BlockRange& range, HotBody* bodies, const Con
 template <bool kRelax, bool kLast>
 void solve_range(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
     each_block(range, [&](int k, auto second, auto inertia) {
+        constexpr int all = 4;
         BlockSide& side = range.sides[k];
         BlockReport report;
         if (set.planar)
             report = solve_planar<second.value, kRelax, kLast>(range.blocks[k], side,
                                                                rough_of(range, k), bodies, set);
+        else if (range.single)
+            report = solve_block<1, second.value, inertia.value, kRelax, kLast>(
+                range.blocks[k], side, rough_of(range, k), bodies, set, 1);
         else
-            report = solve_block<second.value, inertia.value, kRelax, kLast>(
+            report = solve_block<all, second.value, inertia.value, kRelax, kLast>(
                 range.blocks[k], side, rough_of(range, k), bodies, set, tuning::manifold_sweeps);
         if constexpr (kLast) {
             side.aged = static_cast<std::uint8_t>(report.aged);

@@ -22,6 +22,7 @@ struct BlockRange {
     BlockRough* roughs;
     int begin, end;
     Second second;
+    bool single;  // manifolds of one point
 };
 
 // Some bodies by hot index.

@@ -109,6 +109,20 @@ void write_masses(ManifoldBlock& block, int lane, const Side& a, const Side& b, 
     block.twist_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
+// The point of contact goes along with a round body that rolls on a flat one; of two alike it stays
+// between them. What is not pushed need not be thought of.
+float share_of(const WorldState& world, const Contact& contact, const BodyCold& b) {
+    if (b.type != BodyType::dynamic) return 0;
+    const auto is_round = [&](std::uint32_t shape) {
+        const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
+        return kind == ShapeKind::sphere || kind == ShapeKind::capsule ||
+               kind == ShapeKind::cylinder || kind == ShapeKind::cone;
+    };
+    const bool round_a = is_round(contact.shape_a), round_b = is_round(contact.shape_b);
+    if (round_a == round_b) return 0.5f;
+    return round_a ? 0.0f : 1.0f;
+}
+
 // Rolling, turning and moving surfaces.
 void write_rough(const WorldState& world, const Contact& contact, const LanePlace& place,
                  const Material& ma, const Material& mb, Vec3 roll) {
@@ -171,6 +185,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         if (used) lever += square_root(x * x + y * y) / m.count;
     }
     block.lever[lane] = as_float(lever);
+    block.share[lane] = share_of(world, contact, cb);
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
     if (fresh) block.twist[lane] = block.steady[lane] = 0;

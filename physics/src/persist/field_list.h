@@ -373,6 +373,7 @@ void visit_world(V& v, WorldState& world) {
     visit_all(v, "reach", world.bodies.reach, [&](BodyReach& r) {
         v.field("travel", r.travel);
         v.field("reach", r.reach);
+        v.field("turned", r.turned);
     });
     visit_all(v, "fixed", world.bodies.fixed, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "awake", world.bodies.awake, [&](BodyWarm& b) { visit_fields(v, b); });
@@ -404,6 +405,9 @@ void visit_world(V& v, WorldState& world) {
         v.field("contact", w.contact);
         v.field("body_a", w.body_a);
         v.field("body_b", w.body_b);
+        v.field("slack", w.slack);
+        for (float& x : w.apart) v.field("apart", x);
+        v.field("turned", w.turned);
         v.field("limit", w.limit);
     });
     v.leave();

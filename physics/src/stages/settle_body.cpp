@@ -22,12 +22,20 @@ bool left_fat_box(const WorldState& world, const BodyWarm& warm, const BodyCold&
     return false;
 }
 
+// Whether a shape of a body that moved is no longer within its fat box.
+bool strayed(const WorldState& world, const BodyWarm& warm, const BodyCold& cold) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
+        if (!fits_fat_box(world.shapes.shapes[s], warm, 0)) return true;
+    return false;
+}
+
 }  // namespace
 
 void begin_settling(WorldState& world) {
     world.scratch.left_fat_box.assign(world.bodies.awake.size(), 0);
     world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
     world.scratch.fast.assign(world.bodies.awake.size(), 0);
+    world.scratch.strayed.assign(world.bodies.awake.size(), 0);
     world.scratch.any_fast = 0;
     if (world.scratch.before.size() < world.bodies.awake.size())
         world.scratch.before.resize(world.bodies.awake.size());
@@ -51,8 +59,8 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     // angle, doubled.
     const Quat turn = motion.rotation * conjugate(warm.rotation);
     const double angle = 2.2 * square_root(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-    const double way =
-        length(motion.displacement) + maximum(angle, length(motion.w) * step.dt) * cold.radius;
+    const double turned = maximum(angle, length(motion.w) * step.dt) * cold.radius;
+    const double way = length(motion.displacement) + turned;
     if (way > tuning::sweep_fraction * cold.inner_radius && cold.continuous) {
         world.scratch.before[awake_index] = warm;
         world.scratch.fast[awake_index] = 1;
@@ -63,7 +71,10 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     warm.axes = to_matrix(warm.rotation);
     warm.v = motion.v;
     warm.w = motion.w;
+    if (world.scratch.fast[awake_index] != 0)
+        world.scratch.strayed[awake_index] = strayed(world, warm, cold) ? 1 : 0;
     world.bodies.reach[warm.body].travel += way;
+    world.bodies.reach[warm.body].turned += turned;
     look_ahead(world, warm.body, step.dt);
     const bool rests = cold.may_sleep && way < tuning::sleep_speed * step.dt;
     warm.quiet = rests ? warm.quiet + step.dt : 0;

@@ -14,6 +14,8 @@
 #include "constraints/free_motion.h"
 #include "constraints/impact.h"
 #include "jostle/physics/tuning.h"
+#include "stages/fast_ways.h"
+#include "stages/sweep_rule.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -63,26 +65,20 @@ public:
 
     void run() {
         for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++)
-            if (world_.scratch.fast[i] != 0 && world_.scratch.not_finite[i] == 0) start(i);
+            if (is_fast(i)) fast_.push_back(i);
+        for (const std::uint32_t i : fast_) start_if_it_may_meet(i);
         if (travellers_.empty()) return;
         world_.shapes.fixed->settle();
         world_.shapes.moving->settle();
-        find_near_fast();
-        for (Traveller& t : travellers_) find_near(t);
         // Every impact uses up one of somebody's, and between two there are so many legs: this
         // ends.
         for (;;) {
-            std::size_t first = none;
-            double soonest = 1.5;
-            for (std::size_t k = 0; k < travellers_.size(); k++) {
-                if (!travellers_[k].fast) continue;
-                if (!travellers_[k].looked) look(k);
-                if (next_of(travellers_[k]) < soonest) {
-                    soonest = next_of(travellers_[k]);
-                    first = k;
-                }
-            }
-            if (first == none) break;
+            for (const std::size_t k : to_look_) look(k);
+            to_look_.clear();
+            std::size_t first = 0;
+            for (std::size_t k = 1; k < next_.size(); k++)
+                if (next_[k] < next_[first]) first = k;
+            if (next_[first] > 1) break;
             if (travellers_[first].fraction <= travellers_[first].sweep.until)
                 impact(first);
             else
@@ -100,12 +96,20 @@ private:
         t.sweep = sweep;
         t.fast = fast;
         travellers_.push_back(std::move(t));
+        next_.push_back(Impact::never);
+        if (fast) to_look_.push_back(travellers_.size() - 1);
         return travellers_.size() - 1;
     }
 
-    // When something next happens to it.
-    static double next_of(const Traveller& t) {
-        return std::min(t.fraction, t.sweep.until < 1 ? t.sweep.until : Impact::never);
+    void note_next(std::size_t k) {
+        const Traveller& t = travellers_[k];
+        next_[k] = t.fast ? std::min(t.fraction, t.sweep.until < 1 ? t.sweep.until : Impact::never)
+                          : Impact::never;
+    }
+    void look_again(std::size_t k) {
+        Traveller& t = travellers_[k];
+        if (t.fast && t.looked) to_look_.push_back(k);
+        t.looked = false;
     }
 
     // The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
@@ -150,13 +154,85 @@ private:
         return free_spin(warm, world_.bodies.cold[t.body], (fraction - t.spin_at) * step_.dt);
     }
 
-    void start(std::uint32_t awake) {
+    bool is_fast(std::uint32_t awake) const {
+        return world_.scratch.fast[awake] != 0 && world_.scratch.not_finite[awake] == 0;
+    }
+    // From where it was before the step to where the step took it.
+    Sweep way_of_fast(std::uint32_t awake) const {
         const BodyWarm& now = world_.bodies.awake[awake];
         const BodyWarm& before = world_.scratch.before[awake];
         const Vec3 turn = way_round(before.rotation, now.rotation, now.w * step_.dt);
+        return {0, before.center, before.rotation, now.center - before.center, turn};
+    }
+
+    // How far any two points of two bodies move against each other in a whole step, at most.
+    static double way_against(const Sweep& a, const BodyCold& cold_a, const Sweep& b,
+                              const BodyCold& cold_b) {
+        return length(a.motion - b.motion) + length(a.turn) * cold_a.radius +
+               (b.turn == Vec3{} ? 0 : length(b.turn) * cold_b.radius);
+    }
+
+    // Most fast bodies fly through nothing, or along with others that fall beside them: those need
+    // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
+    // was thrown off that way asks the trees.
+    void start_if_it_may_meet(std::uint32_t awake) {
+        const std::uint32_t body = world_.bodies.awake[awake].body;
+        const BodyCold& cold = world_.bodies.cold[body];
+        const Sweep sweep = way_of_fast(awake);
+        near_.clear();
+        if (world_.scratch.strayed[awake] == 0) {
+            for (std::uint32_t edge = cold.first_edge; edge != none;) {
+                const Contact& c = world_.contacts.contacts[edge / 2];
+                edge = c.next[edge % 2];
+                if (c.parent != none) continue;
+                const bool first = c.body_a == body;
+                const std::uint32_t other = first ? c.shape_b : c.shape_a;
+                if (may_meet_on(sweep, cold, other)) near_.push_back(other);
+            }
+            if (near_.empty()) return;
+        }
+        start(awake, sweep);
+        Traveller& t = travellers_.back();
+        t.way = bounds_of_way(t);
+        t.near = near_;
+        if (world_.scratch.strayed[awake] != 0)
+            find_near_all(t);
+        else
+            tidy_near(t);
+    }
+
+    // Whether their motions against each other are large enough for a sweep and may bring them
+    // together. What moves less is the contact solver's (stages/update_contacts.cpp).
+    bool may_meet_on(const Sweep& sweep, const BodyCold& cold, std::uint32_t other_shape) const {
+        const std::uint32_t other = world_.shapes.shapes[other_shape].body;
+        const Sweep motion = sweep_of(other);
+        const BodyCold& cold_other = world_.bodies.cold[other];
+        const double linear = length(sweep.motion - motion.motion);
+        const double turning =
+            length(sweep.turn) * cold.radius +
+            (motion.turn == Vec3{} ? 0 : length(motion.turn) * cold_other.radius);
+        // A little less than foreseen, so that nothing falls between the two.
+        if (linear + turning < 0.8 * tuning::sweep_fraction * cold.inner_radius) return false;
+        if (cold_other.type != BodyType::dynamic) return on_way_of(sweep, cold.radius, other_shape);
+        // How near their centres come, were both to move evenly.
+        const Vec3 apart = motion.center - sweep.center, closing = sweep.motion - motion.motion;
+        const double nearest =
+            clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
+        const double reach = cold.radius + cold_other.radius + 0.01;
+        return length_squared(apart - closing * nearest) < reach * reach;
+    }
+    bool on_way_of(const Sweep& sweep, double radius, std::uint32_t other) const {
+        const Vec3 end = sweep.center + sweep.motion;
+        const Aabb way = grow({min(sweep.center, end), max(sweep.center, end)}, radius + 0.01);
+        const ShapeRecord& shape = world_.shapes.shapes[other];
+        return is_plane(shape) ? reaches_plane(world_, shape, way) : overlap(way, shape.fat);
+    }
+
+    void start(std::uint32_t awake, const Sweep& sweep) {
+        const BodyWarm& now = world_.bodies.awake[awake];
+        const BodyWarm& before = world_.scratch.before[awake];
         const BodyCold& cold = world_.bodies.cold[now.body];
-        Traveller& t = travellers_[add(
-            now.body, {0, before.center, before.rotation, now.center - before.center, turn}, true)];
+        Traveller& t = travellers_[add(now.body, sweep, true)];
         t.end_rotation = now.rotation;
         t.end_spin = now.w;
         t.velocity = now.v;
@@ -195,14 +271,16 @@ private:
         return s;
     }
 
-    // How a body that is not fast moves: back from where it is, by its velocity.
-    Sweep sweep_of(std::uint32_t body) {
+    // How a body that is no traveller moves: as it did if it was fast, else back from where it is,
+    // by its velocity.
+    Sweep sweep_of(std::uint32_t body) const {
         const auto known = where_.find(body);
         if (known != where_.end()) return travellers_[known->second].sweep;
         const BodyCold& cold = world_.bodies.cold[body];
         const BodyWarm& warm = warm_of(world_, body);
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
             return {0, warm.center, warm.rotation, {}, {}};
+        if (cold.at < world_.scratch.fast.size() && is_fast(cold.at)) return way_of_fast(cold.at);
         const Vec3 motion = warm.v * step_.dt, turn = warm.w * step_.dt;
         return {0, warm.center - motion, normalized(from_rotation_vector(-turn) * warm.rotation),
                 motion, turn};
@@ -253,25 +331,22 @@ private:
         });
     }
 
-    // Two fast bodies may meet where neither is any more.
-    void find_near_fast() {
-        std::vector<std::size_t> order(travellers_.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        for (Traveller& t : travellers_) t.way = bounds_of_way(t);
-        std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-            const double lx = travellers_[x].way.low.x, ly = travellers_[y].way.low.x;
-            return lx < ly || (lx == ly && x < y);
-        });
-        for (std::size_t i = 0; i < order.size(); i++) {
-            Traveller& x = travellers_[order[i]];
-            for (std::size_t j = i + 1; j < order.size(); j++) {
-                Traveller& y = travellers_[order[j]];
-                if (y.way.low.x > x.way.high.x) break;
-                if (!overlap(x.way, y.way)) continue;
-                add_shapes(x, y.body);
-                add_shapes(y, x.body);
-            }
+    void note_fast_ways() {
+        if (!ways_.empty()) return;
+        for (const std::uint32_t i : fast_) {
+            const std::uint32_t body = world_.bodies.awake[i].body;
+            const double radius = world_.bodies.cold[body].radius;
+            const Vec3 from = world_.scratch.before[i].center, to = world_.bodies.awake[i].center;
+            ways_.set(body, grow({min(from, to), max(from, to)}, radius + 0.01));
         }
+    }
+
+    // Everything on the way: by the trees, and what is or was fast.
+    void find_near_all(Traveller& t) {
+        note_fast_ways();
+        ways_.query(t.way, [&](std::uint32_t body) { add_shapes(t, body); });
+        find_near(t);
+        tidy_near(t);
     }
 
     void find_near(Traveller& t) {
@@ -279,38 +354,45 @@ private:
         world_.shapes.moving->query(t.way, 0xffffffff, t.near);
         for (const std::uint32_t plane : world_.shapes.planes)
             if (reaches_plane(world_, world_.shapes.shapes[plane], t.way)) t.near.push_back(plane);
-        tidy_near(t);
     }
 
     // A body that goes another way from now on may meet others there, and they it.
     void find_near_anew(std::size_t index) {
         Traveller& t = travellers_[index];
         t.way = bounds_of_way(t);
-        t.looked = false;
         t.near.clear();
-        for (std::size_t k = 0; k < travellers_.size(); k++) {
-            Traveller& other = travellers_[k];
-            if (k == index || !overlap(other.way, t.way)) continue;
-            add_shapes(t, other.body);
-            if (!other.fast) continue;
-            add_shapes(other, t.body);
-            tidy_near(other);
-        }
-        if (t.fast) find_near(t);
+        find_near_all(t);
+        ways_.set(t.body, t.way);
+        look_again(index);
     }
 
     // The first impact on the way that is left.
     void look(std::size_t k) {
         Traveller& t = travellers_[k];
+        if (t.looked) return;
         t.looked = true;
         t.fraction = Impact::never;
-        if (t.impacts >= tuning::sweep_impacts) return;
-        for (const std::uint32_t other : t.near) look_at(t, other);
+        if (t.impacts < tuning::sweep_impacts)
+            for (const std::uint32_t other : t.near) look_at(t, other);
+        note_next(k);
+    }
+
+    // What hardly moves against the other is the contact solver's. After an impact less is left to
+    // it: its contacts did not foresee the new way.
+    bool moves_enough(const Traveller& t, std::uint32_t other, const Sweep& motion) const {
+        const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
+        const auto known = where_.find(other);
+        const bool changed =
+            t.changed || (known != where_.end() && travellers_[known->second].changed);
+        const double least = (changed ? 0.4 : 0.8) * way_without_sweep(world_, cold, cold_other);
+        return way_against(t.sweep, cold, motion, cold_other) * (1 - t.sweep.from) > least;
     }
 
     // Whether one shape is met before all that are known.
     void look_at(Traveller& t, std::uint32_t other) {
-        const Sweep motion = sweep_of(world_.shapes.shapes[other].body);
+        const std::uint32_t body = world_.shapes.shapes[other].body;
+        const Sweep motion = sweep_of(body);
+        if (!moves_enough(t, body, motion)) return;
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
@@ -453,7 +535,7 @@ private:
         report(own, other,
                resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb)));
         travellers_[index].impacts++;
-        travellers_[index].looked = false;
+        look_again(index);
         if (go_on(body_a, a, sweep_a, at)) look_out_for(where_.at(body_a));
         if (go_on(body_b, b, sweep_b, at)) look_out_for(where_.at(body_b));
     }
@@ -462,17 +544,42 @@ private:
     // have met it next, at everything.
     void look_out_for(std::size_t index) {
         find_near_anew(index);
-        const Traveller& moved = travellers_[index];
-        for (Traveller& t : travellers_) {
+        const std::uint32_t body = travellers_[index].body;
+        for (const std::size_t k : fast_travellers_met(body, travellers_[index].way)) {
+            Traveller& t = travellers_[k];
             if (!t.looked || t.impacts >= tuning::sweep_impacts) continue;
-            if (t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == moved.body) {
-                t.looked = false;
-            } else if (overlap(t.way, moved.way)) {
-                for (std::uint32_t s = world_.bodies.cold[moved.body].first_shape; s != none;
-                     s = world_.shapes.shapes[s].next)
-                    look_at(t, s);
+            if (t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body) {
+                look_again(k);
+                continue;
             }
+            for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
+                 s = world_.shapes.shapes[s].next)
+                look_at(t, s);
+            note_next(k);
         }
+        // Those that would have met it where it no longer goes.
+        for (std::size_t k = 0; k < travellers_.size(); k++) {
+            const Traveller& t = travellers_[k];
+            if (next_[k] <= 1 && t.fraction <= 1 &&
+                world_.shapes.shapes[t.other_shape].body == body)
+                look_again(k);
+        }
+    }
+    // The other fast travellers whose way crosses a box, in order. They know the body from now on.
+    const std::vector<std::size_t>& fast_travellers_met(std::uint32_t body, const Aabb& way) {
+        met_.clear();
+        ways_.query(way, [&](std::uint32_t other) {
+            const auto known = where_.find(other);
+            if (other == body) return;
+            if (known != where_.end() && travellers_[known->second].fast)
+                met_.push_back(known->second);
+        });
+        std::sort(met_.begin(), met_.end());
+        for (const std::size_t k : met_) {
+            add_shapes(travellers_[k], body);
+            tidy_near(travellers_[k]);
+        }
+        return met_;
     }
 
     void report(std::uint32_t own, std::uint32_t other, const HardestPoint& hit) {
@@ -522,8 +629,10 @@ private:
         const double until = stays ? t.sweep.from : 1;
         BodyWarm& warm = warm_of(world_, t.body);
         const Vec3 center = center_at(t.sweep, until);
-        world_.bodies.reach[t.body].travel +=
-            length(center - warm.center) + 3.2 * world_.bodies.cold[t.body].radius;
+        BodyReach& reach = world_.bodies.reach[t.body];
+        const double turned = 3.2 * world_.bodies.cold[t.body].radius;  // half a turn at most
+        reach.travel += length(center - warm.center) + turned;
+        reach.turned += turned;
         warm.center = center;
         warm.rotation = stays ? rotation_at(t.sweep, until) : t.end_rotation;
         warm.axes = to_matrix(warm.rotation);
@@ -539,7 +648,13 @@ private:
 
     StepContext& step_;
     WorldState& world_;
+    std::vector<std::uint32_t> fast_;  // awake indices, rising
+    FastWays ways_;                    // made when first asked for
+    std::vector<std::uint32_t> near_;  // scratch
+    std::vector<std::size_t> met_;     // scratch
     std::vector<Traveller> travellers_;
+    std::vector<double> next_;  // by traveller: when something next happens to it
+    std::vector<std::size_t> to_look_;
     std::unordered_map<std::uint32_t, std::size_t> where_;  // looked up, never walked
 };
 

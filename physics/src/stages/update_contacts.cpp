@@ -8,6 +8,7 @@
 #include "collision/narrowphase/collide_planar.h"
 #include "constraints/write_manifold.h"
 #include "jostle/physics/tuning.h"
+#include "stages/sweep_rule.h"
 #include "state/lanes.h"
 #include "state/links.h"
 
@@ -23,23 +24,63 @@ void queue(WorldState& world, std::uint32_t contact) {
     world.scratch.checks.push_back({.contact = contact, .manifold = {}});
 }
 
-// Takes the due entries off the waiting list, and drops those whose bodies all fell asleep.
-void take_due_pairs(WorldState& world) {
+void note_held(WorldState& world) {
+    auto& held = world.scratch.held;
+    held.clear();
+    for (const BodyWarm& warm : world.bodies.awake)
+        held.push_back(world.bodies.cold[warm.body].lanes > 0 ? 1 : 0);
+}
+
+// What is left of a pair's slack after what its bodies have done and may do in this step: the same
+// bounds as look_ahead()'s, on their motion against each other. Both fall alike.
+double slack_left(const WorldState& world, const Waiting& w, double dt) {
+    const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
+    const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
+    const Vec3 before{double{w.apart[0]}, double{w.apart[1]}, double{w.apart[2]}};
+    const double moved = length((wb.center - wa.center) - before);
+    const double turned =
+        world.bodies.reach[w.body_a].turned + world.bodies.reach[w.body_b].turned - w.turned;
+    const auto force = [](const BodyWarm& warm, const BodyCold& cold) {
+        return warm.force == Vec3{} ? 0 : length(warm.force) * cold.inverse_mass;
+    };
+    const double pull = 2 * length(world.def.gravity) + force(wa, a) + force(wb, b);
+    const double next =
+        1.5 * dt * (length(wb.v - wa.v) + length(wa.w) * a.radius + length(wb.w) * b.radius) +
+        dt * dt * pull;
+    return double{w.slack} - moved - turned - next;
+}
+
+// Pairs whose bodies all fell asleep wait no longer.
+void drop_dormant_pairs(WorldState& world) {
+    if (!world.contacts.some_dormant) return;
+    world.contacts.some_dormant = false;
+    std::erase_if(world.contacts.waiting, [&](const Waiting& w) {
+        Contact& c = world.contacts.contacts[w.contact];
+        if (!c.dormant) return false;
+        c.waiting = false;
+        c.limit = w.limit;
+        return true;
+    });
+}
+
+// Takes the due entries off the waiting list.
+void take_due_pairs(WorldState& world, double dt) {
     std::vector<Waiting>& waiting = world.contacts.waiting;
     const std::vector<BodyReach>& reach = world.bodies.reach;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < waiting.size(); k++) {
-        const Waiting w = waiting[k];
-        Contact& c = world.contacts.contacts[w.contact];
-        if (c.dormant) {
-            c.waiting = false;
-            c.limit = w.limit;
-        } else if (reach[w.body_a].reach + reach[w.body_b].reach > w.limit) {
-            c.waiting = false;
-            queue(world, w.contact);
-        } else {
-            waiting[kept++] = w;
+        Waiting w = waiting[k];
+        const BodyReach &a = reach[w.body_a], &b = reach[w.body_b];
+        if (a.reach + b.reach > w.limit) {
+            const double left = w.slack < 0 ? -1 : slack_left(world, w, dt);
+            if (left < 0) {
+                world.contacts.contacts[w.contact].waiting = false;
+                queue(world, w.contact);
+                continue;
+            }
+            w.limit = a.reach + b.reach + left;
         }
+        waiting[kept++] = w;
     }
     waiting.resize(kept);
 }
@@ -76,24 +117,35 @@ Motion motion_of(const WorldState& world, std::uint32_t body) {
     return {warm.center, warm.v, warm.w};
 }
 
-// Whether a body will be swept (stages/stop_fast_bodies.h): then its impacts happen there, in their
-// own time, and not here at the start of the step.
-bool will_be_swept(const WorldState& world, std::uint32_t body, double dt) {
-    const BodyCold& cold = world.bodies.cold[body];
-    if (!world.def.continuous || !cold.continuous || cold.set != BodySet::awake) return false;
-    const BodyWarm& warm = world.bodies.awake[cold.at];
-    return (length(warm.v) + length(warm.w) * cold.radius) * dt >
-           tuning::sweep_fraction * cold.inner_radius;
+// How far two bodies move against each other in a step, at most.
+double closing_way(const WorldState& world, const Contact& c, double dt) {
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const Motion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
+    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
+    return (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
+}
+
+// Whether the pair will be swept (stages/stop_fast_bodies.h): then its impact happens there, in its
+// own time, and not here at the start of the step. That takes a body that is fast, and fast against
+// the other.
+bool will_be_swept(const WorldState& world, const Contact& c, double way, double dt) {
+    if (!world.def.continuous) return false;
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
+        if (!mover.continuous || mover.set != BodySet::awake) return false;
+        if (way <= way_without_sweep(world, mover, other)) return false;
+        const BodyWarm& warm = world.bodies.awake[mover.at];
+        return (length(warm.v) + length(warm.w) * mover.radius) * dt >
+               tuning::sweep_fraction * mover.inner_radius;
+    };
+    return sweeps(a, b) || sweeps(b, a);
 }
 
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
 // but no more than the smaller body's size: beyond that a manifold would see a plane where there is
 // an edge to fly past.
-double closing_reach(const WorldState& world, const Contact& c, double dt) {
+double closing_reach(const WorldState& world, const Contact& c, double way) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
-    const Motion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
-    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
-    const double way = (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
     const double size = b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
     return minimum(way, size);
 }
@@ -147,13 +199,14 @@ void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>&
 void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, const Placed& b,
                        double dt) {
     const Contact& c = world.contacts.contacts[check.contact];
-    check.sure = closing_reach(world, c, dt) + composite_slack;
+    const double way = closing_way(world, c, dt);
+    check.sure = closing_reach(world, c, way) + composite_slack;
     std::vector<PartManifold> parts;
     collide_composite(a, b, tuning::speculative_margin + check.sure, parts);
     std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
-    const bool swept = will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
+    const bool swept = will_be_swept(world, c, way, dt);
     for (const PartManifold& part : parts) {
         if (swept && part.manifold.distance > tuning::touch_gap) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
@@ -168,9 +221,10 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     const ShapeRecord& sb = world.shapes.shapes[c.shape_b];
     const Placed a = placed(sa, warm_of(world, c.body_a)), b = placed(sb, warm_of(world, c.body_b));
     if (c.composite) return look_at_composite(world, check, a, b, dt);
-    const bool swept = will_be_swept(world, c.body_a, dt) || will_be_swept(world, c.body_b, dt);
-    const double margin =
-        swept ? tuning::touch_gap : tuning::speculative_margin + closing_reach(world, c, dt);
+    const double way = closing_way(world, c, dt);
+    const double margin = will_be_swept(world, c, way, dt)
+                              ? tuning::touch_gap
+                              : tuning::speculative_margin + closing_reach(world, c, way);
     check.manifold =
         world.def.planar ? collide_planar(a, b, margin, c.cache) : collide(a, b, margin, c.cache);
     check.gap_ahead = expected_gap(world, c, check.manifold, dt);
@@ -211,12 +265,16 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
         destroy_contact(world, check.contact, world.events.contacts_ended);
         return;
     }
-    const double travel = world.bodies.reach[c.body_a].travel + world.bodies.reach[c.body_b].travel;
-    put_on_waiting_list(world, check.contact, travel + smallest_gap(check.manifold) - near);
+    put_on_waiting_list(world, check.contact, smallest_gap(check.manifold) - near);
 }
 
 std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
     return static_cast<std::uint32_t>(&check - world.scratch.checks.data());
+}
+
+void continue_manifold(WorldState& world, std::uint32_t contact) {
+    finish_manifold(world, world.contacts.contacts[contact]);
+    settle_lane(world, contact);
 }
 
 void wake_sleepers(WorldState& world, const Contact& c) {
@@ -230,14 +288,12 @@ void wake_sleepers(WorldState& world, const Contact& c) {
 void decide_composite(WorldState& world, ContactCheck& check) {
     auto& contacts = world.contacts.contacts;
     const auto& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
-    const double travel = world.bodies.reach[contacts[check.contact].body_a].travel +
-                          world.bodies.reach[contacts[check.contact].body_b].travel;
     const bool asleep = has_sleeper(world, contacts[check.contact]);
     if (asleep && check.gap_ahead >= tuning::wake_gap) {
         if (!boxes_overlap(world, contacts[check.contact]))
             return destroy_contact(world, check.contact, world.events.contacts_ended);
         const double clear = found.empty() ? check.sure : check.gap_ahead - tuning::wake_gap;
-        return put_on_waiting_list(world, check.contact, travel + minimum(check.sure, clear));
+        return put_on_waiting_list(world, check.contact, minimum(check.sure, clear));
     }
     if (asleep) wake_sleepers(world, contacts[check.contact]);
     for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
@@ -245,7 +301,7 @@ void decide_composite(WorldState& world, ContactCheck& check) {
         const bool goes_on = std::any_of(found.begin(), found.end(),
                                          [&](const FoundPart& f) { return f.contact == p; });
         if (goes_on)
-            finish_manifold(world, contacts[p]);
+            continue_manifold(world, p);
         else
             destroy_contact(world, p, world.events.contacts_ended);
         p = next;
@@ -262,7 +318,7 @@ void decide_composite(WorldState& world, ContactCheck& check) {
         else
             clear = minimum(clear, found[k].gap_ahead - tuning::speculative_margin);
     }
-    put_on_waiting_list(world, check.contact, travel + clear);
+    put_on_waiting_list(world, check.contact, clear);
 }
 
 void decide(WorldState& world, ContactCheck& check) {
@@ -283,7 +339,7 @@ void decide(WorldState& world, ContactCheck& check) {
     // step.
     if (check.manifold.count > 0 && (c.colour >= 0 || check.expected)) {
         if (c.colour >= 0)
-            finish_manifold(world, c);
+            continue_manifold(world, check.contact);
         else
             scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
@@ -319,7 +375,7 @@ void begin_manifolds(WorldState& world) {
             contact = create_part(world, check.contact, part.key);
             manifold = &part.manifold;
         }
-        take_lane(world, contact);
+        take_lane(world, contact, manifold->count == 1);
         const Contact& c = world.contacts.contacts[contact];
         write_manifold(world, c, *manifold, true);
         finish_manifold(world, c);
@@ -334,7 +390,9 @@ void update_contacts(StepContext& step) {
     checks.clear();
     world.scratch.new_lanes.clear();
     world.scratch.to_wake.clear();
-    take_due_pairs(world);
+    note_held(world);
+    drop_dormant_pairs(world);
+    take_due_pairs(world, step.dt);
     take_aged_manifolds(world);
     give_out_lists(world);
     step.team.run(static_cast<int>(checks.size()), 32, [&](int begin, int end) {

@@ -73,6 +73,7 @@ struct BodyWarm {
 struct BodyReach {
     double travel = 0;  // m, never decreases
     double reach = 0;   // m
+    double turned = 0;  // m: the part of `travel` that comes from turning
 };
 
 struct BodyStore {

@@ -25,7 +25,7 @@ struct Contact {
     bool touching = false;  // pressed in the last step; binds the two bodies into one island
     bool waiting = false;   // has an entry on the waiting list
     bool dormant = false;
-    double limit = -1;  // m: to be checked when reach_a + reach_b exceeds it
+    double limit = -1;  // m: to be looked at when reach_a + reach_b exceeds it
 
     // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
     // of its own, a part, that names it as parent.
@@ -41,15 +41,22 @@ struct Contact {
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
 };
 
+// A pair that cannot touch yet. It is due when its bodies may have come nearer to each other by
+// `slack` since the moment it was put here. The sum of both bodies' travels says at once that most
+// are not; for the others, which may fall side by side, the motion against each other is measured.
 struct Waiting {
     std::uint32_t contact = none, body_a = none, body_b = none;
-    double limit = -1;
+    float slack = -1;     // m; negative: due when the limit is exceeded
+    float apart[3] = {};  // m, from a's centre of mass to b's at that moment
+    double turned = 0;    // m, sum of both bodies' BodyReach::turned at that moment
+    double limit = -1;    // m, on the sum of both bodies' reach
 };
 
 struct ContactStore {
     IdPool ids;
     std::vector<Contact> contacts;
     std::vector<Waiting> waiting;
+    bool some_dormant = true;  // of those waiting, perhaps; not saved
     std::unordered_map<std::uint64_t, std::uint32_t> by_pair;  // looked up, never walked; derived
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "state/lanes.h"
 
+#include <cstddef>
 #include <cstring>
 
 #include "foundation/check.h"
@@ -76,7 +77,7 @@ int free_colour(std::uint64_t taken, Second kind) {
     if (kind == Second::fixed) first = moving_colours + driven_colours, last = mask_colours;
     for (int c = first; c < last; c++)
         if ((taken >> c & 1) == 0) return c;
-    return mask_colours + static_cast<int>(kind);
+    return overflow_colours + static_cast<int>(kind);
 }
 
 }  // namespace
@@ -108,16 +109,17 @@ void write_body_indices(WorldState& world, const Contact& contact) {
     place.block->b[place.lane] = hot_index(contact.body_b);
 }
 
-void take_lane(WorldState& world, std::uint32_t contact_index) {
+void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     Contact& contact = world.contacts.contacts[contact_index];
     BodyCold& a = world.bodies.cold[contact.body_a];
     BodyCold& b = world.bodies.cold[contact.body_b];
     ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
     const Second kind = second_kind(b);
-    const int c = free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind);
+    int c = free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind);
     if (!is_overflow(c)) {
         a.colours |= 1ull << c;
         if (kind == Second::moving) b.colours |= 1ull << c;
+        if (single) c += single_colours;
     }
     a.lanes++;
     if (kind == Second::moving) b.lanes++;
@@ -143,8 +145,8 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     BodyCold& b = world.bodies.cold[contact.body_b];
     const bool two = second_of(c) == Second::moving;
     if (!is_overflow(c)) {
-        a.colours &= ~(1ull << c);
-        if (two) b.colours &= ~(1ull << c);
+        a.colours &= ~(1ull << mask_bit(c));
+        if (two) b.colours &= ~(1ull << mask_bit(c));
     }
     a.lanes--;
     if (two) b.lanes--;
@@ -168,6 +170,16 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     contact.slot = 0;
 }
 
+void settle_lane(WorldState& world, std::uint32_t contact_index) {
+    const Contact& contact = world.contacts.contacts[contact_index];
+    const LanePlace place = place_of(world, contact);
+    const bool single = is_single_point(place.block->gap[1][place.lane]);
+    if (is_overflow(contact.colour) || single == is_single(contact.colour)) return;
+    const SavedManifold saved = save_lane(world, contact_index);
+    release_lane(world, contact_index);
+    restore_lane(world, saved);
+}
+
 SavedManifold save_lane(const WorldState& world, std::uint32_t contact_index) {
     const LanePlace place =
         place_of(const_cast<WorldState&>(world), world.contacts.contacts[contact_index]);
@@ -186,7 +198,8 @@ SavedManifold save_lane(const WorldState& world, std::uint32_t contact_index) {
 }
 
 void restore_lane(WorldState& world, const SavedManifold& saved) {
-    take_lane(world, saved.contact);
+    constexpr std::size_t second_gap = offsetof(ManifoldBlock, gap) / 32 + 1 - first_saved_row;
+    take_lane(world, saved.contact, is_single_point(saved.rows[second_gap]));
     const Contact& contact = world.contacts.contacts[saved.contact];
     const LanePlace place = place_of(world, contact);
     for (int row = first_saved_row; row < manifold_rows; row++)

@@ -10,8 +10,12 @@
 namespace jostle::physics {
 
 // Gives the contact a lane in the lowest colour that both moving bodies have free. Both bodies are
-// awake (or fixed). The lane is empty: constraints/write_manifold.h fills it.
-void take_lane(WorldState& world, std::uint32_t contact);
+// awake (or fixed). The lane is empty: constraints/write_manifold.h fills it, with one point if
+// `single`.
+void take_lane(WorldState& world, std::uint32_t contact, bool single);
+
+// After a manifold was rebuilt: to the blocks of its number of points.
+void settle_lane(WorldState& world, std::uint32_t contact);
 
 // The last lane of the colour moves into the hole.
 void release_lane(WorldState& world, std::uint32_t contact);

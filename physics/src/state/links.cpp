@@ -98,16 +98,31 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
     return index;
 }
 
-void put_on_waiting_list(WorldState& world, std::uint32_t contact, double limit) {
+void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack) {
     Contact& c = world.contacts.contacts[contact];
-    c.limit = limit;
     c.dormant = false;
-    if (c.waiting) {
-        // Only an entry that was dormant meanwhile is still there; it keeps its place and limit.
-        return;
-    }
+    if (c.waiting) return;  // was dormant meanwhile: keeps its place and limit
     c.waiting = true;
-    world.contacts.waiting.push_back({contact, c.body_a, c.body_b, limit});
+    const BodyReach &a = world.bodies.reach[c.body_a], &b = world.bodies.reach[c.body_b];
+    Waiting w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
+    w.limit = a.travel + b.travel + slack;
+    w.slack = static_cast<float>(slack - 1e-5);
+    const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
+    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(apart[k]);
+    // Far apart, a float is not exact enough.
+    if (length_squared(apart) > 100) w.slack = -1;
+    w.turned = a.turned + b.turned;
+    c.limit = w.limit;
+    world.contacts.waiting.push_back(w);
+}
+
+void resume_waiting(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    c.dormant = false;
+    if (c.waiting) return;
+    c.waiting = true;
+    world.contacts.waiting.push_back(
+        {.contact = contact, .body_a = c.body_a, .body_b = c.body_b, .limit = c.limit});
 }
 
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended) {
@@ -379,7 +394,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const BodyWarm& warm : sleepers)
         for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.dormant) put_on_waiting_list(world, contact, c.limit);
+            if (c.dormant) resume_waiting(world, contact);
         });
 }
 
@@ -419,7 +434,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
                     return;
                 }
             }
-            if (!other_moves) c.dormant = true;
+            if (!other_moves) c.dormant = world.contacts.some_dormant = true;
         });
     }
     for (std::uint32_t body = island.first; body != none;

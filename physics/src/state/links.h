@@ -26,7 +26,9 @@ void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32
 void report_end(const WorldState& world, const Contact& contact, std::vector<ContactEnd>& ended);
 // Reports the end of a composite pair none of whose parts touches any more.
 void settle_pair(WorldState& world, std::uint32_t pair);
-void put_on_waiting_list(WorldState& world, std::uint32_t contact, double limit);
+void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack);
+// A dormant contact waits again, as before.
+void resume_waiting(WorldState& world, std::uint32_t contact);
 
 // --- joints ---
 // The joint's record is filled: puts it on its bodies' lists and joins their islands (both awake).

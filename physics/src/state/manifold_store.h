@@ -20,7 +20,7 @@ namespace jostle::physics {
 inline constexpr float no_point =
     1e6f;  // gap of an unused point: solves to zero by itself, without a mask
 
-// 184 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
+// 192 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
 struct alignas(64) ManifoldBlock {
     std::int32_t a[8], b[8];  // hot body indices; 0 is the null body of unused lanes
     float normal[3][8];       // from a to b
@@ -38,8 +38,11 @@ struct alignas(64) ManifoldBlock {
     float mu[8];
     float lever[8];   // mean distance of the points from the centre: limits twist, ages by rotation
     float steady[8];  // slow mean of lambda per point: what a soft contact need not give up
+    // Which body the point of contact travels with: 0 is a, 1 is b, between them both.
+    float share[8];
+    float unused[8];
 };
-inline constexpr int manifold_rows = 46;  // of 32 bytes, a and b included
+inline constexpr int manifold_rows = 48;  // of 32 bytes, a and b included
 static_assert(sizeof(ManifoldBlock) == manifold_rows * 32);
 
 // Read once per step, so kept away from the block.
@@ -96,15 +99,27 @@ struct Colour {
 inline constexpr int moving_colours = 48, driven_colours = 6, fixed_colours = 10;
 inline constexpr int mask_colours = moving_colours + driven_colours + fixed_colours;
 static_assert(mask_colours == 64);
-inline constexpr int colour_count = mask_colours + 3;
+// Each of the 64 has two lists of blocks: manifolds of several points, and, from single_colours on,
+// those of one point, whose kernels do a quarter of the work.
+inline constexpr int single_colours = mask_colours;
+inline constexpr int overflow_colours = 2 * mask_colours;
+inline constexpr int colour_count = overflow_colours + 3;
 
-inline constexpr Second second_of(int colour) {
-    if (colour >= mask_colours) return static_cast<Second>(colour - mask_colours);
-    if (colour < moving_colours) return Second::moving;
-    return colour < moving_colours + driven_colours ? Second::driven : Second::fixed;
-}
 inline constexpr bool is_overflow(int colour) {
-    return colour >= mask_colours;
+    return colour >= overflow_colours;
+}
+inline constexpr bool is_single(int colour) {
+    return colour >= single_colours && colour < overflow_colours;
+}
+// The bit in the bodies' masks.
+inline constexpr int mask_bit(int colour) {
+    return colour % mask_colours;
+}
+inline constexpr Second second_of(int colour) {
+    if (is_overflow(colour)) return static_cast<Second>(colour - overflow_colours);
+    const int bit = mask_bit(colour);
+    if (bit < moving_colours) return Second::moving;
+    return bit < moving_colours + driven_colours ? Second::driven : Second::fixed;
 }
 inline constexpr int lanes_per_block(int colour) {
     return is_overflow(colour) ? 1 : 8;
@@ -115,9 +130,12 @@ inline constexpr std::array<int, colour_count> make_solve_order() {
     std::array<int, colour_count> order{};
     int n = 0;
     for (const Second kind : {Second::moving, Second::driven, Second::fixed}) {
-        order[static_cast<unsigned>(n++)] = mask_colours + static_cast<int>(kind);
+        order[static_cast<unsigned>(n++)] = overflow_colours + static_cast<int>(kind);
         for (int c = 0; c < mask_colours; c++)
-            if (second_of(c) == kind) order[static_cast<unsigned>(n++)] = c;
+            if (second_of(c) == kind) {
+                order[static_cast<unsigned>(n++)] = c;
+                order[static_cast<unsigned>(n++)] = single_colours + c;
+            }
     }
     return order;
 }
@@ -131,6 +149,11 @@ struct SavedManifold {
     float moved = 0, restitution = 0;
     bool aged = false, rough = false;
 };
+
+// Whether a manifold has one point, by the second one's gap.
+inline bool is_single_point(float second_gap) {
+    return second_gap > 0.5f * no_point;
+}
 
 struct ManifoldStore {
     std::array<Colour, colour_count> colours;

@@ -55,7 +55,10 @@ struct StepScratch {
     std::vector<std::uint32_t> joints;   // that have an awake body, rising
     std::vector<JointWork> joint_work;   // one each
     std::vector<std::uint8_t> tumbling;  // by hot index: turns far, and not evenly
+    std::vector<std::uint8_t> held;      // by awake body: had a manifold when the step began
     std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
+    std::vector<std::uint8_t> strayed;   // by awake body: fast, and not on the way that its fat
+                                         // boxes foresaw
     std::vector<BodyWarm> before;  // by awake body: as it was before the step, of the fast ones
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes

@@ -297,9 +297,9 @@ Fault check_manifolds(const WorldState& world) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;
                 lanes[body]++;
                 if (is_overflow(c)) continue;
-                if ((colours[body] >> c & 1) != 0)
+                if ((colours[body] >> mask_bit(c) & 1) != 0)
                     return at("bodies", body, "has two contacts of one colour");
-                colours[body] |= 1ull << c;
+                colours[body] |= 1ull << mask_bit(c);
             }
         }
     }

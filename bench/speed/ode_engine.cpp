@@ -79,7 +79,14 @@ public:
         dWorldSetAngularDampingThreshold(world_, 0);
         dWorldSetAutoDisableFlag(world_, sleep ? 1 : 0);
         for (const SceneBody& body : scene.bodies) add_body(body);
-        for (const SceneJoint& joint : scene.joints) add_joint(joint);
+        for (const SceneJoint& joint : scene.joints) {
+            // Whom a joint keeps from colliding ODE knows by their bodies, and a fixed one has
+            // none.
+            for (const std::uint32_t end : {joint.a, joint.b})
+                if (scene.bodies[end].fixed && scene.bodies[end].collides)
+                    return physics::Error{.message = "ode: a joint to a fixed body that collides"};
+            add_joint(joint);
+        }
         return {};
     }
 
@@ -177,20 +184,21 @@ private:
         dJointSetHingeParam(hinge, dParamHiStop, -joint.lower);
     }
 
-    // Euler angles: the twist about a's axis, then the two swings, the last about b's own normal.
+    // Euler angles: two swings, the first about a's own normal, then the twist about b's own axis.
+    // In this order the twist does not change where the arm points.
     void add_swing_limits(const SceneJoint& joint) {
         const dJointID motor = dJointCreateAMotor(world_, nullptr);
         dJointAttach(motor, bodies_[joint.a], bodies_[joint.b]);
         dJointSetAMotorMode(motor, dAMotorEuler);
-        dJointSetAMotorAxis(motor, 0, 1, joint.axis.x, joint.axis.y, joint.axis.z);
-        dJointSetAMotorAxis(motor, 2, 2, joint.normal.x, joint.normal.y, joint.normal.z);
+        dJointSetAMotorAxis(motor, 0, 1, joint.normal.x, joint.normal.y, joint.normal.z);
+        dJointSetAMotorAxis(motor, 2, 2, joint.axis.x, joint.axis.y, joint.axis.z);
         const double twist = std::max(-joint.lower, joint.upper);
-        dJointSetAMotorParam(motor, dParamLoStop, -twist);
-        dJointSetAMotorParam(motor, dParamHiStop, twist);
+        dJointSetAMotorParam(motor, dParamLoStop, -joint.swing);
+        dJointSetAMotorParam(motor, dParamHiStop, joint.swing);
         dJointSetAMotorParam(motor, dParamLoStop2, -joint.swing);
         dJointSetAMotorParam(motor, dParamHiStop2, joint.swing);
-        dJointSetAMotorParam(motor, dParamLoStop3, -joint.swing);
-        dJointSetAMotorParam(motor, dParamHiStop3, joint.swing);
+        dJointSetAMotorParam(motor, dParamLoStop3, -twist);
+        dJointSetAMotorParam(motor, dParamHiStop3, twist);
     }
 
     const SceneDescription* scene_ = nullptr;

@@ -27,7 +27,7 @@ the thread at one thread and in wall-clock time at more (column clock). A second
 steps is looked at by a referee every 10 steps, who knows the shapes' geometry and no engine.
 
 Columns: ms_mean and ms_p99 of a step; deep_mm, mean_mm and >1cm: deepest overlap, mean overlap and
-pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and peak_mm: how far the
+pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
 two ends of a joint are apart, at the end and at worst; asleep: the step by which all slept; top_m:
 highest centre at the end; tunnel: bodies behind the wall of scene i; MiB: peak of the process.
 

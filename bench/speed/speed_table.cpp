@@ -47,7 +47,7 @@ std::string speed_heading() {
     return print("%-18s %-7s %3s %6s %5s %8s %8s %5s", "scene", "engine", "thr", "bodies", "steps",
                  "ms_mean", "ms_p99", "clock") +
            print(" %8s %8s %8s %6s %8s %8s", "deep_mm", "peak_mm", "mean_mm", ">1cm", "drift_mm",
-                 "peak_mm") +
+                 "worst_mm") +
            print(" %6s %8s %6s %6s", "asleep", "top_m", "tunnel", "MiB");
 }
 

@@ -10,6 +10,16 @@ namespace {
 
 // Told apart by most color-blind readers as well (Okabe and Ito); marks differ besides.
 constexpr const char* colors[] = {"#0072b2", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#d55e00"};
+// Those with a color of their own; the others take the colors that are left, in turn.
+constexpr const char* known_series[] = {"jostle", "jostle, 2 threads", "bullet", "ode"};
+constexpr std::size_t others_from = std::size(known_series);
+constexpr std::size_t colors_for_others = std::size(colors) - others_from;
+
+std::size_t known_index(const std::string& name) {
+    const auto found = std::find(std::begin(known_series), std::end(known_series), name);
+    return static_cast<std::size_t>(found - std::begin(known_series));
+}
+
 constexpr const char* grid_color = "#ddd";
 constexpr double legend_step = 150, label_size = 11;
 
@@ -28,8 +38,8 @@ LogAxis log_axis_over(const std::vector<double>& values, double from, double to)
         most = std::max(most, value);
     }
     if (most == 0) return {-1, 1, from, to};
-    const int low = static_cast<int>(std::floor(std::log10(least) - 1e-9));
-    const int high = static_cast<int>(std::ceil(std::log10(most) + 1e-9));
+    const int low = static_cast<int>(std::floor(std::log10(least) + 1e-9));
+    const int high = static_cast<int>(std::ceil(std::log10(most) - 1e-9));
     return {low, std::max(high, low + 1), from, to};
 }
 
@@ -65,14 +75,22 @@ std::size_t series_index(std::vector<std::string>& series, const std::string& na
     return index;
 }
 
-const char* series_color(std::size_t index) {
-    return colors[index % std::size(colors)];
+SeriesStyle series_style(const std::vector<std::string>& series, std::size_t index) {
+    std::size_t style = known_index(series[index]);
+    if (style == others_from) {
+        const auto others =
+            std::count_if(series.begin(), series.begin() + static_cast<std::ptrdiff_t>(index),
+                          [](const std::string& name) { return known_index(name) == others_from; });
+        style = others_from + static_cast<std::size_t>(others) % colors_for_others;
+    }
+    return {colors[style], static_cast<int>(style)};
 }
 
 void draw_legend(Svg& svg, const std::vector<std::string>& series, SvgPoint right_end) {
     double x = right_end.x - legend_step * static_cast<double>(series.size());
     for (std::size_t k = 0; k < series.size(); k++, x += legend_step) {
-        svg.mark({x + 6, right_end.y - 4}, static_cast<int>(k), series_color(k));
+        const SeriesStyle style = series_style(series, k);
+        svg.mark({x + 6, right_end.y - 4}, style.mark, style.color);
         svg.text({x + 18, right_end.y}, series[k]);
     }
 }

@@ -31,7 +31,13 @@ std::string series_name(const std::string& engine, int threads);
 
 // Adds the name when it is new.
 std::size_t series_index(std::vector<std::string>& series, const std::string& name);
-const char* series_color(std::size_t index);
+
+// A series looks the same in every plot, whichever others there are.
+struct SeriesStyle {
+    const char* color;
+    int mark;  // of Svg::mark
+};
+SeriesStyle series_style(const std::vector<std::string>& series, std::size_t index);
 
 void draw_legend(Svg& svg, const std::vector<std::string>& series, SvgPoint right_end);
 

@@ -47,7 +47,8 @@ void draw_bar(Svg& svg, const SpeedRow& row, SvgPoint top, double bar_width, con
 
 void draw_bars(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     std::vector<double> times;
-    for (const SpeedRow& row : rows) times.push_back(row.ms_mean);
+    // A bar as low as a power of ten still wants to be seen, hence the 0.9.
+    for (const SpeedRow& row : rows) times.insert(times.end(), {0.9 * row.ms_mean, row.ms_mean});
     // Room above the highest bar for its label.
     const LogAxis y = log_axis_over(times, bars_bottom, first_top + 85);
     draw_y_axis(svg, y, left, right, "ms per step (mean)");
@@ -61,7 +62,8 @@ void draw_bars(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
         const double x =
             middle +
             (static_cast<double>(k) - 0.5 * static_cast<double>(groups.series.size())) * slot;
-        draw_bar(svg, row, {x + 1, y.at(row.ms_mean)}, slot - 2, series_color(k));
+        draw_bar(svg, row, {x + 1, y.at(row.ms_mean)}, slot - 2,
+                 series_style(groups.series, k).color);
     }
     for (std::size_t k = 0; k < groups.scenes.size(); k++)
         svg.text({left + (static_cast<double>(k) + 0.5) * group_width, bars_bottom + 18},
@@ -88,8 +90,9 @@ void draw_marks(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
         if (!row.error_m()) continue;
         const std::size_t k = series_index(groups.series, series_name(row.engine, row.threads));
         const SvgPoint at{x.at(row.ms_mean), y.at(error_mm(row))};
-        svg.mark(at, static_cast<int>(k), series_color(k));
-        svg.text({at.x + 7, at.y - 4}, row.scene, {.size = 11, .color = series_color(k)});
+        const SeriesStyle style = series_style(groups.series, k);
+        svg.mark(at, style.mark, style.color);
+        svg.text({at.x + 7, at.y - 4}, row.scene, {.size = 11, .color = style.color});
     }
 }
 
@@ -112,9 +115,11 @@ void draw_curves(Svg& svg, const std::vector<GrowthRow>& rows, double from, doub
         const std::size_t k = series_index(series, series_name(row.engine, row.threads));
         curves.resize(series.size());
         curves[k].push_back({x.at(row.bodies), y.at(figure(row))});
-        svg.mark(curves[k].back(), static_cast<int>(k), series_color(k));
+        const SeriesStyle style = series_style(series, k);
+        svg.mark(curves[k].back(), style.mark, style.color);
     }
-    for (std::size_t k = 0; k < curves.size(); k++) svg.polyline(curves[k], series_color(k));
+    for (std::size_t k = 0; k < curves.size(); k++)
+        svg.polyline(curves[k], series_style(series, k).color);
 }
 
 template <class Row>

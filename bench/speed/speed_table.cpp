@@ -44,7 +44,7 @@ std::string identity(const std::string& first, const std::string& engine, int th
 }  // namespace
 
 std::string speed_heading() {
-    return print("%-18s %-7s %3s %6s %5s %8s %8s %5s", "scene", "engine", "thr", "bodies", "steps",
+    return print("%-18s %-7s %3s %6s %5s %9s %9s %5s", "scene", "engine", "thr", "bodies", "steps",
                  "ms_mean", "ms_p99", "clock") +
            print(" %8s %8s %8s %6s %8s %8s", "deep_mm", "peak_mm", "mean_mm", ">1cm", "drift_mm",
                  "worst_mm") +
@@ -55,7 +55,7 @@ std::string speed_line(const SpeedRow& row) {
     const std::string start = identity(row.scene + " " + row.name, row.engine, row.threads);
     if (row.failed) return start + "  failed: " + *row.failed;
     return start +
-           print(" %6d %5d %8.4g %8.4g %5s", row.bodies, row.steps, row.ms_mean, row.ms_p99,
+           print(" %6d %5d %9.4g %9.4g %5s", row.bodies, row.steps, row.ms_mean, row.ms_p99,
                  row.clock.c_str()) +
            cell(millimetres(row.max_penetration_m), 8) +
            cell(millimetres(row.peak_penetration_m), 8) +

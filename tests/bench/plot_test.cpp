@@ -30,6 +30,13 @@ TEST(LogAxis, runs_from_decade_to_decade) {
     EXPECT_DOUBLE_EQ(axis.at(1e9), 400);
 }
 
+TEST(SeriesStyle, is_the_same_in_every_plot) {
+    EXPECT_EQ(series_style({"jostle", "bullet"}, 1).color,
+              series_style({"jostle", "jostle, 2 threads", "bullet"}, 2).color);
+    const std::vector<std::string> many = {"jostle, 4 threads", "bullet", "jostle, 8 threads"};
+    EXPECT_STRNE(series_style(many, 0).color, series_style(many, 2).color);
+}
+
 TEST(LogAxis, numbers_are_short) {
     EXPECT_EQ(short_number(0.001), "0.001");
     EXPECT_EQ(short_number(0.1234), "0.12");

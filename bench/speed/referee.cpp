@@ -33,7 +33,7 @@ double distance(const Segment& p, const Segment& q) {
     const auto unit = [](double x) { return physics::clamp(x, 0, 1); };
     double s = across > 1e-12 * uu * vv ? unit((uv * vr - ur * vv) / across) : 0;
     double t = vv > 0 ? (uv * s + vr) / vv : 0;
-    if (t < 0 || t > 1) {
+    if (vv == 0 || t < 0 || t > 1) {
         t = unit(t);
         s = uu > 0 ? unit((uv * t - ur) / uu) : 0;
     }

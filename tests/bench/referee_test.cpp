@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "support/random.h"
+
 namespace {
 
 using namespace jostle::bench;
@@ -93,6 +95,52 @@ TEST(Referee, capsule_whose_axis_is_inside_a_box) {
     // Lying 0.1 below the top face: out by 0.1, and by its own radius.
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
     EXPECT_NEAR(depth(Capsule{0.2, 0.3}, at({0, 0.4, 0}, along_x), cube, at({})), 0.3, exact);
+}
+
+// How far a shape reaches from its centre along a unit vector.
+double reach(const Form& form, const Transform& pose, Vec3 along) {
+    const Vec3 local = inverse_rotate(pose.rotation, along);
+    if (const auto* sphere = std::get_if<Sphere>(&form)) return sphere->radius;
+    if (const auto* rod = std::get_if<Capsule>(&form))
+        return rod->radius + rod->half_length * std::abs(local.y);
+    return dot(abs(local), std::get<Box>(form).half_extents);
+}
+
+// The overlap is the least over all directions of the overlap of the shadows; here the least over
+// many, refined: an independent way to the same number.
+double least_shadow(const Form& a, const Transform& pose_a, const Form& b,
+                    const Transform& pose_b) {
+    const Vec3 between = pose_b.position - pose_a.position;
+    const auto shadow = [&](Vec3 n) {
+        return reach(a, pose_a, n) + reach(b, pose_b, n) - std::abs(dot(between, n));
+    };
+    jostle::test::Random random(7);
+    Vec3 best{0, 1, 0};
+    const auto look_along = [&](Vec3 n) {
+        if (shadow(n) < shadow(best)) best = n;
+    };
+    for (int k = 0; k < 10000; k++) look_along(random.direction());
+    for (double size = 0.1; size > 1e-6; size *= 0.99)
+        for (int k = 0; k < 3; k++) look_along(normalized(best + random.vector(size)));
+    return shadow(best);
+}
+
+TEST(Referee, agrees_with_a_search_over_all_directions) {
+    jostle::test::Random random(3);
+    const Form forms[] = {Sphere{0.3}, Capsule{0.2, 0.25}, Box{{0.3, 0.25, 0.35}}};
+    int overlapping = 0;
+    for (int k = 0; k < 300; k++) {
+        const Form &a = forms[k % 3], &b = forms[k / 3 % 3];
+        const Transform pose_a = at({}, random.rotation());
+        const Transform pose_b = at(random.vector(0.4), random.rotation());
+        const double searched = least_shadow(a, pose_a, b, pose_b);
+        const double exact_depth = overlap_depth(a, pose_a, b, pose_b);
+        if (exact_depth <= 0) continue;
+        overlapping++;
+        ASSERT_LE(exact_depth, searched + exact);
+        ASSERT_NEAR(exact_depth, searched, 5e-3) << a.index() << " " << b.index();
+    }
+    EXPECT_GT(overlapping, 200);
 }
 
 // Two spheres, each 4 mm deep in the floor and 20 mm in the other.

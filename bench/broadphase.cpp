@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "broadphase_workload.h"
 #include "collision/broadphase/broad_phase.h"
 #include "measure.h"
+#include "result_file.h"
 
 namespace jostle::bench {
 namespace {
@@ -203,13 +203,6 @@ void print_row(const Cell& cell, const Workload& work, const std::vector<Contend
     std::fflush(stdout);
 }
 
-// Four digits: what comes after is noise, and a result under version control should show no more.
-double rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return std::stod(text);
-}
-
 nlohmann::ordered_json to_json(const Spread& s) {
     return {{"median", rounded(s.median)}, {"low", rounded(s.low)}, {"high", rounded(s.high)}};
 }
@@ -232,24 +225,13 @@ void add_rows(nlohmann::ordered_json& rows, const Cell& cell, const Workload& wo
                         {"build_ms", to_json(spread_of(c.build_ms))}});
 }
 
-// A row a line: results are under version control, where lines are compared.
 int write_json(const Flags& flags, const nlohmann::ordered_json& rows) {
     if (flags.json.empty()) return 0;
     const nlohmann::ordered_json head = {{"benchmark", "broadphase"},
                                          {"cpu", cpu_model()},
                                          {"compiler", compiler()},
                                          {"repetitions", flags.repetitions}};
-    std::ofstream out(flags.json);
-    out << "{\n";
-    for (const auto& [key, value] : head.items()) out << "\"" << key << "\":" << value << ",\n";
-    out << "\"rows\":[\n";
-    for (std::size_t k = 0; k < rows.size(); k++)
-        out << rows[k] << (k + 1 < rows.size() ? ",\n" : "\n");
-    out << "]}\n";
-    out.close();
-    if (out) return 0;
-    std::fprintf(stderr, "jostle-bench: cannot write %s\n", flags.json.c_str());
-    return 1;
+    return write_result(flags.json, head, rows) ? 0 : 1;
 }
 
 int run(const Flags& flags) {

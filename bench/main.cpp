@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "broadphase.h"
+#include "speed/speed.h"
 
 namespace {
 
@@ -12,6 +13,8 @@ constexpr const char* footer = R"(
 Examples:
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
+  jostle-bench speed --help
+  jostle-bench speed --scene a,c --threads 1,2
 
 Measure a release build (cmake --preset release): the others are several times slower.
 Exit status: 0 done, 1 a measurement failed or contradicts another, 2 wrong flags.)";
@@ -23,6 +26,7 @@ int main(int argc, char** argv) {
     int status = 0;
     app.require_subcommand(1);
     jostle::bench::add_broadphase(app, status);
+    jostle::bench::add_speed(app, status);
     app.footer(footer);
     try {
         app.parse(argc, argv);

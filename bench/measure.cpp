@@ -9,11 +9,40 @@
 #include <fstream>
 
 namespace jostle::bench {
+namespace {
+
+double seconds_of(clockid_t clock) {
+    timespec t{};
+    clock_gettime(clock, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+// "VmRSS:    1234 kB" in the kernel's own words; proc(5).
+double status_bytes(const char* field) {
+    std::ifstream in("/proc/self/status");
+    for (std::string word; in >> word;) {
+        double kib = 0;
+        if (word == field && in >> kib) return 1024 * kib;
+    }
+    return 0;
+}
+
+}  // namespace
 
 double cpu_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double wall_seconds() {
+    return seconds_of(CLOCK_MONOTONIC);
+}
+
+double memory_bytes() {
+    return status_bytes("VmRSS:");
+}
+
+double peak_memory_bytes() {
+    return status_bytes("VmHWM:");
 }
 
 Spread spread_of(std::vector<double> values) {

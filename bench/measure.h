@@ -12,6 +12,22 @@ namespace jostle::bench {
 // it is a system call, so put it around milliseconds, not around microseconds.
 double cpu_seconds();
 
+// Time as it passes, in seconds: for work on several threads.
+double wall_seconds();
+
+// Processor time of this thread where one thread does the work, else time as it passes.
+struct StepClock {
+    int threads = 1;
+
+    const char* name() const { return threads == 1 ? "cpu" : "wall"; }
+    double seconds() const { return threads == 1 ? cpu_seconds() : wall_seconds(); }
+};
+
+// What this process holds in memory now, and the most that it ever held. Bytes; 0 when the system
+// does not tell.
+double memory_bytes();
+double peak_memory_bytes();
+
 // Of several repetitions. The median is the figure; the other two say how much to trust it.
 struct Spread {
     double median = 0, low = 0, high = 0;

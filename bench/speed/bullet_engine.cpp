@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "speed/bullet_engine.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace jostle::bench {
+namespace {
+
+using physics::Quat;
+using physics::Transform;
+using physics::Vec3;
+
+btScalar scalar(double value) {
+    return static_cast<btScalar>(value);
+}
+
+btVector3 vector(Vec3 v) {
+    return {scalar(v.x), scalar(v.y), scalar(v.z)};
+}
+
+btTransform transform(const Transform& t) {
+    const Quat q = t.rotation;
+    const btQuaternion turned(scalar(q.x), scalar(q.y), scalar(q.z), scalar(q.w));
+    return btTransform(turned.normalized(), vector(t.position));
+}
+
+std::unique_ptr<btCollisionShape> make_shape(const physics::Sphere& sphere) {
+    return std::make_unique<btSphereShape>(scalar(sphere.radius));
+}
+
+std::unique_ptr<btCollisionShape> make_shape(const physics::Capsule& capsule) {
+    return std::make_unique<btCapsuleShape>(scalar(capsule.radius),
+                                            scalar(2 * capsule.half_length));
+}
+
+std::unique_ptr<btCollisionShape> make_shape(const physics::Box& box) {
+    return std::make_unique<btBoxShape>(vector(box.half_extents));
+}
+
+// In the world; its x, y and z axes are the columns.
+btTransform world_frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) {
+    const btVector3 cx = vector(x), cy = vector(y), cz = vector(z);
+    return btTransform(
+        btMatrix3x3(cx.x(), cy.x(), cz.x(), cx.y(), cy.y(), cz.y(), cx.z(), cy.z(), cz.z()),
+        vector(origin));
+}
+
+std::unique_ptr<btTypedConstraint> make_constraint(const SceneJoint& joint, btRigidBody& a,
+                                                   btRigidBody& b) {
+    const btTransform to_a = a.getWorldTransform().inverse();
+    const btTransform to_b = b.getWorldTransform().inverse();
+    const btVector3 anchor = vector(joint.anchor);
+    const Vec3 third = cross(joint.axis, joint.normal);
+    if (joint.kind == SceneJointKind::ball)
+        return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * anchor);
+    if (joint.kind == SceneJointKind::cone_twist) {
+        const btTransform frame = world_frame(joint.anchor, joint.axis, joint.normal, third);
+        auto cone = std::make_unique<btConeTwistConstraint>(a, b, to_a * frame, to_b * frame);
+        const btScalar swing = scalar(joint.swing);
+        cone->setLimit(swing, swing, scalar(std::max(-joint.lower, joint.upper)));
+        return cone;
+    }
+    // Bullet's hinge angle is that of a against b.
+    const btTransform frame = world_frame(joint.anchor, joint.normal, third, joint.axis);
+    auto hinge = std::make_unique<btHingeConstraint>(a, b, to_a * frame, to_b * frame);
+    hinge->setLimit(scalar(-joint.upper), scalar(-joint.lower));
+    return hinge;
+}
+
+class BulletEngine final : public Engine {
+public:
+    ~BulletEngine() override {
+        for (const auto& constraint : constraints_) world_.removeConstraint(constraint.get());
+        for (const auto& body : bodies_) world_.removeRigidBody(body.get());
+    }
+
+    physics::Status init(const SceneDescription& scene, int, bool sleep) override {
+        world_.setGravity(vector(gravity));
+        for (const SceneBody& body : scene.bodies) add_body(body, sleep);
+        for (const SceneJoint& joint : scene.joints) {
+            constraints_.push_back(make_constraint(joint, *bodies_[joint.a], *bodies_[joint.b]));
+            world_.addConstraint(constraints_.back().get(), true);
+        }
+        return {};
+    }
+
+    void step() override { world_.stepSimulation(scalar(step_seconds), 0); }
+
+    Transform pose(std::uint32_t body) const override {
+        const btTransform& t = bodies_[body]->getWorldTransform();
+        const btVector3& at = t.getOrigin();
+        const btQuaternion q = t.getRotation();
+        return {{at.x(), at.y(), at.z()}, {q.x(), q.y(), q.z(), q.w()}};
+    }
+
+    Vec3 velocity(std::uint32_t body) const override {
+        const btVector3& v = bodies_[body]->getLinearVelocity();
+        return {v.x(), v.y(), v.z()};
+    }
+
+    void set_velocity(std::uint32_t body, Vec3 linear) override {
+        bodies_[body]->activate();
+        bodies_[body]->setLinearVelocity(vector(linear));
+    }
+
+    bool asleep() const override {
+        return std::none_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
+            return !body->isStaticObject() && body->isActive();
+        });
+    }
+
+private:
+    // Bodies of one form share a shape, as Bullet's manual asks for.
+    btCollisionShape* shape_of(const Form& form) {
+        for (const auto& [known, shape] : shapes_)
+            if (known == form) return shape.get();
+        shapes_.emplace_back(form, std::visit([](const auto& f) { return make_shape(f); }, form));
+        return shapes_.back().second.get();
+    }
+
+    void add_body(const SceneBody& body, bool sleep) {
+        const SolidMass solid = body.fixed ? SolidMass{} : solid_mass(body.form);
+        btRigidBody::btRigidBodyConstructionInfo info(scalar(solid.mass), nullptr,
+                                                      shape_of(body.form), vector(solid.inertia));
+        info.m_startWorldTransform = transform(body.pose);
+        info.m_friction = scalar(std::sqrt(pair_friction));  // Bullet multiplies the two
+        info.m_restitution = 0;
+        info.m_linearDamping = info.m_angularDamping = scalar(damping);
+        auto rigid = std::make_unique<btRigidBody>(info);
+        rigid->setLinearVelocity(vector(body.velocity));
+        if (!sleep && !body.fixed) rigid->setActivationState(DISABLE_DEACTIVATION);
+        if (const auto* sphere = std::get_if<physics::Sphere>(&body.form); sphere && body.sweeps) {
+            rigid->setCcdMotionThreshold(scalar(0.75 * sphere->radius));
+            rigid->setCcdSweptSphereRadius(scalar(0.5 * sphere->radius));
+        }
+        if (body.collides)
+            world_.addRigidBody(rigid.get());
+        else
+            world_.addRigidBody(rigid.get(), btBroadphaseProxy::DefaultFilter, 0);
+        bodies_.push_back(std::move(rigid));
+    }
+
+    btDefaultCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_{&configuration_};
+    btDbvtBroadphase broad_phase_;
+    btSequentialImpulseConstraintSolver solver_;
+    btDiscreteDynamicsWorld world_{&dispatcher_, &broad_phase_, &solver_, &configuration_};
+    std::vector<std::pair<Form, std::unique_ptr<btCollisionShape>>> shapes_;
+    std::vector<std::unique_ptr<btRigidBody>> bodies_;
+    std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_bullet_engine() {
+    return std::make_unique<BulletEngine>();
+}
+
+}  // namespace jostle::bench

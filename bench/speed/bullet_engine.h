@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Bullet 3 behind the laboratory's interface. Only in builds that found its library.
+#pragma once
+
+#include <memory>
+
+#include "speed/engine.h"
+
+namespace jostle::bench {
+
+std::unique_ptr<Engine> make_bullet_engine();
+
+}  // namespace jostle::bench

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "speed/child_process.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+namespace jostle::bench {
+namespace {
+
+void write_all(int file, const std::string& text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const ssize_t wrote = write(file, text.data() + at, text.size() - at);
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote <= 0) _exit(1);  // the parent is gone
+        at += static_cast<std::size_t>(wrote);
+    }
+}
+
+std::string read_all(int file) {
+    std::string text;
+    char part[4096];
+    for (;;) {
+        const ssize_t count = read(file, part, sizeof part);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return text;
+        text.append(part, static_cast<std::size_t>(count));
+    }
+}
+
+// _exit: what the parent has buffered or would clean up is the parent's business.
+[[noreturn]] void be_child(int out, const std::function<std::string()>& work) {
+    try {
+        write_all(out, work());
+    } catch (const std::exception& error) {
+        write_all(out, error.what());
+        _exit(1);
+    }
+    _exit(0);
+}
+
+ChildAnswer answer_of(std::string text, int status) {
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        return {"", "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
+    }
+    if (WEXITSTATUS(status) == 0) return {std::move(text), ""};
+    if (!text.empty()) return {"", std::move(text)};
+    return {"", "ended with status " + std::to_string(WEXITSTATUS(status))};
+}
+
+}  // namespace
+
+ChildAnswer run_in_child(const std::function<std::string()>& work) {
+    int ends[2];
+    if (pipe(ends) != 0) return {"", std::string("no pipe: ") + std::strerror(errno)};
+    std::fflush(nullptr);  // or the child would write it a second time
+    const pid_t child = fork();
+    if (child < 0) {
+        const std::string why = std::strerror(errno);
+        close(ends[0]);
+        close(ends[1]);
+        return {"", "no child process: " + why};
+    }
+    if (child == 0) {
+        close(ends[0]);
+        be_child(ends[1], work);
+    }
+    close(ends[1]);
+    std::string text = read_all(ends[0]);
+    close(ends[0]);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return answer_of(std::move(text), status);
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// From a row's one list of fields to JSON and back: the list calls one of these with each field's
+// name and value. An optional without a value is null.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace jostle::bench {
+
+struct FieldWriter {
+    nlohmann::ordered_json& json;
+
+    template <class Value>
+    void operator()(const char* name, const Value& value) const {
+        json[name] = value;
+    }
+    template <class Value>
+    void operator()(const char* name, const std::optional<Value>& value) const {
+        json[name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+    }
+};
+
+struct FieldReader {
+    const nlohmann::ordered_json& json;
+
+    template <class Value>
+    void operator()(const char* name, Value& value) const {
+        json.at(name).get_to(value);
+    }
+    template <class Value>
+    void operator()(const char* name, std::optional<Value>& value) const {
+        if (!json.at(name).is_null()) value = json.at(name).get<Value>();
+    }
+};
+
+}  // namespace jostle::bench

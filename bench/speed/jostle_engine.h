@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Jostle behind the laboratory's interface.
+#pragma once
+
+#include <memory>
+
+#include "speed/engine.h"
+
+namespace jostle::bench {
+
+std::unique_ptr<Engine> make_jostle_engine();
+
+}  // namespace jostle::bench

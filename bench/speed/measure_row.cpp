@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "speed/measure_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "measure.h"
+#include "result_file.h"
+#include "speed/child_process.h"
+#include "speed/referee.h"
+
+namespace jostle::bench {
+namespace {
+
+using physics::Transform;
+
+constexpr int most_steps_to_sleep = 600;
+constexpr int steps_between_looks = 10;
+// A step of a world asleep takes less than reading the clock does.
+constexpr int steps_per_reading_asleep = 20;
+
+// One engine with one scene in it.
+class Run {
+public:
+    Run(const RowRequest& request, const SceneDescription& scene, const char* doing)
+        : scene_(scene),
+          engine_(request.engine->make()),
+          sleep_(request.sleep || scene.asleep_first),
+          label_(std::string(request.scene->letter) + " " + request.scene->name + ", " +
+                 request.engine->name + ", threads " + std::to_string(request.threads) + ": " +
+                 doing + ", step ") {}
+
+    physics::Status start(int threads) {
+        if (auto status = engine_->init(scene_, threads, sleep_); !status) return status;
+        if (scene_.asleep_first)
+            for (int k = 0; k < most_steps_to_sleep && !asleep_at_; k++) step(k);
+        return {};
+    }
+
+    // What is not the engine's step comes before it: to be called outside of the timing.
+    void prepare(int step) {
+        if (scene_.player) {
+            const std::uint32_t player = *scene_.player;
+            physics::Vec3 velocity = player_velocity(step);
+            velocity.y = engine_->velocity(player).y;
+            engine_->set_velocity(player, velocity);
+        }
+        if (step % 20 == 0) show_progress(label_ + std::to_string(step));
+    }
+    void step() { engine_->step(); }
+    void look_for_sleep(int steps_done) {
+        if (sleep_ && !asleep_at_ && engine_->asleep()) asleep_at_ = steps_done;
+    }
+
+    const std::vector<Transform>& poses() {
+        poses_.resize(scene_.bodies.size());
+        for (std::uint32_t k = 0; k < poses_.size(); k++) poses_[k] = engine_->pose(k);
+        return poses_;
+    }
+    std::optional<int> asleep_at() const { return asleep_at_; }
+
+private:
+    void step(int k) {
+        prepare(k);
+        step();
+        look_for_sleep(k + 1);
+    }
+
+    const SceneDescription& scene_;
+    std::unique_ptr<Engine> engine_;
+    bool sleep_;
+    std::string label_;
+    std::optional<int> asleep_at_;
+    std::vector<Transform> poses_;
+};
+
+// Milliseconds of each step, or of blocks of them divided by their length.
+std::vector<double> time_steps(Run& run, const StepClock& clock, int steps, int block) {
+    std::vector<double> ms;
+    ms.reserve(static_cast<std::size_t>(steps));
+    for (int done = 0; done < steps;) {
+        const int count = std::min(block, steps - done);
+        run.prepare(done);
+        const double began = clock.seconds();
+        for (int k = 0; k < count; k++) run.step();
+        ms.push_back(1e3 * (clock.seconds() - began) / count);
+        done += count;
+        run.look_for_sleep(done);
+    }
+    return ms;
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double percentile_99(std::vector<double> values) {
+    const std::size_t at = std::min(values.size() - 1, values.size() * 99 / 100);
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at),
+                     values.end());
+    return values[at];
+}
+
+// To a tenth of a millimetre: heights of 100 m are told apart as well as those of 1 m.
+double highest(const SceneDescription& scene, const std::vector<Transform>& poses) {
+    double top = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < poses.size(); k++)
+        if (!scene.bodies[k].fixed && is_finite(poses[k])) top = std::max(top, poses[k].position.y);
+    return 1e-4 * std::round(1e4 * top);
+}
+
+std::optional<int> count_tunnelled(const SceneDescription& scene,
+                                   const std::vector<Transform>& poses) {
+    if (!scene.tunnelled_beyond_x) return std::nullopt;
+    int count = 0;
+    for (std::size_t k = 0; k < poses.size(); k++)
+        count += !scene.bodies[k].fixed && poses[k].position.x > *scene.tunnelled_beyond_x;
+    return count;
+}
+
+// The second run of the same steps: every tenth step and the last are looked at.
+void let_referee_look(SpeedRow& row, const SceneDescription& scene, Run& run) {
+    const Referee referee(scene);
+    double peak = 0, peak_drift = 0;
+    for (int k = 1; k <= row.steps; k++) {
+        run.prepare(k - 1);
+        run.step();
+        if (k % steps_between_looks != 0 && k != row.steps) continue;
+        const std::vector<Transform>& poses = run.poses();
+        const Overlaps now = referee.overlaps(poses);
+        const double drift = referee.joint_drift(poses);
+        peak = std::max(peak, now.deepest);
+        peak_drift = std::max(peak_drift, drift);
+        if (k < row.steps) continue;
+        row.max_penetration_m = rounded(now.deepest);
+        row.mean_penetration_m = rounded(now.mean);
+        row.contacts_over_1cm = now.over_1cm;
+        row.bodies_lost = now.lost;
+        if (!scene.joints.empty()) row.joint_drift_m = rounded(drift);
+    }
+    row.peak_penetration_m = rounded(peak);
+    if (!scene.joints.empty()) row.peak_joint_drift_m = rounded(peak_drift);
+}
+
+SpeedRow named_row(const RowRequest& request) {
+    return {.scene = request.scene->letter,
+            .name = request.scene->name,
+            .engine = request.engine->name,
+            .threads = request.threads,
+            .steps = request.steps};
+}
+
+// Fills in what the clock, the memory and the last poses say; the poses are the answer.
+physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowRequest& request,
+                                                  const SceneDescription& scene) {
+    Run run(request, scene, "timing");
+    if (auto status = run.start(request.threads); !status) return status.error();
+    const StepClock clock{request.threads};
+    const auto ms =
+        time_steps(run, clock, row.steps, scene.asleep_first ? steps_per_reading_asleep : 1);
+    row.ms_mean = rounded(mean(ms));
+    row.ms_p99 = rounded(percentile_99(ms));
+    row.clock = clock.name();
+    row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
+    row.asleep_at_step = run.asleep_at();
+    row.top_m = highest(scene, run.poses());
+    row.tunnelled = count_tunnelled(scene, run.poses());
+    return run.poses();
+}
+
+}  // namespace
+
+SpeedRow measure_row(const RowRequest& request) {
+    const SceneDescription scene = request.scene->build();
+    SpeedRow row = named_row(request);
+    row.bodies = static_cast<int>(scene.bodies.size());
+    if (row.steps == 0) row.steps = scene.steps;
+    const auto timed = run_timed(row, request, scene);
+    if (!timed) {
+        row.failed = timed.error().message;
+        return row;
+    }
+    if (!request.referee) return row;
+    Run again(request, scene, "referee");
+    if (auto status = again.start(request.threads); !status) {
+        row.failed = status.error().message;
+        return row;
+    }
+    let_referee_look(row, scene, again);
+    row.repeats = again.poses() == *timed;
+    return row;
+}
+
+SpeedRow measure_row_in_child(const RowRequest& request) {
+    const ChildAnswer answer = run_in_child([&] { return to_json(measure_row(request)).dump(); });
+    show_progress("");
+    if (answer.failure.empty()) return speed_row_from(nlohmann::ordered_json::parse(answer.text));
+    SpeedRow row = named_row(request);
+    row.failed = answer.failure;
+    return row;
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Fills one row of the laboratory's table.
+#pragma once
+
+#include "speed/engine.h"
+#include "speed/lab_scenes.h"
+#include "speed/speed_row.h"
+
+namespace jostle::bench {
+
+struct RowRequest {
+    const LabScene* scene = nullptr;
+    const EngineKind* engine = nullptr;  // built in
+    int threads = 1;
+    int steps = 0;  // 0: as many as the scene has
+    bool sleep = false;
+    bool referee = true;
+};
+
+// Times the scene's steps and nothing else. The referee looks at a second run of the same steps, as
+// its own work would leave other data in the caches; that both runs end alike is checked.
+SpeedRow measure_row(const RowRequest& request);
+
+// The same in a child process.
+SpeedRow measure_row_in_child(const RowRequest& request);
+
+}  // namespace jostle::bench

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// the Open Dynamics Engine behind the laboratory's interface. Only in builds that found its
+// library.
+#pragma once
+
+#include <memory>
+
+#include "speed/engine.h"
+
+namespace jostle::bench {
+
+std::unique_ptr<Engine> make_ode_engine();
+
+}  // namespace jostle::bench

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "speed/speed.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "measure.h"
+#include "result_file.h"
+#include "speed/engine.h"
+#include "speed/growth.h"
+#include "speed/lab_scenes.h"
+#include "speed/measure_row.h"
+#include "speed/speed_plot.h"
+#include "speed/speed_table.h"
+
+namespace jostle::bench {
+namespace {
+
+constexpr const char* footer = R"(
+Common to all scenes: 60 steps a second, gravity 9.81 m/s^2, density 1000 kg/m^3, friction 0.5 of
+each pair, no bounce, damping 0.05 /s. Each row runs in a process of its own: its memory is its own,
+and an engine that crashes leaves a row that says so. Steps are timed alone, in processor time of
+the thread at one thread and in wall-clock time at more (column clock). A second run of the same
+steps is looked at by a referee every 10 steps, who knows the shapes' geometry and no engine.
+
+Columns: ms_mean and ms_p99 of a step; deep_mm, mean_mm and >1cm: deepest overlap, mean overlap and
+pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
+two ends of a joint are apart, at the end and at worst; asleep: the step by which all slept; top_m:
+highest centre at the end; tunnel: bodies behind the wall of scene i; MiB: peak of the process.
+
+--growth pours scene d with other counts over a floor that grows with the count (0.02 m^2 a body),
+so that the pile stays as deep: 300 steps, then the mean of 60, and the memory a body takes.
+
+Examples:
+  jostle-bench speed --scene a,c --threads 1,2
+  jostle-bench speed --scene all --json speed.json --plot speed.svg
+  jostle-bench speed --growth 500,1000,2000 --peers bullet --plot growth.svg
+
+Exit status: 0 done, 1 a row failed or a file could not be written, 2 wrong flags.)";
+
+struct Flags {
+    std::vector<std::string> scenes = {"all"};
+    std::vector<int> threads = {1};
+    std::vector<std::string> peers = {"all"};
+    std::vector<int> growth;
+    int steps = 0;  // 0: the scene's own
+    std::string sleep = "off";
+    bool no_referee = false;
+    std::string json, plot;
+};
+
+// --- what the flags name ---
+
+std::string scene_names() {
+    std::string names = "all";
+    for (const LabScene& scene : lab_scenes())
+        names += std::string(", ") + scene.letter + " or " + scene.name;
+    return names;
+}
+
+std::string peer_names() {
+    std::string names = "all, none";
+    for (const EngineKind& kind : engine_kinds().subspan(1))
+        names += std::string(", ") + kind.name + (kind.make ? "" : " (not built in)");
+    return names;
+}
+
+// Empty when right, else what is wrong: what CLI11 asks of a check.
+std::string check_scene(const std::string& name) {
+    if (name == "all" || find_lab_scene(name)) return "";
+    return "there is no scene " + name + "; there are " + scene_names();
+}
+
+std::string check_peer(const std::string& name) {
+    if (name == "all" || name == "none") return "";
+    const EngineKind* kind = find_engine_kind(name);
+    if (!kind || kind == &engine_kinds()[0])
+        return "there is no peer " + name + "; there are " + peer_names();
+    if (kind->make) return "";
+    return name + " is not built in: install its library (scripts/setup --with-peers), then run " +
+           "cmake and build anew";
+}
+
+bool names(const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+std::vector<const LabScene*> chosen_scenes(const Flags& flags) {
+    std::vector<const LabScene*> chosen;
+    for (const LabScene& scene : lab_scenes())
+        if (names(flags.scenes, "all") || names(flags.scenes, scene.letter) ||
+            names(flags.scenes, scene.name))
+            chosen.push_back(&scene);
+    return chosen;
+}
+
+// Jostle at every number of threads, and each peer once.
+struct Contender {
+    const EngineKind* engine;
+    int threads;
+};
+
+std::vector<Contender> contenders(const Flags& flags) {
+    std::vector<Contender> chosen;
+    for (const EngineKind& kind : engine_kinds()) {
+        if (kind.most_threads > 1)
+            for (const int threads : flags.threads) chosen.push_back({&kind, threads});
+        else if (kind.make && (names(flags.peers, "all") || names(flags.peers, kind.name)))
+            chosen.push_back({&kind, 1});
+    }
+    return chosen;
+}
+
+std::vector<std::string> absent_peers() {
+    std::vector<std::string> absent;
+    for (const EngineKind& kind : engine_kinds())
+        if (!kind.make) absent.push_back(kind.name);
+    return absent;
+}
+
+// --- the run ---
+
+std::string machine_note() {
+    return cpu_model() + ", " + compiler();
+}
+
+bool write_files(const Flags& flags, const nlohmann::ordered_json& head,
+                 const nlohmann::ordered_json& rows, const std::string& plot) {
+    const bool json_done = flags.json.empty() || write_result(flags.json, head, rows);
+    const bool plot_done = flags.plot.empty() || write_text(flags.plot, plot);
+    return json_done && plot_done;
+}
+
+nlohmann::ordered_json file_head(const char* benchmark) {
+    return {{"benchmark", benchmark},
+            {"cpu", cpu_model()},
+            {"compiler", compiler()},
+            {"peers_not_built_in", absent_peers()}};
+}
+
+void print_line(const std::string& line) {
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+}
+
+// A table of rows, and then the files. 1 when a row failed or a file could not be written.
+template <class Row>
+struct Table {
+    std::vector<Row> rows;
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    bool failed = false;
+
+    void add(const Row& row, const std::string& line) {
+        print_line(line);
+        rows.push_back(row);
+        json.push_back(to_json(row));
+        failed = failed || row.failed;
+    }
+};
+
+int run_scenes(const Flags& flags) {
+    Table<SpeedRow> table;
+    print_line(speed_heading());
+    for (const LabScene* scene : chosen_scenes(flags))
+        for (const Contender& contender : contenders(flags)) {
+            const SpeedRow row = measure_row_in_child({.scene = scene,
+                                                       .engine = contender.engine,
+                                                       .threads = contender.threads,
+                                                       .steps = flags.steps,
+                                                       .sleep = flags.sleep == "on",
+                                                       .referee = !flags.no_referee});
+            table.add(row, speed_line(row));
+        }
+    nlohmann::ordered_json head = file_head("speed");
+    head["sleep"] = flags.sleep;
+    const bool written =
+        write_files(flags, head, table.json, plot_speed(table.rows, machine_note()));
+    return written && !table.failed ? 0 : 1;
+}
+
+int run_growth(const Flags& flags) {
+    Table<GrowthRow> table;
+    print_line(growth_heading());
+    for (const int bodies : flags.growth)
+        for (const Contender& contender : contenders(flags)) {
+            const GrowthRow row =
+                measure_growth_in_child(*contender.engine, contender.threads, bodies);
+            table.add(row, growth_line(row));
+        }
+    nlohmann::ordered_json head = file_head("speed growth");
+    head["steps_before"] = growth_steps_before;
+    head["steps_timed"] = growth_steps_timed;
+    const bool written =
+        write_files(flags, head, table.json, plot_growth(table.rows, machine_note()));
+    return written && !table.failed ? 0 : 1;
+}
+
+int run(const Flags& flags) {
+    for (const std::string& path : {flags.json, flags.plot})
+        if (!path.empty() && !can_write(path)) return 1;
+    if (names(flags.peers, "all"))
+        for (const std::string& peer : absent_peers())
+            std::fprintf(stderr, "jostle-bench: %s is not built in\n", peer.c_str());
+    return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
+}
+
+std::string lists_for_help() {
+    std::string text = "Scenes:\n";
+    for (const LabScene& scene : lab_scenes())
+        text += std::string("  ") + scene.letter + "  " + scene.name + ": " + scene.about + "\n";
+    text += "\nEngines (peers run on one thread, whatever --threads says):\n";
+    for (const EngineKind& kind : engine_kinds())
+        text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +
+                kind.settings + "\n";
+    return text;
+}
+
+}  // namespace
+
+void add_speed(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand(
+        "speed", "Jostle and other engines on the same scenes: time, error and memory.");
+    const auto flags = std::make_shared<Flags>();
+    CLI::Option* scene = command->add_option("--scene", flags->scenes, "By letter or name, or all")
+                             ->delimiter(',')
+                             ->capture_default_str()
+                             ->check(CLI::Validator(check_scene, "SCENE"));
+    command->add_option("--threads", flags->threads, "For Jostle; several with commas")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Range(1, 64));
+    command->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_peer, "PEER"));
+    CLI::Option* steps =
+        command->add_option("--steps", flags->steps, "Instead of the scene's own number")
+            ->check(CLI::Range(1, 1000000));
+    command->add_option("--sleep", flags->sleep, "Whether bodies may sleep: on or off")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"on", "off"}));
+    command->add_flag("--no-referee", flags->no_referee, "Times only: no second run");
+    command
+        ->add_option("--growth", flags->growth, "Instead of scenes: piles of so many bodies each")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 1000000))
+        ->excludes(scene)
+        ->excludes(steps);
+    command->add_option("--json", flags->json, "Writes the rows here as JSON");
+    command->add_option("--plot", flags->plot, "Draws them here as SVG");
+    command->footer("\n" + lists_for_help() + footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// The laboratory's pictures, as the text of SVG files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "speed/growth.h"
+#include "speed/speed_row.h"
+
+namespace jostle::bench {
+
+// Above: a bar per scene and engine, milliseconds a step, with the error over it. Below: the same
+// rows as marks, time against error, named by the scene's letter. Failed rows are left out. The
+// note (machine, compiler) stands under the title.
+std::string plot_speed(const std::vector<SpeedRow>& rows, const std::string& note);
+
+// Milliseconds a step and bytes a body over the number of bodies.
+std::string plot_growth(const std::vector<GrowthRow>& rows, const std::string& note);
+
+}  // namespace jostle::bench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// One line of the laboratory's table: a scene, an engine and a number of threads, what it cost and
+// how right it was. Lengths are metres, as the names say.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace jostle::bench {
+
+struct SpeedRow {
+    std::string scene, name;  // letter and name
+    std::string engine;
+    int threads = 1;
+    int steps = 0;
+    std::optional<std::string> failed;  // why there are no figures
+
+    int bodies = 0;
+    double ms_mean = 0, ms_p99 = 0;  // of a step
+    std::string clock;               // "cpu": of the thread that steps; "wall"
+
+    // The referee's; null without it, and those of joints where there are none.
+    std::optional<double> max_penetration_m, peak_penetration_m, mean_penetration_m;
+    std::optional<int> contacts_over_1cm;
+    std::optional<double> joint_drift_m, peak_joint_drift_m;
+    std::optional<int> bodies_lost;  // whose pose is not a number any more
+    std::optional<bool> repeats;     // the referee's run ended in the same poses as the timed one
+
+    std::optional<int> asleep_at_step;  // null: never, or not allowed to
+    double top_m = 0;                   // of the highest centre of a body that moves, at the end
+    std::optional<int> tunnelled;
+    double rss_mib = 0;  // peak of the process, scene included
+
+    // What the plot calls wrong: the larger of deepest overlap and joint drift at the end, m.
+    std::optional<double> error_m() const;
+};
+
+nlohmann::ordered_json to_json(const SpeedRow& row);
+SpeedRow speed_row_from(const nlohmann::ordered_json& json);
+
+}  // namespace jostle::bench

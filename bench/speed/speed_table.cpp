@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "speed/speed_table.h"
+
+#include <cstdio>
+
+namespace jostle::bench {
+namespace {
+
+template <class... Values>
+std::string print(const char* format, Values... values) {
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+constexpr const char* nothing = "-";
+
+std::string millimetres(const std::optional<double>& metres) {
+    return metres ? print("%.3g", 1e3 * *metres) : nothing;
+}
+
+std::string count(const std::optional<int>& value) {
+    return value ? std::to_string(*value) : nothing;
+}
+
+// Right-aligned in a column; a longer text pushes the rest to the right and stays whole.
+std::string cell(const std::string& text, int width) {
+    return print(" %*s", width, text.c_str());
+}
+
+// What the reader must not miss, after the columns.
+std::string remarks(const SpeedRow& row) {
+    std::string text;
+    if (row.bodies_lost.value_or(0) > 0)
+        text += "  " + std::to_string(*row.bodies_lost) + " bodies lost";
+    if (!row.repeats.value_or(true)) text += "  the second run ended elsewhere";
+    return text;
+}
+
+std::string identity(const std::string& first, const std::string& engine, int threads) {
+    return print("%-18s %-7s %3d", first.c_str(), engine.c_str(), threads);
+}
+
+}  // namespace
+
+std::string speed_heading() {
+    return print("%-18s %-7s %3s %6s %5s %9s %9s %5s", "scene", "engine", "thr", "bodies", "steps",
+                 "ms_mean", "ms_p99", "clock") +
+           print(" %8s %8s %8s %6s %8s %8s", "deep_mm", "peak_mm", "mean_mm", ">1cm", "drift_mm",
+                 "worst_mm") +
+           print(" %6s %8s %6s %6s", "asleep", "top_m", "tunnel", "MiB");
+}
+
+std::string speed_line(const SpeedRow& row) {
+    const std::string start = identity(row.scene + " " + row.name, row.engine, row.threads);
+    if (row.failed) return start + "  failed: " + *row.failed;
+    return start +
+           print(" %6d %5d %9.4g %9.4g %5s", row.bodies, row.steps, row.ms_mean, row.ms_p99,
+                 row.clock.c_str()) +
+           cell(millimetres(row.max_penetration_m), 8) +
+           cell(millimetres(row.peak_penetration_m), 8) +
+           cell(millimetres(row.mean_penetration_m), 8) + cell(count(row.contacts_over_1cm), 6) +
+           cell(millimetres(row.joint_drift_m), 8) + cell(millimetres(row.peak_joint_drift_m), 8) +
+           cell(count(row.asleep_at_step), 6) + print(" %8.3f", row.top_m) +
+           cell(count(row.tunnelled), 6) + print(" %6.1f", row.rss_mib) + remarks(row);
+}
+
+std::string growth_heading() {
+    return print("%-18s %-7s %3s %8s %5s %10s", "bodies", "engine", "thr", "ms_mean", "clock",
+                 "bytes/body");
+}
+
+std::string growth_line(const GrowthRow& row) {
+    const std::string start = identity(std::to_string(row.bodies), row.engine, row.threads);
+    if (row.failed) return start + "  failed: " + *row.failed;
+    return start + print(" %8.4g %5s %10.0f", row.ms_mean, row.clock.c_str(), row.bytes_per_body);
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// A drawing as SVG text, with just the shapes that the plots of the laboratory are made of. Pixels,
+// y downwards.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace jostle::bench {
+
+struct SvgPoint {
+    double x = 0, y = 0;
+};
+
+enum class TextAnchor { start, middle, end };
+
+struct TextStyle {
+    double size = 12;
+    TextAnchor anchor = TextAnchor::start;
+    bool upright = false;  // reads from bottom to top
+    bool bold = false;
+    const char* color = "#222";
+};
+
+class Svg {
+public:
+    Svg(double width, double height);
+
+    void rectangle(SvgPoint corner, double width, double height, const char* color);
+    void line(SvgPoint from, SvgPoint to, const char* color, double width = 1);
+    void polyline(std::span<const SvgPoint> points, const char* color);
+    // Shapes repeat after the fourth: disc, square, triangle, diamond.
+    void mark(SvgPoint at, int shape, const char* color);
+    void text(SvgPoint at, const std::string& words, const TextStyle& style = {});
+
+    std::string str() const;  // the whole file
+
+private:
+    std::string body_;
+};
+
+}  // namespace jostle::bench

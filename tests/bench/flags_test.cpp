@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// The real program: its flags, its files and its exit status.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class SpeedFlags : public testing::Test {
+protected:
+    SpeedFlags() : folder_(fs::temp_directory_path() / ("jostle-lab-" + std::to_string(getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~SpeedFlags() override { fs::remove_all(folder_); }
+
+    std::string file(const char* name) const { return (folder_ / name).string(); }
+    // Exit status; output and messages go to out.txt.
+    int run(const std::string& arguments) const {
+        const std::string command =
+            JOSTLE_BENCH " speed " + arguments + " > " + file("out.txt") + " 2>&1";
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string output() const { return read("out.txt"); }
+    std::string read(const char* name) const {
+        std::ifstream in(file(name));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(SpeedFlags, writes_table_json_and_plot) {
+    ASSERT_EQ(run("--scene pyramid-465 --threads 1,2 --peers none --steps 3 --json " +
+                  file("r.json") + " --plot " + file("r.svg")),
+              0)
+        << output();
+    EXPECT_THAT(output(), HasSubstr("ms_mean"));
+    const auto json = nlohmann::json::parse(read("r.json"));
+    EXPECT_EQ(json["benchmark"], "speed");
+    EXPECT_TRUE(json.contains("cpu") && json.contains("compiler"));
+    ASSERT_EQ(json["rows"].size(), 2u);
+    EXPECT_EQ(json["rows"][0]["clock"], "cpu");
+    EXPECT_EQ(json["rows"][1]["threads"], 2);
+    EXPECT_EQ(json["rows"][1]["clock"], "wall");
+    EXPECT_THAT(read("r.svg"), HasSubstr("a pyramid-465"));
+}
+
+TEST_F(SpeedFlags, growth_writes_its_own_rows) {
+    ASSERT_EQ(run("--growth 20,40 --peers none --json " + file("g.json")), 0) << output();
+    const auto json = nlohmann::json::parse(read("g.json"));
+    EXPECT_EQ(json["benchmark"], "speed growth");
+    ASSERT_EQ(json["rows"].size(), 2u);
+    EXPECT_EQ(json["rows"][1]["bodies"], 40);
+}
+
+TEST_F(SpeedFlags, unknown_scene_is_named_with_those_there_are) {
+    EXPECT_EQ(run("--scene a,z"), 2);
+    EXPECT_THAT(output(), HasSubstr("there is no scene z"));
+    EXPECT_THAT(output(), HasSubstr("i or bullets-1000"));
+}
+
+TEST_F(SpeedFlags, unknown_peer_is_named_with_those_there_are) {
+    EXPECT_EQ(run("--peers havoc"), 2);
+    EXPECT_THAT(output(), HasSubstr("there is no peer havoc"));
+    EXPECT_THAT(output(), HasSubstr("bullet"));
+    EXPECT_THAT(output(), HasSubstr("ode"));
+}
+
+TEST_F(SpeedFlags, bad_numbers_are_refused_with_their_range) {
+    EXPECT_EQ(run("--threads 0"), 2);
+    EXPECT_THAT(output(), HasSubstr("range"));
+    EXPECT_EQ(run("--threads 65"), 2);
+    EXPECT_EQ(run("--threads two"), 2);
+    EXPECT_THAT(output(), HasSubstr("two"));
+    EXPECT_EQ(run("--steps 0"), 2);
+    EXPECT_EQ(run("--growth 0"), 2);
+    EXPECT_EQ(run("--sleep maybe"), 2);
+    EXPECT_EQ(run("--growth 10 --scene a"), 2);
+}
+
+TEST_F(SpeedFlags, file_that_cannot_be_written_is_named_before_anything_runs) {
+    EXPECT_EQ(run("--scene b --json /nowhere/r.json"), 1);
+    EXPECT_THAT(output(), HasSubstr("cannot write /nowhere/r.json: No such file or directory"));
+    EXPECT_EQ(output().find("ms_mean"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// Rows of the table: what they hold, that they survive JSON, and that a crash is a row.
+#include "speed/measure_row.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+
+#include "speed/child_process.h"
+#include "speed/speed_table.h"
+
+namespace {
+
+using namespace jostle::bench;
+
+SpeedRow row_of(const char* engine, const char* scene, int steps, bool sleep = false) {
+    return measure_row_in_child({.scene = find_lab_scene(scene),
+                                 .engine = find_engine_kind(engine),
+                                 .steps = steps,
+                                 .sleep = sleep});
+}
+
+class Rows : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override {
+        if (!find_engine_kind(GetParam())->make) GTEST_SKIP() << "not built in";
+    }
+};
+
+TEST_P(Rows, a_pyramid_stands_for_ten_steps) {
+    const SpeedRow row = row_of(GetParam(), "a", 10);
+    ASSERT_FALSE(row.failed) << *row.failed;
+    EXPECT_EQ(row.scene + " " + row.name, "a pyramid-465");
+    EXPECT_EQ(row.engine, GetParam());
+    EXPECT_EQ(row.bodies, 466);
+    EXPECT_EQ(row.steps, 10);
+    EXPECT_GT(row.ms_mean, 0);
+    EXPECT_GE(row.ms_p99, row.ms_mean);
+    EXPECT_EQ(row.clock, "cpu");
+    EXPECT_GT(*row.max_penetration_m, 0);
+    EXPECT_LT(*row.max_penetration_m, 0.02);
+    EXPECT_GE(*row.peak_penetration_m, *row.max_penetration_m);
+    EXPECT_LE(*row.mean_penetration_m, *row.max_penetration_m);
+    EXPECT_EQ(row.bodies_lost, 0);
+    EXPECT_EQ(row.repeats, true);
+    EXPECT_NEAR(row.top_m, 29.5, 0.15);
+    EXPECT_GT(row.rss_mib, 1);
+    EXPECT_FALSE(row.joint_drift_m || row.peak_joint_drift_m || row.asleep_at_step ||
+                 row.tunnelled);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Rows, testing::Values("jostle", "bullet", "ode"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(Rows, jostle_lets_none_of_the_bullets_through) {
+    const SpeedRow row = row_of("jostle", "i", 20);
+    EXPECT_EQ(row.tunnelled, 0);
+    EXPECT_LT(*row.max_penetration_m, 0.01);
+}
+
+TEST(Rows, ragdolls_have_joints_that_drift) {
+    const SpeedRow row = row_of("jostle", "f", 10);
+    ASSERT_TRUE(row.joint_drift_m && row.peak_joint_drift_m);
+    EXPECT_LT(*row.peak_joint_drift_m, 0.01);
+    EXPECT_EQ(row.error_m(), std::max(*row.joint_drift_m, *row.max_penetration_m));
+}
+
+TEST(Rows, asleep_says_by_which_step) {
+    const SpeedRow row = row_of("jostle", "a", 200, true);
+    ASSERT_TRUE(row.asleep_at_step);
+    EXPECT_GT(*row.asleep_at_step, 20);
+}
+
+TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
+    const SpeedRow row = measure_row_in_child({.scene = find_lab_scene("a"),
+                                               .engine = find_engine_kind("jostle"),
+                                               .threads = 2,
+                                               .steps = 5});
+    EXPECT_EQ(row.clock, "wall");
+    EXPECT_EQ(row.repeats, true);
+}
+
+TEST(Rows, without_referee_errors_are_unknown) {
+    const SpeedRow row = measure_row_in_child({.scene = find_lab_scene("a"),
+                                               .engine = find_engine_kind("jostle"),
+                                               .steps = 5,
+                                               .referee = false});
+    EXPECT_FALSE(row.max_penetration_m || row.error_m() || row.repeats);
+    EXPECT_NEAR(row.top_m, 29.5, 0.05);
+}
+
+TEST(Rows, go_through_json_unchanged) {
+    SpeedRow row = row_of("jostle", "f", 2);
+    EXPECT_EQ(to_json(speed_row_from(to_json(row))), to_json(row));
+    EXPECT_TRUE(to_json(row).at("tunnelled").is_null());
+    row.failed = "ended by signal 11";
+    EXPECT_EQ(to_json(speed_row_from(to_json(row))), to_json(row));
+    EXPECT_FALSE(to_json(row).contains("ms_mean"));
+}
+
+TEST(Rows, a_crash_is_a_row_that_says_so) {
+    const EngineKind crashing{"crash", "", 1, []() -> std::unique_ptr<Engine> {
+                                  std::raise(SIGKILL);
+                                  return nullptr;
+                              }};
+    const SpeedRow row =
+        measure_row_in_child({.scene = find_lab_scene("a"), .engine = &crashing, .steps = 1});
+    EXPECT_EQ(row.failed, "ended by signal 9 (Killed)");
+    EXPECT_NE(speed_line(row).find("failed: ended by signal 9 (Killed)"), std::string::npos);
+}
+
+TEST(ChildProcess, returns_text_of_any_length_or_the_reason) {
+    EXPECT_EQ(run_in_child([] { return std::string(1 << 20, 'x'); }).text.size(), 1u << 20);
+    const ChildAnswer thrown =
+        run_in_child([]() -> std::string { throw std::runtime_error("no memory"); });
+    EXPECT_EQ(thrown.failure, "no memory");
+    EXPECT_EQ(thrown.text, "");
+}
+
+TEST(SpeedTable, heading_and_lines_have_the_same_columns) {
+    const SpeedRow row = row_of("jostle", "a", 2);
+    EXPECT_EQ(speed_heading().size(), speed_line(row).size());
+    EXPECT_EQ(growth_heading().size(), growth_line({.engine = "jostle", .clock = "cpu"}).size());
+}
+
+}  // namespace

@@ -126,7 +126,11 @@ struct BlockBodies {
         const Wide3 moved = relative(dp_a, dr_a, dp_b, dr_b);
         if constexpr (kSecond == Second::fixed) return {moved, -dr_a, dr_a};
         if constexpr (kSecond == Second::moving) {
-            const Wide3 apart = dp_b - dp_a, step_a = apart * load(m.share);
+            // What has moved further than the arms are long no longer meets there.
+            const Wide3 way = dp_b - dp_a;
+            const WideMask small = dot(way, way) < splat(0.1f) * dot(arm_a, arm_a);
+            const Wide3 apart = way * select(small, splat(1), splat(0));
+            const Wide3 step_a = apart * load(m.share);
             arm_a = arm_a + step_a;
             arm_b = arm_b + (step_a - apart);
         }
@@ -337,9 +341,11 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         const Wide steady = load(m.steady);
         store(m.steady, steady + splat(set.forget) * (total / points - steady));
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
-        // age the manifold.
+        // age the manifold. So does a turn about its only point: a long body may come down beside
+        // it.
+        const Wide lever = max(load(m.lever), splat(0.3f));
         const Wide age = load(side.moved) + root(dot(motion.moved, motion.moved)) +
-                         load(m.lever) * root(dot(motion.turned, motion.turned)) +
+                         lever * root(dot(motion.turned, motion.turned)) +
                          splat(0.3f) * root(dot(motion.turned_a, motion.turned_a));
         store(side.moved, age);
         report.aged = lane_bits(age > splat(set.reuse));

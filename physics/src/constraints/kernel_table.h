@@ -40,7 +40,10 @@ JOSTLE_INLINE void each_block(const BlockRange& range, Pass pass) {
         case Second::moving:
             return with_inertia(SecondIs<Second::moving>{});
         case Second::driven:
-            return with_inertia(SecondIs<Second::driven>{});
+            // Few: the kernel that is right for all bodies serves.
+            for (int k = range.begin; k < range.end; k++)
+                pass(k, SecondIs<Second::driven>{}, InertiaIs<Inertia::locked>{});
+            return;
         case Second::fixed:
             return with_inertia(SecondIs<Second::fixed>{});
     }

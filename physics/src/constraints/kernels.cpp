@@ -10,22 +10,28 @@ namespace {
 
 const Kernels& table_of(InstructionSet set) {
     switch (set) {
-#if defined(__x86_64__)
+#if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
         case InstructionSet::avx512:
             return avx512::table;
         case InstructionSet::avx2:
             return avx2::table;
 #endif
+#if defined(JOSTLE_ALL_KERNELS)
         case InstructionSet::scalar:
             return scalar::table;
+#endif
         default:
             return baseline::table;
     }
 }
 
 std::vector<InstructionSet> find_available() {
-    std::vector<InstructionSet> sets{InstructionSet::scalar, InstructionSet::baseline};
-#if defined(__x86_64__)
+    std::vector<InstructionSet> sets;
+#if defined(JOSTLE_ALL_KERNELS)
+    sets.push_back(InstructionSet::scalar);
+#endif
+    sets.push_back(InstructionSet::baseline);
+#if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
     if (__builtin_cpu_supports("avx2")) sets.push_back(InstructionSet::avx2);
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("avx512vl") &&
         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))

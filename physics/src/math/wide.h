@@ -22,7 +22,11 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
+#if defined(JOSTLE_SCALAR)
+#define JOSTLE_INLINE inline  // all in one function takes a compiler minutes
+#else
 #define JOSTLE_INLINE inline __attribute__((always_inline))
+#endif
 
 #if defined(JOSTLE_SCALAR)
 // Plain loops over eight floats: proves that the bits do not come from the vector unit.

@@ -384,6 +384,7 @@ private:
         const auto known = where_.find(other);
         const bool changed =
             t.changed || (known != where_.end() && travellers_[known->second].changed);
+        if (changed && cold_other.type != BodyType::dynamic) return true;
         const double least = (changed ? 0.4 : 0.8) * way_without_sweep(world_, cold, cold_other);
         return way_against(t.sweep, cold, motion, cold_other) * (1 - t.sweep.from) > least;
     }

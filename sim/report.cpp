@@ -13,7 +13,11 @@ using physics::stage_count;
 
 void Meter::add(const physics::StepProfile& profile) {
     step_ms_.push_back(profile.step_ms);
-    for (std::size_t k = 0; k < stage_count; k++) stage_ms_[k] += profile.stage_ms[k];
+    for (std::size_t k = 0; k < stage_count; k++) {
+        stage_ms_[k] += profile.stage_ms[k];
+        stage_skipped_[k] = profile.stage_skipped[k];
+        if (stage_skipped_[k] == nullptr) stage_ran_[k] = true;
+    }
 }
 
 void Meter::fill(Report& report, const physics::World& world) const {
@@ -31,7 +35,10 @@ void Meter::fill(Report& report, const physics::World& world) const {
     std::vector<double> sorted = step_ms_;
     std::sort(sorted.begin(), sorted.end());
     report.ms_per_step_p99 = sorted[static_cast<std::size_t>(0.99 * (n - 1) + 0.5)];
-    for (std::size_t k = 0; k < stage_count; k++) report.stage_ms_mean[k] = stage_ms_[k] / n;
+    for (std::size_t k = 0; k < stage_count; k++) {
+        report.stage_ms_mean[k] = stage_ms_[k] / n;
+        if (!stage_ran_[k]) report.stage_skipped[k] = stage_skipped_[k];
+    }
 }
 
 namespace {
@@ -42,11 +49,16 @@ std::string hex(std::uint64_t value) {
     return text;
 }
 
+void text_line(std::string& out, const char* name, const std::string& value) {
+    char padded[64];
+    std::snprintf(padded, sizeof padded, "%-22s ", name);
+    out += padded + value + "\n";
+}
+
 void line(std::string& out, const char* name, const char* format, double value) {
-    char number[64], text[128];
+    char number[64];
     std::snprintf(number, sizeof number, format, value);
-    std::snprintf(text, sizeof text, "%-22s %s\n", name, number);
-    out += text;
+    text_line(out, name, number);
 }
 
 }  // namespace
@@ -66,15 +78,22 @@ std::string to_text(const Report& r) {
     out += "stages, ms per step (mean):\n";
     for (int k = 0; k < stage_count; k++) {
         const std::string name = std::string("  ") + stage_name(static_cast<Stage>(k));
-        line(out, name.c_str(), "%.4f", r.stage_ms_mean[static_cast<std::size_t>(k)]);
+        const char* why = r.stage_skipped[static_cast<std::size_t>(k)];
+        if (why == nullptr)
+            line(out, name.c_str(), "%.4f", r.stage_ms_mean[static_cast<std::size_t>(k)]);
+        else
+            text_line(out, name.c_str(), std::string("skipped: ") + why);
     }
     return out;
 }
 
 std::string to_json(const Report& r) {
-    nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-    for (int k = 0; k < stage_count; k++)
-        stages[stage_name(static_cast<Stage>(k))] = r.stage_ms_mean[static_cast<std::size_t>(k)];
+    nlohmann::ordered_json stages = nlohmann::ordered_json::object(), skipped = stages;
+    for (std::size_t k = 0; k < stage_count; k++) {
+        const char* name = stage_name(static_cast<Stage>(k));
+        stages[name] = r.stage_ms_mean[k];
+        if (r.stage_skipped[k] != nullptr) skipped[name] = r.stage_skipped[k];
+    }
     const nlohmann::ordered_json json = {{"scene", r.scene},
                                          {"hz", r.hz},
                                          {"substeps", r.substeps},
@@ -89,7 +108,8 @@ std::string to_json(const Report& r) {
                                          {"energy_joules", r.energy_joules},
                                          {"max_penetration_m", r.max_penetration_m},
                                          {"awake_bodies", r.awake_bodies},
-                                         {"stages", stages}};
+                                         {"stages", stages},
+                                         {"stages_skipped", skipped}};
     return json.dump(2) + "\n";
 }
 

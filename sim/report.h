@@ -23,6 +23,8 @@ struct Report {
     double energy_joules = 0;      // kinetic + potential, zero at the origin
     double max_penetration_m = 0;  // at the end
     std::array<double, physics::stage_count> stage_ms_mean{};
+    // Of a stage that had nothing to do in any step: why, in the last; else null.
+    std::array<const char*, physics::stage_count> stage_skipped{};
 };
 
 // Collects one step after the other.
@@ -34,6 +36,8 @@ public:
 private:
     std::vector<double> step_ms_;
     std::array<double, physics::stage_count> stage_ms_{};
+    std::array<bool, physics::stage_count> stage_ran_{};
+    std::array<const char*, physics::stage_count> stage_skipped_{};
 };
 
 std::string to_text(const Report& report);

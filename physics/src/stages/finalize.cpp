@@ -19,7 +19,8 @@ FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm, bool tumbling) {
 
 }  // namespace
 
-void finalize(StepContext& step) {
+Skipped finalize(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
     step.team.run(static_cast<int>(scratch.in_solver.size()), 256, [&](int begin, int end) {
@@ -40,6 +41,7 @@ void finalize(StepContext& step) {
              s = world.shapes.shapes[s].next)
             refatten(world, s, warm, step.dt);
     }
+    return ran;
 }
 
 }  // namespace jostle::physics

@@ -7,6 +7,6 @@
 
 namespace jostle::physics {
 
-void finalize(StepContext& step);
+Skipped finalize(StepContext& step);
 
 }  // namespace jostle::physics

@@ -6,7 +6,8 @@
 
 namespace jostle::physics {
 
-void integrate_free(StepContext& step) {
+Skipped integrate_free(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     const auto& free = world.scratch.free;
     begin_settling(world);
@@ -19,6 +20,7 @@ void integrate_free(StepContext& step) {
                 free_motion(warm, world.bodies.cold[warm.body], world.def.gravity, step.dt));
         }
     });
+    return ran;
 }
 
 }  // namespace jostle::physics

@@ -8,6 +8,6 @@
 
 namespace jostle::physics {
 
-void integrate_free(StepContext& step);
+Skipped integrate_free(StepContext& step);
 
 }  // namespace jostle::physics

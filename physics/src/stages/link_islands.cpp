@@ -73,7 +73,8 @@ void report_composites(WorldState& world) {
 
 }  // namespace
 
-void link_islands(StepContext& step) {
+Skipped link_islands(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     auto& changes = world.scratch.touch_changes;
     changes.clear();
@@ -96,6 +97,7 @@ void link_islands(StepContext& step) {
     report_composites(world);
     world.profile.manifolds = manifolds;
     world.profile.touching = touching;
+    return ran;
 }
 
 }  // namespace jostle::physics

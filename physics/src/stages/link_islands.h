@@ -8,6 +8,6 @@
 
 namespace jostle::physics {
 
-void link_islands(StepContext& step);
+Skipped link_islands(StepContext& step);
 
 }  // namespace jostle::physics

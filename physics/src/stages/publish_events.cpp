@@ -82,8 +82,9 @@ void report_stays(WorldState& world) {
 
 }  // namespace
 
-void publish_events(StepContext& step) {
+Skipped publish_events(StepContext& step) {
     EventStore& events = step.world.events;
+    if (events.empty() && step.world.shapes.reporters == 0) return "nothing happened";
     sort_by_shapes(events.contacts_began);
     sort_by_shapes(events.contacts_ended);
     sort_by_shapes(events.hits);
@@ -96,6 +97,7 @@ void publish_events(StepContext& step) {
     std::sort(events.fell_asleep.begin(), events.fell_asleep.end());
     std::sort(events.woke.begin(), events.woke.end());
     std::sort(events.quarantined.begin(), events.quarantined.end());
+    return ran;
 }
 
 }  // namespace jostle::physics

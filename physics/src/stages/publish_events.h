@@ -7,6 +7,6 @@
 
 namespace jostle::physics {
 
-void publish_events(StepContext& step);
+Skipped publish_events(StepContext& step);
 
 }  // namespace jostle::physics

@@ -21,7 +21,8 @@ void forget_impulses(WorldState& world, const Contact& c) {
 
 }  // namespace
 
-void quarantine(StepContext& step) {
+Skipped quarantine(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         if (world.scratch.not_finite[i] == 0) continue;
@@ -33,6 +34,7 @@ void quarantine(StepContext& step) {
         });
         look_ahead(world, body, step.dt);
     }
+    return ran;
 }
 
 }  // namespace jostle::physics

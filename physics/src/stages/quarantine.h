@@ -8,6 +8,6 @@
 
 namespace jostle::physics {
 
-void quarantine(StepContext& step);
+Skipped quarantine(StepContext& step);
 
 }  // namespace jostle::physics

@@ -95,11 +95,12 @@ void tumble(HotBody& hot, double h) {
 
 }  // namespace
 
-void solve_constraints(StepContext& step) {
+Skipped solve_constraints(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
     sort_out_bodies(world);
-    if (scratch.in_solver.empty()) return;
+    if (scratch.in_solver.empty()) return "nothing touches and nothing is jointed";
     scratch.hot.resize(world.bodies.awake.size() + 1);
     scratch.drive.resize(world.bodies.awake.size() + 1);
     scratch.hot[0] = {};
@@ -149,6 +150,7 @@ void solve_constraints(StepContext& step) {
     }
     if (bouncy) end_bounces(manifolds, bodies, step.contacts, step.team);
     finish_joints(step);
+    return ran;
 }
 
 }  // namespace jostle::physics

@@ -8,6 +8,6 @@
 
 namespace jostle::physics {
 
-void solve_constraints(StepContext& step);
+Skipped solve_constraints(StepContext& step);
 
 }  // namespace jostle::physics

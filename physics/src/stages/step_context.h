@@ -4,15 +4,22 @@
 #pragma once
 
 #include "constraints/contact_settings.h"
+#include "foundation/timer.h"
 #include "state/world_state.h"
 
 namespace jostle::physics {
+
+// What a stage returns: why it had nothing to do, as a sentence that lives for ever, or `ran`.
+using Skipped = const char*;
+inline constexpr Skipped ran = nullptr;
+inline constexpr Skipped nobody_awake = "nobody is awake";
 
 struct StepContext {
     WorldState& world;
     TaskTeam& team;
     double dt = 0;  // s
     ContactSettings contacts;
+    Timer timer = {};
 };
 
 }  // namespace jostle::physics

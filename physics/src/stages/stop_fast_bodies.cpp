@@ -661,9 +661,12 @@ private:
 
 }  // namespace
 
-void stop_fast_bodies(StepContext& step) {
-    if (!step.world.def.continuous || step.world.scratch.any_fast == 0) return;
+Skipped stop_fast_bodies(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
+    if (!step.world.def.continuous) return "continuous collision is off";
+    if (step.world.scratch.any_fast == 0) return "no body moved further than half its thickness";
     Sweeper(step).run();
+    return ran;
 }
 
 }  // namespace jostle::physics

@@ -10,6 +10,6 @@
 
 namespace jostle::physics {
 
-void stop_fast_bodies(StepContext& step);
+Skipped stop_fast_bodies(StepContext& step);
 
 }  // namespace jostle::physics

@@ -384,7 +384,8 @@ void begin_manifolds(WorldState& world) {
 
 }  // namespace
 
-void update_contacts(StepContext& step) {
+Skipped update_contacts(StepContext& step) {
+    if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     auto& checks = world.scratch.checks;
     checks.clear();
@@ -402,6 +403,7 @@ void update_contacts(StepContext& step) {
     wake_islands(world);
     begin_manifolds(world);
     world.profile.pairs_checked = static_cast<int>(checks.size());
+    return ran;
 }
 
 }  // namespace jostle::physics

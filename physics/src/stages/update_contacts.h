@@ -8,6 +8,6 @@
 
 namespace jostle::physics {
 
-void update_contacts(StepContext& step);
+Skipped update_contacts(StepContext& step);
 
 }  // namespace jostle::physics

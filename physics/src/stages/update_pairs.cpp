@@ -53,26 +53,27 @@ void wake_if_all_asleep(WorldState& world, const Contact& c) {
 
 }  // namespace
 
-void update_pairs(StepContext& step) {
+Skipped update_pairs(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t>& moved = world.shapes.moved;
-    if (!moved.empty()) {
-        world.shapes.fixed->settle();
-        world.shapes.moving->settle();
-        auto& pairs = world.scratch.new_pairs;
-        pairs.clear();
-        for (const std::uint32_t shape : moved) find_neighbours(world, shape);
-        for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
-        moved.clear();
-        // Sorted: contact indices must not depend on the shape of a tree.
-        std::sort(pairs.begin(), pairs.end());
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-        for (const auto& [a, b] : pairs) {
-            const std::uint32_t contact = create_contact(world, a, b);
-            wake_if_all_asleep(world, world.contacts.contacts[contact]);
-        }
+    world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
+    if (moved.empty()) return "no shape left its fat box";
+    world.shapes.fixed->settle();
+    world.shapes.moving->settle();
+    auto& pairs = world.scratch.new_pairs;
+    pairs.clear();
+    for (const std::uint32_t shape : moved) find_neighbours(world, shape);
+    for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
+    moved.clear();
+    // Sorted: contact indices must not depend on the shape of a tree.
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const auto& [a, b] : pairs) {
+        const std::uint32_t contact = create_contact(world, a, b);
+        wake_if_all_asleep(world, world.contacts.contacts[contact]);
     }
     world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
+    return ran;
 }
 
 }  // namespace jostle::physics

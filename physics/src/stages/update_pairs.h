@@ -7,6 +7,6 @@
 
 namespace jostle::physics {
 
-void update_pairs(StepContext& step);
+Skipped update_pairs(StepContext& step);
 
 }  // namespace jostle::physics

@@ -97,9 +97,10 @@ void report_asleep(WorldState& world, std::uint32_t island) {
 
 }  // namespace
 
-void update_sleep(StepContext& step) {
+Skipped update_sleep(StepContext& step) {
     WorldState& world = step.world;
-    if (!world.def.sleeping || world.bodies.awake.empty()) return;
+    if (!world.def.sleeping) return "sleeping is off";
+    if (world.bodies.awake.empty()) return nobody_awake;
     keep_carried_awake(world);
     keep_towed_awake(world);
     measure_rest(world);
@@ -127,6 +128,7 @@ void update_sleep(StepContext& step) {
     // split in vain.
     if (sleepiest != none) split_island(world, sleepiest);
     world.profile.islands_awake = awake;
+    return ran;
 }
 
 }  // namespace jostle::physics

@@ -7,6 +7,6 @@
 
 namespace jostle::physics {
 
-void update_sleep(StepContext& step);
+Skipped update_sleep(StepContext& step);
 
 }  // namespace jostle::physics

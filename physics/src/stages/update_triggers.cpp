@@ -62,9 +62,9 @@ TriggerEvent event_of(const WorldState& world, const Inside& pair) {
 
 }  // namespace
 
-void update_triggers(StepContext& step) {
+Skipped update_triggers(StepContext& step) {
     WorldState& world = step.world;
-    if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return;
+    if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return "no triggers";
     world.shapes.fixed->settle();
     world.shapes.moving->settle();
     std::vector<Inside> inside;
@@ -82,6 +82,7 @@ void update_triggers(StepContext& step) {
             world.events.triggers_left.push_back(event_of(world, pair));
     world.triggers.inside = std::move(inside);
     world.triggers.fresh.clear();
+    return ran;
 }
 
 }  // namespace jostle::physics

@@ -7,6 +7,6 @@
 
 namespace jostle::physics {
 
-void update_triggers(StepContext& step);
+Skipped update_triggers(StepContext& step);
 
 }  // namespace jostle::physics

@@ -23,6 +23,14 @@ struct EventStore {
     std::vector<TriggerEvent> pending_left;
     std::vector<BodyId> pending_woke;
 
+    // Of what a step publishes.
+    bool empty() const {
+        return contacts_began.empty() && contacts_ended.empty() && contacts.empty() &&
+               hits.empty() && triggers_entered.empty() && triggers_stayed.empty() &&
+               triggers_left.empty() && joints_broke.empty() && fell_asleep.empty() &&
+               woke.empty() && quarantined.empty();
+    }
+
     void begin_step() {
         contacts_began.clear();
         contacts_ended.clear();

@@ -27,8 +27,10 @@ inline constexpr int stage_count = 11;
 const char* stage_name(Stage stage);
 
 struct StepProfile {
-    std::array<double, stage_count> stage_ms{};  // 0 when the stage had nothing to do
-    double step_ms = 0;
+    std::array<double, stage_count> stage_ms{};  // 0 when the stage was skipped
+    // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
+    std::array<const char*, stage_count> stage_skipped{};
+    double step_ms = 0;        // of all stages
     int bodies_awake = 0;      // dynamic and kinematic bodies that the step walked
     int bodies_in_solver = 0;  // of those, the ones with a manifold; the others fly free
     int pairs = 0;             // shapes whose fat boxes overlap

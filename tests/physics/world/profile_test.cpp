@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// What a step says of itself: every stage has a time or a reason why it had nothing to do.
+#include <gtest/gtest.h>
+
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+std::string why(const World& world, Stage stage) {
+    const char* reason = world.profile().stage_skipped[static_cast<std::size_t>(stage)];
+    return reason == nullptr ? "ran" : reason;
+}
+
+TEST(Profile, a_sleeping_world_skips_every_stage_and_says_why) {
+    World world = make_world();
+    add_floor(world);
+    add(world, {.position = {0, 0.5, 0}});
+    run(world, 2);
+    ASSERT_EQ(world.profile().bodies_awake, 0);
+    for (int k = 0; k < stage_count; k++) {
+        const Stage stage = static_cast<Stage>(k);
+        EXPECT_NE(why(world, stage), "ran") << stage_name(stage);
+        EXPECT_EQ(world.profile().stage_ms[static_cast<std::size_t>(k)], 0) << stage_name(stage);
+    }
+    EXPECT_EQ(why(world, Stage::solve_constraints), "nobody is awake");
+    EXPECT_EQ(world.profile().pairs, 1);
+}
+
+TEST(Profile, a_body_in_free_flight_never_enters_the_solver) {
+    World world = make_world();
+    add(world, {.position = {0, 100, 0}});
+    run(world, 0.1);
+    EXPECT_EQ(why(world, Stage::solve_constraints), "nothing touches and nothing is jointed");
+    EXPECT_EQ(why(world, Stage::integrate_free), "ran");
+    EXPECT_EQ(why(world, Stage::stop_fast_bodies), "no body moved further than half its thickness");
+    EXPECT_EQ(why(world, Stage::update_triggers), "no triggers");
+    EXPECT_EQ(why(world, Stage::publish_events), "nothing happened");
+    EXPECT_GT(world.profile().step_ms, 0);
+}
+
+TEST(Profile, what_is_turned_off_says_so) {
+    World world = make_world({.sleeping = false, .continuous = false});
+    add(world, {.velocity = {100, 0, 0}});
+    run(world, 0.1);
+    EXPECT_EQ(why(world, Stage::update_sleep), "sleeping is off");
+    EXPECT_EQ(why(world, Stage::stop_fast_bodies), "continuous collision is off");
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -16,10 +16,16 @@ bool is_sound(const FreeMotion& motion, Vec3 center) {
            is_finite(center) && is_finite(motion.rotation);
 }
 
-bool left_fat_box(const WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!fits_fat_box(world.shapes.shapes[s], warm, dt)) return true;
-    return false;
+bool left_fat_box(WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
+    BodyReach& reach = world.bodies.reach[warm.body];
+    if (reach.travel + length(warm.v) * dt <= reach.roomy_until) return false;
+    FatRoom room{1e300, 1e300};
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
+        const FatRoom own = room_in_fat_box(world.shapes.shapes[s], warm, dt);
+        room = {minimum(room.now, own.now), minimum(room.next, own.next)};
+    }
+    reach.roomy_until = reach.travel + room.now;
+    return room.next < 0;
 }
 
 // Whether a shape of a body that moved is no longer within its fat box.

@@ -68,10 +68,11 @@ void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, Bo
         drive.keep[k + 3] = as_float(angular);
     }
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
-    // does. Bodies that turn far in a step take it sub-step by sub-step: tumble().
-    const Vec3 spin_up = tumbles(warm, cold, step.dt)
-                             ? inertia * warm.torque
-                             : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
+    // does. Bodies that turn far in a step take it sub-step by sub-step: tumble(). Isotropic ones
+    // have none.
+    const bool torque_alone = (cold.isotropic && cold.locks == 0) || tumbles(warm, cold, step.dt);
+    const Vec3 spin_up = torque_alone ? inertia * warm.torque
+                                      : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
     put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 

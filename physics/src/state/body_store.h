@@ -74,6 +74,9 @@ struct BodyReach {
     double travel = 0;  // m, never decreases
     double reach = 0;   // m
     double turned = 0;  // m: the part of `travel` that comes from turning
+    // Until `travel`, the next step's included, reaches this, all shapes are within their fat
+    // boxes. Derived: 0 means that nobody has looked.
+    double roomy_until = 0;  // m
 };
 
 struct BodyStore {

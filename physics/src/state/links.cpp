@@ -543,17 +543,27 @@ void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, doub
             fat = {fat.low + min(ahead, Vec3{}), fat.high + max(ahead, Vec3{})};
         }
         shape.fat = fat;
+        world.bodies.reach[shape.body].roomy_until = 0;
         if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, fat);
     }
     ask_for_pairs(world, index);
 }
 
-bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
-    if (is_plane(shape)) return true;
+FatRoom room_in_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+    if (is_plane(shape)) return {1e300, 1e300};
     // A quarter of the margin early: manifolds begin before surfaces meet.
     const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
+    const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
     const Vec3 ahead = warm.v * dt;
-    return contains(shape.fat, {box.low + min(ahead, Vec3{}), box.high + max(ahead, Vec3{})});
+    const auto least = [](Vec3 a, Vec3 b) {
+        const Vec3 m = min(a, b);
+        return minimum(m.x, minimum(m.y, m.z));
+    };
+    return {least(low, high), least(low + min(ahead, Vec3{}), high - max(ahead, Vec3{}))};
+}
+
+bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+    return room_in_fat_box(shape, warm, dt).next >= 0;
 }
 
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {

@@ -72,6 +72,12 @@ void leave_tree(WorldState& world, std::uint32_t shape);
 void ask_for_pairs(WorldState& world, std::uint32_t shape);
 // Gives the shape a new fat box that looks ahead along the body's velocity, and asks for its pairs.
 void refatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
+// How far inside its fat box the shape is, m; negative: outside by that.
+struct FatRoom {
+    double now;
+    double next;  // when the body's velocity has taken it through the next step
+};
+FatRoom room_in_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt);
 // Whether the shape is in its fat box now and after the next step: pairs are found before it moves.
 bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt);
 // Whether any corner of the box is below the plane.

@@ -25,15 +25,14 @@ using physics::World;
 constexpr const char* footer = R"(
 A repetition: keep() the moment, play some steps that turn out wrong, restore() it. The point is warm: it kept a moment
 before the first repetition. After each restore the world's hash is compared with that of the moment; a difference ends
-the run. All bodies move on one thread.
+the run. Worlds have one thread.
 
 Scenes:  pile    spheres, boxes and capsules poured between walls (scene d of 'speed' at 5000), 200 steps after the start
          asleep  boxes on a floor, every one asleep, and nothing wakes them
          woken   the same, and all are woken right after keep(): restore() puts them back to sleep
 
 Columns: bodies, contacts (touching), milliseconds of keep() and of restore(): median, smallest and largest of the
-repetitions in processor time of the thread; one step of the same world and save() + load() of bytes to compare with;
-MiB that a point holds.
+repetitions in processor time of the thread; one step of the same world and save() + load() of bytes to compare with.
 
 Examples:
   jostle-bench rollback --bodies 5000
@@ -53,7 +52,6 @@ struct Row {
     std::string scene;
     int bodies = 0, contacts = 0;
     std::vector<double> keep_ms, restore_ms, step_ms, bytes_ms;
-    double point_bytes = 0;
     bool same = true;
 };
 
@@ -124,10 +122,8 @@ Row measure(const std::string& scene, int bodies, const Flags& flags) {
     show_progress(scene + ", " + std::to_string(bodies) + " bodies");
     World world = scene == "pile" ? make_pile(bodies) : make_sleepers(bodies);
     Row row{.scene = scene, .bodies = bodies, .contacts = world.summary().contacts};
-    const double before = memory_bytes();
     RestorePoint point;
     point.keep(world);
-    row.point_bytes = memory_bytes() - before;
     for (int k = 0; k < flags.repetitions && row.same; k++)
         repeat_once(row, world, point, flags.steps);
     for (int k = 0; k < 3 && row.same; k++) go_by_bytes(row, world);
@@ -136,16 +132,16 @@ Row measure(const std::string& scene, int bodies, const Flags& flags) {
 }
 
 void print_head() {
-    std::printf("%-7s %7s %8s %24s %24s %8s %9s %6s\n", "scene", "bodies", "contacts",
-                "keep ms (low to high)", "restore ms (low to high)", "step ms", "bytes ms", "MiB");
+    std::printf("%-7s %7s %8s %24s %24s %8s %9s\n", "scene", "bodies", "contacts",
+                "keep ms (low to high)", "restore ms (low to high)", "step ms", "bytes ms");
 }
 
 void print_row(const Row& row) {
     const Spread keep = spread_of(row.keep_ms), restore = spread_of(row.restore_ms);
-    std::printf("%-7s %7d %8d %8.3f (%5.2f to %5.2f) %8.3f (%5.2f to %5.2f) %8.3f %9.1f %6.1f\n",
+    std::printf("%-7s %7d %8d %8.3f (%5.2f to %5.2f) %8.3f (%5.2f to %5.2f) %8.3f %9.1f\n",
                 row.scene.c_str(), row.bodies, row.contacts, keep.median, keep.low, keep.high,
                 restore.median, restore.low, restore.high, spread_of(row.step_ms).median,
-                spread_of(row.bytes_ms).median, row.point_bytes / (1 << 20));
+                spread_of(row.bytes_ms).median);
     std::fflush(stdout);
 }
 
@@ -160,8 +156,7 @@ nlohmann::ordered_json to_json(const Row& row) {
             {"keep_ms", to_json(spread_of(row.keep_ms))},
             {"restore_ms", to_json(spread_of(row.restore_ms))},
             {"step_ms", to_json(spread_of(row.step_ms))},
-            {"save_and_load_ms", to_json(spread_of(row.bytes_ms))},
-            {"point_mib", rounded(row.point_bytes / (1 << 20))}};
+            {"save_and_load_ms", to_json(spread_of(row.bytes_ms))}};
 }
 
 int run(const Flags& flags) {

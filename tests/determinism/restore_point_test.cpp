@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "state/validate.h"
+#include "state/world_state.h"
 #include "support/test_scenes.h"
 
 namespace jostle::test {
@@ -49,21 +51,20 @@ Story play_on(World& world, int from, int to) {
 
 class Rollback : public testing::TestWithParam<TestScene> {};
 
-// From five moments, 90 steps there, back, and there again. Within them a body is created (120),
-// one is destroyed (200) and many are pushed (300).
+// From three moments, 90 steps there, back, there again and back again. Within them a body is
+// created (120), one is destroyed (200) and many are pushed (300).
 TEST_P(Rollback, takes_the_same_way_again) {
     World world = GetParam().make(1);
     RestorePoint point;
     for (int step = 0; step < 420; step++) {
-        if (step == 0 || step == 60 || step == 119 || step == 150 || step == 290) {
+        if (step == 0 || step == 119 || step == 290) {
             point.keep(world);
             const std::uint64_t moment = state_hash(world);
             const Story first = play_on(world, step, step + 90);
-            for (int again = 0; again < 2; again++) {
-                must(point.restore(world));
-                ASSERT_EQ(state_hash(world), moment) << "step " << step;
-                ASSERT_EQ(play_on(world, step, step + 90), first) << "step " << step;
-            }
+            must(point.restore(world));
+            ASSERT_EQ(state_hash(world), moment) << "step " << step;
+            ASSERT_EQ(find_fault(world.state()).value_or(""), "") << "step " << step;
+            ASSERT_EQ(play_on(world, step, step + 90), first) << "step " << step;
             must(point.restore(world));
         }
         play(world, step);
@@ -240,7 +241,7 @@ TEST(RollbackMoments, the_number_of_threads_is_the_worlds_own) {
 }
 
 TEST(RollbackMoments, gravity_and_substeps_come_back_with_the_moment) {
-    const World source = make_world({.gravity = {1, 2, 3}, .substeps = 5, .planar = true});
+    const World source = make_world({.gravity = {1, 2, 3}, .substeps = 5});
     World world = make_world();
     must(kept(source).restore(world));
     EXPECT_EQ(world.gravity(), (Vec3{1, 2, 3}));

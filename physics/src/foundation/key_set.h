@@ -7,9 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "foundation/check.h"
+#include "foundation/flat_array.h"
 
 namespace jostle::physics {
 
@@ -64,13 +64,13 @@ private:
         return at;
     }
     void grow() {
-        std::vector<std::uint64_t> old(slots_.empty() ? 16 : 2 * slots_.size(), no_key);
+        FlatArray<std::uint64_t> old(slots_.empty() ? 16 : 2 * slots_.size(), no_key);
         old.swap(slots_);
         for (const std::uint64_t key : old)
             if (key != no_key) slots_[slot_of(key)] = key;
     }
 
-    std::vector<std::uint64_t> slots_;  // a power of two, at most three quarters full
+    FlatArray<std::uint64_t> slots_;  // a power of two, at most three quarters full
     std::size_t size_ = 0;
 };
 

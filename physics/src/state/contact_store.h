@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision/narrowphase/collide.h"
+#include "foundation/flat_array.h"
 #include "foundation/id_pool.h"
 #include "foundation/key_set.h"
 #include "state/body_store.h"
@@ -54,8 +55,8 @@ struct Waiting {
 
 struct ContactStore {
     IdPool ids;
-    std::vector<Contact> contacts;
-    std::vector<Waiting> waiting;
+    FlatArray<Contact> contacts;
+    FlatArray<Waiting> waiting;
     bool some_dormant = true;  // of those waiting, perhaps; not saved
     KeySet pairs;              // pair_key() of each contact that is no part; derived
 };

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "broadphase.h"
+#include "rollback.h"
 #include "speed/speed.h"
 
 namespace {
@@ -13,6 +14,7 @@ constexpr const char* footer = R"(
 Examples:
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
+  jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
 
@@ -26,6 +28,7 @@ int main(int argc, char** argv) {
     int status = 0;
     app.require_subcommand(1);
     jostle::bench::add_broadphase(app, status);
+    jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
     app.footer(footer);
     try {

@@ -58,7 +58,7 @@ public:
         if (!world) return world.error();
         world_ = std::move(*world);
         for (const SceneBody& body : scene.bodies) {
-            const auto id = add_body(body);
+            const auto id = add_body(*world_, body);
             if (!id) return id.error();
             ids_.push_back(*id);
         }
@@ -95,24 +95,24 @@ public:
     }
 
 private:
-    physics::Result<BodyId> add_body(const SceneBody& body) {
-        physics::ShapeDef shape{.material = {.friction = pair_friction}, .density = density};
-        std::visit([&](const auto& form) { shape.geometry = form; }, body.form);
-        if (!body.collides) shape.filter.mask = 0;
-        return world_->create_body(
-            {.type = body.fixed ? physics::BodyType::fixed : physics::BodyType::dynamic,
-             .pose = body.pose,
-             .linear_velocity = body.velocity,
-             .linear_damping = damping,
-             .angular_damping = damping},
-            shape);
-    }
-
     std::optional<physics::World> world_;
     std::vector<BodyId> ids_;
 };
 
 }  // namespace
+
+physics::Result<BodyId> add_body(physics::World& world, const SceneBody& body) {
+    physics::ShapeDef shape{.material = {.friction = pair_friction}, .density = density};
+    std::visit([&](const auto& form) { shape.geometry = form; }, body.form);
+    if (!body.collides) shape.filter.mask = 0;
+    return world.create_body(
+        {.type = body.fixed ? physics::BodyType::fixed : physics::BodyType::dynamic,
+         .pose = body.pose,
+         .linear_velocity = body.velocity,
+         .linear_damping = damping,
+         .angular_damping = damping},
+        shape);
+}
 
 std::unique_ptr<Engine> make_jostle_engine() {
     return std::make_unique<JostleEngine>();

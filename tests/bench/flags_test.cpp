@@ -25,9 +25,9 @@ protected:
 
     std::string file(const char* name) const { return (folder_ / name).string(); }
     // Exit status; output and messages go to out.txt.
-    int run(const std::string& arguments) const {
-        const std::string command =
-            JOSTLE_BENCH " speed " + arguments + " > " + file("out.txt") + " 2>&1";
+    int run(const std::string& arguments, const char* subcommand = "speed") const {
+        const std::string command = std::string(JOSTLE_BENCH " ") + subcommand + " " + arguments +
+                                    " > " + file("out.txt") + " 2>&1";
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
@@ -62,6 +62,20 @@ TEST_F(SpeedFlags, growth_writes_its_own_rows) {
     EXPECT_EQ(json["benchmark"], "speed growth");
     ASSERT_EQ(json["rows"].size(), 2u);
     EXPECT_EQ(json["rows"][1]["bodies"], 40);
+}
+
+TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
+    ASSERT_EQ(run("--bodies 60 --repetitions 2 --steps 3 --json " + file("b.json"), "rollback"), 0)
+        << output();
+    EXPECT_THAT(output(), HasSubstr("restore ms"));
+    const auto json = nlohmann::json::parse(read("b.json"));
+    EXPECT_EQ(json["benchmark"], "rollback");
+    ASSERT_EQ(json["rows"].size(), 3u);
+    EXPECT_EQ(json["rows"][2]["scene"], "woken");
+    EXPECT_EQ(json["rows"][2]["contacts"], 60);
+    EXPECT_GT(json["rows"][0]["keep_ms"]["median"], 0);
+    EXPECT_EQ(run("--scenes lake", "rollback"), 2);
+    EXPECT_EQ(run("--bodies 0", "rollback"), 2);
 }
 
 TEST_F(SpeedFlags, unknown_scene_is_named_with_those_there_are) {

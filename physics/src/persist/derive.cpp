@@ -30,7 +30,7 @@ void derive_lanes(WorldState& world) {
     for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
         if (!world.contacts.ids.alive(i)) continue;
         const Contact& c = world.contacts.contacts[i];
-        if (c.parent == none) world.contacts.by_pair.emplace(pair_key(c.shape_a, c.shape_b), i);
+        if (c.parent == none) world.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
         if (c.colour < 0) continue;
         write_body_indices(world, c);
         const LanePlace place = place_of(world, c);

@@ -15,7 +15,7 @@ void add_pair(WorldState& world, std::uint32_t a, std::uint32_t b) {
         world.bodies.cold[sb.body].type != BodyType::dynamic)
         return;
     if (!may_meet(sa.filter, sb.filter) || sa.trigger || sb.trigger) return;
-    if (world.contacts.by_pair.contains(pair_key(a, b))) return;
+    if (world.contacts.pairs.contains(pair_key(a, b))) return;
     if (joined_without_contact(world, sa.body, sb.body)) return;
     world.scratch.new_pairs.emplace_back(std::min(a, b), std::max(a, b));
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "foundation/flat_array.h"
 #include "foundation/id_pool.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/mat3.h"
@@ -81,9 +82,9 @@ struct BodyReach {
 
 struct BodyStore {
     IdPool ids;
-    std::vector<BodyCold> cold;    // by index
-    std::vector<BodyReach> reach;  // by index
-    std::vector<BodyWarm> fixed, awake;
+    FlatArray<BodyCold> cold;    // by index
+    FlatArray<BodyReach> reach;  // by index
+    FlatArray<BodyWarm> fixed, awake;
 };
 
 inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {

@@ -7,11 +7,12 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "collision/narrowphase/collide.h"
+#include "foundation/flat_array.h"
 #include "foundation/id_pool.h"
+#include "foundation/key_set.h"
 #include "state/body_store.h"
 
 namespace jostle::physics {
@@ -54,10 +55,10 @@ struct Waiting {
 
 struct ContactStore {
     IdPool ids;
-    std::vector<Contact> contacts;
-    std::vector<Waiting> waiting;
+    FlatArray<Contact> contacts;
+    FlatArray<Waiting> waiting;
     bool some_dormant = true;  // of those waiting, perhaps; not saved
-    std::unordered_map<std::uint64_t, std::uint32_t> by_pair;  // looked up, never walked; derived
+    KeySet pairs;              // pair_key() of each contact that is no part; derived
 };
 
 inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {

@@ -10,6 +10,13 @@
 
 namespace jostle::physics {
 
+// Happened between steps, by destroying or moving a body; published with the next step.
+struct PendingEvents {
+    std::vector<ContactEnd> ended;
+    std::vector<TriggerEvent> left;
+    std::vector<BodyId> woke;
+};
+
 struct EventStore {
     std::vector<ContactBegin> contacts_began;
     std::vector<ContactEnd> contacts_ended;
@@ -18,10 +25,7 @@ struct EventStore {
     std::vector<TriggerEvent> triggers_entered, triggers_stayed, triggers_left;
     std::vector<JointBreak> joints_broke;
     std::vector<BodyId> fell_asleep, woke, quarantined;
-    // Ended between steps by destroying or moving a body; published with the next step.
-    std::vector<ContactEnd> pending_ended;
-    std::vector<TriggerEvent> pending_left;
-    std::vector<BodyId> pending_woke;
+    PendingEvents pending;
 
     // Of what a step publishes.
     bool empty() const {
@@ -31,7 +35,7 @@ struct EventStore {
                woke.empty() && quarantined.empty();
     }
 
-    void begin_step() {
+    void clear_published() {
         contacts_began.clear();
         contacts_ended.clear();
         contacts.clear();
@@ -43,9 +47,13 @@ struct EventStore {
         fell_asleep.clear();
         woke.clear();
         quarantined.clear();
-        contacts_ended.swap(pending_ended);
-        triggers_left.swap(pending_left);
-        woke.swap(pending_woke);
+    }
+
+    void begin_step() {
+        clear_published();
+        contacts_ended.swap(pending.ended);
+        triggers_left.swap(pending.left);
+        woke.swap(pending.woke);
     }
 };
 

@@ -80,7 +80,7 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
     store.contacts[index].composite =
         is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
         is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
-    store.by_pair.emplace(pair_key(shape_a, shape_b), index);
+    store.pairs.insert(pair_key(shape_a, shape_b));
     put_on_waiting_list(world, index, -1);
     return index;
 }
@@ -147,7 +147,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     }
     unlink_edge(store, contact, 0, world.bodies.cold[c.body_a]);
     unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
-    if (c.parent == none) store.by_pair.erase(pair_key(c.shape_a, c.shape_b));
+    if (c.parent == none) store.pairs.erase(pair_key(c.shape_a, c.shape_b));
     c = Contact{};
     store.ids.give_back(contact);
 }
@@ -454,7 +454,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
 void wake_body(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.type != BodyType::dynamic) return;
-    wake_island(world, cold.island, world.events.pending_woke);
+    wake_island(world, cold.island, world.events.pending.woke);
     warm_of(world, body).quiet = 0;
 }
 
@@ -520,7 +520,7 @@ void leave_tree(WorldState& world, std::uint32_t index) {
     // What it was in, or what was in it, is told with the next step, while its id still means it.
     std::erase_if(world.triggers.inside, [&](const Inside& pair) {
         if (pair.trigger != index && pair.shape != index) return false;
-        world.events.pending_left.push_back({shape_id(world, pair.trigger),
+        world.events.pending.left.push_back({shape_id(world, pair.trigger),
                                              shape_id(world, pair.shape),
                                              body_id(world, world.shapes.shapes[pair.trigger].body),
                                              body_id(world, world.shapes.shapes[pair.shape].body)});

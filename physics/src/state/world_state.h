@@ -21,7 +21,9 @@
 
 namespace jostle::physics {
 
-struct WorldState {
+// All that the next step depends on, and what is derived from it. A copy of this is a copy of the
+// world: persist/restore_point.cpp.
+struct WorldStores {
     WorldDef def;
     std::uint64_t steps = 0;
     double last_dt = 0;  // s; 0 before the first step
@@ -33,7 +35,9 @@ struct WorldState {
     JointStore joints;
     TriggerStore triggers;
     IslandStore islands;
+};
 
+struct WorldState : WorldStores {
     // Not part of the state.
     EventStore events;
     StepProfile profile;

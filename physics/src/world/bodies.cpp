@@ -78,7 +78,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
     // What rested on it, or beside it, falls; what it was part of may fall apart.
     wake_neighbours(world, body);
     wake_body(world, body);
-    destroy_contacts_of(world, body, world.events.pending_ended);
+    destroy_contacts_of(world, body, world.events.pending.ended);
     while (cold.first_joint != none) destroy_joint(world, cold.first_joint / 2);
     for (std::uint32_t s = cold.first_shape; s != none;) {
         const std::uint32_t next = world.shapes.shapes[s].next;
@@ -174,7 +174,7 @@ Result<ShapeId> World::create_shape(BodyId body, const ShapeDef& def) {
     cold.last_shape = index;
     // The centre of mass moves, so manifolds of the body's other shapes must be built anew.
     if (cold.type == BodyType::dynamic)
-        destroy_contacts_of(world, body.index, world.events.pending_ended);
+        destroy_contacts_of(world, body.index, world.events.pending.ended);
     update_mass(world, body.index);
     touch_up(world, body.index);
     enter_tree(world, index);
@@ -192,7 +192,7 @@ Status World::destroy_shape(ShapeId id) {
             "the last shape of a dynamic body gives it its mass; destroy the body instead"};
     wake_neighbours(world, body);
     wake_body(world, body);
-    destroy_contacts_of(world, body, world.events.pending_ended);
+    destroy_contacts_of(world, body, world.events.pending.ended);
     leave_tree(world, id.index);
     std::uint32_t previous = none;
     for (std::uint32_t s = cold.first_shape; s != id.index; s = world.shapes.shapes[s].next)
@@ -271,7 +271,7 @@ Status World::set_pose(BodyId body, const Transform& pose) {
     wake_neighbours(world, body.index);
     BodyWarm& warm = stir(world, body.index);
     // A jump, not a motion: whatever touched it here does not touch it there.
-    destroy_contacts_of(world, body.index, world.events.pending_ended);
+    destroy_contacts_of(world, body.index, world.events.pending.ended);
     warm.rotation = unit(pose.rotation);
     warm.axes = to_matrix(warm.rotation);
     warm.center = pose.position + warm.axes * world.bodies.cold[body.index].local_center;
@@ -326,7 +326,7 @@ Status World::set_material(ShapeId shape, const Material& material) {
     wake_neighbours(world, record.body);
     wake_body(world, record.body);
     // Manifolds hold what the two materials make together: they are built anew.
-    destroy_contacts_of_shape(world, shape.index, world.events.pending_ended);
+    destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
     record.material = material;
     ask_for_pairs(world, shape.index);
     return {};
@@ -338,7 +338,7 @@ Status World::set_filter(ShapeId shape, const Filter& filter) {
     ShapeRecord& record = world.shapes.shapes[shape.index];
     wake_neighbours(world, record.body);
     wake_body(world, record.body);
-    destroy_contacts_of_shape(world, shape.index, world.events.pending_ended);
+    destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
     leave_tree(world, shape.index);
     record.filter = filter;
     enter_tree(world, shape.index);
@@ -373,7 +373,7 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
         return Error{ErrorCode::invalid_argument, "locks has bits beyond the six axes"};
     wake_neighbours(world, body.index);
     BodyWarm& warm = stir(world, body.index);
-    destroy_contacts_of(world, body.index, world.events.pending_ended);
+    destroy_contacts_of(world, body.index, world.events.pending.ended);
     world.bodies.cold[body.index].locks =
         static_cast<AxisLocks>(locks | (world.def.planar ? lock_z | lock_turn_x | lock_turn_y : 0));
     obey_locks(world.bodies.cold[body.index], warm);

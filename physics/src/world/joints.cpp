@@ -118,7 +118,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     if (!def.collide_connected)
         destroy_contacts_between(world, world.bodies.cold[a].type == BodyType::dynamic ? a : b,
                                  world.bodies.cold[a].type == BodyType::dynamic ? b : a,
-                                 world.events.pending_ended);
+                                 world.events.pending.ended);
     const std::uint32_t index = world.joints.ids.take();
     if (index == world.joints.joints.size()) world.joints.joints.emplace_back();
     Joint& j = world.joints.joints[index];

@@ -18,6 +18,7 @@
 #include "jostle/physics/profile.h"
 #include "jostle/physics/quat.h"
 #include "jostle/physics/queries.h"
+#include "jostle/physics/restore_point.h"
 #include "jostle/physics/result.h"
 #include "jostle/physics/scalar.h"
 #include "jostle/physics/snapshot.h"

@@ -23,8 +23,12 @@ public:
                   const RayVisit& visit) const override {
         tree_.cast_ray(origin, motion, mask, visit);
     }
+    BroadPhase kind() const override { return BroadPhase::dynamic_tree; }
     std::unique_ptr<BroadPhaseIndex> clone() const override {
         return std::make_unique<TreeIndex>(*this);
+    }
+    void assign(const BroadPhaseIndex& other) override {
+        *this = static_cast<const TreeIndex&>(other);
     }
     void cells(std::vector<Aabb>& out) const override {
         tree_.for_each_branch([&](const Aabb& box, int) { out.push_back(box); });

@@ -39,11 +39,40 @@ public:
     // Brings the index up to date after moves; queries in between are right but may be slow.
     virtual void settle() {}
 
+    virtual BroadPhase kind() const = 0;
     virtual std::unique_ptr<BroadPhaseIndex> clone() const = 0;
+    // Becomes a copy, in its own memory. The other is of the same kind.
+    virtual void assign(const BroadPhaseIndex& other) = 0;
     // Boxes that show how it is organised, for debug views.
     virtual void cells(std::vector<Aabb>& out) const = 0;
 };
 
 std::unique_ptr<BroadPhaseIndex> make_broad_phase(BroadPhase kind);
+
+// An index as a value: copied when its owner is, in place where both are of one kind.
+class OwnedBroadPhase {
+public:
+    OwnedBroadPhase(std::unique_ptr<BroadPhaseIndex> index) : index_(std::move(index)) {}
+    OwnedBroadPhase(const OwnedBroadPhase& other) : index_(other->clone()) {}
+    OwnedBroadPhase(OwnedBroadPhase&&) noexcept = default;
+    OwnedBroadPhase& operator=(const OwnedBroadPhase& other) {
+        if (this == &other) return *this;
+        if (index_ && index_->kind() == other->kind())
+            index_->assign(*other);
+        else
+            index_ = other->clone();
+        return *this;
+    }
+    OwnedBroadPhase& operator=(OwnedBroadPhase&&) noexcept = default;
+    ~OwnedBroadPhase() = default;
+
+    BroadPhaseIndex& operator*() { return *index_; }
+    const BroadPhaseIndex& operator*() const { return *index_; }
+    BroadPhaseIndex* operator->() { return index_.get(); }
+    const BroadPhaseIndex* operator->() const { return index_.get(); }
+
+private:
+    std::unique_ptr<BroadPhaseIndex> index_;
+};
 
 }  // namespace jostle::physics

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "foundation/flat_array.h"
 #include "jostle/physics/aabb.h"
 
 namespace jostle::physics {
@@ -146,7 +147,7 @@ private:
     void rotate(std::int32_t i);
     void replace_child(std::int32_t parent, std::int32_t old_child, std::int32_t new_child);
 
-    std::vector<Node> nodes_;
+    FlatArray<Node> nodes_;
     std::int32_t root_ = null_node;
     std::int32_t free_ = null_node;
     int leaf_count_ = 0;

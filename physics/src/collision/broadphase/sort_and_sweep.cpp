@@ -110,6 +110,10 @@ std::unique_ptr<BroadPhaseIndex> SortAndSweep::clone() const {
     return std::make_unique<SortAndSweep>(*this);
 }
 
+void SortAndSweep::assign(const BroadPhaseIndex& other) {
+    *this = static_cast<const SortAndSweep&>(other);
+}
+
 // The slab that each entry has to look through.
 void SortAndSweep::cells(std::vector<Aabb>& out) const {
     for (const Entry& e : entries_) out.push_back(e.box);

@@ -198,6 +198,10 @@ std::unique_ptr<BroadPhaseIndex> UniformGrid::clone() const {
     return std::make_unique<UniformGrid>(*this);
 }
 
+void UniformGrid::assign(const BroadPhaseIndex& other) {
+    *this = static_cast<const UniformGrid&>(other);
+}
+
 void UniformGrid::cells(std::vector<Aabb>& out) const {
     std::vector<std::array<std::int64_t, 3>> all;
     for (const Entry& e : entries_) {

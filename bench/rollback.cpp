@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "rollback.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "jostle/physics/restore_point.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/physics/world.h"
+#include "measure.h"
+#include "result_file.h"
+#include "speed/jostle_engine.h"
+#include "speed/lab_scenes.h"
+
+namespace jostle::bench {
+namespace {
+
+using physics::RestorePoint;
+using physics::World;
+
+constexpr const char* footer = R"(
+A repetition: keep() the moment, play some steps that turn out wrong, restore() it. The point is warm: it kept a moment
+before the first repetition. After each restore the world's hash is compared with that of the moment; a difference ends
+the run. Worlds have one thread.
+
+Scenes:  pile    spheres, boxes and capsules poured between walls (scene d of 'speed' at 5000), 200 steps after the start
+         asleep  boxes on a floor, every one asleep, and nothing wakes them
+         woken   the same, and all are woken right after keep(): restore() puts them back to sleep
+
+Columns: bodies, contacts (touching), milliseconds of keep() and of restore(): median, smallest and largest of the
+repetitions in processor time of the thread; one step of the same world and save() + load() of bytes to compare with.
+
+Examples:
+  jostle-bench rollback --bodies 5000
+  jostle-bench rollback --bodies 1000,5000,20000 --scenes pile --json rollback.json
+
+Exit status: 0 done, 1 a restored world differs, or the file could not be written, 2 wrong flags.)";
+
+struct Flags {
+    std::vector<int> bodies = {5000};
+    std::vector<std::string> scenes = {"pile", "asleep", "woken"};
+    int steps = 8;
+    int repetitions = 20;
+    std::string json;
+};
+
+struct Row {
+    std::string scene;
+    int bodies = 0, contacts = 0;
+    std::vector<double> keep_ms, restore_ms, step_ms, bytes_ms;
+    bool same = true;
+};
+
+// Scenes are ours: a refused call is a fault of this file.
+template <class T>
+T must(physics::Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().message);
+    return std::move(*result);
+}
+void must(const physics::Status& status) {
+    if (!status) throw std::runtime_error(status.error().message);
+}
+
+void step(World& world) {
+    must(world.step(step_seconds));
+}
+
+World make_pile(int bodies) {
+    World world = must(World::create({.gravity = gravity, .sleeping = false}));
+    for (const SceneBody& body : poured_pile(bodies).bodies) must(add_body(world, body));
+    for (int k = 0; k < 200; k++) step(world);
+    return world;
+}
+
+World make_sleepers(int bodies) {
+    World world = must(World::create({.gravity = gravity}));
+    must(add_body(
+        world, {.form = physics::Box{{2000, 1, 2000}}, .pose = {{0, -1, 0}, {}}, .fixed = true}));
+    const int side = static_cast<int>(std::ceil(std::sqrt(bodies)));
+    for (int k = 0; k < bodies; k++)
+        must(add_body(world, {.form = physics::Box{{0.5, 0.5, 0.5}},
+                              .pose = {{2.0 * (k % side), 0.5, 2.0 * (k / side)}, {}}}));
+    do step(world);
+    while (world.profile().bodies_awake > 0 && world.step_count() < 1000);
+    return world;
+}
+
+void wake_all(World& world) {
+    for (const physics::BodyId body : world.bodies())
+        if (must(world.body(body)).type == physics::BodyType::dynamic) must(world.wake(body));
+}
+
+void repeat_once(Row& row, World& world, RestorePoint& point, int steps) {
+    const std::uint64_t moment = physics::state_hash(world);
+    const double began = cpu_seconds();
+    point.keep(world);
+    const double kept = cpu_seconds();
+    if (row.scene == "woken") wake_all(world);
+    const double played = cpu_seconds();
+    for (int k = 0; k < steps; k++) step(world);
+    const double wrong = cpu_seconds();
+    must(point.restore(world));
+    const double restored = cpu_seconds();
+    row.keep_ms.push_back(1e3 * (kept - began));
+    row.step_ms.push_back(1e3 * (wrong - played) / steps);
+    row.restore_ms.push_back(1e3 * (restored - wrong));
+    row.same = row.same && physics::state_hash(world) == moment;
+}
+
+void go_by_bytes(Row& row, const World& world) {
+    const double began = cpu_seconds();
+    const World copy = must(physics::load(physics::save(world)));
+    row.bytes_ms.push_back(1e3 * (cpu_seconds() - began));
+    row.same = row.same && physics::state_hash(copy) == physics::state_hash(world);
+}
+
+Row measure(const std::string& scene, int bodies, const Flags& flags) {
+    show_progress(scene + ", " + std::to_string(bodies) + " bodies");
+    World world = scene == "pile" ? make_pile(bodies) : make_sleepers(bodies);
+    Row row{.scene = scene, .bodies = bodies, .contacts = world.summary().contacts};
+    RestorePoint point;
+    point.keep(world);
+    for (int k = 0; k < flags.repetitions && row.same; k++)
+        repeat_once(row, world, point, flags.steps);
+    for (int k = 0; k < 3 && row.same; k++) go_by_bytes(row, world);
+    show_progress("");
+    return row;
+}
+
+void print_head() {
+    std::printf("%-7s %7s %8s %24s %24s %8s %9s\n", "scene", "bodies", "contacts",
+                "keep ms (low to high)", "restore ms (low to high)", "step ms", "bytes ms");
+}
+
+void print_row(const Row& row) {
+    const Spread keep = spread_of(row.keep_ms), restore = spread_of(row.restore_ms);
+    std::printf("%-7s %7d %8d %8.3f (%5.2f to %5.2f) %8.3f (%5.2f to %5.2f) %8.3f %9.1f\n",
+                row.scene.c_str(), row.bodies, row.contacts, keep.median, keep.low, keep.high,
+                restore.median, restore.low, restore.high, spread_of(row.step_ms).median,
+                spread_of(row.bytes_ms).median);
+    std::fflush(stdout);
+}
+
+nlohmann::ordered_json to_json(const Spread& s) {
+    return {{"median", rounded(s.median)}, {"low", rounded(s.low)}, {"high", rounded(s.high)}};
+}
+
+nlohmann::ordered_json to_json(const Row& row) {
+    return {{"scene", row.scene},
+            {"bodies", row.bodies},
+            {"contacts", row.contacts},
+            {"keep_ms", to_json(spread_of(row.keep_ms))},
+            {"restore_ms", to_json(spread_of(row.restore_ms))},
+            {"step_ms", to_json(spread_of(row.step_ms))},
+            {"save_and_load_ms", to_json(spread_of(row.bytes_ms))}};
+}
+
+int run(const Flags& flags) {
+    if (!flags.json.empty() && !can_write(flags.json)) return 1;
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    print_head();
+    for (const std::string& scene : flags.scenes)
+        for (const int bodies : flags.bodies) {
+            const Row row = measure(scene, bodies, flags);
+            if (!row.same) {
+                std::fprintf(stderr, "jostle-bench: %s, %d bodies: the restored world differs\n",
+                             scene.c_str(), bodies);
+                return 1;
+            }
+            print_row(row);
+            rows.push_back(to_json(row));
+        }
+    if (flags.json.empty()) return 0;
+    const nlohmann::ordered_json head = {{"benchmark", "rollback"},
+                                         {"cpu", cpu_model()},
+                                         {"compiler", compiler()},
+                                         {"repetitions", flags.repetitions},
+                                         {"steps", flags.steps}};
+    return write_result(flags.json, head, rows) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_rollback(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand(
+        "rollback", "Times keeping a moment of a world in memory and going back to it.");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("--bodies", flags->bodies, "How many; several with commas")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--scenes", flags->scenes, "Which; several with commas")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::IsMember({"pile", "asleep", "woken"}));
+    command->add_option("--steps", flags->steps, "Played between keep and restore")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--repetitions", flags->repetitions, "Of which the median is shown")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+    command->footer(footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

@@ -1,5 +1,8 @@
 # Debian 12 packages, found where they are installed; scripts/setup installs them. Nothing is downloaded at build time.
 find_package(Threads REQUIRED)
+if(JOSTLE_SOLVER_ONLY)
+    return()
+endif()
 if(JOSTLE_TESTS)
     find_package(GTest REQUIRED)
 endif()

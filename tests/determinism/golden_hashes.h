@@ -1,32 +1,64 @@
 // SPDX-License-Identifier: MIT
 //
 // The golden hashes: what the state of each test scene hashes to as it runs, one line each, "scene
-// step hash". Every build type, compiler and machine must give these.
+// step hash". Every build type, compiler and machine must give these, with any number of threads
+// and any instruction set.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "support/test_scenes.h"
 
 namespace jostle::test {
 
-inline std::string golden_lines(int threads = 1) {
-    std::string text;
+constexpr int golden_steps = 400;  // of each scene
+constexpr int golden_pace = 100;   // steps from one hash to the next
+
+// Of the named scenes, or of all when none is named.
+inline std::vector<std::string> golden_lines(int threads = 1,
+                                             const std::vector<std::string>& scenes = {},
+                                             int steps = golden_steps) {
+    std::vector<std::string> lines;
     for (const TestScene& scene : test_scenes()) {
+        if (!scenes.empty() && std::find(scenes.begin(), scenes.end(), scene.name) == scenes.end())
+            continue;
         physics::World world = scene.make(threads);
-        for (int step = 0; step <= 400; step++) {
-            if (step % 100 == 0) {
+        for (int step = 0; step <= steps; step++) {
+            if (step % golden_pace == 0) {
                 char line[64];
-                std::snprintf(line, sizeof line, "%s %d %016llx\n", scene.name.c_str(), step,
+                std::snprintf(line, sizeof line, "%s %d %016llx", scene.name.c_str(), step,
                               static_cast<unsigned long long>(physics::state_hash(world)));
-                text += line;
+                lines.push_back(line);
             }
             disturb(world, step);
             must(world.step(1.0 / 60));
         }
     }
-    return text;
+    return lines;
+}
+
+// One of the ways to come to the same bits.
+struct GoldenWay {
+    int threads;
+    physics::InstructionSet set;
+};
+
+inline std::string to_string(const GoldenWay& way) {
+    return std::to_string(way.threads) + (way.threads == 1 ? " thread, " : " threads, ") +
+           physics::instruction_set_name(way.set);
+}
+
+// One thread and the set that this machine would choose, then one thread more and the next set, and
+// so on: eight ways have 1 to 8 threads and every set twice.
+inline std::vector<GoldenWay> golden_ways(int count) {
+    const auto sets = physics::available_instruction_sets();
+    std::vector<GoldenWay> ways;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); k++)
+        ways.push_back({static_cast<int>(k % 8) + 1, sets[sets.size() - 1 - k % sets.size()]});
+    return ways;
 }
 
 }  // namespace jostle::test

@@ -1,20 +1,162 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_hashes [FILE]: writes the golden hashes of this build, to the file the tests read unless
-// told otherwise.
-#include <cstdio>
+// Writes the golden hashes of this build, or compares them with those of a file. Needs no test
+// library, so that it can be built for a machine that has none (scripts/determinism-check).
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <optional>
 
 #include "determinism/golden_hashes.h"
 
-int main(int argc, char** argv) {
-    const char* path = argc > 1 ? argv[1] : GOLDEN_HASHES;
-    const std::string text = jostle::test::golden_lines();
-    std::FILE* file = std::fopen(path, "w");
-    if (file == nullptr || std::fwrite(text.data(), 1, text.size(), file) != text.size()) {
-        std::fprintf(stderr, "cannot write %s; is its folder there and writable?\n", path);
+namespace jostle::test {
+namespace {
+
+constexpr const char* usage = R"(golden_hashes [FILE]
+    writes the golden hashes of this build, to the file the tests read unless told otherwise
+golden_hashes --check FILE [--scenes NAME,NAME...] [--steps N] [--ways N]
+    compares, and names the first line that differs: all scenes or some, the first N steps,
+    in N ways (1 to 8 threads, each with the next instruction set; 1 unless told otherwise)
+)";
+
+struct Options {
+    std::string file = GOLDEN_HASHES;
+    bool check = false;
+    std::vector<std::string> scenes;
+    int steps = golden_steps;
+    int ways = 1;
+};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+std::string scene_names() {
+    std::string names;
+    for (const TestScene& scene : test_scenes()) names += (names.empty() ? "" : ", ") + scene.name;
+    return names;
+}
+
+bool is_scene(const std::string& name) {
+    for (const TestScene& scene : test_scenes())
+        if (scene.name == name) return true;
+    return false;
+}
+
+// Nothing, and a sentence on stderr, when the words are not as the usage says.
+std::optional<Options> read_options(int argc, char** argv) {
+    const auto refuse = [](const std::string& why) -> std::optional<Options> {
+        std::fprintf(stderr, "golden_hashes: %s\n%s", why.c_str(), usage);
+        return std::nullopt;
+    };
+    Options options;
+    if (argc == 2 && argv[1][0] != '-') options.file = argv[1];
+    if (argc < 2 || argv[1][0] != '-') return argc > 2 ? refuse("one file at most") : options;
+    for (int i = 1; i < argc; i += 2) {
+        const std::string name = argv[i];
+        if (i + 1 == argc) return refuse(name + " is unknown, or needs a value");
+        const std::string value = argv[i + 1];
+        if (name == "--check") {
+            options.check = true;
+            options.file = value;
+        } else if (name == "--scenes") {
+            options.scenes = split(value, ',');
+            for (const std::string& scene : options.scenes)
+                if (!is_scene(scene))
+                    return refuse("no scene '" + scene + "'; there are " + scene_names());
+        } else if (name == "--steps") {
+            options.steps = std::atoi(value.c_str());
+            if (options.steps < 0 || options.steps > golden_steps)
+                return refuse("--steps is 0 to " + std::to_string(golden_steps));
+        } else if (name == "--ways") {
+            options.ways = std::atoi(value.c_str());
+            if (options.ways < 1 || options.ways > 8) return refuse("--ways is 1 to 8");
+        } else {
+            return refuse("unknown option " + name);
+        }
+    }
+    if (!options.check) return refuse("a file of some scenes is no golden file: add --check FILE");
+    return options;
+}
+
+struct NumberedLine {
+    int number;
+    std::string text;
+};
+
+// The lines of the file that the options ask for. "scene step hash"
+std::vector<NumberedLine> wanted_lines(std::ifstream& file, const Options& options) {
+    std::vector<NumberedLine> wanted;
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        number++;
+        const std::vector<std::string> words = split(line, ' ');
+        const auto& names = options.scenes;
+        const bool named =
+            names.empty() || std::find(names.begin(), names.end(), words[0]) != names.end();
+        const bool early = words.size() < 2 || std::atoi(words[1].c_str()) <= options.steps;
+        if (named && early) wanted.push_back({number, line});
+    }
+    return wanted;
+}
+
+int check(const Options& options) {
+    std::ifstream file(options.file);
+    if (!file) {
+        std::fprintf(stderr, "golden_hashes: cannot read %s\n", options.file.c_str());
         return 1;
     }
-    std::fclose(file);
-    std::printf("%swritten to %s\n", text.c_str(), path);
+    const std::vector<NumberedLine> golden = wanted_lines(file, options);
+    std::string ways;
+    for (const GoldenWay& way : golden_ways(options.ways)) {
+        must(physics::use_instruction_set(way.set));
+        const std::vector<std::string> here =
+            golden_lines(way.threads, options.scenes, options.steps);
+        for (std::size_t i = 0; i < std::max(here.size(), golden.size()); i++) {
+            const std::string other = i < here.size() ? here[i] : "nothing";
+            if (i < golden.size() && other == golden[i].text) continue;
+            std::fprintf(stderr, "golden_hashes: %s: line %d is '%s', this build has '%s' (%s)\n",
+                         options.file.c_str(), i < golden.size() ? golden[i].number : 0,
+                         i < golden.size() ? golden[i].text.c_str() : "missing", other.c_str(),
+                         to_string(way).c_str());
+            return 1;
+        }
+        ways += (ways.empty() ? "" : "; ") + to_string(way);
+    }
+    std::printf("%zu hashes equal (%s)\n", golden.size(), ways.c_str());
     return 0;
+}
+
+int write(const std::string& path) {
+    std::string text;
+    for (const std::string& line : golden_lines()) text += line + "\n";
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << text << std::flush)) {
+        std::fprintf(stderr, "cannot write %s; is its folder there and writable?\n", path.c_str());
+        return 1;
+    }
+    std::printf("%swritten to %s\n", text.c_str(), path.c_str());
+    return 0;
+}
+
+}  // namespace
+}  // namespace jostle::test
+
+int main(int argc, char** argv) {
+    using namespace jostle::test;
+    const std::optional<Options> options = read_options(argc, argv);
+    if (!options) return 2;
+    try {
+        return options->check ? check(*options) : write(options->file);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "golden_hashes: %s\n", error.what());
+        return 1;
+    }
 }

@@ -22,6 +22,23 @@ inline physics::World pyramid_scene(int threads = 1) {
     return world;
 }
 
+// Islands of every effort side by side, which meet when the tall one is hit: 45 boxes upon each
+// other, a hundredfold load on five of them, a stack of three, and a ball on its way to the tower.
+inline physics::World towers_scene(int threads = 1) {
+    using namespace physics;
+    World world = make_world({.threads = threads});
+    add_floor(world);
+    for (int k = 0; k < 45; k++) add(world, {.position = {0, 0.5 + k, 0}});
+    for (int k = 0; k < 6; k++)
+        add(world, {.position = {3, 0.5 + k, 0}, .density = k < 5 ? 1000.0 : 100000.0});
+    for (int k = 0; k < 3; k++) add(world, {.position = {1.01, 0.5 + k, 0}});
+    add(world, {.geometry = Sphere{0.5},
+                .position = {-30, 3, 0},
+                .velocity = {15, 8, 0.3},
+                .density = 3000});
+    return world;
+}
+
 inline void add_walls(physics::World& world, double half) {
     using namespace physics;
     for (int k = 0; k < 4; k++) {
@@ -215,6 +232,7 @@ struct TestScene {
 inline const std::vector<TestScene>& test_scenes() {
     static const std::vector<TestScene> all = {{"pyramid", pyramid_scene},
                                                {"pile", pile_scene},
+                                               {"towers", towers_scene},
                                                {"yard", yard_scene},
                                                {"fair", fair_scene}};
     return all;

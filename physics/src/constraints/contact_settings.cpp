@@ -11,11 +11,16 @@ namespace jostle::physics {
 //     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - leak lambda,
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
 // leak = 1 / (1 + a2).
-ContactSettings contact_settings(double dt, int substeps) {
+ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
+    const int substeps = substeps_of(effort, world_substeps);
+    // With short sub-steps the second sweep of the relaxing pass no longer pays.
+    const int relax_sweeps = effort > Effort::standard ? 1 : tuning::manifold_sweeps;
     const double h = dt / substeps, omega = 2 * pi * tuning::contact_stiffness / h;
     const double a1 = 2 * tuning::contact_damping_ratio + h * omega, a2 = h * omega * a1;
     const auto f = [](double x) { return static_cast<float>(x); };
     return {.substeps = substeps,
+            .soft_sweeps = tuning::manifold_sweeps,
+            .relax_sweeps = relax_sweeps,
             .h = f(h),
             .inverse_h = f(1 / h),
             .bias_rate = f(omega / a1),

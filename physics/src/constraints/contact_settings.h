@@ -3,14 +3,17 @@
 // The numbers of one step that every contact shares.
 #pragma once
 
+#include "state/effort.h"
+
 namespace jostle::physics {
 
 struct ContactSettings {
     int substeps = 0;
-    bool planar = false;         // the kernels of constraints/planar_kernel.h run
-    float h = 0, inverse_h = 0;  // sub-step, s
-    float bias_rate = 0;         // 1/s: how fast overlap is pushed out
-    float mass_scale = 0;        // 1 is rigid
+    int soft_sweeps = 0, relax_sweeps = 0;  // over the points of a manifold, per pass
+    bool planar = false;                    // the kernels of constraints/planar_kernel.h run
+    float h = 0, inverse_h = 0;             // sub-step, s
+    float bias_rate = 0;                    // 1/s: how fast overlap is pushed out
+    float mass_scale = 0;                   // 1 is rigid
     float leak = 0;  // fraction of its deviation from the steady impulse that a soft contact gives
                      // up per sub-step
     float push_speed = 0;  // m/s
@@ -23,6 +26,7 @@ struct ContactSettings {
 
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step
 // rate, so that more sub-steps are stiffer and more exact.
-ContactSettings contact_settings(double dt, int substeps);
+// For islands of this effort in a world of so many sub-steps.
+ContactSettings contact_settings(double dt, int world_substeps, Effort effort);
 
 }  // namespace jostle::physics

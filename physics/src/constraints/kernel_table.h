@@ -77,7 +77,8 @@ void solve_range(const BlockRange& range, HotBody* bodies, const ContactSettings
                 range.blocks[k], side, rough_of(range, k), bodies, set, 1);
         else
             report = solve_block<all, second.value, inertia.value, kRelax, kLast>(
-                range.blocks[k], side, rough_of(range, k), bodies, set, tuning::manifold_sweeps);
+                range.blocks[k], side, rough_of(range, k), bodies, set,
+                kRelax ? set.relax_sweeps : set.soft_sweeps);
         if constexpr (kLast) {
             side.aged = static_cast<std::uint8_t>(report.aged);
             side.pressing = static_cast<std::uint8_t>(report.touching);

@@ -280,6 +280,7 @@ void visit_fields(V& v, Contact& c) {
     v.field("body_a", c.body_a);
     v.field("body_b", c.body_b);
     v.field("colour", c.colour);
+    v.field("effort", c.effort);
     v.field("slot", c.slot);
     v.field("axis", c.cache.axis);
     visit(v, "direction", c.cache.direction);
@@ -344,12 +345,28 @@ void visit_fields(V& v, Colour& colour, int index) {
 }
 
 template <class V>
+void visit_fields(V& v, ManifoldStore& store) {
+    if constexpr (V::kLoading) store.lanes = 0;
+    for (int c = 0; c < colour_count; c++) {
+        v.enter(static_cast<std::size_t>(c));
+        visit_fields(v, store.colours[static_cast<std::size_t>(c)], c);
+        v.leave();
+        if constexpr (V::kLoading) store.lanes += store.colours[static_cast<std::size_t>(c)].lanes;
+    }
+}
+
+template <class V>
 void visit_fields(V& v, Island& island) {
     v.field("first", island.first);
     v.field("last", island.last);
     v.field("bodies", island.bodies);
     v.field("may_be_split", island.may_be_split);
     v.field("asleep", island.asleep);
+    v.field("effort", island.effort);
+    v.field("calm", island.calm);
+    v.field("uneven", island.uneven);
+    v.field("mass", island.mass);
+    v.field("kept_load", island.kept_load);
     visit_all(v, "sleepers", island.sleepers, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "manifolds", island.manifolds, [&](SavedManifold& m) { visit_fields(v, m); });
 }
@@ -413,9 +430,9 @@ void visit_world(V& v, WorldState& world) {
     v.leave();
 
     v.enter("manifolds");
-    for (int c = 0; c < colour_count; c++) {
-        v.enter(static_cast<std::size_t>(c));
-        visit_fields(v, world.manifolds.colours[static_cast<std::size_t>(c)], c);
+    for (const Effort effort : all_efforts) {
+        v.enter(index_of(effort));
+        visit_fields(v, world.manifolds[index_of(effort)]);
         v.leave();
     }
     v.leave();

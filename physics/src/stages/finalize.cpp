@@ -23,16 +23,16 @@ Skipped finalize(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
-    step.team.run(static_cast<int>(scratch.in_solver.size()), 256, [&](int begin, int end) {
-        for (int k = begin; k < end; k++) {
-            const std::uint32_t i = scratch.in_solver[static_cast<std::size_t>(k)] - 1;
-            const BodyWarm& warm = world.bodies.awake[i];
-            // Kinematic bodies were settled with the free ones: contacts do not move them.
-            if (world.bodies.cold[warm.body].type == BodyType::dynamic)
+    // Kinematic bodies were settled with the free ones: contacts do not move them.
+    for (const auto& solved : scratch.in_solver)
+        step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
+                const bool tumbling = scratch.tumbling[i + 1] != 0;
                 settle_body(step, i,
-                            motion_of(scratch.hot[i + 1], warm, scratch.tumbling[i + 1] != 0));
-        }
-    });
+                            motion_of(scratch.hot[i + 1], world.bodies.awake[i], tumbling));
+            }
+        });
     // Trees are changed serially, in order of the awake set.
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         if (scratch.left_fat_box[i] == 0) continue;

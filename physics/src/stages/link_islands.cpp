@@ -16,7 +16,7 @@ Vec3 row3(const float (*rows)[8], int lane) {
 // The warm records still hold the velocities from before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
     const LanePlace place = place_of(world, c);
-    const Vec3 normal = row3(place.block->normal, place.lane);
+    const Vec3 normal = normal_of(place);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + row3(place.block->arm_a, place.lane);
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
@@ -79,7 +79,7 @@ Skipped link_islands(StepContext& step) {
     auto& changes = world.scratch.touch_changes;
     changes.clear();
     int manifolds = 0, touching = 0;
-    for (Colour& colour : world.manifolds.colours) {
+    for_each_colour(world.manifolds, [&](Colour& colour) {
         manifolds += colour.lanes;
         for (BlockSide& side : colour.sides) {
             touching += __builtin_popcount(side.pressing);
@@ -90,7 +90,7 @@ Skipped link_islands(StepContext& step) {
                     changes.push_back(side.contact[lane]);
             side.touching = side.pressing;
         }
-    }
+    });
     // By index of contact: the order decides which island takes in which.
     std::sort(changes.begin(), changes.end());
     for (const std::uint32_t contact : changes) change_touch(world, contact);

@@ -27,7 +27,7 @@ Vec3 row3(const float (*rows)[8], int lane) {
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
                     int lane) {
-    const double substeps = world.def.substeps;
+    const double substeps = substeps_of(c.effort, world.def.substeps);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
         normal += double{block.lambda[k][lane]};
@@ -47,7 +47,7 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlo
 
 void report_stays(WorldState& world) {
     auto& stays = world.events.contacts;
-    for (const Colour& colour : world.manifolds.colours)
+    for_each_colour(world.manifolds, [&](const Colour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++)
             for (int lane = 0; lane < 8; lane++) {
                 const BlockSide& side = colour.sides[k];
@@ -58,6 +58,7 @@ void report_stays(WorldState& world) {
                     continue;
                 stays.push_back(stay_of(world, c, colour.blocks[k], lane));
             }
+    });
     sort_by_shapes(stays);
     // The manifolds of one pair are one contact: the point and normal are those of the hardest.
     std::size_t kept = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/solve_constraints.h"
 
+#include <span>
+
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
 #include "stages/solve_joints.h"
@@ -19,27 +21,41 @@ void put(float* row, Vec3 linear, Vec3 angular) {
 
 void sort_out_bodies(WorldState& world) {
     StepScratch& scratch = world.scratch;
-    scratch.in_solver.clear();
+    for (auto& solved : scratch.in_solver) solved.clear();
+    scratch.drivers.clear();
     scratch.free.clear();
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
-        // Kinematic bodies fly free; the solver reads them when something may touch them.
         const bool held = cold.lanes > 0 || cold.first_joint != none;
-        if (held || (cold.type == BodyType::kinematic && cold.first_edge != none))
-            scratch.in_solver.push_back(i + 1);
-        // Kinematic bodies are moved by their velocity, whatever touches them.
-        if (!held || cold.type == BodyType::kinematic) scratch.free.push_back(i);
+        if (cold.type == BodyType::kinematic) {
+            // Moved by its velocity, whatever touches it; the solver reads it when something may.
+            scratch.free.push_back(i);
+            if (held || cold.first_edge != none) scratch.drivers.push_back(i + 1);
+        } else if (held) {
+            const Effort effort = world.islands.islands[cold.island].effort;
+            scratch.in_solver[index_of(effort)].push_back(i + 1);
+        } else {
+            scratch.free.push_back(i);
+        }
     }
     world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size());
     world.profile.bodies_in_solver =
         static_cast<int>(world.bodies.awake.size() - scratch.free.size());
+    const auto bodies_of = [&](Effort effort) {
+        return static_cast<int>(scratch.in_solver[index_of(effort)].size());
+    };
+    world.profile.bodies_tall = bodies_of(Effort::tall);
+    world.profile.bodies_heavy = bodies_of(Effort::heavy);
 }
 
 // The hot record and the drive of one body at the start of the step.
-void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, BodyDrive& drive) {
-    const WorldState& world = step.world;
+void prepare_body(const StepContext& step, double h, std::uint32_t index) {
+    WorldState& world = step.world;
+    HotBody& hot = world.scratch.hot[index + 1];
+    BodyDrive& drive = world.scratch.drive[index + 1];
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
+    world.scratch.tumbling[index + 1] = tumbles(warm, cold, step.dt) ? 1 : 0;
     hot = {};
     drive = {};
     for (float& keep : drive.keep) keep = 1;
@@ -60,7 +76,6 @@ void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, Bo
     hot.free_y = as_float(free.y);
     hot.free_z = as_float(free.z);
 
-    const double h = step.dt / step.contacts.substeps;
     const double linear = damping_factor(cold.linear_damping, h);
     const double angular = damping_factor(cold.angular_damping, h);
     for (int k = 0; k < 3; k++) {
@@ -70,7 +85,8 @@ void prepare_body(const StepContext& step, std::uint32_t index, HotBody& hot, Bo
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
     // does. Bodies that turn far in a step take it sub-step by sub-step: tumble(). Isotropic ones
     // have none.
-    const bool torque_alone = (cold.isotropic && cold.locks == 0) || tumbles(warm, cold, step.dt);
+    const bool torque_alone =
+        (cold.isotropic && cold.locks == 0) || world.scratch.tumbling[index + 1] != 0;
     const Vec3 spin_up = torque_alone ? inertia * warm.torque
                                       : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
     put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
@@ -94,63 +110,80 @@ void tumble(HotBody& hot, double h) {
     }
 }
 
+// Splits the work on the dynamic bodies of one effort, by hot index, among the threads.
+template <class Work>
+void each_body(StepContext& step, Effort effort, Work&& work) {
+    const auto& solved = step.world.scratch.in_solver[index_of(effort)];
+    step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
+        work(std::span(solved).subspan(static_cast<std::size_t>(begin),
+                                       static_cast<std::size_t>(end - begin)));
+    });
+}
+
+BodyRange range_of(StepScratch& scratch, std::span<const std::uint32_t> indices) {
+    return {scratch.hot.data(), scratch.drive.data(), indices.data(), 0,
+            static_cast<int>(indices.size())};
+}
+
+void prepare_drivers(StepContext& step) {
+    for (const std::uint32_t hot : step.world.scratch.drivers) prepare_body(step, 0, hot - 1);
+}
+
+// The sub-steps of all islands of one effort.
+void solve_effort(StepContext& step, Effort effort) {
+    WorldState& world = step.world;
+    StepScratch& scratch = world.scratch;
+    const ContactSettings& set = step.contacts[index_of(effort)];
+    const double h = step.dt / set.substeps;
+    each_body(step, effort, [&](std::span<const std::uint32_t> part) {
+        for (const std::uint32_t hot : part) prepare_body(step, h, hot - 1);
+    });
+    prepare_drivers(step);
+    prepare_joints(step, effort);
+    ManifoldStore& manifolds = world.manifolds[index_of(effort)];
+    const std::span<HotBody> bodies = scratch.hot;
+    const Kernels& kernel = kernels();
+    const bool bouncy = begin_bounces(manifolds, bodies, set, step.team);
+    for (int n = 0; n < set.substeps; n++) {
+        const bool first = n == 0, last = n + 1 == set.substeps;
+        each_body(step, effort, [&](std::span<const std::uint32_t> part) {
+            (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, part));
+        });
+        if (first && bouncy) foresee_bounces(manifolds, bodies, set, step.team);
+        // Later sub-steps are warm started by accelerate().
+        warm_start_joints(step);
+        if (first) warm_start(manifolds, bodies, set, step.team);
+        solve_joints(step, h, false);
+        solve(manifolds, bodies, set, step.team);
+        each_body(step, effort, [&](std::span<const std::uint32_t> part) {
+            for (const std::uint32_t hot : part)
+                if (scratch.tumbling[hot] != 0) tumble(scratch.hot[hot], h);
+            kernel.advance(range_of(scratch, part), set.h);
+        });
+        kernel.advance(range_of(scratch, scratch.drivers), set.h);
+        solve_joints(step, h, true);
+        relax(manifolds, bodies, set, last, step.team);
+        if (bouncy) note_bounce_peaks(manifolds, bodies, set, step.team);
+    }
+    if (bouncy) end_bounces(manifolds, bodies, set, step.team);
+    finish_joints(step);
+}
+
 }  // namespace
 
 Skipped solve_constraints(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
-    WorldState& world = step.world;
-    StepScratch& scratch = world.scratch;
-    sort_out_bodies(world);
-    if (scratch.in_solver.empty()) return "nothing touches and nothing is jointed";
-    scratch.hot.resize(world.bodies.awake.size() + 1);
-    scratch.drive.resize(world.bodies.awake.size() + 1);
+    StepScratch& scratch = step.world.scratch;
+    sort_out_bodies(step.world);
+    bool any = false;
+    for (const auto& solved : scratch.in_solver) any = any || !solved.empty();
+    if (!any) return "nothing touches and nothing is jointed";
+    scratch.hot.resize(step.world.bodies.awake.size() + 1);
+    scratch.drive.resize(step.world.bodies.awake.size() + 1);
+    scratch.tumbling.assign(step.world.bodies.awake.size() + 1, 0);
     scratch.hot[0] = {};
-    const auto each_range = [&](auto&& work) {
-        step.team.run(static_cast<int>(scratch.in_solver.size()), 256, work);
-    };
-    scratch.tumbling.assign(world.bodies.awake.size() + 1, 0);
-    each_range([&](int begin, int end) {
-        for (int k = begin; k < end; k++) {
-            const std::uint32_t hot = scratch.in_solver[static_cast<std::size_t>(k)];
-            prepare_body(step, hot - 1, scratch.hot[hot], scratch.drive[hot]);
-            const BodyWarm& warm = world.bodies.awake[hot - 1];
-            scratch.tumbling[hot] = tumbles(warm, world.bodies.cold[warm.body], step.dt) ? 1 : 0;
-        }
-    });
-    const auto range = [&](int begin, int end) {
-        return BodyRange{scratch.hot.data(), scratch.drive.data(), scratch.in_solver.data(), begin,
-                         end};
-    };
-
-    prepare_joints(step);
-    ManifoldStore& manifolds = world.manifolds;
-    const std::span<HotBody> bodies = scratch.hot;
-    const Kernels& kernel = kernels();
-    const bool bouncy = begin_bounces(manifolds, bodies, step.contacts, step.team);
-    for (int n = 0; n < step.contacts.substeps; n++) {
-        const bool first = n == 0, last = n + 1 == step.contacts.substeps;
-        each_range([&](int begin, int end) {
-            (first ? kernel.accelerate_first : kernel.accelerate)(range(begin, end));
-        });
-        if (first && bouncy) foresee_bounces(manifolds, bodies, step.contacts, step.team);
-        // Later sub-steps are warm started by accelerate().
-        warm_start_joints(step);
-        if (first) warm_start(manifolds, bodies, step.contacts, step.team);
-        solve_joints(step, false);
-        solve(manifolds, bodies, step.contacts, step.team);
-        each_range([&](int begin, int end) {
-            for (int k = begin; k < end; k++) {
-                const std::uint32_t hot = scratch.in_solver[static_cast<std::size_t>(k)];
-                if (scratch.tumbling[hot] != 0) tumble(scratch.hot[hot], double{step.contacts.h});
-            }
-            kernel.advance(range(begin, end), step.contacts.h);
-        });
-        solve_joints(step, true);
-        relax(manifolds, bodies, step.contacts, last, step.team);
-        if (bouncy) note_bounce_peaks(manifolds, bodies, step.contacts, step.team);
-    }
-    if (bouncy) end_bounces(manifolds, bodies, step.contacts, step.team);
-    finish_joints(step);
+    for (const Effort effort : all_efforts)
+        if (!scratch.in_solver[index_of(effort)].empty()) solve_effort(step, effort);
     return ran;
 }
 

@@ -38,12 +38,12 @@ void count_as_free(JointSide& side, std::span<HotBody> bodies) {
 
 }  // namespace
 
-void prepare_joints(StepContext& step) {
+void prepare_joints(StepContext& step, Effort effort) {
     WorldState& world = step.world;
     auto& joints = world.scratch.joints;
     joints.clear();
     if (world.joints.ids.alive_count() > 0) {
-        for (const std::uint32_t hot : world.scratch.in_solver)
+        for (const std::uint32_t hot : world.scratch.in_solver[index_of(effort)])
             for_each_joint(world.joints, world.bodies.cold[world.bodies.awake[hot - 1].body],
                            [&](std::uint32_t joint) { joints.push_back(joint); });
         std::sort(joints.begin(), joints.end());
@@ -59,7 +59,7 @@ void prepare_joints(StepContext& step) {
         work.apart = (warm_of(world, j.body_b).center - warm_of(world, j.body_a).center) +
                      (work.b.arm - work.a.arm);
     }
-    world.profile.joints = static_cast<int>(joints.size());
+    world.profile.joints += static_cast<int>(joints.size());
 }
 
 void warm_start_joints(StepContext& step) {
@@ -71,10 +71,10 @@ void warm_start_joints(StepContext& step) {
     }
 }
 
-void solve_joints(StepContext& step, bool relax) {
+void solve_joints(StepContext& step, double h, bool relax) {
     WorldState& world = step.world;
     if (world.scratch.joint_work.empty()) return;
-    const JointStep pass = joint_step(step.dt / step.contacts.substeps, relax);
+    const JointStep pass = joint_step(h, relax);
     for (JointWork& work : world.scratch.joint_work) {
         Joint& joint = world.joints.joints[work.joint];
         JointPair pair(work, world.scratch.hot);

@@ -7,11 +7,11 @@
 
 namespace jostle::physics {
 
-// Finds the joints of awake bodies and computes what stays the same over the step. After the hot
-// records were made.
-void prepare_joints(StepContext& step);
+// Finds the joints of the islands of one effort and computes what stays the same over the step.
+// After the hot records were made; the next three are for those joints.
+void prepare_joints(StepContext& step, Effort effort);
 void warm_start_joints(StepContext& step);
-void solve_joints(StepContext& step, bool relax);
+void solve_joints(StepContext& step, double h, bool relax);  // h: sub-step, s
 // After the last sub-step: loads into the joints; what was overloaded breaks.
 void finish_joints(StepContext& step);
 

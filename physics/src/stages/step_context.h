@@ -3,6 +3,8 @@
 // What every stage of one step shares; made anew each step.
 #pragma once
 
+#include <array>
+
 #include "constraints/contact_settings.h"
 #include "foundation/timer.h"
 #include "state/world_state.h"
@@ -18,7 +20,7 @@ struct StepContext {
     WorldState& world;
     TaskTeam& team;
     double dt = 0;  // s
-    ContactSettings contacts;
+    std::array<ContactSettings, effort_count> contacts;
     Timer timer = {};
 };
 

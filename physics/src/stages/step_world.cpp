@@ -5,6 +5,7 @@
 #include "stages/finalize.h"
 #include "stages/integrate_free.h"
 #include "stages/link_islands.h"
+#include "stages/prepare_islands.h"
 #include "stages/publish_events.h"
 #include "stages/quarantine.h"
 #include "stages/solve_constraints.h"
@@ -24,8 +25,12 @@ StepContext begin_step(WorldState& world, double dt) {
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) look_ahead(world, warm.body, dt);
     world.last_dt = dt;
-    StepContext step{world, *world.team, dt, contact_settings(dt, world.def.substeps)};
-    step.contacts.planar = world.def.planar;
+    StepContext step{world, *world.team, dt, {}};
+    for (const Effort effort : all_efforts) {
+        ContactSettings& set = step.contacts[index_of(effort)];
+        set = contact_settings(dt, world.def.substeps, effort);
+        set.planar = world.def.planar;
+    }
     return step;
 }
 
@@ -46,6 +51,7 @@ void step_world(WorldState& world, double dt) {
     StepContext step = begin_step(world, dt);
     run<update_pairs>(step, Stage::update_pairs);            // which shapes may touch
     run<update_contacts>(step, Stage::update_contacts);      // where they touch
+    run<prepare_islands>(step, Stage::prepare_islands);      // sub-steps by what an island is
     run<solve_constraints>(step, Stage::solve_constraints);  // sub-steps of all that touches
     run<link_islands>(step, Stage::link_islands);            // what hangs together
     run<integrate_free>(step, Stage::integrate_free);        // all that touches nothing

@@ -87,7 +87,7 @@ void take_due_pairs(WorldState& world, double dt) {
 
 // A composite pair is looked at as a whole when any of its parts has aged.
 void take_aged_manifolds(WorldState& world) {
-    for (const Colour& colour : world.manifolds.colours)
+    for_each_colour(world.manifolds, [&](const Colour& colour) {
         for (const BlockSide& side : colour.sides) {
             if (side.aged == 0) continue;
             for (int lane = 0; lane < 8; lane++) {
@@ -96,6 +96,7 @@ void take_aged_manifolds(WorldState& world) {
                 queue(world, c.parent == none ? side.contact[lane] : c.parent);
             }
         }
+    });
 }
 
 // Room for the parts of every composite pair, given out before threads look at them.
@@ -167,19 +168,13 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
 // in every step.
 constexpr double composite_slack = 0.01;  // m
 
-Vec3 normal_of(WorldState& world, const Contact& part) {
-    const LanePlace place = place_of(world, part);
-    return {double{place.block->normal[0][place.lane]}, double{place.block->normal[1][place.lane]},
-            double{place.block->normal[2][place.lane]}};
-}
-
 // Finds for each part that exists the manifold that continues it: the same child, and of pieces of
 // a surface the one with the nearest normal.
 void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>& found) {
     for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part) {
         const Contact& part = world.contacts.contacts[p];
         if (part.colour < 0) continue;
-        const Vec3 normal = normal_of(world, part);
+        const Vec3 normal = normal_of(place_of(world, part));
         FoundPart* best = nullptr;
         double most = 0.9;
         for (FoundPart& f : found) {

@@ -22,9 +22,9 @@ void keep_towed_awake(WorldState& world) {
 
 // What touches a moving kinematic body is not at rest, however slowly that moves.
 void keep_carried_awake(WorldState& world) {
-    for (int c = 0; c < colour_count; c++) {
-        if (second_of(c) != Second::driven) continue;
-        for (const BlockSide& side : world.manifolds.colours[static_cast<std::size_t>(c)].sides)
+    for_each_colour(world.manifolds, [&](const Colour& colour, int c) {
+        if (second_of(c) != Second::driven) return;
+        for (const BlockSide& side : colour.sides)
             for (int lane = 0; lane < 8; lane++) {
                 if ((side.touching >> lane & 1) == 0) continue;
                 const Contact& contact = world.contacts.contacts[side.contact[lane]];
@@ -32,7 +32,7 @@ void keep_carried_awake(WorldState& world) {
                 if (driver.v != Vec3{} || driver.w != Vec3{})
                     warm_of(world, contact.body_a).quiet = 0;
             }
-    }
+    });
 }
 
 // The rest time of each awake island's most restless and most restful body.
@@ -80,12 +80,17 @@ void split_island(WorldState& world, std::uint32_t island) {
     for (std::uint32_t b = world.islands.islands[island].first; b != none;
          b = world.bodies.cold[b].island_next)
         bodies.push_back(b);
+    const Effort effort = world.islands.islands[island].effort;
+    const bool uneven = world.islands.islands[island].uneven;
     world.islands.islands[island] = Island{};
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;
     for (const std::uint32_t body : bodies) {
         if (world.bodies.cold[body].island != none) continue;
-        flood(world, first ? island : create_island(world), body);
+        const std::uint32_t part = first ? island : create_island(world);
+        world.islands.islands[part].effort = effort;
+        world.islands.islands[part].uneven = uneven;
+        flood(world, part, body);
         first = false;
     }
 }

@@ -14,6 +14,7 @@
 #include "foundation/id_pool.h"
 #include "foundation/key_set.h"
 #include "state/body_store.h"
+#include "state/effort.h"
 
 namespace jostle::physics {
 
@@ -21,6 +22,7 @@ struct Contact {
     std::uint32_t shape_a = none, shape_b = none;
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
     std::int32_t colour = -1;                    // of its lane; -1: no lane
+    Effort effort = Effort::standard;            // of its lane
     std::int32_t slot = 0;                       // in that colour
     PairCache cache;
     bool touching = false;  // pressed in the last step; binds the two bodies into one island
@@ -70,7 +72,7 @@ inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {
 // Calls visit(contact index) for every contact of a body. The visit may destroy that contact, no
 // other.
 template <class Visit>
-void for_each_contact(ContactStore& store, const BodyCold& body, Visit&& visit) {
+void for_each_contact(const ContactStore& store, const BodyCold& body, Visit&& visit) {
     for (std::uint32_t edge = body.first_edge; edge != none;) {
         const std::uint32_t contact = edge / 2;
         edge = store.contacts[contact].next[edge % 2];

@@ -11,6 +11,7 @@
 
 #include "foundation/id_pool.h"
 #include "state/body_store.h"
+#include "state/effort.h"
 #include "state/manifold_store.h"
 
 namespace jostle::physics {
@@ -20,6 +21,11 @@ struct Island {
     std::uint32_t bodies = 0;
     bool may_be_split = false;  // a touching contact ended since it was formed
     bool asleep = false;
+    Effort effort = Effort::standard;
+    std::uint8_t calm = 0;  // how often in a row the rule would have been content with less
+    bool uneven = false;    // a touch began between bodies of very different mass
+    double mass = 0;        // kg, of its bodies
+    double kept_load = 1;   // share of its mass that the user has left it since the last step
     std::vector<BodyWarm> sleepers;        // when asleep, in the order of the list
     std::vector<SavedManifold> manifolds;  // when asleep
 };
@@ -27,6 +33,7 @@ struct Island {
 struct IslandStore {
     IdPool ids;
     std::vector<Island> islands;
+    bool some_lost = true;  // some kept_load may be below 1; not saved
 };
 
 }  // namespace jostle::physics

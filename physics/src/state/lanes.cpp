@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "foundation/check.h"
+#include "state/efforts.h"
 
 namespace jostle::physics {
 namespace {
@@ -93,10 +94,20 @@ void add_block(Colour& colour) {
         clear_lane(colour.blocks.back(), colour.sides.back(), colour.roughs.back(), lane);
 }
 
+namespace {
+
+ManifoldStore& store_of(WorldState& world, const Contact& contact) {
+    return world.manifolds[index_of(contact.effort)];
+}
+Colour& colour_of(WorldState& world, const Contact& contact) {
+    return store_of(world, contact).colours[static_cast<std::size_t>(contact.colour)];
+}
+
+}  // namespace
+
 LanePlace place_of(WorldState& world, const Contact& contact) {
     ASSERT(contact.colour >= 0);
-    return place_at(world.manifolds.colours[static_cast<std::size_t>(contact.colour)],
-                    contact.colour, contact.slot);
+    return place_at(colour_of(world, contact), contact.colour, contact.slot);
 }
 
 void write_body_indices(WorldState& world, const Contact& contact) {
@@ -115,6 +126,8 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     BodyCold& b = world.bodies.cold[contact.body_b];
     ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
     const Second kind = second_kind(b);
+    if (kind == Second::moving) level_efforts(world, a.island, b.island);
+    contact.effort = world.islands.islands[a.island].effort;
     int c = free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind);
     if (!is_overflow(c)) {
         a.colours |= 1ull << c;
@@ -124,10 +137,11 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     a.lanes++;
     if (kind == Second::moving) b.lanes++;
 
-    Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c)];
-    if (colour.lanes % lanes_per_block(c) == 0) add_block(colour);
     contact.colour = c;
+    Colour& colour = colour_of(world, contact);
+    if (colour.lanes % lanes_per_block(c) == 0) add_block(colour);
     contact.slot = colour.lanes++;
+    store_of(world, contact).lanes++;
     const LanePlace place = place_of(world, contact);
     place.side->contact[place.lane] = contact_index;
     const bool turning = !a.isotropic || (kind == Second::moving && !b.isotropic);
@@ -151,7 +165,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     a.lanes--;
     if (two) b.lanes--;
 
-    Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c)];
+    Colour& colour = colour_of(world, contact);
     const LanePlace hole = place_of(world, contact);
     const LanePlace last = place_at(colour, c, colour.lanes - 1);
     if (contact.slot != colour.lanes - 1) {
@@ -160,6 +174,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     }
     clear_lane(*last.block, *last.side, *last.rough, last.lane);
     colour.lanes--;
+    store_of(world, contact).lanes--;
     if (last.lane == 0) {
         colour.blocks.pop_back();
         colour.sides.pop_back();

@@ -9,9 +9,9 @@
 
 namespace jostle::physics {
 
-// Gives the contact a lane in the lowest colour that both moving bodies have free. Both bodies are
-// awake (or fixed). The lane is empty: constraints/write_manifold.h fills it, with one point if
-// `single`.
+// Gives the contact a lane in the lowest colour of its islands' effort that both moving bodies have
+// free. Both bodies are awake (or fixed). The lane is empty: constraints/write_manifold.h fills it,
+// with one point if `single`.
 void take_lane(WorldState& world, std::uint32_t contact, bool single);
 
 // After a manifold was rebuilt: to the blocks of its number of points.
@@ -39,6 +39,10 @@ struct LanePlace {
     int lane;
 };
 LanePlace place_of(WorldState& world, const Contact& contact);
+inline Vec3 normal_of(const LanePlace& place) {
+    const auto& n = place.block->normal;
+    return {double{n[0][place.lane]}, double{n[1][place.lane]}, double{n[2][place.lane]}};
+}
 
 // Row `row` of a block's lane as one float; rows 0 and 1 hold the body indices.
 inline float* lane_float(ManifoldBlock& block, int row, int lane) {

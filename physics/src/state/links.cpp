@@ -7,6 +7,7 @@
 #include "foundation/check.h"
 #include "geometry/bounds.h"
 #include "jostle/physics/tuning.h"
+#include "state/efforts.h"
 #include "state/lanes.h"
 
 namespace jostle::physics {
@@ -180,7 +181,21 @@ void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactE
 
 }  // namespace
 
+namespace {
+
+// Its island bears it no more.
+void note_lost_load(WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (cold.island == none || cold.lanes == 0) return;
+    Island& island = world.islands.islands[cold.island];
+    island.kept_load *= maximum(0, 1 - cold.mass / island.mass);
+    world.islands.some_lost = true;
+}
+
+}  // namespace
+
 void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended) {
+    note_lost_load(world, body);
     destroy_pairs(world, world.bodies.cold[body], ended, [](const Contact&) { return true; });
 }
 
@@ -279,6 +294,7 @@ void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t 
         island.first = body;
     island.last = body;
     island.bodies++;
+    island.mass += cold.mass;
 }
 
 void remove_from_island(WorldState& world, std::uint32_t body) {
@@ -294,6 +310,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
     else
         island.last = cold.island_prev;
     cold.island = cold.island_prev = cold.island_next = none;
+    island.mass -= world.bodies.cold[body].mass;
     if (--island.bodies == 0) {
         island = Island{};
         world.islands.ids.give_back(index);
@@ -302,6 +319,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
 
 void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
+    level_efforts(world, a, b);
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
     if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);
@@ -314,13 +332,28 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.last = from.last;
     into.bodies += from.bodies;
     into.may_be_split = into.may_be_split || from.may_be_split;
+    into.calm = std::min(into.calm, from.calm);
+    into.uneven = into.uneven || from.uneven;
+    into.mass += from.mass;
+    into.kept_load = minimum(into.kept_load, from.kept_load);
     from = Island{};
     world.islands.ids.give_back(b);
 }
 
+namespace {
+
+void note_masses(WorldState& world, const Contact& c) {
+    const double a = world.bodies.cold[c.body_a].mass, b = world.bodies.cold[c.body_b].mass;
+    if (maximum(a, b) >= tuning::heavy_ratio * minimum(a, b))
+        world.islands.islands[world.bodies.cold[c.body_a].island].uneven = true;
+}
+
+}  // namespace
+
 void begin_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     c.touching = true;
+    if (is_dynamic(world, c.body_b)) note_masses(world, c);
     if (c.parent != none) world.contacts.contacts[c.parent].parts_touching++;
     if (is_dynamic(world, c.body_b))
         join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);

@@ -13,7 +13,10 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
+
+#include "state/effort.h"
 
 namespace jostle::physics {
 
@@ -157,6 +160,23 @@ inline bool is_single_point(float second_gap) {
 
 struct ManifoldStore {
     std::array<Colour, colour_count> colours;
+    std::int32_t lanes = 0;  // of all colours
 };
+using ManifoldStores = std::array<ManifoldStore, effort_count>;
+
+// Calls visit(colour) or visit(colour, its number) for every colour of every store in use.
+template <class Stores, class Visit>
+void for_each_colour(Stores& stores, Visit&& visit) {
+    for (auto& store : stores) {
+        if (store.lanes == 0) continue;
+        for (int c = 0; c < colour_count; c++) {
+            auto& colour = store.colours[static_cast<std::size_t>(c)];
+            if constexpr (std::is_invocable_v<Visit, decltype(colour), int>)
+                visit(colour, c);
+            else
+                visit(colour);
+        }
+    }
+}
 
 }  // namespace jostle::physics

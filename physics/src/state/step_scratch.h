@@ -4,6 +4,7 @@
 // never hashed.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "collision/narrowphase/collide_composite.h"
 #include "state/body_store.h"
+#include "state/effort.h"
 #include "state/joint_work.h"
 #include "state/solver_body.h"
 
@@ -42,11 +44,20 @@ struct NewLane {
     std::int32_t part = -1;
 };
 
+// What stands of an island along gravity.
+struct IslandExtent {
+    double low = 1e300, high = -1e300;  // m, of centres of mass, upwards
+    double thickness = 0;               // m, of all bodies
+    int bodies = 0;
+};
+
 struct StepScratch {
-    std::vector<HotBody> hot;              // [0] is the null body, awake body i is [i + 1]
-    std::vector<BodyDrive> drive;          // as hot
-    std::vector<std::uint32_t> in_solver;  // hot indices of bodies with at least one manifold
-    std::vector<std::uint32_t> free;       // the other awake bodies
+    std::vector<HotBody> hot;      // [0] is the null body, awake body i is [i + 1]
+    std::vector<BodyDrive> drive;  // as hot
+    // Hot indices of dynamic bodies with manifolds or joints, by their island's effort.
+    std::array<std::vector<std::uint32_t>, effort_count> in_solver;
+    std::vector<std::uint32_t> drivers;  // hot indices of kinematic bodies that the solver reads
+    std::vector<std::uint32_t> free;     // the other awake bodies, and all kinematic ones
     std::vector<std::pair<std::uint32_t, std::uint32_t>> new_pairs;  // shapes
     std::vector<ContactCheck> checks;
     std::vector<std::vector<FoundPart>> parts;
@@ -64,6 +75,7 @@ struct StepScratch {
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     std::vector<std::uint8_t> left_fat_box;    // by awake body: some shape of it did
     std::vector<std::uint8_t> not_finite;      // by awake body
+    std::vector<IslandExtent> extents;         // by island
     std::vector<double> island_quiet, island_most_quiet;
     std::vector<std::uint32_t> stack;
 };

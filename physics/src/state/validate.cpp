@@ -214,7 +214,14 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         return at("contacts", i, "has a first body that is not dynamic");
     if (c.colour >= colour_count) return at("contacts", i, "has a colour that does not exist");
     if (c.colour >= 0) {
-        const Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c.colour)];
+        for (const std::uint32_t body : {c.body_a, c.body_b}) {
+            const std::uint32_t island = world.bodies.cold[body].island;
+            if (island < world.islands.islands.size() &&
+                world.islands.islands[island].effort != c.effort)
+                return at("contacts", i, "has another effort than its island");
+        }
+        const Colour& colour =
+            world.manifolds[index_of(c.effort)].colours[static_cast<std::size_t>(c.colour)];
         if (c.slot < 0 || c.slot >= colour.lanes)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
@@ -282,14 +289,18 @@ Fault check_contacts(const WorldState& world) {
 Fault check_manifolds(const WorldState& world) {
     std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
     std::vector<std::uint32_t> lanes(world.bodies.cold.size(), 0);
-    for (int c = 0; c < colour_count; c++) {
-        const Colour& colour = world.manifolds.colours[static_cast<std::size_t>(c)];
+    for (int k = 0; k < effort_count * colour_count; k++) {
+        const Effort effort = all_efforts[static_cast<std::size_t>(k / colour_count)];
+        const int c = k % colour_count;
+        const Colour& colour =
+            world.manifolds[index_of(effort)].colours[static_cast<std::size_t>(c)];
         for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
             const BlockSide& side =
                 colour.sides[static_cast<std::size_t>(slot / lanes_per_block(c))];
             const std::uint32_t contact = side.contact[slot % lanes_per_block(c)];
             if (contact >= world.contacts.contacts.size() || !world.contacts.ids.alive(contact) ||
                 world.contacts.contacts[contact].colour != c ||
+                world.contacts.contacts[contact].effort != effort ||
                 world.contacts.contacts[contact].slot != slot)
                 return "manifolds: a lane of colour " + std::to_string(c) + " belongs to nobody";
             const Contact& owner = world.contacts.contacts[contact];

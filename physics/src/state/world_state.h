@@ -31,7 +31,7 @@ struct WorldStores {
     BodyStore bodies;
     ShapeStore shapes;
     ContactStore contacts;
-    ManifoldStore manifolds;
+    ManifoldStores manifolds;
     JointStore joints;
     TriggerStore triggers;
     IslandStore islands;

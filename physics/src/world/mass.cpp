@@ -46,6 +46,8 @@ void update_mass(WorldState& world, std::uint32_t body) {
     const Vec3 origin = warm.center - warm.axes * cold.local_center;
     const Vec3 old_center = warm.center;
     cold.local_center = dynamic ? total.center : Vec3{};
+    if (cold.island != none)
+        world.islands.islands[cold.island].mass += (dynamic ? total.mass : 0) - cold.mass;
     cold.mass = dynamic ? total.mass : 0;
     cold.inverse_mass = dynamic ? 1 / total.mass : 0;
     cold.inertia = dynamic ? total.inertia : diagonal({0, 0, 0});

@@ -9,6 +9,8 @@ const char* stage_name(Stage stage) {
             return "update_pairs";
         case Stage::update_contacts:
             return "update_contacts";
+        case Stage::prepare_islands:
+            return "prepare_islands";
         case Stage::link_islands:
             return "link_islands";
         case Stage::solve_constraints:

@@ -7,10 +7,11 @@ namespace {
 
 double deepest(const WorldState& world) {
     float gap = 0;
-    for (const Colour& colour : world.manifolds.colours)
+    for_each_colour(world.manifolds, [&](const Colour& colour) {
         for (const ManifoldBlock& block : colour.blocks)
             for (const auto& row : block.gap)
                 for (const float g : row) gap = g < gap ? g : gap;
+    });
     constexpr std::size_t first_gap = offsetof(ManifoldBlock, gap) / 32 - 2;
     for (const Island& island : world.islands.islands)
         for (const SavedManifold& saved : island.manifolds)

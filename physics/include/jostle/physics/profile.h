@@ -11,6 +11,7 @@ namespace jostle::physics {
 enum class Stage {
     update_pairs,
     update_contacts,
+    prepare_islands,
     link_islands,
     solve_constraints,
     integrate_free,
@@ -21,7 +22,7 @@ enum class Stage {
     update_triggers,
     publish_events,
 };
-inline constexpr int stage_count = 11;
+inline constexpr int stage_count = 12;
 
 // The stage's name as in the enumeration.
 const char* stage_name(Stage stage);
@@ -33,6 +34,8 @@ struct StepProfile {
     double step_ms = 0;        // of all stages
     int bodies_awake = 0;      // dynamic and kinematic bodies that the step walked
     int bodies_in_solver = 0;  // of those, the ones with a manifold; the others fly free
+    int bodies_tall = 0;       // of those, the ones in tall islands: twice the sub-steps
+    int bodies_heavy = 0;      // ... and in islands with a heavy load: four times the sub-steps
     int pairs = 0;             // shapes whose fat boxes overlap
     int pairs_checked = 0;     // narrow phase calls
     int manifolds = 0;         // awake manifolds in the solver

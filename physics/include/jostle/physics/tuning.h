@@ -39,6 +39,17 @@ inline constexpr double contact_slop =
 inline constexpr double steady_time = 2.0;  // s
 inline constexpr int manifold_sweeps =
     2;  // Gauss-Seidel sweeps over the points of one manifold per pass
+// An island of more layers than this takes twice the sub-steps, until it has fewer than the second
+// for so many looks in a row. A wall of 100 rows falls on 8 sub-steps and stands on 16.
+inline constexpr double tall_layers = 40, tall_layers_end = 32;
+inline constexpr int effort_interval = 8;    // steps between looks
+inline constexpr int effort_patience = 4;    // looks
+inline constexpr double standing_speed = 1;  // m/s: what is faster belongs to no tower
+// An island in which a body lies on another of so much less mass takes four times the sub-steps:
+// five boxes under five of a hundred times their mass fall on 8 and stand on 32.
+inline constexpr double heavy_ratio = 100;
+// Impulses of an island are scaled down when it keeps less than this share of its mass in a step.
+inline constexpr double noticed_load = 0.95;
 // Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it
 // a bounce is noise.
 inline constexpr double restitution_speed = 0.3;  // m/s

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// Who takes how many sub-steps: the tall tower twice as many, its low neighbour not, what bears a
+// hundred times its mass four times.
+#include <gtest/gtest.h>
+
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+std::vector<BodyId> add_tower(World& world, int layers, double x) {
+    std::vector<BodyId> boxes;
+    for (int k = 0; k < layers; k++) boxes.push_back(add(world, {.position = {x, 0.5 + k, 0}}));
+    return boxes;
+}
+
+// N: what the island presses the floor with, by the impulses of one sub-step.
+double load_on_floor(const World& world, BodyId lowest, int substeps) {
+    double impulse = 0;
+    for (const ContactInfo& c : world.contacts())
+        if (c.body_a == lowest && absolute(c.normal.y) > 0.9 && c.point[0].y < 0.1)
+            for (int k = 0; k < c.count; k++) impulse += c.impulse[k];
+    return impulse * substeps * 60;
+}
+
+TEST(Efforts, a_tower_of_60_boxes_takes_twice_the_substeps_and_a_stack_of_10_beside_it_does_not) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    add_tower(world, 60, 0);
+    add_tower(world, 10, 5);
+    run(world, 0.5);
+    EXPECT_EQ(world.profile().bodies_in_solver, 70);
+    EXPECT_EQ(world.profile().bodies_tall, 60);
+}
+
+TEST(Efforts, the_floor_bears_the_same_weight_in_the_step_in_which_the_effort_changes) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    std::vector<BodyId> tower = add_tower(world, 38, 0);
+    run(world, 2);
+    ASSERT_EQ(world.profile().bodies_tall, 0);
+    const double weight = 38 * must(world.body(tower[0])).mass * 9.81;
+    EXPECT_NEAR(load_on_floor(world, tower[0], 8) / weight, 1, 0.01);
+    for (int k = 38; k < 42; k++) tower.push_back(add(world, {.position = {0, 0.5 + k, 0}}));
+    for (int k = 0; k < 60 && world.profile().bodies_tall == 0; k++) must(world.step(1.0 / 60));
+    ASSERT_EQ(world.profile().bodies_tall, 42);
+    // The four new ones are on their way to being borne: between 38 and 42 weights, and not half or
+    // twice as much.
+    const double load = load_on_floor(world, tower[0], 16) / weight;
+    EXPECT_GT(load, 0.97);
+    EXPECT_LT(load, 1.15);
+}
+
+TEST(Efforts, when_the_upper_half_is_gone_the_rest_goes_back_within_a_second_and_stays_in_place) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    const std::vector<BodyId> tower = add_tower(world, 60, 0);
+    run(world, 5);
+    ASSERT_EQ(world.profile().bodies_tall, 60);
+    for (int k = 59; k >= 30; k--) must(world.destroy_body(tower[static_cast<std::size_t>(k)]));
+    int steps = 0;
+    double highest = 0;
+    while (world.profile().bodies_tall != 0 && steps < 60) {
+        must(world.step(1.0 / 60));
+        steps++;
+    }
+    EXPECT_GE(steps, 24);  // not at once
+    EXPECT_LT(steps, 60);
+    for (int k = 0; k < 60; k++) {
+        must(world.step(1.0 / 60));
+        highest = maximum(highest, position_of(world, tower[29]).y);
+    }
+    EXPECT_NEAR(highest, 29.5, 0.01);
+}
+
+TEST(Efforts, five_boxes_under_five_of_a_hundred_times_their_mass_stand_for_20_seconds) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    std::vector<BodyId> boxes;
+    for (int k = 0; k < 10; k++)
+        boxes.push_back(
+            add(world, {.position = {0, 0.5 + k, 0}, .density = k < 5 ? 1000.0 : 100000.0}));
+    run(world, 20);
+    EXPECT_EQ(world.profile().bodies_heavy, 10);
+    EXPECT_NEAR(position_of(world, boxes.back()).y, 9.5, 0.001);
+}
+
+TEST(Efforts, a_light_box_on_a_heavy_one_is_no_load) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    add(world, {.position = {0, 0.5, 0}, .density = 200000});
+    add(world, {.position = {0, 1.5, 0}});
+    run(world, 0.5);
+    EXPECT_EQ(world.profile().bodies_in_solver, 2);
+    EXPECT_EQ(world.profile().bodies_heavy, 0);
+}
+
+TEST(Efforts, what_a_manifold_ties_to_a_tower_shares_its_effort_until_it_is_gone) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    add_tower(world, 60, 0);
+    // 10 mm beside it: near enough for manifolds, too far to touch.
+    const std::vector<BodyId> near = add_tower(world, 3, 1.01);
+    run(world, 0.5);
+    EXPECT_EQ(world.islands().size(), 2u);
+    EXPECT_EQ(world.profile().bodies_tall, 63);
+    for (const BodyId body : near) must(world.destroy_body(body));
+    add_tower(world, 3, 5);
+    run(world, 0.5);
+    EXPECT_EQ(world.profile().bodies_tall, 60);
+}
+
+TEST(Efforts, a_saved_tower_goes_on_with_the_same_bits) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    add_tower(world, 45, 0);
+    run(world, 0.5);
+    ASSERT_EQ(world.profile().bodies_tall, 45);
+    World copy = must(load(save(world)));
+    run(world, 0.5);
+    run(copy, 0.5);
+    EXPECT_EQ(copy.profile().bodies_tall, 45);
+    EXPECT_EQ(state_hash(world), state_hash(copy));
+}
+
+}  // namespace
+}  // namespace jostle::test

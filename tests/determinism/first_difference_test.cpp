@@ -31,6 +31,18 @@ BodyId some_ball(const World& world) {
     return {};
 }
 
+TEST(FirstDifference, there_is_none_after_the_same_calls) {
+    for (const TestScene& scene : test_scenes()) {
+        World a = scene.make(1), b = scene.make(1);
+        for (int step = 0; step < 150; step++) {
+            must(a.step(1.0 / 60));
+            must(b.step(1.0 / 60));
+        }
+        EXPECT_EQ(save(a), save(b)) << scene.name;
+        EXPECT_FALSE(first_difference(a, b)) << scene.name;
+    }
+}
+
 TEST(FirstDifference, names_the_velocity_and_both_values) {
     EXPECT_THAT(
         difference_after([](World& w) {

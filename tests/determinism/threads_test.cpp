@@ -48,16 +48,6 @@ TEST_P(Threads, may_change_on_the_way) {
     EXPECT_EQ(state_hash(steady), state_hash(changing));
 }
 
-TEST_P(Threads, the_same_calls_give_the_same_bytes) {
-    World a = GetParam().make(1), b = GetParam().make(1);
-    for (int step = 0; step < 150; step++) {
-        must(a.step(1.0 / 60));
-        must(b.step(1.0 / 60));
-    }
-    EXPECT_EQ(save(a), save(b));
-    EXPECT_FALSE(first_difference(a, b));
-}
-
 INSTANTIATE_TEST_SUITE_P(scenes, Threads, testing::ValuesIn(test_scenes()),
                          [](const auto& scene) { return scene.param.name; });
 

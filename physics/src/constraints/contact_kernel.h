@@ -303,7 +303,7 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
                 const Wide bias = select(apart, gap * splat(set.inverse_h), soft);
                 const Wide scale = select(apart, splat(1), splat(set.mass_scale));
                 const Wide leak = select(apart, zero, splat(set.leak));
-                now = old - scale * (vn + bias) / r.k - leak * (old - load(m.steady));
+                now = old - scale * (vn + bias) / r.k - leak * (old - load(m.steady[i]));
             }
             now = max(now, zero);
             const Wide d = now - old;
@@ -330,16 +330,20 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
 
     BlockReport report;
     if constexpr (kLast) {
-        // Only the total force of the manifold is remembered, not its moments: remembering those
-        // lets tall stacks sway with growing amplitude.
+        // What is low remembers the force of each point. Of what is slender only the total force of
+        // the manifold is remembered, not its moments: those let stacks sway with growing amplitude.
         Wide total = load(m.lambda[0]), points = splat(1);
         if constexpr (kPoints > 1) {
             total = (total + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
             for (int i = 1; i < kPoints; i++)
                 points += select(load(m.gap[i]) < splat(0.5f * no_point), splat(1), zero);
         }
-        const Wide steady = load(m.steady);
-        store(m.steady, steady + splat(set.forget) * (total / points - steady));
+        const Wide mean = total / points;
+        for (int i = 0; i < kPoints; i++) {
+            const Wide steady = load(m.steady[i]);
+            const Wide aim = mean + splat(set.uneven) * (load(m.lambda[i]) - mean);
+            store(m.steady[i], steady + splat(set.forget) * (aim - steady));
+        }
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
         // age the manifold. So does a turn about its only point: a long body may come down beside
         // it.

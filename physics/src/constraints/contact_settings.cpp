@@ -14,7 +14,9 @@ namespace jostle::physics {
 ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
     const int substeps = substeps_of(effort, world_substeps);
     // With short sub-steps the second sweep of the relaxing pass no longer pays.
-    const int relax_sweeps = effort > Effort::standard ? 1 : tuning::manifold_sweeps;
+    const int relax_sweeps = effort > Effort::slender ? 1 : tuning::manifold_sweeps;
+    const double steady_time =
+        effort == Effort::low ? tuning::low_steady_time : tuning::steady_time;
     const double h = dt / substeps, omega = 2 * pi * tuning::contact_stiffness / h;
     const double a1 = 2 * tuning::contact_damping_ratio + h * omega, a2 = h * omega * a1;
     const auto f = [](double x) { return static_cast<float>(x); };
@@ -28,7 +30,8 @@ ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
             .leak = f(1 / (1 + a2)),
             .push_speed = f(tuning::push_out_speed),
             .slop = f(tuning::contact_slop),
-            .forget = f(minimum(1, dt / tuning::steady_time)),
+            .forget = f(minimum(1, dt / steady_time)),
+            .uneven = effort == Effort::low ? 1.0f : 0.0f,
             .reuse = f(tuning::reuse_distance),
             .touch_gap = f(tuning::touch_gap),
             .restitution_speed = f(tuning::restitution_speed)};

@@ -19,6 +19,7 @@ struct ContactSettings {
     float push_speed = 0;  // m/s
     float slop = 0;        // m of overlap aimed at
     float forget = 0;      // share of the steady impulse that follows the present one per step
+    float uneven = 0;      // 1: that of each point; 0: their mean
     float reuse = 0;       // m of relative motion after which a manifold is rebuilt
     float touch_gap = 0;   // m
     float restitution_speed = 0;  // m/s

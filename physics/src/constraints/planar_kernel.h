@@ -152,7 +152,8 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
     const Wide old0 = load(m.lambda[0]), old1 = load(m.lambda[1]);
 
     // What each point wants of its impulse, with softness as an addition to its own mass.
-    const auto wish = [&](Wide gap, Wide old, Wide k, Wide vn, Wide& target, Wide& soft_mass) {
+    const auto wish = [&](Wide gap, Wide old, Wide steady, Wide k, Wide vn, Wide& target,
+                          Wide& soft_mass) {
         const WideMask apart = gap > zero;
         if constexpr (kRelax) {
             const Wide bias = select(apart, gap * splat(set.inverse_h), zero);
@@ -166,12 +167,12 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
             const Wide scale = select(apart, splat(1), splat(set.mass_scale));
             const Wide leak = select(apart, zero, splat(set.leak));
             soft_mass = k / scale;
-            target = vn + bias + soft_mass * leak * (old - load(m.steady));
+            target = vn + bias + soft_mass * leak * (old - steady);
         }
     };
     Wide t0, t1, m00, m11;
-    wish(gap0, old0, k00, u0 - x0 * u2, t0, m00);
-    wish(gap1, old1, k11, u0 - x1 * u2, t1, m11);
+    wish(gap0, old0, load(m.steady[0]), k00, u0 - x0 * u2, t0, m00);
+    wish(gap1, old1, load(m.steady[1]), k11, u0 - x1 * u2, t1, m11);
     // K (new - old) + t = 0 where new > 0: both, one, the other, or none.
     const Wide b0 = t0 - m00 * old0 - k01 * old1, b1 = t1 - k01 * old0 - m11 * old1;
     const Wide det = m00 * m11 - k01 * k01;
@@ -201,8 +202,13 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
         const Wide sum = new0 + new1;
         Wide points = select(gap0 < splat(0.5f * no_point), splat(1), zero) +
                       select(gap1 < splat(0.5f * no_point), splat(1), zero);
-        const Wide steady = load(m.steady);
-        store(m.steady, steady + splat(set.forget) * (sum / max(points, splat(1)) - steady));
+        const Wide mean = sum / max(points, splat(1));
+        const Wide lambda[2] = {new0, new1};
+        for (int i = 0; i < 2; i++) {
+            const Wide steady = load(m.steady[i]);
+            const Wide aim = mean + splat(set.uneven) * (lambda[i] - mean);
+            store(m.steady[i], steady + splat(set.forget) * (aim - steady));
+        }
         const Wide size = root(turned * turned);
         const Wide age = load(side.moved) + root(mx * mx + my * my) + load(m.lever) * size +
                          splat(0.3f) * root(dar * dar);

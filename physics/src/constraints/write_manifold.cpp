@@ -40,8 +40,14 @@ Vec3 get(const float (*rows)[8], int lane) {
 struct Carried {
     int count = 0;
     Vec3 point[4];  // from a's centre of mass
-    double lambda[4] = {};
+    double lambda[4] = {}, steady[4] = {};
     Vec3 friction, roll;
+
+    double mean_steady() const {
+        double sum = 0;
+        for (int i = 0; i < count; i++) sum += steady[i] / count;
+        return sum;
+    }
 };
 
 Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
@@ -53,13 +59,14 @@ Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
     for (int i = 0; i < 4; i++) {
         if (block.gap[i][lane] > 0.5f * no_point) continue;
         c.point[c.count] = arm + t1 * double{block.x[i][lane]} + t2 * double{block.y[i][lane]};
+        c.steady[c.count] = double{block.steady[i][lane]};
         c.lambda[c.count++] = double{block.lambda[i][lane]};
     }
     return c;
 }
 
-// The impulse of the nearest old point that nobody has claimed yet; 0 when none is near.
-double match(const Carried& old, bool taken[4], Vec3 point, double reach) {
+// The nearest old point that nobody has claimed yet; -1 when none is near.
+int match(const Carried& old, bool taken[4], Vec3 point, double reach) {
     double nearest = reach * reach;
     int best = -1;
     for (int j = 0; j < old.count; j++) {
@@ -69,9 +76,8 @@ double match(const Carried& old, bool taken[4], Vec3 point, double reach) {
             best = j;
         }
     }
-    if (best < 0) return 0;
-    taken[best] = true;
-    return old.lambda[best];
+    if (best >= 0) taken[best] = true;
+    return best;
 }
 
 void write_masses(ManifoldBlock& block, int lane, const Side& a, const Side& b, Vec3 n, Vec3 t1,
@@ -180,15 +186,18 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.x[i][lane] = as_float(x);
         block.y[i][lane] = as_float(y);
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
-        block.lambda[i][lane] =
-            used ? as_float(match(old, taken, m.point[i] - a.center, reach)) : 0;
+        const int same = used ? match(old, taken, m.point[i] - a.center, reach) : -1;
+        block.lambda[i][lane] = same < 0 ? 0 : as_float(old.lambda[same]);
+        // A new point bears its share, as the load has not changed.
+        block.steady[i][lane] =
+            !used ? 0 : as_float(same < 0 ? old.mean_steady() : old.steady[same]);
         if (used) lever += square_root(x * x + y * y) / m.count;
     }
     block.lever[lane] = as_float(lever);
     block.share[lane] = share_of(world, contact, cb);
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
-    if (fresh) block.twist[lane] = block.steady[lane] = 0;
+    if (fresh) block.twist[lane] = 0;
     write_masses(block, lane, a, b, n, t1, t2, arm_a, arm_b);
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;

@@ -361,6 +361,7 @@ void visit_fields(V& v, Island& island) {
     v.field("last", island.last);
     v.field("bodies", island.bodies);
     v.field("may_be_split", island.may_be_split);
+    v.field("split_at", island.split_at);
     v.field("asleep", island.asleep);
     v.field("effort", island.effort);
     v.field("calm", island.calm);

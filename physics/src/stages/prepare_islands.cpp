@@ -13,81 +13,119 @@ namespace {
 // ---- effort ----
 
 // What stands of each island: not what flies past or falls.
-void measure_heights(WorldState& world, Vec3 up) {
+void measure_extents(WorldState& world, Vec3 up) {
     auto& extents = world.scratch.extents;
     extents.assign(world.islands.ids.size(), {});
+    const Vec3 east = normalized(cross(up, absolute(up.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+    const Vec3 north = cross(east, up);
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (cold.lanes == 0 || cold.island == none ||
             length_squared(warm.v) > tuning::standing_speed * tuning::standing_speed)
             continue;
         IslandExtent& extent = extents[cold.island];
-        const double height = dot(up, warm.center);
+        if (extent.bodies++ == 0) extent.first = warm.center;
+        const Vec3 from = warm.center - extent.first;
+        const double height = dot(up, from), x = dot(east, from), y = dot(north, from);
         extent.low = minimum(extent.low, height);
         extent.high = maximum(extent.high, height);
         extent.thickness += 2 * cold.inner_radius;
-        extent.bodies++;
+        extent.x += x, extent.y += y;
+        extent.xx += x * x, extent.xy += x * y, extent.yy += y * y;
     }
 }
 
-// How many bodies of the island's mean thickness lie upon each other, if they do.
-double layers_of(const IslandExtent& extent) {
-    if (extent.bodies < 2 || extent.thickness <= 0) return 1;
-    return 1 + (extent.high - extent.low) * extent.bodies / extent.thickness;
+// Its extent on the ground in its narrowest direction, m: a box of that depth has the same
+// variance.
+double depth_of(const IslandExtent& e) {
+    const double n = e.bodies, xx = e.xx / n - e.x * e.x / (n * n),
+                 xy = e.xy / n - e.x * e.y / (n * n), yy = e.yy / n - e.y * e.y / (n * n);
+    const double half = 0.5 * (xx - yy);
+    const double least = 0.5 * (xx + yy) - square_root(half * half + xy * xy);
+    return square_root(12 * maximum(least, 0)) + e.thickness / n;
 }
 
-// Whether one of the two dynamic bodies weighs a hundred times what it lies on.
-bool is_overloaded(WorldState& world, const Contact& c, Vec3 up) {
-    const double a = world.bodies.cold[c.body_a].mass, b = world.bodies.cold[c.body_b].mass;
-    if (maximum(a, b) < tuning::heavy_ratio * minimum(a, b) || b == 0) return false;
-    const double rise = dot(normal_of(place_of(world, c)), up);
-    return (b > a ? rise : -rise) > 0.3;
+// A stack, a tower or a wall: on little ground for its height. A heap does not lean.
+bool is_slender(const IslandExtent& e) {
+    return e.bodies > 1 && e.high - e.low > tuning::slenderness * depth_of(e);
+}
+
+// How many bodies of its mean thickness lie upon each other, if they do.
+double layers_of(const IslandExtent& e) {
+    return 1 + (e.high - e.low) * e.bodies / maximum(e.thickness, 1e-9);
+}
+
+// Whether the body rests on nothing but what is a hundred times lighter.
+bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
+    const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
+    bool on_light = false, on_firm = false;
+    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+        const Contact& c = world.contacts.contacts[index];
+        if (c.colour < 0 || !c.touching) return;
+        const double rise = dot(normal_of(place_of(world, c)), up);
+        // The normal leads from a to b.
+        if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
+        const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
+        if (other.type == BodyType::dynamic && other.mass <= most)
+            on_light = true;
+        else
+            on_firm = true;
+    });
+    return on_light && !on_firm;
 }
 
 bool has_overload(WorldState& world, const Island& island, Vec3 up) {
     for (std::uint32_t body = island.first; body != none;
-         body = world.bodies.cold[body].island_next) {
-        bool found = false;
-        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-            const Contact& c = world.contacts.contacts[index];
-            if (c.body_a == body && c.colour >= 0 && c.touching)
-                found = found || is_overloaded(world, c, up);
-        });
-        if (found) return true;
-    }
+         body = world.bodies.cold[body].island_next)
+        if (is_overload(world, body, up)) return true;
     return false;
 }
 
 Effort need_of(WorldState& world, std::uint32_t index, Vec3 up) {
     const Island& island = world.islands.islands[index];
     if (island.uneven && has_overload(world, island, up)) return Effort::heavy;
+    const IslandExtent& extent = world.scratch.extents[index];
+    if (!is_slender(extent)) return Effort::low;
     const double limit =
-        island.effort == Effort::standard ? tuning::tall_layers : tuning::tall_layers_end;
-    return layers_of(world.scratch.extents[index]) > limit ? Effort::tall : Effort::standard;
+        island.effort < Effort::tall ? tuning::tall_layers : tuning::tall_layers_end;
+    return layers_of(extent) > limit ? Effort::tall : Effort::slender;
+}
+
+// What all that is tied together takes: what the neediest of it needs if that is tall or heavy, else
+// what most of its bodies do.
+Effort common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Vec3 up) {
+    Effort most = Effort::low;
+    std::uint32_t low = 0, slender = 0;
+    for (const std::uint32_t i : tied) {
+        const Effort need = need_of(world, i, up);
+        most = std::max(most, need);
+        (need == Effort::low ? low : slender) += world.islands.islands[i].bodies;
+        world.scratch.extents[i].settled = true;
+    }
+    if (most > Effort::slender) return most;
+    return slender > low ? Effort::slender : Effort::low;
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.
 void settle_effort(WorldState& world, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const Effort need = need_of(world, index, up);
-    if (need > island.effort) return set_effort(world, tied_islands(world, index), need);
-    if (need == island.effort) {
-        island.calm = 0;
-        return;
-    }
-    if (island.calm < tuning::effort_patience && ++island.calm < tuning::effort_patience) return;
+    island.calm = need < island.effort
+                      ? std::min<std::uint8_t>(island.calm + 1, tuning::effort_patience)
+                      : 0;
+    if (need == island.effort || world.scratch.extents[index].settled) return;
+    if (need < island.effort && island.calm < tuning::effort_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
-    Effort most = need;
-    for (const std::uint32_t i : tied) {
-        if (world.islands.islands[i].calm < tuning::effort_patience) return;
-        most = std::max(most, need_of(world, i, up));
-    }
-    set_effort(world, tied, most);
+    const Effort common = common_need(world, tied, up);
+    const bool calm = std::all_of(tied.begin(), tied.end(), [&](std::uint32_t i) {
+        return world.islands.islands[i].calm >= tuning::effort_patience;
+    });
+    if (common > island.effort || calm) set_effort(world, tied, common);
 }
 
 void choose_efforts(WorldState& world) {
     const Vec3 up = -normalized(world.def.gravity);
-    measure_heights(world, up);
+    measure_extents(world, up);
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
             settle_effort(world, i, up);

@@ -80,16 +80,19 @@ void split_island(WorldState& world, std::uint32_t island) {
     for (std::uint32_t b = world.islands.islands[island].first; b != none;
          b = world.bodies.cold[b].island_next)
         bodies.push_back(b);
-    const Effort effort = world.islands.islands[island].effort;
-    const bool uneven = world.islands.islands[island].uneven;
-    world.islands.islands[island] = Island{};
+    // Its parts are what it was, but for their bodies.
+    const Island& whole = world.islands.islands[island];
+    const Island like{.effort = whole.effort,
+                      .calm = whole.calm,
+                      .uneven = whole.uneven,
+                      .split_at = world.steps};
+    world.islands.islands[island] = like;
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;
     for (const std::uint32_t body : bodies) {
         if (world.bodies.cold[body].island != none) continue;
         const std::uint32_t part = first ? island : create_island(world);
-        world.islands.islands[part].effort = effort;
-        world.islands.islands[part].uneven = uneven;
+        world.islands.islands[part] = like;
         flood(world, part, body);
         first = false;
     }
@@ -124,6 +127,7 @@ Skipped update_sleep(StepContext& step) {
             report_asleep(world, i);
             awake--;
         } else if (world.islands.islands[i].may_be_split &&
+                   world.steps >= world.islands.islands[i].split_at + tuning::split_interval &&
                    (sleepiest == none ||
                     scratch.island_most_quiet[sleepiest] < scratch.island_most_quiet[i])) {
             sleepiest = i;

@@ -18,22 +18,28 @@ void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit)
 
 // By the ratio of the sub-steps' lengths. Stiffness goes with the inverse square of that: what a
 // contact gives beyond its steady impulse would jump with it, so the steady impulse makes up for
-// the difference and the load stays what it is.
-void scale_impulses(SavedManifold& saved, float scale) {
+// the difference and the load stays what it is. `even`: the points of a manifold share it.
+void scale_impulses(SavedManifold& saved, float scale, bool even) {
     const auto row = [&](std::size_t offset, std::size_t k = 0) -> float& {
         constexpr std::size_t first_saved_row = 2;
         return saved.rows[offset / 32 + k - first_saved_row];
     };
-    float total = 0, points = 0;
+    float lambda_sum = 0, steady_sum = 0, points = 0;
     for (std::size_t k = 0; k < 4; k++) {
-        total += row(offsetof(ManifoldBlock, lambda), k) *= scale;
-        points += row(offsetof(ManifoldBlock, gap), k) < 0.5f * no_point ? 1.0f : 0.0f;
+        if (row(offsetof(ManifoldBlock, gap), k) > 0.5f * no_point) continue;
+        lambda_sum += row(offsetof(ManifoldBlock, lambda), k) *= scale;
+        steady_sum += row(offsetof(ManifoldBlock, steady), k) *= scale;
+        points++;
     }
     for (std::size_t k = 0; k < 2; k++) row(offsetof(ManifoldBlock, friction), k) *= scale;
     row(offsetof(ManifoldBlock, twist)) *= scale;
-    const float mean = total / points, stiffer = 1 / (scale * scale);
-    float& steady = row(offsetof(ManifoldBlock, steady));
-    steady = mean - stiffer * (mean - steady * scale);
+    const float stiffer = 1 / (scale * scale);
+    for (std::size_t k = 0; k < 4; k++) {
+        float& steady = row(offsetof(ManifoldBlock, steady), k);
+        const float lambda = even ? lambda_sum / points : row(offsetof(ManifoldBlock, lambda), k);
+        const float before = even ? steady_sum / points : steady;
+        steady = lambda - stiffer * (lambda - before);
+    }
     constexpr std::size_t roll = offsetof(BlockRough, roll) / 32;
     saved.rough_values[roll] *= scale;
     saved.rough_values[roll + 1] *= scale;
@@ -45,13 +51,13 @@ void scale_impulses(Joint& joint, double scale) {
         *x *= scale;
 }
 
-void move_lanes(WorldState& world, std::uint32_t body, float scale) {
+void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         Contact& c = world.contacts.contacts[index];
         if (c.colour < 0 || c.body_a != body) return;
         SavedManifold saved = save_lane(world, index);
         release_lane(world, index);
-        scale_impulses(saved, scale);
+        scale_impulses(saved, scale, even);
         restore_lane(world, saved);
     });
 }
@@ -70,7 +76,7 @@ void scale_lane(const LanePlace& place, float scale) {
     for (auto& lambda : place.block->lambda) row(lambda);
     for (auto& friction : place.block->friction) row(friction);
     row(place.block->twist);
-    row(place.block->steady);
+    for (auto& steady : place.block->steady) row(steady);
     for (auto& roll : place.rough->roll) row(roll);
 }
 
@@ -110,7 +116,7 @@ void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Ef
     }
     for (const std::uint32_t i : islands)
         for_each_body(world, i, [&](std::uint32_t body) {
-            move_lanes(world, body, static_cast<float>(scale));
+            move_lanes(world, body, static_cast<float>(scale), effort != Effort::low);
             scale_joints(world, body, scale);
         });
 }
@@ -125,9 +131,15 @@ void scale_loads(WorldState& world, const Island& island, float scale) {
 }
 
 void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const Effort ea = world.islands.islands[a].effort, eb = world.islands.islands[b].effort;
-    if (ea < eb) set_effort(world, tied_islands(world, a), eb);
-    if (eb < ea) set_effort(world, tied_islands(world, b), ea);
+    const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
+    if (ia.effort == ib.effort) return;
+    // What touches a heap does not make it slender, nor the other way round.
+    const bool alike = substeps_of(ia.effort, 1) == substeps_of(ib.effort, 1);
+    const bool a_yields = alike ? ia.bodies < ib.bodies : ia.effort < ib.effort;
+    if (a_yields)
+        set_effort(world, tied_islands(world, a), ib.effort);
+    else
+        set_effort(world, tied_islands(world, b), ia.effort);
 }
 
 }  // namespace jostle::physics

@@ -21,7 +21,8 @@ void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Ef
 // Multiplies all impulses of an awake island that warm-start the next step.
 void scale_loads(WorldState& world, const Island& island, float scale);
 
-// Before something ties two awake islands: gives both the greater effort of the two.
+// Before something ties two awake islands: gives both one effort, the greater of the two or, when
+// they differ in nothing but what contacts learn, that of the larger island.
 void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b);
 
 }  // namespace jostle::physics

@@ -21,11 +21,12 @@ struct Island {
     std::uint32_t bodies = 0;
     bool may_be_split = false;  // a touching contact ended since it was formed
     bool asleep = false;
-    Effort effort = Effort::standard;
-    std::uint8_t calm = 0;  // how often in a row the rule would have been content with less
-    bool uneven = false;    // a touch began between bodies of very different mass
-    double mass = 0;        // kg, of its bodies
-    double kept_load = 1;   // share of its mass that the user has left it since the last step
+    Effort effort = Effort::low;
+    std::uint8_t calm = 0;       // how often in a row the rule would have been content with less
+    bool uneven = false;         // a touch began between bodies of very different mass
+    std::uint64_t split_at = 0;  // the step of the last attempt to split it
+    double mass = 0;             // kg, of its bodies
+    double kept_load = 1;        // share of its mass that the user has left it since the last step
     std::vector<BodyWarm> sleepers;        // when asleep, in the order of the list
     std::vector<SavedManifold> manifolds;  // when asleep
 };

@@ -334,6 +334,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.may_be_split = into.may_be_split || from.may_be_split;
     into.calm = std::min(into.calm, from.calm);
     into.uneven = into.uneven || from.uneven;
+    into.split_at = std::max(into.split_at, from.split_at);
     into.mass += from.mass;
     into.kept_load = minimum(into.kept_load, from.kept_load);
     from = Island{};

@@ -23,7 +23,7 @@ namespace jostle::physics {
 inline constexpr float no_point =
     1e6f;  // gap of an unused point: solves to zero by itself, without a mask
 
-// 192 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
+// 200 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
 struct alignas(64) ManifoldBlock {
     std::int32_t a[8], b[8];  // hot body indices; 0 is the null body of unused lanes
     float normal[3][8];       // from a to b
@@ -40,12 +40,11 @@ struct alignas(64) ManifoldBlock {
     float twist_mass[8];
     float mu[8];
     float lever[8];   // mean distance of the points from the centre: limits twist, ages by rotation
-    float steady[8];  // slow mean of lambda per point: what a soft contact need not give up
+    float steady[4][8];  // slow mean of lambda: what a soft contact need not give up
     // Which body the point of contact travels with: 0 is a, 1 is b, between them both.
     float share[8];
-    float unused[8];
 };
-inline constexpr int manifold_rows = 48;  // of 32 bytes, a and b included
+inline constexpr int manifold_rows = 50;  // of 32 bytes, a and b included
 static_assert(sizeof(ManifoldBlock) == manifold_rows * 32);
 
 // Read once per step, so kept away from the block.

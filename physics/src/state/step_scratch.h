@@ -44,11 +44,15 @@ struct NewLane {
     std::int32_t part = -1;
 };
 
-// What stands of an island along gravity.
+// What stands of an island, by its bodies' centres of mass.
 struct IslandExtent {
-    double low = 1e300, high = -1e300;  // m, of centres of mass, upwards
+    double low = 1e300, high = -1e300;  // m, upwards
     double thickness = 0;               // m, of all bodies
     int bodies = 0;
+    // Sums over the bodies of where they are on the ground, from the first of them, m and m^2.
+    Vec3 first;
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    bool settled = false;  // its effort was looked at together with another's
 };
 
 struct StepScratch {

@@ -36,18 +36,21 @@ inline constexpr double contact_slop =
     5e-5;  // m of overlap aimed at, so that resting contacts stay in touch
 // A soft contact gives up only what its impulse deviates from the slow mean over this time: stacks
 // do not sag.
-inline constexpr double steady_time = 2.0;  // s
+inline constexpr double steady_time = 2.0;      // s
+inline constexpr double low_steady_time = 0.5;  // s: a heap does not sway, so it may learn faster
 inline constexpr int manifold_sweeps =
     2;  // Gauss-Seidel sweeps over the points of one manifold per pass
-// An island of more layers than this takes twice the sub-steps, until it has fewer than the second
-// for so many looks in a row. A wall of 100 rows falls on 8 sub-steps and stands on 16.
+// An island so many times as high as it is deep on the ground is slender. One of more layers than
+// this takes twice the sub-steps, until it has fewer than the second for so many looks in a row. A wall of 100 rows falls on 8 sub-steps and stands on 16.
 inline constexpr double tall_layers = 40, tall_layers_end = 32;
+inline constexpr double slenderness = 3;
 inline constexpr int effort_interval = 8;    // steps between looks
 inline constexpr int effort_patience = 4;    // looks
-inline constexpr double standing_speed = 1;  // m/s: what is faster belongs to no tower
-// An island in which a body lies on another of so much less mass takes four times the sub-steps:
+inline constexpr double standing_speed = 0.1;  // m/s: what is faster falls; one step adds 0.16
+// An island in which a body rests on nothing but bodies of so much less mass takes four times the sub-steps:
 // five boxes under five of a hundred times their mass fall on 8 and stand on 32.
 inline constexpr double heavy_ratio = 100;
+inline constexpr double lies_on = 0.3;  // cosine: a normal this near to upright bears
 // Impulses of an island are scaled down when it keeps less than this share of its mass in a step.
 inline constexpr double noticed_load = 0.95;
 // Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it
@@ -75,6 +78,9 @@ inline constexpr int sweep_impacts = 16;   // of one body in one step; then it s
 // fastest point.
 inline constexpr double sleep_speed = 0.05;  // m/s
 inline constexpr double sleep_time = 0.5;    // s
+// An island is not cut again before so many steps: a heap in which something always rolls would be
+// flooded in each.
+inline constexpr int split_interval = 15;
 
 // --- quarantine ---
 // Beyond these a state is no longer physics but a number that ran away.

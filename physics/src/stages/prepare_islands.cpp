@@ -85,34 +85,36 @@ Effort need_of(WorldState& world, std::uint32_t index, Vec3 up) {
     const Island& island = world.islands.islands[index];
     if (island.uneven && has_overload(world, island, up)) return Effort::heavy;
     const IslandExtent& extent = world.scratch.extents[index];
-    if (!is_slender(extent)) return Effort::low;
+    if (!is_slender(extent)) {
+        const bool all_slow = extent.bodies == static_cast<int>(island.bodies);
+        return all_slow && layers_of(extent) <= tuning::flat_layers ? Effort::flat : Effort::low;
+    }
     const double limit =
         island.effort < Effort::tall ? tuning::tall_layers : tuning::tall_layers_end;
     return layers_of(extent) > limit ? Effort::tall : Effort::slender;
 }
 
-// What all that is tied together takes: what the neediest of it needs if that is tall or heavy, else
-// what most of its bodies do.
+// What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
+// else what most of its bodies do.
 Effort common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Vec3 up) {
-    Effort most = Effort::low;
+    Effort most = Effort::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : tied) {
         const Effort need = need_of(world, i, up);
         most = std::max(most, need);
-        (need == Effort::low ? low : slender) += world.islands.islands[i].bodies;
+        (need <= Effort::low ? low : slender) += world.islands.islands[i].bodies;
         world.scratch.extents[i].settled = true;
     }
     if (most > Effort::slender) return most;
-    return slender > low ? Effort::slender : Effort::low;
+    return slender > low ? Effort::slender : std::min(most, Effort::low);
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.
 void settle_effort(WorldState& world, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const Effort need = need_of(world, index, up);
-    island.calm = need < island.effort
-                      ? std::min<std::uint8_t>(island.calm + 1, tuning::effort_patience)
-                      : 0;
+    island.calm =
+        need < island.effort ? std::min<std::uint8_t>(island.calm + 1, tuning::effort_patience) : 0;
     if (need == island.effort || world.scratch.extents[index].settled) return;
     if (need < island.effort && island.calm < tuning::effort_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);

@@ -44,6 +44,7 @@ void sort_out_bodies(WorldState& world) {
     const auto bodies_of = [&](Effort effort) {
         return static_cast<int>(scratch.in_solver[index_of(effort)].size());
     };
+    world.profile.bodies_flat = bodies_of(Effort::flat);
     world.profile.bodies_tall = bodies_of(Effort::tall);
     world.profile.bodies_heavy = bodies_of(Effort::heavy);
 }

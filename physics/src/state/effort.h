@@ -12,14 +12,16 @@ namespace jostle::physics {
 
 // In rising order.
 enum class Effort : std::uint8_t {
+    flat,     // at most three layers, all slow
     low,      // heaps, and all that lies by itself: contacts learn the force of each point
-    slender,  // stacks and walls: contacts learn the force of a manifold; moments would make it sway
+    slender,  // stacks and walls: contacts learn the force of a manifold; moments would make it
+              // sway
     tall,     // many layers of that, which at the same sub-steps lean and in the end fall
     heavy,    // a body rests on nothing but what is a hundred times lighter
 };
-inline constexpr int effort_count = 4;
-inline constexpr std::array<Effort, effort_count> all_efforts = {Effort::low, Effort::slender,
-                                                                 Effort::tall, Effort::heavy};
+inline constexpr int effort_count = 5;
+inline constexpr std::array<Effort, effort_count> all_efforts = {
+    Effort::flat, Effort::low, Effort::slender, Effort::tall, Effort::heavy};
 
 inline constexpr std::size_t index_of(Effort effort) {
     return static_cast<std::size_t>(effort);
@@ -27,8 +29,8 @@ inline constexpr std::size_t index_of(Effort effort) {
 
 // Sub-steps of an island in a world of so many.
 inline constexpr int substeps_of(Effort effort, int world_substeps) {
-    constexpr std::array<int, effort_count> multiple = {1, 1, 2, 4};
-    return world_substeps * multiple[index_of(effort)];
+    constexpr std::array<int, effort_count> halves = {1, 2, 2, 4, 8};
+    return (world_substeps * halves[index_of(effort)] + 1) / 2;
 }
 
 }  // namespace jostle::physics

@@ -116,7 +116,7 @@ void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Ef
     }
     for (const std::uint32_t i : islands)
         for_each_body(world, i, [&](std::uint32_t body) {
-            move_lanes(world, body, static_cast<float>(scale), effort != Effort::low);
+            move_lanes(world, body, static_cast<float>(scale), effort > Effort::low);
             scale_joints(world, body, scale);
         });
 }
@@ -134,7 +134,8 @@ void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     if (ia.effort == ib.effort) return;
     // What touches a heap does not make it slender, nor the other way round.
-    const bool alike = substeps_of(ia.effort, 1) == substeps_of(ib.effort, 1);
+    const int substeps = world.def.substeps;
+    const bool alike = substeps_of(ia.effort, substeps) == substeps_of(ib.effort, substeps);
     const bool a_yields = alike ? ia.bodies < ib.bodies : ia.effort < ib.effort;
     if (a_yields)
         set_effort(world, tied_islands(world, a), ib.effort);

@@ -4,6 +4,8 @@
 // hundred times its mass four times.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -33,6 +35,35 @@ TEST(Efforts, a_tower_of_60_boxes_takes_twice_the_substeps_and_a_stack_of_10_bes
     run(world, 0.5);
     EXPECT_EQ(world.profile().bodies_in_solver, 70);
     EXPECT_EQ(world.profile().bodies_tall, 60);
+}
+
+TEST(Efforts, boxes_that_lie_about_take_half_the_substeps_until_something_fast_comes) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    for (int k = 0; k < 6; k++) add(world, {.position = {2.0 * k, 0.5, 0}});
+    run(world, 1);
+    EXPECT_EQ(world.profile().bodies_flat, 6);
+    add(world, {.geometry = Sphere{0.5}, .position = {2, 1.6, 0}, .velocity = {0, -8, 0}});
+    int least = 6;
+    for (int k = 0; k < 12; k++) {
+        must(world.step(1.0 / 60));
+        least = std::min(least, world.profile().bodies_flat);
+    }
+    EXPECT_EQ(least, 5);
+}
+
+TEST(Efforts, an_overhanging_box_sinks_on_no_point) {
+    // Four fifths of its weight is on the edge of the lower one: learned point by point, no gap is
+    // left below the slop.
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    add(world, {.position = {0, 0.5, 0}});
+    add(world, {.position = {0.3, 1.5, 0}, .density = 8000});
+    run(world, 5);
+    double lowest = 0;
+    for (const ContactInfo& c : world.contacts())
+        for (int k = 0; k < c.count; k++) lowest = std::min(lowest, c.gap[k]);
+    EXPECT_GT(lowest, -0.0002);
 }
 
 TEST(Efforts, the_floor_bears_the_same_weight_in_the_step_in_which_the_effort_changes) {

@@ -34,7 +34,8 @@ struct StepProfile {
     double step_ms = 0;        // of all stages
     int bodies_awake = 0;      // dynamic and kinematic bodies that the step walked
     int bodies_in_solver = 0;  // of those, the ones with a manifold; the others fly free
-    int bodies_tall = 0;       // of those, the ones in tall islands: twice the sub-steps
+    int bodies_flat = 0;       // of those, the ones in flat and slow islands: half the sub-steps
+    int bodies_tall = 0;       // ... in tall islands: twice the sub-steps
     int bodies_heavy = 0;      // ... and in islands with a heavy load: four times the sub-steps
     int pairs = 0;             // shapes whose fat boxes overlap
     int pairs_checked = 0;     // narrow phase calls

@@ -26,8 +26,8 @@ TaskTeam::TaskTeam(int threads) : count_(threads), cursors_(static_cast<std::siz
 
 TaskTeam::~TaskTeam() {
     quit_.store(true, std::memory_order_relaxed);
-    epoch_.fetch_add(1, std::memory_order_release);
-    epoch_.notify_all();
+    gate_.fetch_add(one_range, std::memory_order_release);
+    gate_.notify_all();
     for (std::thread& worker : workers_) worker.join();
 }
 
@@ -41,12 +41,13 @@ void TaskTeam::share_out(int total, int grain, Call call, void* context) {
                           std::memory_order_relaxed);
         cursor.end = static_cast<int>(static_cast<std::int64_t>(total) * (t + 1) / count_);
     }
-    busy_.store(count_ - 1, std::memory_order_relaxed);
-    epoch_.fetch_add(1, std::memory_order_release);
-    epoch_.notify_all();
+    gate_.fetch_add(one_range | open, std::memory_order_release);
+    gate_.notify_all();
     take_grains(0);
+    // Who has not come in by now finds the gate closed: nobody waits for a worker that sleeps.
+    gate_.fetch_and(~open, std::memory_order_relaxed);
     int spins = 0;
-    while (busy_.load(std::memory_order_acquire) != 0) {
+    while ((gate_.load(std::memory_order_acquire) & inside) != 0) {
         relax_cpu();
         if (++spins > spins_before_sleep) std::this_thread::yield();
     }
@@ -66,17 +67,20 @@ void TaskTeam::take_grains(int self) {
 
 void TaskTeam::work(int self) {
     const FpModeScope fp_mode;
-    std::uint32_t seen = 0;
-    for (;;) {
-        int spins = 0;
-        while (epoch_.load(std::memory_order_acquire) == seen) {
+    std::uint64_t seen = 0;  // the range that it was last in, or found closed
+    int spins = 0;
+    while (!quit_.load(std::memory_order_relaxed)) {
+        std::uint64_t gate = gate_.load(std::memory_order_acquire);
+        if (gate / one_range == seen || (gate & open) == 0) {
             relax_cpu();
-            if (++spins > spins_before_sleep) epoch_.wait(seen, std::memory_order_acquire);
+            if (++spins > spins_before_sleep) gate_.wait(gate, std::memory_order_acquire);
+            continue;
         }
-        seen++;
-        if (quit_.load(std::memory_order_relaxed)) return;
+        spins = 0;
+        if (!gate_.compare_exchange_weak(gate, gate + 1, std::memory_order_acquire)) continue;
+        seen = gate / one_range;
         take_grains(self);
-        busy_.fetch_sub(1, std::memory_order_release);
+        gate_.fetch_sub(1, std::memory_order_release);
     }
 }
 

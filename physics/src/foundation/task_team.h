@@ -55,9 +55,11 @@ private:
     int count_;
     std::vector<Cursor> cursors_;
     std::vector<std::thread> workers_;
-    alignas(64) std::atomic<std::uint32_t> epoch_{0};  // counts ranges; a change wakes the workers
-    alignas(64) std::atomic<int> busy_{0};             // workers still in the present range
-    std::atomic<bool> quit_{false};
+    // How many workers are in the present range, whether more may come in, and how many ranges
+    // there have been. A worker comes in by adding one, if it has not changed meanwhile.
+    static constexpr std::uint64_t inside = 0xffff, open = 0x10000, one_range = 0x20000;
+    alignas(64) std::atomic<std::uint64_t> gate_{0};
+    alignas(64) std::atomic<bool> quit_{false};
     Call call_ = nullptr;
     void* context_ = nullptr;
     int grain_ = 1;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "broadphase.h"
+#include "feature_cost.h"
 #include "rollback.h"
 #include "speed/speed.h"
 
@@ -14,6 +15,7 @@ constexpr const char* footer = R"(
 Examples:
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
+  jostle-bench features --at-most 1
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
@@ -28,6 +30,7 @@ int main(int argc, char** argv) {
     int status = 0;
     app.require_subcommand(1);
     jostle::bench::add_broadphase(app, status);
+    jostle::bench::add_features(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
     app.footer(footer);

@@ -42,6 +42,7 @@ void derive_lanes(WorldState& world) {
             place.side->locked |= bit;
         if (place.side->restitution[place.lane] > 0) place.side->bouncy |= bit;
         if (c.touching) place.side->touching |= bit;
+        if (reports_stays(world, c)) place.side->reporting |= bit;
         place.side->pressing = place.side->touching;
     }
 }

@@ -48,16 +48,15 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlo
 void report_stays(WorldState& world) {
     auto& stays = world.events.contacts;
     for_each_colour(world.manifolds, [&](const Colour& colour) {
-        for (std::size_t k = 0; k < colour.blocks.size(); k++)
-            for (int lane = 0; lane < 8; lane++) {
-                const BlockSide& side = colour.sides[k];
-                if ((side.touching >> lane & 1) == 0 || side.contact[lane] == none) continue;
-                const Contact& c = world.contacts.contacts[side.contact[lane]];
-                if (!world.shapes.shapes[c.shape_a].report_stays &&
-                    !world.shapes.shapes[c.shape_b].report_stays)
-                    continue;
-                stays.push_back(stay_of(world, c, colour.blocks[k], lane));
-            }
+        for (std::size_t k = 0; k < colour.blocks.size(); k++) {
+            const BlockSide& side = colour.sides[k];
+            const unsigned reported = side.touching & side.reporting;
+            if (reported == 0) continue;
+            for (int lane = 0; lane < 8; lane++)
+                if ((reported >> lane & 1) != 0)
+                    stays.push_back(stay_of(world, world.contacts.contacts[side.contact[lane]],
+                                            colour.blocks[k], lane));
+        }
     });
     sort_by_shapes(stays);
     // The manifolds of one pair are one contact: the point and normal are those of the hardest.

@@ -22,7 +22,7 @@ struct Contact {
     std::uint32_t shape_a = none, shape_b = none;
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
     std::int32_t colour = -1;                    // of its lane; -1: no lane
-    Effort effort = Effort::low;            // of its lane
+    Effort effort = Effort::low;                 // of its lane
     std::int32_t slot = 0;                       // in that colour
     PairCache cache;
     bool touching = false;  // pressed in the last step; binds the two bodies into one island

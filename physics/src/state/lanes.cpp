@@ -29,6 +29,7 @@ void clear_lane(ManifoldBlock& block, BlockSide& side, BlockRough& rough, int la
     side.locked &= keep;
     side.bouncy &= keep;
     side.rough &= keep;
+    side.reporting &= keep;
 }
 
 std::uint8_t with_bit(std::uint8_t bits, int lane, bool on) {
@@ -59,6 +60,7 @@ void copy_lane(const LanePlace& to, const LanePlace& from) {
     copy(&BlockSide::locked);
     copy(&BlockSide::bouncy);
     copy(&BlockSide::rough);
+    copy(&BlockSide::reporting);
 }
 
 LanePlace place_at(Colour& colour, int colour_index, std::int32_t slot) {
@@ -149,6 +151,8 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     const bool locked =
         !world.def.planar && (a.locks != 0 || (kind == Second::moving && b.locks != 0));
     place.side->locked = with_bit(place.side->locked, place.lane, locked);
+    place.side->reporting =
+        with_bit(place.side->reporting, place.lane, reports_stays(world, contact));
     write_body_indices(world, contact);
 }
 

@@ -39,6 +39,10 @@ struct LanePlace {
     int lane;
 };
 LanePlace place_of(WorldState& world, const Contact& contact);
+inline bool reports_stays(const WorldState& world, const Contact& contact) {
+    return world.shapes.shapes[contact.shape_a].report_stays ||
+           world.shapes.shapes[contact.shape_b].report_stays;
+}
 inline Vec3 normal_of(const LanePlace& place) {
     const auto& n = place.block->normal;
     return {double{n[0][place.lane]}, double{n[1][place.lane]}, double{n[2][place.lane]}};

@@ -39,7 +39,7 @@ struct alignas(64) ManifoldBlock {
     float friction_mass[3][8];  // inverse of the 2x2 tangential block: 00 01 11
     float twist_mass[8];
     float mu[8];
-    float lever[8];   // mean distance of the points from the centre: limits twist, ages by rotation
+    float lever[8];  // mean distance of the points from the centre: limits twist, ages by rotation
     float steady[4][8];  // slow mean of lambda: what a soft contact need not give up
     // Which body the point of contact travels with: 0 is a, 1 is b, between them both.
     float share[8];
@@ -56,10 +56,11 @@ struct alignas(64) BlockSide {
     std::uint8_t touching = 0;  // lanes whose contact is touching
     std::uint8_t pressing =
         0;  // what the last pass found; becomes `touching` when the islands are linked
-    std::uint8_t turning = 0;  // lanes with a body whose inertia is not isotropic
-    std::uint8_t locked = 0;   // lanes with a body whose axes are locked
-    std::uint8_t bouncy = 0;   // lanes with restitution > 0
-    std::uint8_t rough = 0;    // lanes whose BlockRough means something
+    std::uint8_t turning = 0;    // lanes with a body whose inertia is not isotropic
+    std::uint8_t locked = 0;     // lanes with a body whose axes are locked
+    std::uint8_t bouncy = 0;     // lanes with restitution > 0
+    std::uint8_t reporting = 0;  // lanes of a shape with report_stays
+    std::uint8_t rough = 0;      // lanes whose BlockRough means something
 };
 
 // What few materials ask for: resistance to rolling and turning, moving surfaces. Not read where no

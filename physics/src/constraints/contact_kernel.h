@@ -331,7 +331,8 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
     BlockReport report;
     if constexpr (kLast) {
         // What is low remembers the force of each point. Of what is slender only the total force of
-        // the manifold is remembered, not its moments: those let stacks sway with growing amplitude.
+        // the manifold is remembered, not its moments: those let stacks sway with growing
+        // amplitude.
         Wide total = load(m.lambda[0]), points = splat(1);
         if constexpr (kPoints > 1) {
             total = (total + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));

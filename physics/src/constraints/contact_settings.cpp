@@ -20,7 +20,7 @@ ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
     const auto f = [](double x) { return static_cast<float>(x); };
     return {.substeps = substeps,
             .soft_sweeps = tuning::manifold_sweeps,
-            .relax_sweeps = effort < Effort::slender ? tuning::manifold_sweeps : 1,
+            .relax_sweeps = effort < Effort::tall ? tuning::manifold_sweeps : 1,
             .h = f(h),
             .inverse_h = f(1 / h),
             .bias_rate = f(omega / a1),

@@ -38,9 +38,9 @@ inline constexpr double contact_slop =
 // do not sag.
 inline constexpr double steady_time = 2.0;      // s
 inline constexpr double low_steady_time = 0.5;  // s: a heap does not sway, so it may learn faster
-// Gauss-Seidel sweeps over the points of one manifold in a pass. Slender islands take one in the
-// relaxing pass: a second one leans the 30-row pyramid 11 mm instead of 17 and costs a tenth. Of
-// deep overlap one would leave part of the speed with which it was pushed out.
+// Gauss-Seidel sweeps over the points of one manifold in a pass. Tall and heavily loaded islands,
+// whose sub-steps are short, take one in the relaxing pass. At longer ones the 30-row pyramid would
+// sway and not sleep, and deep overlap keep part of the speed with which it was pushed out.
 inline constexpr int manifold_sweeps = 2;
 // An island so many times as high as it is deep on the ground is slender. One of more layers than
 // this takes twice the sub-steps, until it has fewer than the second for so many looks in a row. A

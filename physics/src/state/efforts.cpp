@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "state/efforts.h"
 
-#include <cstddef>
-
 #include "foundation/check.h"
 #include "state/lanes.h"
 
@@ -16,33 +14,35 @@ void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit)
         visit(body);
 }
 
-// By the ratio of the sub-steps' lengths. Stiffness goes with the inverse square of that: what a
-// contact gives beyond its steady impulse would jump with it, so the steady impulse makes up for
-// the difference and the load stays what it is. `even`: the points of a manifold share it.
-void scale_impulses(SavedManifold& saved, float scale, bool even) {
-    const auto row = [&](std::size_t offset, std::size_t k = 0) -> float& {
-        constexpr std::size_t first_saved_row = 2;
-        return saved.rows[offset / 32 + k - first_saved_row];
-    };
+// All that warm-starts the next step.
+void scale_impulses(const LanePlace& place, float scale) {
+    const auto row = [&](float* values) { values[place.lane] *= scale; };
+    for (auto& lambda : place.block->lambda) row(lambda);
+    for (auto& friction : place.block->friction) row(friction);
+    row(place.block->twist);
+    for (auto& steady : place.block->steady) row(steady);
+    for (auto& roll : place.rough->roll) row(roll);
+}
+
+// Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
+// steady impulse would jump with it, so the steady impulse makes up for the difference and the load
+// stays what it is. `even`: the points of a manifold share it.
+void stiffen(const LanePlace& place, float stiffer, bool even) {
+    ManifoldBlock& block = *place.block;
+    const int lane = place.lane;
     float lambda_sum = 0, steady_sum = 0, points = 0;
-    for (std::size_t k = 0; k < 4; k++) {
-        if (row(offsetof(ManifoldBlock, gap), k) > 0.5f * no_point) continue;
-        lambda_sum += row(offsetof(ManifoldBlock, lambda), k) *= scale;
-        steady_sum += row(offsetof(ManifoldBlock, steady), k) *= scale;
+    for (int k = 0; k < 4; k++) {
+        // There is always a first one.
+        if (k > 0 && block.gap[k][lane] > 0.5f * no_point) continue;
+        lambda_sum += block.lambda[k][lane];
+        steady_sum += block.steady[k][lane];
         points++;
     }
-    for (std::size_t k = 0; k < 2; k++) row(offsetof(ManifoldBlock, friction), k) *= scale;
-    row(offsetof(ManifoldBlock, twist)) *= scale;
-    const float stiffer = 1 / (scale * scale);
-    for (std::size_t k = 0; k < 4; k++) {
-        float& steady = row(offsetof(ManifoldBlock, steady), k);
-        const float lambda = even ? lambda_sum / points : row(offsetof(ManifoldBlock, lambda), k);
-        const float before = even ? steady_sum / points : steady;
-        steady = lambda - stiffer * (lambda - before);
+    for (int k = 0; k < 4; k++) {
+        float& steady = block.steady[k][lane];
+        const float lambda = even ? lambda_sum / points : block.lambda[k][lane];
+        steady = lambda - stiffer * (lambda - (even ? steady_sum / points : steady));
     }
-    constexpr std::size_t roll = offsetof(BlockRough, roll) / 32;
-    saved.rough_values[roll] *= scale;
-    saved.rough_values[roll + 1] *= scale;
 }
 
 void scale_impulses(Joint& joint, double scale) {
@@ -53,11 +53,13 @@ void scale_impulses(Joint& joint, double scale) {
 
 void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-        Contact& c = world.contacts.contacts[index];
+        const Contact& c = world.contacts.contacts[index];
         if (c.colour < 0 || c.body_a != body) return;
-        SavedManifold saved = save_lane(world, index);
+        const LanePlace place = place_of(world, c);
+        scale_impulses(place, scale);
+        stiffen(place, 1 / (scale * scale), even);
+        const SavedManifold saved = save_lane(world, index);
         release_lane(world, index);
-        scale_impulses(saved, scale, even);
         restore_lane(world, saved);
     });
 }
@@ -69,15 +71,6 @@ void scale_joints(WorldState& world, std::uint32_t body, double scale) {
         const bool first = world.bodies.cold[j.body_a].type == BodyType::dynamic;
         if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
     });
-}
-
-void scale_lane(const LanePlace& place, float scale) {
-    const auto row = [&](float* values) { values[place.lane] *= scale; };
-    for (auto& lambda : place.block->lambda) row(lambda);
-    for (auto& friction : place.block->friction) row(friction);
-    row(place.block->twist);
-    for (auto& steady : place.block->steady) row(steady);
-    for (auto& roll : place.rough->roll) row(roll);
 }
 
 }  // namespace
@@ -126,7 +119,7 @@ void scale_loads(WorldState& world, const Island& island, float scale) {
          body = world.bodies.cold[body].island_next)
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
             const Contact& c = world.contacts.contacts[index];
-            if (c.colour >= 0 && c.body_a == body) scale_lane(place_of(world, c), scale);
+            if (c.colour >= 0 && c.body_a == body) scale_impulses(place_of(world, c), scale);
         });
 }
 

@@ -188,7 +188,7 @@ void note_lost_load(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.island == none || cold.lanes == 0) return;
     Island& island = world.islands.islands[cold.island];
-    island.kept_load *= maximum(0, 1 - cold.mass / island.mass);
+    island.kept_load *= clamp(1 - cold.mass / island.mass, 0, 1);
     world.islands.some_lost = true;
 }
 

@@ -340,6 +340,9 @@ Fault check_islands(const WorldState& world) {
         }
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
+        if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::effort_patience ||
+            island.split_at > world.steps)
+            return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))
             return at("islands", i, "sleeps with some of its bodies");
         for (const SavedManifold& m : island.manifolds) {

@@ -29,6 +29,9 @@ target_compile_options(jostle_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-do
 # The eight-wide vector type is passed between our own inline functions only, so its calling convention does not matter.
 target_compile_options(jostle_flags INTERFACE -Wno-psabi)
 
+# Some of what we link asks for it; a precompiled header fits only where all sources agree.
+target_compile_options(jostle_flags INTERFACE -pthread)
+
 if(JOSTLE_ASSERT)
     target_compile_definitions(jostle_flags INTERFACE JOSTLE_ASSERT=1)
 endif()
@@ -49,6 +52,7 @@ function(jostle_library name)
     add_library(${name} STATIC ${arg_SOURCES})
     target_include_directories(${name} PUBLIC ${arg_INCLUDE})
     target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jostle_flags>)
+    jostle_precompiled(${name} libraries)
 endfunction()
 
 # A program of ours: jostle_program(NAME SOURCES main.cpp ... LINK libs...)
@@ -63,6 +67,7 @@ function(jostle_test name)
     cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
     jostle_program(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main GTest::gmock)
     target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    jostle_precompiled(${name} tests)
     add_test(NAME ${name} COMMAND ${name})
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 120)

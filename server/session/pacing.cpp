@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace jostle::server {
 namespace {
@@ -36,6 +37,8 @@ bool Pacing::may_send(std::uint32_t tick, Clock::time_point now) {
 }
 
 void Pacing::hit_window(Clock::time_point now) {
+    clean_since_ = now;
+    if (std::exchange(blocked_, true)) return;
     if (last_hit_ != Clock::time_point{} && now - last_hit_ <= two_hits_within &&
         slowdown_ < slowdown_max) {
         slowdown_ = std::min(slowdown_max, slowdown_ * 2);
@@ -43,7 +46,6 @@ void Pacing::hit_window(Clock::time_point now) {
     } else {
         last_hit_ = now;
     }
-    clean_since_ = now;
 }
 
 void Pacing::sent(std::uint32_t frame, Clock::time_point now) {
@@ -58,6 +60,7 @@ void Pacing::acked(std::uint32_t frame, Clock::time_point now) {
     if (at == flights_.end()) return;
     update_window(now - at->at);
     flights_.erase(flights_.begin(), at + 1);
+    blocked_ = blocked_ && in_flight() >= window_;
 }
 
 void Pacing::update_window(Clock::duration round_trip) {

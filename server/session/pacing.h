@@ -3,7 +3,8 @@
 // When a client gets its next snapshot. A window of snapshots that were sent but not acknowledged
 // bounds how stale a slow client can become: without it, buffers on the way fill for seconds before
 // a write ever blocks. Clients that keep hitting their window are sent every second, third, ...
-// tick until they keep up again.
+// tick until they keep up again. One stall, however long, is one hit: a machine that paused for a
+// moment is not a slow client.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +45,7 @@ private:
     std::deque<Flight> flights_;
     double rtt_min_s_ = 0, jitter_s_ = 0;
     bool measured_ = false;
+    bool blocked_ = false;  // the window is full, and that was counted
     std::uint32_t skipped_ = 0;
     Clock::time_point last_hit_{}, clean_since_{};
 };

@@ -53,11 +53,32 @@ TEST(Pacing, the_window_follows_the_round_trip) {
 
 TEST(Pacing, one_that_cannot_keep_up_is_slowed_and_sped_up_again) {
     Pacing pacing({}, 60, 1);
-    play(pacing, 1, 120, 0s);
-    EXPECT_GT(pacing.divider(), 1);
-    pacing.acked(4, start + 121 * period);
+    // Its program takes 100 ms for each snapshot: six ticks.
+    std::deque<std::uint32_t> waiting;
+    for (std::uint32_t tick = 1; tick <= 120; ++tick) {
+        const Clock::time_point now = start + tick * period;
+        if (tick % 6 == 0 && !waiting.empty()) {
+            pacing.acked(waiting.front(), now);
+            waiting.pop_front();
+        }
+        if (!pacing.may_send(tick, now)) continue;
+        pacing.sent(tick, now);
+        waiting.push_back(tick);
+    }
+    EXPECT_EQ(pacing.divider(), 6) << "ten a second are what it can take";
+    pacing.acked(waiting.back(), start + 121 * period);
     play(pacing, 122, 60 * 30, 20ms);
     EXPECT_EQ(pacing.divider(), 1) << "half a minute without trouble";
+}
+
+TEST(Pacing, one_stall_of_a_second_does_not_slow_a_good_client) {
+    Pacing pacing({}, 60, 1);
+    play(pacing, 1, 60, 20ms);
+    const int in_flight = pacing.in_flight(), window = pacing.window();
+    EXPECT_EQ(play(pacing, 61, 60, 0s), window - in_flight) << "nothing is acknowledged";
+    EXPECT_EQ(pacing.divider(), 1);
+    pacing.acked(60 + static_cast<std::uint32_t>(window - in_flight), start + 121 * period);
+    EXPECT_EQ(play(pacing, 122, 600, 20ms), 600) << "every tick again, at once";
 }
 
 TEST(Pacing, a_wanted_divider_is_kept) {

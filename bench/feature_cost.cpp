@@ -30,13 +30,15 @@ Idle means:  continuous  sweeps are on, nobody is fast        joints     one joi
 
 Examples:
   jostle-bench features
+  jostle-bench features --feature joints,meshes --turns 1000
   jostle-bench features --at-most 1 --json features.json
 
 Exit status: 0 done, 1 a feature costs more than --at-most or the file could not be written, 2 wrong flags.)";
 
 struct Flags {
     int turns = 200, steps = 20;
-    double at_most = 0;  // percent; 0: whatever it is
+    double at_most = 0;             // percent; 0: whatever it is
+    std::vector<std::string> only;  // empty: all
     std::string json;
 };
 
@@ -148,6 +150,7 @@ int run(const Flags& flags) {
     bool within = true;
     std::printf("%-12s %8s %20s\n", "idle feature", "costs %", "(middle half)");
     for (const Feature& feature : features) {
+        if (!flags.only.empty() && std::ranges::count(flags.only, feature.name) == 0) continue;
         const Row row = measure(feature, flags);
         std::printf("%-12s %8.2f   (%6.2f to %6.2f)\n", row.feature, row.percent, row.low,
                     row.high);
@@ -176,6 +179,11 @@ void add_features(CLI::App& app, int& status) {
     CLI::App* command =
         app.add_subcommand("features", "What features cost a world that does not use them.");
     const auto flags = std::make_shared<Flags>();
+    std::vector<std::string> names;
+    for (const Feature& feature : features) names.push_back(feature.name);
+    command->add_option("--feature", flags->only, "These alone, with commas between; without: all")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names));
     command->add_option("--turns", flags->turns, "Pairs of turns, of which the median is shown")
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));

@@ -1,8 +1,9 @@
 # Headers that most sources read are compiled once: a quarter of the time that a build from nothing takes. Our own headers
-# are not among them, so an edit rebuilds what includes them and no more. scripts/determinism-check builds with clang without
-# them, and so finds a source of the solver that forgot an include.
-option(JOSTLE_PRECOMPILE "Compile the standard headers once for all sources" ON)
-if(NOT JOSTLE_PRECOMPILE)
+# are not among them, so an edit rebuilds what includes them and no more. Release builds and those with a
+# sanitizer go without, and so find a source that forgot an include: of what GCC 12 inlines from a precompiled header it warns
+# as if it were our own code.
+option(JOSTLE_PRECOMPILE "Compile the standard headers once for all sources of a debug build" ON)
+if(NOT JOSTLE_PRECOMPILE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug" OR JOSTLE_SANITIZE)
     function(jostle_precompiled)
     endfunction()
     return()
@@ -25,7 +26,7 @@ endfunction()
 set(standard_headers <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <functional> <limits> <memory> <optional>
     <span> <sstream> <string> <string_view> <unordered_map> <vector>)
 jostle_precompile(jostle_precompiled_libraries HEADERS ${standard_headers})
-if(JOSTLE_TESTS AND NOT JOSTLE_SOLVER_ONLY)
+if(JOSTLE_TESTS)
     jostle_precompile(jostle_precompiled_tests LINK GTest::gtest HEADERS ${standard_headers} <gtest/gtest.h>)
     # As programs are compiled; libraries are compiled with -fPIC, and the compiler takes no header that was not.
     set_target_properties(jostle_precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)

@@ -26,12 +26,12 @@ std::vector<BodyId> drop_pile(World& world, int count) {
 }
 
 // A tray, so that the pile stays a pile.
-void add_tray(World& world, double half) {
+void add_tray(World& world, double half, double height = 2) {
     add_floor(world);
     for (int k = 0; k < 4; k++) {
-        const double side = k % 2 == 0 ? half : -half;
-        const Vec3 place = k < 2 ? Vec3{side, 1, 0} : Vec3{0, 1, side};
-        const Vec3 size = k < 2 ? Vec3{0.2, 1, half} : Vec3{half, 1, 0.2};
+        const double side = k % 2 == 0 ? half : -half, middle = height / 2;
+        const Vec3 place = k < 2 ? Vec3{side, middle, 0} : Vec3{0, middle, side};
+        const Vec3 size = k < 2 ? Vec3{0.2, middle, half} : Vec3{half, middle, 0.2};
         add(world, {.geometry = Box{size}, .position = place, .type = BodyType::fixed});
     }
 }
@@ -113,6 +113,24 @@ TEST(Sleeping, taking_a_fixed_support_away_wakes_too) {
     must(world.destroy_body(table));
     run(world, 3);
     EXPECT_TRUE(near(position_of(world, box), {0, 0.5, 0}, 0.01));
+}
+
+// In a heap overlaps give way for a while, and what lies on them goes along: at half the stiffness,
+// bodies slip in this one for twenty seconds.
+TEST(Sleeping, a_silo_of_balls_boxes_and_capsules_falls_asleep_within_10_s) {
+    World world = make_world();
+    add_tray(world, 2.2, 12);
+    Random random(3);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 500; i++) {
+        const Vec3 place{0.8 * (i % 5 - 2), 0.6 + 0.8 * (i / 25), 0.8 * (i / 5 % 5 - 2)};
+        const Geometry kinds[] = {Sphere{0.3}, Box{{0.3, 0.25, 0.35}}, Capsule{0.2, 0.25}};
+        bodies.push_back(add(world, {.geometry = kinds[i % 3],
+                                     .position = place + random.vector(0.03),
+                                     .rotation = random.rotation()}));
+    }
+    run(world, 10);
+    for (const BodyId body : bodies) ASSERT_FALSE(state_of(world, body).awake);
 }
 
 TEST(Sleeping, pushing_wakes) {

@@ -15,8 +15,7 @@ namespace jostle::wire {
 
 TEST(Golden, committed_files_are_what_the_encoder_makes_today) {
     for (const GoldenSequence& sequence : golden_sequences()) {
-        std::ifstream in(std::string(GOLDEN_FOLDER "/") + sequence.name + ".bin",
-                         std::ios::binary);
+        std::ifstream in(std::string(GOLDEN_FOLDER "/") + sequence.name + ".bin", std::ios::binary);
         ASSERT_TRUE(in) << sequence.name;
         const std::string text((std::istreambuf_iterator<char>(in)), {});
         const auto made = golden_file(sequence);

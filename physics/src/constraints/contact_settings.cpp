@@ -13,9 +13,10 @@ namespace jostle::physics {
 // leak = 1 / (1 + a2).
 ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
     const int substeps = substeps_of(effort, world_substeps);
-    const double steady_time =
-        effort <= Effort::low ? tuning::low_steady_time : tuning::steady_time;
-    const double h = dt / substeps, omega = 2 * pi * tuning::contact_stiffness / h;
+    const bool low = effort <= Effort::low;
+    const double steady_time = low ? tuning::low_steady_time : tuning::steady_time;
+    const double stiffness = low ? tuning::low_contact_stiffness : tuning::contact_stiffness;
+    const double h = dt / substeps, omega = 2 * pi * stiffness / h;
     const double a1 = 2 * tuning::contact_damping_ratio + h * omega, a2 = h * omega * a1;
     const auto f = [](double x) { return static_cast<float>(x); };
     return {.substeps = substeps,
@@ -29,7 +30,7 @@ ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
             .push_speed = f(tuning::push_out_speed),
             .slop = f(tuning::contact_slop),
             .forget = f(minimum(1, dt / steady_time)),
-            .uneven = effort <= Effort::low ? 1.0f : 0.0f,
+            .uneven = low ? 1.0f : 0.0f,
             .reuse = f(tuning::reuse_distance),
             .touch_gap = f(tuning::touch_gap),
             .restitution_speed = f(tuning::restitution_speed)};

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "collision/narrowphase/impact_points.h"
 #include "jostle/physics/mat3.h"
 
 namespace jostle::physics {
@@ -17,10 +18,6 @@ struct ImpactBody {
     Vec3 inverse_mass;                           // 1/kg along each axis of the world
     Mat3 inverse_inertia = diagonal({0, 0, 0});  // 1/(kg m^2), world axes
     Vec3 v, w;                                   // m/s, rad/s
-};
-
-struct ImpactPoint {
-    Vec3 position, normal;  // m, world; unit, from a to b
 };
 
 struct HardestPoint {

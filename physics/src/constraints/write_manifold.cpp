@@ -129,6 +129,19 @@ float share_of(const WorldState& world, const Contact& contact, const BodyCold& 
     return round_a ? 0.0f : 1.0f;
 }
 
+// The radius of the small disc in which round bodies touch in truth: what lets a ball that spins on
+// the spot come to rest.
+double patch_of(const WorldState& world, const Contact& contact) {
+    const auto rounding = [&](std::uint32_t shape) {
+        const Geometry& g = world.shapes.shapes[shape].geometry;
+        if (const auto* sphere = std::get_if<Sphere>(&g)) return sphere->radius;
+        if (const auto* capsule = std::get_if<Capsule>(&g)) return capsule->radius;
+        return 0.0;
+    };
+    const double a = rounding(contact.shape_a), b = rounding(contact.shape_b);
+    return tuning::contact_patch * (a > 0 && b > 0 ? minimum(a, b) : maximum(a, b));
+}
+
 // Rolling, turning and moving surfaces.
 void write_rough(const WorldState& world, const Contact& contact, const LanePlace& place,
                  const Material& ma, const Material& mb, Vec3 roll) {
@@ -193,7 +206,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
             !used ? 0 : as_float(same < 0 ? old.mean_steady() : old.steady[same]);
         if (used) lever += square_root(x * x + y * y) / m.count;
     }
-    block.lever[lane] = as_float(lever);
+    block.lever[lane] = as_float(maximum(lever, patch_of(world, contact)));
     block.share[lane] = share_of(world, contact, cb);
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));

@@ -2,7 +2,7 @@
 #include "stages/finalize.h"
 
 #include "stages/settle_body.h"
-#include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

@@ -2,7 +2,7 @@
 #include "stages/quarantine.h"
 
 #include "state/lanes.h"
-#include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

@@ -2,7 +2,7 @@
 #include "stages/settle_body.h"
 
 #include "jostle/physics/tuning.h"
-#include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

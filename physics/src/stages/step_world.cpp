@@ -14,7 +14,7 @@
 #include "stages/update_pairs.h"
 #include "stages/update_sleep.h"
 #include "stages/update_triggers.h"
-#include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

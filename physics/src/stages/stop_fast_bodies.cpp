@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 
-#include "collision/narrowphase/collide.h"
-#include "collision/narrowphase/collide_composite.h"
-#include "collision/narrowphase/collide_convex.h"
+#include "collision/narrowphase/impact_points.h"
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
 #include "constraints/free_motion.h"
@@ -16,48 +13,14 @@
 #include "jostle/physics/tuning.h"
 #include "stages/fast_ways.h"
 #include "stages/sweep_rule.h"
+#include "stages/traveller.h"
 #include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {
 
-// One end of an impact, or one body under way.
-struct Traveller {
-    std::uint32_t body = none;
-    // A tumbling body does not turn evenly: its way is cut into legs, each from where it really is
-    // to where it really will be.
-    Sweep sweep;
-    Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
-    // The spin and the attitude at one moment of the step; at others Euler's equations give it.
-    double spin_at = 1;  // fraction
-    Vec3 spin;           // rad/s
-    Quat spin_rotation;
-    Quat end_rotation;  // at the end of the step, when it is not met before
-    Vec3 end_spin;
-    bool fast = false;     // looks for impacts itself
-    bool changed = false;  // its pose or velocity is no longer what the step made it
-    int impacts = 0;
-    // The first impact that is known, if any.
-    bool looked = false;
-    double fraction = Impact::never;
-    std::uint32_t own_shape = none, other_shape = none;
-    std::vector<ImpactPoint> points;
-    Aabb way;                         // holds all that is left of it
-    std::vector<std::uint32_t> near;  // shapes that may be in it, in order and once each
-};
-
 constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a tumbling body's
-
-// An even turn from one attitude to the other, rad, of all that end there the one most like
-// `wished`: so that the way ends where the body does, however often it went round.
-Vec3 way_round(Quat from, Quat to, Vec3 wished) {
-    const Quat turn = to * conjugate(from);
-    const Vec3 v{turn.x, turn.y, turn.z};
-    const double l = length(v);
-    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
-    const double angle = 2 * arc_tangent(l, turn.w), round = 2 * pi;
-    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
-}
 
 class Sweeper {
 public:
@@ -398,8 +361,8 @@ private:
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
             const double from = std::max(t.sweep.from, motion.from);
-            const Impact hit =
-                time_of_impact(swept(own, t.sweep), swept(other, motion), from, tuning::sweep_gap);
+            const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
+            const Impact hit = time_of_impact(a, b, from, tuning::sweep_gap);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
                                   bool at_start = false) {
                 if (fraction >= t.fraction) return true;
@@ -412,72 +375,22 @@ private:
             };
             bool touches = hit.at_start;
             if (hit.fraction < t.fraction)
-                touches |= !meet(hit.fraction, touching(own, other, t.sweep, motion, hit.fraction));
+                touches |= !meet(hit.fraction, points_touching(a, b, hit.fraction));
             // What touches without going in is the contact solver's, or was resolved just now. But
             // one end may rest while the other comes down, or solver and impact have left it going
             // inwards: then smaller and smaller parts of the shape, about its middle, stop where
             // the whole is in by what they lack.
-            SweptShape core = swept(own, t.sweep);
+            SweptShape core = a;
             for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
                 if (!touches) break;
                 core.scale = scale;
-                const Impact later =
-                    time_of_impact(core, swept(other, motion), from, tuning::sweep_gap);
+                const Impact later = time_of_impact(core, b, from, tuning::sweep_gap);
                 touches = later.at_start;
                 if (later.fraction < t.fraction)
-                    touches |= !meet(later.fraction, along(own, other, t.sweep, motion, later));
+                    touches |= !meet(later.fraction, points_along(a, b, later));
             }
-            if (touches) meet(from, touching(own, other, t.sweep, motion, from), true);
+            if (touches) meet(from, points_touching(a, b, from), true);
         }
-    }
-
-    std::vector<ImpactPoint> touching(std::uint32_t own, std::uint32_t other, const Sweep& a,
-                                      const Sweep& b, double fraction) const {
-        const Placed pa = placed_at(swept(own, a), fraction),
-                     pb = placed_at(swept(other, b), fraction);
-        std::vector<PartManifold> parts;
-        if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
-            collide_composite(pa, pb, 5 * tuning::sweep_gap, parts);
-        } else {
-            PairCache cache;
-            parts.push_back({0, collide(pa, pb, 5 * tuning::sweep_gap, cache)});
-        }
-        std::vector<ImpactPoint> points;
-        for (const PartManifold& part : parts)
-            for (int k = 0; k < part.manifold.count; k++)
-                points.push_back({part.manifold.point[k], part.manifold.normal});
-        return points;
-    }
-
-    // Where the whole shapes meet along the normal at which a part of one met the other.
-    std::vector<ImpactPoint> along(std::uint32_t own, std::uint32_t other, const Sweep& a,
-                                   const Sweep& b, const Impact& impact) const {
-        const Placed pa = placed_at(swept(own, a), impact.fraction),
-                     pb = placed_at(swept(other, b), impact.fraction);
-        const ShapeKind kind_a = kind_of(*pa.geometry), kind_b = kind_of(*pb.geometry);
-        std::vector<ImpactPoint> points;
-        if (is_convex(kind_a) && kind_b == ShapeKind::plane) {
-            const Convex ca = convex_of(pa, impact.point);
-            const Feature feature = feature_along(ca, impact.normal);
-            for (int k = 0; k < feature.count; k++) {
-                const Vec3 corner = feature.corner[k] + impact.normal * ca.radius;
-                if (dot(corner, impact.normal) >= 0)
-                    points.push_back({impact.point + corner, impact.normal});
-            }
-        }
-        if (!is_convex(kind_a) || !is_convex(kind_b)) {
-            if (points.empty()) points.push_back({impact.point, impact.normal});
-            return points;
-        }
-        const Convex ca = convex_of(pa, pa.position), cb = convex_of(pb, pa.position);
-        const Vec3 middle = impact.point - pa.position;
-        const double distance =
-            dot(support(cb, -impact.normal) - support(ca, impact.normal), impact.normal);
-        const ContactPoints found =
-            contact_points(ca, cb, {impact.normal, distance, middle, middle}, 0);
-        for (int k = 0; k < found.count; k++)
-            points.push_back({pa.position + found.point[k], impact.normal});
-        return points;
     }
 
     // Whether they go on inwards there: by their velocities or, after the start, by their sweeps.

@@ -11,6 +11,7 @@
 #include "stages/sweep_rule.h"
 #include "state/lanes.h"
 #include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "collision/narrowphase/collide_composite.h"
 #include "geometry/bounds.h"
-#include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

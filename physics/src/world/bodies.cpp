@@ -6,6 +6,7 @@
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/world.h"
 #include "state/links.h"
+#include "state/reach.h"
 #include "world/checks.h"
 #include "world/mass.h"
 

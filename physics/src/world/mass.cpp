@@ -5,7 +5,7 @@
 #include "geometry/inner_radius.h"
 #include "geometry/mass_properties.h"
 #include "geometry/outline.h"
-#include "state/links.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 namespace {

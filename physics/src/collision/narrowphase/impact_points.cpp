@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "collision/narrowphase/impact_points.h"
+
+#include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_composite.h"
+#include "collision/narrowphase/collide_convex.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+
+std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& b,
+                                         double fraction) {
+    const Placed pa = placed_at(a, fraction), pb = placed_at(b, fraction);
+    std::vector<PartManifold> parts;
+    if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
+        collide_composite(pa, pb, 5 * tuning::sweep_gap, parts);
+    } else {
+        PairCache cache;
+        parts.push_back({0, collide(pa, pb, 5 * tuning::sweep_gap, cache)});
+    }
+    std::vector<ImpactPoint> points;
+    for (const PartManifold& part : parts)
+        for (int k = 0; k < part.manifold.count; k++)
+            points.push_back({part.manifold.point[k], part.manifold.normal});
+    return points;
+}
+
+std::vector<ImpactPoint> points_along(const SweptShape& a, const SweptShape& b,
+                                      const Impact& impact) {
+    const Placed pa = placed_at(a, impact.fraction), pb = placed_at(b, impact.fraction);
+    const ShapeKind kind_a = kind_of(*pa.geometry), kind_b = kind_of(*pb.geometry);
+    std::vector<ImpactPoint> points;
+    if (is_convex(kind_a) && kind_b == ShapeKind::plane) {
+        const Convex ca = convex_of(pa, impact.point);
+        const Feature feature = feature_along(ca, impact.normal);
+        for (int k = 0; k < feature.count; k++) {
+            const Vec3 corner = feature.corner[k] + impact.normal * ca.radius;
+            if (dot(corner, impact.normal) >= 0)
+                points.push_back({impact.point + corner, impact.normal});
+        }
+    }
+    if (!is_convex(kind_a) || !is_convex(kind_b)) {
+        if (points.empty()) points.push_back({impact.point, impact.normal});
+        return points;
+    }
+    const Convex ca = convex_of(pa, pa.position), cb = convex_of(pb, pa.position);
+    const Vec3 middle = impact.point - pa.position;
+    const double distance =
+        dot(support(cb, -impact.normal) - support(ca, impact.normal), impact.normal);
+    const ContactPoints found =
+        contact_points(ca, cb, {impact.normal, distance, middle, middle}, 0);
+    for (int k = 0; k < found.count; k++)
+        points.push_back({pa.position + found.point[k], impact.normal});
+    return points;
+}
+
+}  // namespace jostle::physics

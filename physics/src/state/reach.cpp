@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "state/reach.h"
+
+#include <algorithm>
+
+#include "geometry/bounds.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+namespace {
+
+// Where the shape's box is found.
+BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
+    const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+    return fixed ? *world.shapes.fixed : *world.shapes.moving;
+}
+
+}  // namespace
+
+void derive_shape(const BodyCold& cold, ShapeRecord& shape) {
+    shape.offset = shape.pose.position - cold.local_center;
+    shape.axes = to_matrix(shape.pose.rotation);
+    shape.aligned = shape.pose.rotation == Quat{};
+}
+
+void ask_for_pairs(WorldState& world, std::uint32_t index) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (shape.trigger) world.triggers.fresh.push_back(index);
+    if (shape.moved) return;
+    shape.moved = true;
+    world.shapes.moved.push_back(index);
+}
+
+void enter_tree(WorldState& world, std::uint32_t index) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (is_plane(shape)) {
+        auto& planes = world.shapes.planes;
+        planes.insert(std::lower_bound(planes.begin(), planes.end(), index), index);
+    } else {
+        shape.leaf = index_of(world, shape).insert(shape.fat, index, shape.filter.category);
+    }
+    world.shapes.reporters += shape.report_stays ? 1 : 0;
+    if (shape.trigger) {
+        auto& triggers = world.shapes.triggers;
+        triggers.insert(std::lower_bound(triggers.begin(), triggers.end(), index), index);
+    }
+    ask_for_pairs(world, index);
+}
+
+void leave_tree(WorldState& world, std::uint32_t index) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (is_plane(shape)) {
+        std::erase(world.shapes.planes, index);
+    } else {
+        index_of(world, shape).remove(shape.leaf);
+        shape.leaf = -1;
+    }
+    world.shapes.reporters -= shape.report_stays ? 1 : 0;
+    if (shape.trigger) {
+        std::erase(world.shapes.triggers, index);
+        std::erase(world.triggers.fresh, index);
+    }
+    // What it was in, or what was in it, is told with the next step, while its id still means it.
+    std::erase_if(world.triggers.inside, [&](const Inside& pair) {
+        if (pair.trigger != index && pair.shape != index) return false;
+        world.events.pending.left.push_back({shape_id(world, pair.trigger),
+                                             shape_id(world, pair.shape),
+                                             body_id(world, world.shapes.shapes[pair.trigger].body),
+                                             body_id(world, world.shapes.shapes[pair.shape].body)});
+        return true;
+    });
+    if (shape.moved) {
+        shape.moved = false;
+        std::erase(world.shapes.moved, index);
+    }
+}
+
+void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
+    ShapeRecord& shape = world.shapes.shapes[index];
+    if (!is_plane(shape)) {
+        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+        Aabb fat = bounds_of(placed(shape, warm));
+        if (!fixed) {
+            fat = grow(fat, tuning::fat_margin);
+            const Vec3 ahead = warm.v * (dt * tuning::fat_steps_ahead);
+            fat = {fat.low + min(ahead, Vec3{}), fat.high + max(ahead, Vec3{})};
+        }
+        shape.fat = fat;
+        world.bodies.reach[shape.body].roomy_until = 0;
+        if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, fat);
+    }
+    ask_for_pairs(world, index);
+}
+
+FatRoom room_in_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+    if (is_plane(shape)) return {1e300, 1e300};
+    // A quarter of the margin early: manifolds begin before surfaces meet.
+    const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
+    const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
+    const Vec3 ahead = warm.v * dt;
+    const auto least = [](Vec3 a, Vec3 b) {
+        const Vec3 m = min(a, b);
+        return minimum(m.x, minimum(m.y, m.z));
+    };
+    return {least(low, high), least(low + min(ahead, Vec3{}), high - max(ahead, Vec3{}))};
+}
+
+bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+    return room_in_fat_box(shape, warm, dt).next >= 0;
+}
+
+bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
+    const Placed p = placed(plane, warm_of(world, plane.body));
+    const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;
+    const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
+                      n.z > 0 ? box.low.z : box.high.z};
+    return dot(lowest - p.position, n) <= 0;
+}
+
+void look_ahead(WorldState& world, std::uint32_t body, double dt) {
+    const BodyCold& cold = world.bodies.cold[body];
+    const BodyWarm& warm = warm_of(world, body);
+    BodyReach& reach = world.bodies.reach[body];
+    // Half as much again as the present speed, and twice what gravity and forces can add.
+    const double speed = length(warm.v) + length(warm.w) * cold.radius;
+    const double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +
+                                length(warm.force) * cold.inverse_mass;
+    reach.reach = reach.travel + 1.5 * dt * speed + dt * dt * acceleration;
+}
+
+}  // namespace jostle::physics

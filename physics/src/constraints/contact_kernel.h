@@ -274,54 +274,63 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
     const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.turned),
                s2 = dot(pair.t2, motion.turned);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
-    Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
-    WideImpulse sum;
-    Wide nearest = splat(no_point);
+    const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
+    // What the sweeps need of each point is made first, so that from one point to the next only the
+    // impulse has to be waited for: lambda' = keep lambda + base - rate vn, and what it does to the
+    // approach of every point.
+    Wide x[kPoints], y[kPoints], gap[kPoints], vn[kPoints], lambda[kPoints], keep[kPoints],
+        base[kPoints], rate[kPoints], response[kPoints][kPoints];
+    PointResponse r[kPoints];
+    for (int i = 0; i < kPoints; i++) {
+        if constexpr (kPoints == 1) {
+            x[i] = y[i] = zero;
+            gap[i] = load(m.gap[i]) + s0;
+            vn[i] = u0;
+            r[i] = {load(m.g[0]), zero, zero, load(m.g[0])};
+        } else {
+            x[i] = load(m.x[i]), y[i] = load(m.y[i]);
+            gap[i] = load(m.gap[i]) + s0 + y[i] * s1 - x[i] * s2;
+            vn[i] = u0 + y[i] * u1 - x[i] * u2;
+            r[i] = response_of(m, x[i], y[i]);
+        }
+        response[i][i] = r[i].k;
+        for (int j = 0; j < i; j++)
+            response[i][j] = response[j][i] = r[j].r0 + y[i] * r[j].r1 - x[i] * r[j].r2;
+        lambda[i] = load(m.lambda[i]);
+        // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
+        // out.
+        const WideMask apart = gap[i] > zero;
+        const Wide meet = gap[i] * splat(set.inverse_h);
+        if constexpr (kRelax) {
+            rate[i] = splat(1) / r[i].k;
+            base[i] = -(rate[i] * select(apart, meet, zero));
+        } else {
+            const Wide soft =
+                max((gap[i] + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
+            rate[i] = select(apart, splat(1), splat(set.mass_scale)) / r[i].k;
+            const Wide leak = select(apart, zero, splat(set.leak));
+            keep[i] = splat(1) - leak;
+            base[i] = leak * load(m.steady[i]) - rate[i] * select(apart, meet, soft);
+        }
+    }
     for (int sweep = 0; sweep < sweeps; sweep++)
         for (int i = 0; i < kPoints; i++) {
-            Wide x = zero, y = zero, gap = load(m.gap[i]) + s0, vn = u0;
-            PointResponse r;
-            if constexpr (kPoints == 1) {
-                r = {load(m.g[0]), zero, zero, load(m.g[0])};
-            } else {
-                x = load(m.x[i]), y = load(m.y[i]);
-                gap = gap + y * s1 - x * s2;
-                vn = u0 + y * u1 - x * u2;
-                r = response_of(m, x, y);
-            }
-            const WideMask apart = gap > zero;
-            const Wide old = load(m.lambda[i]);
-            // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
-            // out.
-            Wide now;
-            if constexpr (kRelax) {
-                const Wide bias = select(apart, gap * splat(set.inverse_h), zero);
-                now = old - (vn + bias) / r.k;
-            } else {
-                const Wide soft =
-                    max((gap + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
-                const Wide bias = select(apart, gap * splat(set.inverse_h), soft);
-                const Wide scale = select(apart, splat(1), splat(set.mass_scale));
-                const Wide leak = select(apart, zero, splat(set.leak));
-                now = old - scale * (vn + bias) / r.k - leak * (old - load(m.steady[i]));
-            }
-            now = max(now, zero);
-            const Wide d = now - old;
-            store(m.lambda[i], now);
-            if constexpr (kPoints == 1) {
-                sum.total = d;
-            } else {
-                u0 += r.r0 * d;
-                u1 += r.r1 * d;
-                u2 += r.r2 * d;
-                sum.add(x, y, d);
-            }
-            if constexpr (kLast)
-                if (sweep + 1 == sweeps) {
-                    store(m.gap[i], gap);
-                    nearest = min(nearest, gap);
-                }
+            const Wide kept = kRelax ? lambda[i] : keep[i] * lambda[i];
+            const Wide now = max((kept + base[i]) - rate[i] * vn[i], zero);
+            const Wide change = now - lambda[i];
+            lambda[i] = now;
+            for (int j = 0; j < kPoints; j++) vn[j] += response[i][j] * change;
         }
+    WideImpulse sum;
+    Wide nearest = splat(no_point);
+    for (int i = 0; i < kPoints; i++) {
+        sum.add(x[i], y[i], lambda[i] - load(m.lambda[i]));
+        store(m.lambda[i], lambda[i]);
+        if constexpr (kLast) {
+            store(m.gap[i], gap[i]);
+            nearest = min(nearest, gap[i]);
+        }
+    }
     if constexpr (kPoints == 1)
         pair.apply(pair.n * sum.total);
     else

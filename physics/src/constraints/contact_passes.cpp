@@ -1,35 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/contact_passes.h"
 
+#include <algorithm>
+
 namespace jostle::physics {
 namespace {
 
-// Blocks below four times this many stay on the calling thread.
-constexpr int grain = 16;
+// So many blocks are taken at once. With fewer manifolds in all, colours are so short that waking
+// another thread again and again costs more than it does.
+constexpr int grain = 8, shared_manifolds = 2000;
+
+// The blocks [begin, end) of a colour.
+void run_part(BlockPass pass, ManifoldStore& store, int c, int begin, int end,
+              std::span<HotBody> bodies, const ContactSettings& set) {
+    if (begin >= end) return;
+    Colour& colour = store.colours[static_cast<std::size_t>(c)];
+    pass({colour.blocks.data(), colour.sides.data(), colour.bounces.data(), colour.roughs.data(),
+          begin, end, second_of(c), is_single(c)},
+         bodies.data(), set);
+}
 
 void run(BlockPass pass, ManifoldStore& store, std::span<HotBody> bodies,
          const ContactSettings& set, TaskTeam& team) {
+    const auto count = [&](int c) {
+        return static_cast<int>(store.colours[static_cast<std::size_t>(c)].blocks.size());
+    };
+    const bool shared = store.lanes >= shared_manifolds;
     for (const int c : solve_order) {
-        Colour& colour = store.colours[static_cast<std::size_t>(c)];
-        if (colour.blocks.empty()) continue;
-        const auto blocks = static_cast<int>(colour.blocks.size());
-        BlockRange all{colour.blocks.data(),
-                       colour.sides.data(),
-                       colour.bounces.data(),
-                       colour.roughs.data(),
-                       0,
-                       blocks,
-                       second_of(c),
-                       is_single(c)};
+        if (is_single(c)) continue;  // with the other list of its colour: their bodies are distinct
+        const int blocks = count(c);
         if (is_overflow(c)) {
-            pass(all, bodies.data(), set);  // these share bodies: one after the other
+            run_part(pass, store, c, 0, blocks, bodies, set);  // these share bodies: one by one
             continue;
         }
-        team.run(blocks, grain, [&](int begin, int end) {
-            BlockRange part = all;
-            part.begin = begin;
-            part.end = end;
-            pass(part, bodies.data(), set);
+        const int single = single_colours + c;
+        const int total = blocks + count(single);
+        team.run(total, shared ? grain : total, [&](int begin, int end) {
+            run_part(pass, store, c, begin, std::min(end, blocks), bodies, set);
+            run_part(pass, store, single, std::max(begin - blocks, 0), end - blocks, bodies, set);
         });
     }
 }

@@ -108,10 +108,9 @@ public:
         bodies_[body]->setLinearVelocity(vector(linear));
     }
 
-    bool asleep() const override {
-        return std::none_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
-            return !body->isStaticObject() && body->isActive();
-        });
+    int awake() const override {
+        return static_cast<int>(std::ranges::count_if(
+            bodies_, [](const auto& body) { return !body->isStaticObject() && body->isActive(); }));
     }
 
 private:

@@ -23,7 +23,7 @@ public:
     virtual physics::Transform pose(std::uint32_t body) const = 0;
     virtual physics::Vec3 velocity(std::uint32_t body) const = 0;             // linear
     virtual void set_velocity(std::uint32_t body, physics::Vec3 linear) = 0;  // spin stays; wakes
-    virtual bool asleep() const = 0;  // every body that can move is
+    virtual int awake() const = 0;  // bodies that can move and do not sleep
 };
 
 struct EngineKind {

@@ -90,8 +90,9 @@ public:
         static_cast<void>(world_->set_velocity(ids_[body], linear, state->angular_velocity));
     }
 
-    bool asleep() const override {
-        return world_->step_count() > 0 && world_->profile().bodies_awake == 0;
+    int awake() const override {
+        const auto all = static_cast<int>(ids_.size());  // not stepped yet: nobody knows
+        return world_->step_count() == 0 ? all : world_->profile().bodies_awake;
     }
 
 private:

@@ -52,7 +52,9 @@ public:
     }
     void step() { engine_->step(); }
     void look_for_sleep(int steps_done) {
-        if (sleep_ && !asleep_at_ && engine_->asleep()) asleep_at_ = steps_done;
+        // Who is driven does not sleep.
+        const int driven = scene_.player ? 1 : 0;
+        if (sleep_ && !asleep_at_ && engine_->awake() <= driven) asleep_at_ = steps_done;
     }
 
     const std::vector<Transform>& poses() {

@@ -113,18 +113,20 @@ public:
         dBodySetLinearVel(bodies_[body], linear.x, linear.y, linear.z);
     }
 
-    bool asleep() const override { return std::none_of(bodies_.begin(), bodies_.end(), awake); }
+    int awake() const override {
+        return static_cast<int>(std::ranges::count_if(bodies_, is_awake));
+    }
 
 private:
     static void on_pair(void* self, dGeomID a, dGeomID b) {
         static_cast<OdeEngine*>(self)->collide(a, b);
     }
 
-    static bool awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 0; }
+    static bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 0; }
 
     void collide(dGeomID a, dGeomID b) {
         const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
-        if (!awake(body_a) && !awake(body_b)) return;
+        if (!is_awake(body_a) && !is_awake(body_b)) return;
         if (body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
         dContact found[contacts_per_pair];
         const int count = dCollide(a, b, contacts_per_pair, &found[0].geom, sizeof(dContact));

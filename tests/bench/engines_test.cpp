@@ -140,12 +140,12 @@ TEST_P(EveryEngine, sleeps_when_it_may_and_wakes_when_it_is_driven) {
     add_floor();
     scene_.bodies.push_back({.form = Box{}, .pose = {.position = {0, 0.5, 0}}});
     start(true);
-    EXPECT_FALSE(engine_->asleep());
+    EXPECT_GT(engine_->awake(), 0);
     run(300);
-    EXPECT_TRUE(engine_->asleep());
+    EXPECT_EQ(engine_->awake(), 0);
     engine_->set_velocity(1, {6, 0, 0});
     run(1);
-    EXPECT_FALSE(engine_->asleep());
+    EXPECT_GT(engine_->awake(), 0);
     EXPECT_GT(engine_->velocity(1).x, 5.8);
 }
 
@@ -154,7 +154,7 @@ TEST_P(EveryEngine, never_sleeps_when_it_may_not) {
     scene_.bodies.push_back({.form = Box{}, .pose = {.position = {0, 0.5, 0}}});
     start();
     run(300);
-    EXPECT_FALSE(engine_->asleep());
+    EXPECT_GT(engine_->awake(), 0);
 }
 
 std::vector<const EngineKind*> built_in() {

@@ -26,7 +26,7 @@ inline constexpr double match_distance = 0.05;  // m
 inline constexpr double reuse_distance = 0.004;  // m
 
 // --- contact solver (soft contacts after Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024)
-// --- Contact frequency as a fraction of the sub-step rate. 0.125 is the quietest, 0.25 makes brick
+// Contact frequency as a fraction of the sub-step rate. 0.125 is the quietest, 0.25 makes brick
 // walls buzz.
 inline constexpr double contact_stiffness = 0.18;
 // A heap does not buzz, and creeps the less the stiffer it is: what its overlaps give way moves all

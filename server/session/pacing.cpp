@@ -12,6 +12,8 @@ constexpr int slowdown_max = 6;  // 60 Hz down to 10
 constexpr auto two_hits_within = std::chrono::seconds(1);
 constexpr auto clean_before_faster = std::chrono::seconds(5);
 constexpr double slack_s = 0.05;  // of the window beyond the round trip
+// What snapshots wait for a slow client looks like jitter too, and must not widen its window.
+constexpr double jitter_share_max_s = 0.2;
 
 }  // namespace
 
@@ -71,7 +73,7 @@ void Pacing::update_window(Clock::duration round_trip) {
         jitter_s_ = measured_ ? 0.95 * jitter_s_ + 0.05 * std::abs(rtt - rtt_min_s_) : 0;
         measured_ = true;
     }
-    const double seconds = rtt_min_s_ + 2 * jitter_s_ + slack_s;
+    const double seconds = rtt_min_s_ + std::min(2 * jitter_s_, jitter_share_max_s) + slack_s;
     window_ = std::clamp(static_cast<int>(std::ceil(seconds * hz_ / divider())),
                          settings_.ack_window_min, settings_.ack_window_max);
 }

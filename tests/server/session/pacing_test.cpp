@@ -66,6 +66,7 @@ TEST(Pacing, one_that_cannot_keep_up_is_slowed_and_sped_up_again) {
         waiting.push_back(tick);
     }
     EXPECT_EQ(pacing.divider(), 6) << "ten a second are what it can take";
+    EXPECT_LE(pacing.in_flight(), 8) << "what it gets is no older than a second";
     pacing.acked(waiting.back(), start + 301 * period);
     play(pacing, 302, 60 * 30, 20ms);
     EXPECT_EQ(pacing.divider(), 1) << "half a minute without trouble";

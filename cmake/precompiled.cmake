@@ -1,4 +1,4 @@
-# Headers that most sources read are compiled once: a quarter of the time that a build from nothing takes. Our own headers
+# Headers that most sources read are compiled once: a quarter to a half of the time of a small source. Our own headers
 # are not among them, so an edit rebuilds what includes them and no more. Release builds and those with a
 # sanitizer go without, and so find a source that forgot an include: of what GCC 12 inlines from a precompiled header it warns
 # as if it were our own code.

@@ -7,6 +7,7 @@
 
 #include "constraints/body_kernel.h"
 #include "constraints/contact_kernel.h"
+#include "constraints/joints/joint_kernel.h"
 #include "constraints/kernels.h"
 #include "constraints/planar_kernel.h"
 #include "jostle/physics/tuning.h"
@@ -127,6 +128,11 @@ const Kernels table{
     .accelerate_first = accelerate_range<true>,
     .accelerate = accelerate_range<false>,
     .advance = advance_range,
+    .warm_start_joints = warm_start_joint_range,
+    .solve_joints = solve_joint_range<false>,
+    .relax_joints = solve_joint_range<true>,
+    .begin_joints = begin_joints_range,
+    .end_joints = end_joints_range,
 };
 
 }  // namespace jostle::physics::JOSTLE_ISA

@@ -7,7 +7,9 @@
 #include <cstdint>
 
 #include "constraints/contact_settings.h"
+#include "constraints/joints/joint_step.h"
 #include "jostle/physics/instruction_set.h"
+#include "state/joint_block.h"
 #include "state/manifold_store.h"
 #include "state/solver_body.h"
 
@@ -33,6 +35,17 @@ struct BodyRange {
     int begin, end;
 };
 
+// Some blocks of one run of joints.
+struct JointRange {
+    JointBlock* blocks;
+    JointTurns* turns;  // of the run's first block; null for kinds that have none
+    const JointBlockSide* sides;
+    int kind;   // index into JointKind
+    int first;  // block of the run
+    int begin, end;
+};
+
+using JointPass = void (*)(const JointRange&, HotBody*, const JointStep&);
 using BlockPass = void (*)(const BlockRange&, HotBody*, const ContactSettings&);
 
 struct Kernels {
@@ -43,6 +56,10 @@ struct Kernels {
     void (*accelerate_first)(const BodyRange&);
     void (*accelerate)(const BodyRange&);
     void (*advance)(const BodyRange&, float h);
+    JointPass warm_start_joints, solve_joints, relax_joints;
+    // Around the passes of joints, for the bodies that have some.
+    void (*begin_joints)(const BodyRange&);
+    void (*end_joints)(const BodyRange&);
 };
 
 // Of the instruction set in use (jostle/physics/instruction_set.h).

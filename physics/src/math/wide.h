@@ -116,6 +116,12 @@ JOSTLE_INLINE unsigned lane_bits(WideMask m) {
 struct Wide3 {
     Wide x, y, z;
 };
+JOSTLE_INLINE Wide absolute(Wide a) {
+    return max(a, -a);
+}
+JOSTLE_INLINE Wide3 select(WideMask m, Wide3 a, Wide3 b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
 JOSTLE_INLINE Wide3 operator+(Wide3 a, Wide3 b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

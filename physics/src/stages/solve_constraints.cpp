@@ -140,7 +140,7 @@ void solve_effort(StepContext& step, Effort effort) {
         for (const std::uint32_t hot : part) prepare_body(step, h, hot - 1);
     });
     prepare_drivers(step);
-    prepare_joints(step, effort);
+    prepare_joints(step, effort, h);
     ManifoldStore& manifolds = world.manifolds[index_of(effort)];
     const std::span<HotBody> bodies = scratch.hot;
     const Kernels& kernel = kernels();
@@ -152,9 +152,8 @@ void solve_effort(StepContext& step, Effort effort) {
         });
         if (first && bouncy) foresee_bounces(manifolds, bodies, set, step.team);
         // Later sub-steps are warm started by accelerate().
-        warm_start_joints(step);
         if (first) warm_start(manifolds, bodies, set, step.team);
-        solve_joints(step, h, false);
+        solve_joints(step, h);
         solve(manifolds, bodies, set, step.team);
         each_body(step, effort, [&](std::span<const std::uint32_t> part) {
             for (const std::uint32_t hot : part)
@@ -162,7 +161,7 @@ void solve_effort(StepContext& step, Effort effort) {
             kernel.advance(range_of(scratch, part), set.h);
         });
         kernel.advance(range_of(scratch, scratch.drivers), set.h);
-        solve_joints(step, h, true);
+        relax_joints(step, h);
         relax(manifolds, bodies, set, last, step.team);
         if (bouncy) note_bounce_peaks(manifolds, bodies, set, step.team);
     }

@@ -2,107 +2,244 @@
 #include "stages/solve_joints.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdlib>
 
-#include "constraints/joints/joint_table.h"
+#include "constraints/joints/write_joint.h"
+#include "constraints/kernels.h"
 #include "state/links.h"
 
 namespace jostle::physics {
 namespace {
 
-JointSide side_of(const WorldState& world, std::uint32_t body, const Transform& frame) {
-    const BodyCold& cold = world.bodies.cold[body];
-    const BodyWarm& warm = warm_of(world, body);
-    JointSide side{.hot = cold.set == BodySet::awake ? cold.at + 1 : 0,
-                   .arm = warm.axes * (frame.position - cold.local_center),
-                   .body = warm.rotation,
-                   .frame = warm.rotation * frame.rotation,
-                   .inverse_mass = {}};
-    if (cold.inverse_mass == 0) return side;
-    side.pushed = true;
-    side.inverse_mass = free_directions(cold) * cold.inverse_mass;
-    side.inverse_inertia = world_inverse_inertia(warm, cold);
-    return side;
+// With fewer blocks in a run, waking another thread costs more than it does.
+constexpr int grain = 8, shared_blocks = 32;
+
+JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& frame,
+                std::int32_t hot) {
+    const BodyWarm& warm = hot != 0
+                               ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
+                               : warm_of(world, body);
+    return {.hot = hot,
+            .center = warm.center,
+            .arm = warm.axes * (frame.position - world.bodies.cold[body].local_center),
+            .rotation = warm.rotation,
+            .frame = warm.rotation * frame.rotation};
 }
 
-// What joints did counts among what acts without contacts: accelerate() then warm-starts contacts
-// by what contacts did, and joints warm-start themselves, in the directions of the moment.
-void count_as_free(JointSide& side, std::span<HotBody> bodies) {
-    if (!side.pushed) return;
-    float* free = bodies[side.hot].free;
-    for (int k = 0; k < 3; k++) {
-        free[k] += static_cast<float>(side.given_v[k]);
-        free[k + 3] += static_cast<float>(side.given_w[k]);
+// Marks the joints of the bodies in the solver, and lists those bodies.
+void find_joints(WorldState& world, Effort effort) {
+    JointScratch& scratch = world.scratch.joints;
+    scratch.marks.assign((world.joints.joints.size() + 63) / 64, 0);
+    scratch.bodies.clear();
+    for (const std::uint32_t hot : world.scratch.in_solver[index_of(effort)]) {
+        const BodyCold& cold = world.bodies.cold[world.bodies.awake[hot - 1].body];
+        if (cold.first_joint == none) continue;
+        scratch.bodies.push_back(hot);
+        for_each_joint(world.joints, cold, [&](std::uint32_t joint) {
+            scratch.marks[joint / 64] |= 1ull << (joint % 64);
+        });
     }
-    side.given_v = side.given_w = {};
+    scratch.found.clear();
+    for (std::size_t word = 0; word < scratch.marks.size(); word++)
+        for (std::uint64_t bits = scratch.marks[word]; bits != 0; bits &= bits - 1)
+            scratch.found.push_back({.joint = static_cast<std::uint32_t>(word * 64) +
+                                              static_cast<std::uint32_t>(std::countr_zero(bits))});
+}
+
+// A joint's level is above that of every joint before it that shares a body that they can push, so
+// solving level after level gives each body its joints in their order: a chain hears of its end
+// within one pass, as if they were solved one by one.
+int assign_levels(WorldState& world) {
+    JointScratch& scratch = world.scratch.joints;
+    scratch.reached.assign(world.scratch.hot.size(), 0);
+    std::uint32_t levels = 0;
+    const auto hot_of = [&](std::uint32_t body) -> std::int32_t {
+        const BodyCold& cold = world.bodies.cold[body];
+        if (cold.set != BodySet::awake) return 0;
+        const auto hot = static_cast<std::int32_t>(cold.at + 1);
+        return cold.inverse_mass != 0 ? hot : -hot;
+    };
+    const auto reached = [&](std::int32_t hot) -> std::uint32_t& {
+        return scratch.reached[static_cast<std::size_t>(std::max(hot, 0))];
+    };
+    for (FoundJoint& found : scratch.found) {
+        const Joint& joint = world.joints.joints[found.joint];
+        found.a = hot_of(joint.body_a);
+        found.b = hot_of(joint.body_b);
+        const std::uint32_t level = std::max(reached(found.a), reached(found.b));
+        reached(found.a) = reached(found.b) = level + 1;
+        scratch.reached[0] = 0;  // what cannot be pushed makes nobody wait
+        levels = std::max(levels, level + 1);
+        found.run = level * joint_kinds + static_cast<std::uint32_t>(joint.kind.index());
+    }
+    return static_cast<int>(levels);
+}
+
+bool has_turns(std::uint32_t kind) {
+    return kind != JointKind(BallJoint{}).index();
+}
+
+// One run for each kind in each level, and a place in a block for each joint.
+void lay_out_runs(JointScratch& scratch, int levels) {
+    scratch.places.assign(static_cast<std::size_t>(levels) * joint_kinds, 0);
+    for (const FoundJoint& found : scratch.found) scratch.places[found.run]++;
+    scratch.runs.clear();
+    int blocks = 0, turns = 0;
+    for (std::uint32_t key = 0; key < scratch.places.size(); key++) {
+        const int count = scratch.places[key];
+        scratch.places[key] = blocks * 8;  // the next free lane
+        if (count == 0) continue;
+        const std::uint32_t kind = key % joint_kinds;
+        const int size = (count + 7) / 8;
+        const int first = has_turns(kind) ? turns : -1;
+        scratch.runs.push_back({.kind = static_cast<std::uint8_t>(kind),
+                                .begin = blocks,
+                                .end = blocks + size,
+                                .turns = first});
+        blocks += size;
+        if (has_turns(kind)) turns += size;
+    }
+    scratch.sides.assign(static_cast<std::size_t>(blocks), {});
+    for (const JointRun& run : scratch.runs)
+        for (int k = run.begin; k < run.end; k++)
+            scratch.sides[static_cast<std::size_t>(k)].turns =
+                run.turns < 0 ? -1 : run.turns + k - run.begin;
+    for (const FoundJoint& found : scratch.found) {
+        const int lane = scratch.places[found.run]++;
+        JointBlockSide& side = scratch.sides[static_cast<std::size_t>(lane / 8)];
+        side.joint[side.count] = found.joint;
+        side.a[side.count] = found.a;
+        side.b[side.count] = found.b;
+        side.count++;
+    }
+    scratch.blocks.resize(static_cast<std::size_t>(blocks));
+    scratch.turns.resize(static_cast<std::size_t>(turns));
+}
+
+JointTurns* turns_of(JointScratch& scratch, int first) {
+    return first < 0 ? nullptr : &scratch.turns[static_cast<std::size_t>(first)];
+}
+
+// Joints of a level lie far apart in memory, and so do their bodies.
+void fetch_ahead(const WorldState& world, const JointBlockSide& side) {
+    const auto fetch = [](const auto& record) {
+        const char* at = reinterpret_cast<const char*>(&record);
+        for (std::size_t offset = 0; offset < sizeof(record); offset += 64)
+            __builtin_prefetch(at + offset);
+    };
+    for (int lane = 0; lane < side.count; lane++) {
+        fetch(world.joints.joints[side.joint[lane]]);
+        for (const std::int32_t hot : {side.a[lane], side.b[lane]})
+            if (hot > 0) fetch(world.bodies.awake[static_cast<std::size_t>(hot) - 1]);
+    }
+}
+
+// Calls visit(block index, side) for every block, on any thread.
+template <class Visit>
+void each_block(StepContext& step, Visit&& visit) {
+    WorldState& world = step.world;
+    std::vector<JointBlockSide>& sides = world.scratch.joints.sides;
+    const int count = static_cast<int>(sides.size());
+    step.team.run(count, 16, [&](int begin, int end) {
+        for (int k = begin; k < end; k++) {
+            if (k + 2 < count) fetch_ahead(world, sides[static_cast<std::size_t>(k + 2)]);
+            visit(static_cast<std::size_t>(k), sides[static_cast<std::size_t>(k)]);
+        }
+    });
+}
+
+void run_pass(StepContext& step, JointPass pass, const JointStep& numbers) {
+    WorldState& world = step.world;
+    JointScratch& scratch = world.scratch.joints;
+    for (const JointRun& run : scratch.runs) {
+        const int count = run.end - run.begin;
+        const auto work = [&](int begin, int end) {
+            pass({.blocks = scratch.blocks.data(),
+                  .turns = turns_of(scratch, run.turns),
+                  .sides = scratch.sides.data(),
+                  .kind = run.kind,
+                  .first = run.begin,
+                  .begin = run.begin + begin,
+                  .end = run.begin + end},
+                 world.scratch.hot.data(), numbers);
+        };
+        if (count < shared_blocks)
+            work(0, count);
+        else
+            step.team.run(count, grain, work);
+    }
+}
+
+void each_body(StepContext& step, void (*pass)(const BodyRange&)) {
+    StepScratch& scratch = step.world.scratch;
+    const auto& bodies = scratch.joints.bodies;
+    step.team.run(static_cast<int>(bodies.size()), 256, [&](int begin, int end) {
+        pass({scratch.hot.data(), scratch.drive.data(), bodies.data(), begin, end});
+    });
 }
 
 }  // namespace
 
-void prepare_joints(StepContext& step, Effort effort) {
+void prepare_joints(StepContext& step, Effort effort, double h) {
     WorldState& world = step.world;
-    auto& joints = world.scratch.joints;
-    joints.clear();
-    if (world.joints.ids.alive_count() > 0) {
-        for (const std::uint32_t hot : world.scratch.in_solver[index_of(effort)])
-            for_each_joint(world.joints, world.bodies.cold[world.bodies.awake[hot - 1].body],
-                           [&](std::uint32_t joint) { joints.push_back(joint); });
-        std::sort(joints.begin(), joints.end());
-        joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-    }
-    world.scratch.joint_work.resize(joints.size());
-    for (std::size_t k = 0; k < joints.size(); k++) {
-        const Joint& j = world.joints.joints[joints[k]];
-        JointWork& work = world.scratch.joint_work[k];
-        work = {.joint = joints[k],
-                .a = side_of(world, j.body_a, j.frame_a),
-                .b = side_of(world, j.body_b, j.frame_b)};
-        work.apart = (warm_of(world, j.body_b).center - warm_of(world, j.body_a).center) +
-                     (work.b.arm - work.a.arm);
-    }
-    world.profile.joints += static_cast<int>(joints.size());
+    JointScratch& scratch = world.scratch.joints;
+    scratch.found.clear();
+    scratch.runs.clear();
+    if (world.joints.ids.alive_count() == 0) return;
+    find_joints(world, effort);
+    lay_out_runs(scratch, assign_levels(world));
+    world.profile.joints += static_cast<int>(scratch.found.size());
+    std::fill(scratch.blocks.begin(), scratch.blocks.end(), JointBlock{});
+    std::fill(scratch.turns.begin(), scratch.turns.end(), JointTurns{});
+    each_block(step, [&](std::size_t block, JointBlockSide& side) {
+        for (int lane = 0; lane < side.count; lane++) {
+            const Joint& joint = world.joints.joints[side.joint[lane]];
+            write_joint(joint, end_of(world, joint.body_a, joint.frame_a, side.a[lane]),
+                        end_of(world, joint.body_b, joint.frame_b, side.b[lane]), h,
+                        scratch.blocks[block], turns_of(scratch, side.turns), side, lane);
+        }
+    });
 }
 
-void warm_start_joints(StepContext& step) {
-    WorldState& world = step.world;
-    for (JointWork& work : world.scratch.joint_work) {
-        JointPair pair(work, world.scratch.hot);
-        warm_start(pair, world.joints.joints[work.joint]);
-        pair.store(world.scratch.hot);
-    }
+void solve_joints(StepContext& step, double h) {
+    if (step.world.scratch.joints.runs.empty()) return;
+    const JointStep numbers = joint_step(h);
+    each_body(step, kernels().begin_joints);
+    run_pass(step, kernels().warm_start_joints, numbers);
+    run_pass(step, kernels().solve_joints, numbers);
+    each_body(step, kernels().end_joints);
 }
 
-void solve_joints(StepContext& step, double h, bool relax) {
-    WorldState& world = step.world;
-    if (world.scratch.joint_work.empty()) return;
-    const JointStep pass = joint_step(h, relax);
-    for (JointWork& work : world.scratch.joint_work) {
-        Joint& joint = world.joints.joints[work.joint];
-        JointPair pair(work, world.scratch.hot);
-        solve(pair, pass, joint);
-        pair.store(world.scratch.hot);
-        if (!relax) continue;
-        const JointLoad load = load_of(pair, joint);
-        work.force_sum += load.impulse;
-        work.torque_sum += load.turn;
-        count_as_free(work.a, world.scratch.hot);
-        count_as_free(work.b, world.scratch.hot);
-    }
+void relax_joints(StepContext& step, double h) {
+    if (step.world.scratch.joints.runs.empty()) return;
+    each_body(step, kernels().begin_joints);
+    run_pass(step, kernels().relax_joints, joint_step(h));
+    each_body(step, kernels().end_joints);
 }
 
 void finish_joints(StepContext& step) {
     WorldState& world = step.world;
-    for (const JointWork& work : world.scratch.joint_work) {
-        Joint& joint = world.joints.joints[work.joint];
-        joint.force = work.force_sum * (1 / step.dt);
-        joint.torque = work.torque_sum * (1 / step.dt);
-        const double force = length(joint.force), torque = length(joint.torque);
-        const bool torn = joint.break_force > 0 && force > joint.break_force;
-        const bool wrung = joint.break_torque > 0 && torque > joint.break_torque;
-        if (!torn && !wrung) continue;
-        world.events.joints_broke.push_back({joint_id(world, work.joint),
-                                             body_id(world, joint.body_a),
-                                             body_id(world, joint.body_b), force, torque});
-        destroy_joint(world, work.joint);
+    JointScratch& scratch = world.scratch.joints;
+    if (scratch.runs.empty()) return;
+    each_block(step, [&](std::size_t block, JointBlockSide& side) {
+        for (int lane = 0; lane < side.count; lane++) {
+            const auto carrier = static_cast<std::size_t>(carrier_of(side.a[lane], side.b[lane]));
+            if (read_joint(world.joints.joints[side.joint[lane]],
+                           world.bodies.awake[carrier - 1].rotation, step.dt, scratch.blocks[block],
+                           turns_of(scratch, side.turns), lane))
+                side.overloaded |= static_cast<std::uint8_t>(1u << lane);
+        }
+    });
+    for (const JointBlockSide& side : scratch.sides) {
+        for (unsigned bits = side.overloaded; bits != 0; bits &= bits - 1) {
+            const std::uint32_t index = side.joint[std::countr_zero(bits)];
+            const Joint& joint = world.joints.joints[index];
+            world.events.joints_broke.push_back(
+                {joint_id(world, index), body_id(world, joint.body_a), body_id(world, joint.body_b),
+                 length(joint.force), length(joint.torque)});
+            destroy_joint(world, index);
+        }
     }
 }
 

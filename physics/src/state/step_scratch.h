@@ -13,7 +13,7 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "state/body_store.h"
 #include "state/effort.h"
-#include "state/joint_work.h"
+#include "state/joint_block.h"
 #include "state/solver_body.h"
 
 namespace jostle::physics {
@@ -55,6 +55,25 @@ struct IslandExtent {
     bool settled = false;  // its effort was looked at together with another's
 };
 
+struct FoundJoint {
+    std::uint32_t joint = 0;
+    std::int32_t a = 0, b = 0;  // as JointBlockSide's
+    std::uint32_t run = 0;      // level * joint_kinds + kind
+};
+
+// The joints of the islands of one effort, for the solver.
+struct JointScratch {
+    std::vector<std::uint64_t> marks;    // a bit per joint
+    std::vector<FoundJoint> found;       // rising
+    std::vector<std::uint32_t> bodies;   // hot indices of the bodies that have some
+    std::vector<std::uint32_t> reached;  // by hot index: level that the body's next joint may have
+    std::vector<int> places;             // by run number: lanes of all blocks before, then the next
+    std::vector<JointRun> runs;
+    std::vector<JointBlock> blocks;
+    std::vector<JointTurns> turns;
+    std::vector<JointBlockSide> sides;  // by block
+};
+
 struct StepScratch {
     std::vector<HotBody> hot;      // [0] is the null body, awake body i is [i + 1]
     std::vector<BodyDrive> drive;  // as hot
@@ -67,8 +86,7 @@ struct StepScratch {
     std::vector<std::vector<FoundPart>> parts;
     std::vector<NewLane> new_lanes;
     std::vector<std::uint32_t> to_wake, pairs_changed, found;
-    std::vector<std::uint32_t> joints;   // that have an awake body, rising
-    std::vector<JointWork> joint_work;   // one each
+    JointScratch joints;
     std::vector<std::uint8_t> tumbling;  // by hot index: turns far, and not evenly
     std::vector<std::uint8_t> held;      // by awake body: had a manifold when the step began
     std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept

@@ -3,7 +3,7 @@
 // Create, destroy, read and drive joints.
 #include <algorithm>
 
-#include "constraints/joints/kinds.h"
+#include "constraints/joints/angles.h"
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/world.h"
 #include "state/links.h"

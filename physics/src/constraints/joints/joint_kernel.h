@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// The passes over blocks of joints, and over the bodies that have some.
+#pragma once
+
+#include "constraints/joints/joint_kinds.h"
+#include "constraints/kernels.h"
+
+namespace jostle::physics::JOSTLE_ISA {
+
+// Calls pass(kind) with the struct of the range's kind, in the order of JointKind.
+template <class Pass>
+JOSTLE_INLINE void with_kind(int kind, Pass pass) {
+    switch (kind) {
+        case 0:
+            return pass(Ball{});
+        case 1:
+            return pass(Hinge{});
+        case 2:
+            return pass(ConeTwist{});
+        case 3:
+            return pass(Fixed{});
+        default:
+            return pass(Distance{});
+    }
+}
+
+// Ball joints have none and touch none.
+JOSTLE_INLINE JointTurns& turns_of(const JointRange& range, int block, JointTurns& nothing) {
+    return range.turns == nullptr ? nothing : range.turns[block - range.first];
+}
+
+inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
+    JointTurns nothing;
+    with_kind(range.kind, [&](auto kind) {
+        for (int k = range.begin; k < range.end; k++) {
+            JointPair pair(range.blocks[k], bodies);
+            kind.warm_start(pair, range.blocks[k], turns_of(range, k, nothing));
+            pair.store();
+        }
+    });
+}
+
+template <bool kRelax>
+void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep& step) {
+    JointTurns nothing;
+    with_kind(range.kind, [&](auto kind) {
+        for (int k = range.begin; k < range.end; k++) {
+            JointBlock& block = range.blocks[k];
+            JointTurns& turns = turns_of(range, k, nothing);
+            JointPair pair(block, bodies);
+            const JointLoad load =
+                kind.template solve<kRelax>(pair, step, block, turns, range.sides[k].uses);
+            pair.store();
+            if constexpr (kRelax) {
+                store3(block.force, load3(block.force) + load.impulse);
+                if (range.turns != nullptr) store3(turns.torque, load3(turns.torque) + load.turn);
+            }
+        }
+    });
+}
+
+// What happens to a body's velocity between the two counts among what acts without contacts:
+// accelerate() then warm-starts contacts by what contacts did, and joints warm-start themselves, in
+// the directions of the moment.
+inline void begin_joints_range(const BodyRange& range) {
+    for (int k = range.begin; k < range.end; k++) {
+        HotBody& hot = range.bodies[range.indices[k]];
+        store(hot.free, load(hot.free) - load(hot.v));
+    }
+}
+inline void end_joints_range(const BodyRange& range) {
+    for (int k = range.begin; k < range.end; k++) {
+        HotBody& hot = range.bodies[range.indices[k]];
+        store(hot.free, load(hot.free) + load(hot.v));
+    }
+}
+
+}  // namespace jostle::physics::JOSTLE_ISA

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+//
+// One struct per joint kind: what it does with the impulses that it carries, and how it makes new
+// ones. warm_start() applies those of the sub-step before, solve() changes them, load() tells what
+// the joint exerted on b, in world axes.
+#pragma once
+
+#include "constraints/joints/joint_pair.h"
+
+namespace jostle::physics::JOSTLE_ISA {
+
+struct JointLoad {
+    Wide3 impulse;  // N s
+    Wide3 turn;     // N m s
+};
+
+struct Ball {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns&) {
+        pair.push(pair.to_world(block.point));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
+                                         JointTurns&, unsigned) {
+        Wide3 point = pair.to_world(block.point);
+        hold_points(pair, rigid<kRelax>(step), point);
+        pair.keep(block.point, point);
+        return {point, Wide3{}};
+    }
+};
+
+struct Hinge {
+    JOSTLE_INLINE static Wide along_axis(const JointTurns& t) {
+        return load(t.lower) - load(t.upper) + load(t.spring) + load(t.motor);
+    }
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns& t) {
+        const Wide3 axis = z_axis(pair.a.turn * load4(t.frame_a));
+        pair.push(pair.to_world(block.point));
+        pair.turn(pair.to_world(t.turn) + axis * along_axis(t));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
+                                         JointTurns& t, unsigned uses) {
+        const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
+        const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
+        const Wide3 axis = z_axis(frame_a);
+        if (uses != 0) {
+            const WideRow<true> row(pair, axis);
+            const Wide3 x = x_axis(frame_b);
+            const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
+            // The weakest first: what must hold has the last word.
+            if ((uses & uses_spring) != 0)
+                spring_row(pair, row, spring_of(t.spring_soft), angle - load(t.spring_at),
+                           t.spring);
+            if ((uses & uses_motor) != 0)
+                motor_row(pair, row, load(t.motor_speed), load(t.motor_most), t.motor);
+            if ((uses & uses_limit) != 0) {
+                limit_row<kRelax>(pair, step, row, 1, angle - load(t.lower_at), t.lower);
+                limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - angle, t.upper);
+            }
+        }
+        Wide3 turn = pair.to_world(t.turn), point = pair.to_world(block.point);
+        hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), turn);
+        hold_points(pair, rigid<kRelax>(step), point);
+        pair.keep(t.turn, turn);
+        pair.keep(block.point, point);
+        return {point, turn + axis * along_axis(t)};
+    }
+};
+
+struct ConeTwist {
+    struct Axes {
+        Wide3 swing;        // about which b's x axis turns away from a's
+        Wide3 twist;        // b's spin against a, times this, is the rate of the twist angle
+        Wide sine, cosine;  // of the swing angle
+
+        JOSTLE_INLINE Axes(WideQuat frame_a, WideQuat frame_b) {
+            const Wide3 a = x_axis(frame_a), b = x_axis(frame_b), away = cross(a, b);
+            sine = root(dot(away, away));
+            cosine = dot(a, b);
+            swing = normalized(away, y_axis(frame_a));
+            // At a swing of a half turn there is no twist to speak of.
+            twist = (a + b) * (splat(1) / max(splat(1) + cosine, splat(0.05f)));
+        }
+        JOSTLE_INLINE Wide3 turn(const JointTurns& t, Wide3 drive) const {
+            return twist * (load(t.lower) - load(t.upper)) - swing * load(t.swing) + drive;
+        }
+    };
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns& t) {
+        const Axes axes(pair.a.turn * load4(t.frame_a), pair.b.turn * load4(t.frame_b));
+        pair.push(pair.to_world(block.point));
+        pair.turn(axes.turn(t, pair.to_world(t.drive)));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
+                                         JointTurns& t, unsigned uses) {
+        const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
+        const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
+        const Axes axes(frame_a, frame_b);
+        Wide3 drive = pair.to_world(t.drive), point = pair.to_world(block.point);
+        if ((uses & uses_motor) != 0) {
+            // Friction against all turning.
+            const Wide3 stop = drive - solve3(pair.turn_matrix(), pair.spin());
+            const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
+            const WideMask slips = size > most;
+            const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
+            pair.turn(stop * share - drive);
+            drive = stop * share;
+            pair.keep(t.drive, drive);
+        }
+        if ((uses & uses_limit) != 0) {
+            const WideQuat q = conjugate(frame_a) * frame_b;
+            // Of q and of -q, which are the same turn, the one less than half.
+            const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
+            const Wide twist = splat(2) * arc_tangent(q.x * sign, q.w * sign);
+            const WideRow<true> row(pair, axes.twist);
+            limit_row<kRelax>(pair, step, row, 1, twist - load(t.lower_at), t.lower);
+            limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - twist, t.upper);
+        }
+        const Wide swing = arc_tangent(axes.sine, axes.cosine);
+        limit_row<kRelax>(pair, step, WideRow<true>(pair, axes.swing), -1, load(t.swing_at) - swing,
+                          t.swing);
+        hold_points(pair, rigid<kRelax>(step), point);
+        pair.keep(block.point, point);
+        return {point, axes.turn(t, drive)};
+    }
+};
+
+struct Fixed {
+    // A spring gives in the relaxing pass too; only what is rigid is relaxed.
+    template <bool kRelax>
+    JOSTLE_INLINE static WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) {
+        const WideSoft spring = spring_of(row), stiff = rigid<kRelax>(step);
+        const WideMask given = spring.mass_scale > splat(0);
+        return {select(given, spring.bias_rate, stiff.bias_rate),
+                select(given, spring.mass_scale, stiff.mass_scale),
+                select(given, spring.impulse_scale, stiff.impulse_scale)};
+    }
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns& t) {
+        pair.push(pair.to_world(block.point));
+        pair.turn(pair.to_world(t.turn));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
+                                         JointTurns& t, unsigned) {
+        // The turn from a's frame to b's, of which frame_b has that at the start: the shorter way
+        // round.
+        const WideQuat q = pair.b.turn * load4(t.frame_b) * conjugate(pair.a.turn);
+        const Wide sign = select(splat(0) > q.w, splat(-2), splat(2));
+        Wide3 turn = pair.to_world(t.turn), point = pair.to_world(block.point);
+        hold_turns(pair, soft_or_rigid<kRelax>(step, t.spring_soft), Wide3{q.x, q.y, q.z} * sign,
+                   turn);
+        hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
+        pair.keep(t.turn, turn);
+        pair.keep(block.point, point);
+        return {point, turn};
+    }
+};
+
+struct Distance {
+    // From a's anchor to b's; up when they coincide and there is no such direction.
+    JOSTLE_INLINE static Wide3 line_of(const JointPair& pair) {
+        return normalized(pair.apart, {splat(0), splat(1), splat(0)});
+    }
+    JOSTLE_INLINE static Wide along(const JointTurns& t) {
+        return load(t.spring) + load(t.lower) - load(t.upper);
+    }
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock&, JointTurns& t) {
+        pair.push(line_of(pair) * along(t));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock&,
+                                         JointTurns& t, unsigned uses) {
+        const Wide3 line = line_of(pair);
+        const WideRow<false> row(pair, line);
+        const Wide now = root(dot(pair.apart, pair.apart));
+        // A rod is a spring as stiff as the sub-step can carry, a row that pulls and pushes.
+        if ((uses & uses_spring) != 0)
+            spring_row(pair, row, Fixed::soft_or_rigid<kRelax>(step, t.spring_soft),
+                       now - load(t.spring_at), t.spring);
+        if ((uses & uses_limit) != 0) {
+            limit_row<kRelax>(pair, step, row, 1, now - load(t.lower_at), t.lower);
+            limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - now, t.upper);
+        }
+        return {line * along(t), Wide3{}};
+    }
+};
+
+}  // namespace jostle::physics::JOSTLE_ISA

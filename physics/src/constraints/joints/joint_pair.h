@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+//
+// The two bodies of eight joints at a moment of the step, and the rows that all kinds are made of:
+// hold two points together, hold directions together, limit or drive one angle or distance.
+//
+// Impulses turn with the body that carries them, b unless nothing moves it: kept in the world's
+// axes they would lag behind from sub-step to sub-step and push what turns.
+#pragma once
+
+#include "constraints/contact_kernel.h"
+#include "constraints/joints/joint_step.h"
+#include "math/wide_turn.h"
+#include "state/joint_block.h"
+
+namespace jostle::physics::JOSTLE_ISA {
+
+JOSTLE_INLINE void store3(float (*rows)[8], Wide3 v) {
+    store(rows[0], v.x);
+    store(rows[1], v.y);
+    store(rows[2], v.z);
+}
+JOSTLE_INLINE WideQuat load4(const float (*rows)[8]) {
+    return {load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])};
+}
+
+// A symmetric matrix.
+struct WideSymmetric {
+    Wide xx, yy, zz, xy, xz, yz;
+};
+JOSTLE_INLINE WideSymmetric operator+(const WideSymmetric& a, const WideSymmetric& b) {
+    return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+}
+JOSTLE_INLINE Wide3 operator*(const WideSymmetric& m, Wide3 v) {
+    return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+            m.xz * v.x + m.yz * v.y + m.zz * v.z};
+}
+// [r]x m [r]x^T: what an impulse at arm r does to the velocity there, by way of the spin.
+JOSTLE_INLINE WideSymmetric across(const WideSymmetric& m, Wide3 r) {
+    const Wide3 x = m * Wide3{splat(0), r.z, -r.y};  // m (r x e_x)
+    const Wide3 y = m * Wide3{-r.z, splat(0), r.x};
+    const Wide3 z = m * Wide3{r.y, -r.x, splat(0)};
+    return {x.y * r.z - x.z * r.y, y.z * r.x - y.x * r.z, z.x * r.y - z.y * r.x,
+            y.y * r.z - y.z * r.y, z.y * r.z - z.z * r.y, z.z * r.x - z.x * r.z};
+}
+// One over x; zero where x is not above the least.
+JOSTLE_INLINE Wide inverse_above(Wide x, Wide least) {
+    const WideMask solid = x > least;
+    return select(solid, splat(1) / select(solid, x, splat(1)), splat(0));
+}
+// The solution of m x = v, without the directions in which nothing can move: locked axes leave
+// zero rows. LDL^T, whose pivots tell.
+JOSTLE_INLINE Wide3 solve3(const WideSymmetric& m, Wide3 v) {
+    const Wide least = max(m.xx, max(m.yy, m.zz)) * splat(1e-6f);
+    const Wide d0 = inverse_above(m.xx, least);
+    const Wide l1 = m.xy * d0, l2 = m.xz * d0;
+    const Wide d1 = inverse_above(m.yy - l1 * m.xy, least);
+    const Wide under = m.yz - l1 * m.xz, l3 = under * d1;
+    const Wide d2 = inverse_above((m.zz - l2 * m.xz) - l3 * under, least);
+    const Wide y = v.y - l1 * v.x, z = (v.z - l2 * v.x) - l3 * y;
+    const Wide rz = z * d2, ry = y * d1 - l3 * rz;
+    return {(v.x * d0 - l1 * ry) - l2 * rz, ry, rz};
+}
+
+struct JointSide {
+    const float* rows[8];
+    Wide state[8];  // HotBody's row 0
+    Wide3 v, w, dp;
+    Wide3 inverse_mass;  // per axis of the world
+    WideSymmetric inverse_inertia;
+    WideQuat turn;  // since the start of the step
+    Wide3 arm;      // of the anchor, now
+    Wide3 swept;    // how the anchor moved by that turn
+
+    JOSTLE_INLINE void load_from(const HotBody* bodies, const std::int32_t* index,
+                                 const float (*start_arm)[8]) {
+        const float* row[8];
+        for (int k = 0; k < 8; k++) rows[k] = bodies[index[k]].v;
+        load_rows(rows, state);
+        v = {state[0], state[1], state[2]};
+        w = {state[3], state[4], state[5]};
+        Wide motion[8], inertia[8];
+        for (int k = 0; k < 8; k++) row[k] = rows[k] + 8;
+        load_rows(row, motion);
+        for (int k = 0; k < 8; k++) row[k] = rows[k] + 16;
+        load_rows(row, inertia);
+        dp = {motion[0], motion[1], motion[2]};
+        inverse_mass = {state[6] * inertia[6], state[6] * inertia[7], state[6] * motion[6]};
+        inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
+        turn = from_rotation_vector({motion[3], motion[4], motion[5]});
+        const Wide3 start = load3(start_arm);
+        swept = turned_by(turn, start);
+        arm = start + swept;
+    }
+    JOSTLE_INLINE void store_to() {
+        state[0] = v.x, state[1] = v.y, state[2] = v.z;
+        state[3] = w.x, state[4] = w.y, state[5] = w.z;
+        // What joints cannot push may be in several blocks at once: nothing is written to it.
+        alignas(32) float nobody[8];
+        float* to[8];
+        for (int k = 0; k < 8; k++) to[k] = rows[k][6] > 0 ? const_cast<float*>(rows[k]) : nobody;
+        store_rows(to, state);
+    }
+    JOSTLE_INLINE Wide3 push(Wide3 p) const {
+        return {p.x * inverse_mass.x, p.y * inverse_mass.y, p.z * inverse_mass.z};
+    }
+};
+
+struct JointPair {
+    JointSide a, b;
+    Wide3 apart;       // from a's anchor to b's, m
+    WideQuat carried;  // how the joint's impulses turned since the start of the step
+
+    JOSTLE_INLINE JointPair(const JointBlock& block, const HotBody* bodies) {
+        a.load_from(bodies, block.a, block.arm_a);
+        b.load_from(bodies, block.b, block.arm_b);
+        apart = load3(block.apart) + (b.dp - a.dp) + (b.swept - a.swept);
+        const WideMask by_b = b.state[6] > splat(0);
+        carried = {select(by_b, b.turn.x, a.turn.x), select(by_b, b.turn.y, a.turn.y),
+                   select(by_b, b.turn.z, a.turn.z), select(by_b, b.turn.w, a.turn.w)};
+    }
+    JOSTLE_INLINE void store() {
+        a.store_to();
+        b.store_to();
+    }
+    JOSTLE_INLINE Wide3 to_world(const float (*impulse)[8]) const {
+        return rotate(carried, load3(impulse));
+    }
+    JOSTLE_INLINE void keep(float (*impulse)[8], Wide3 in_world) const {
+        store3(impulse, rotate(conjugate(carried), in_world));
+    }
+
+    JOSTLE_INLINE Wide3 anchor_velocity() const {
+        return (b.v + cross(b.w, b.arm)) - (a.v + cross(a.w, a.arm));
+    }
+    JOSTLE_INLINE Wide3 spin() const { return b.w - a.w; }
+
+    // On b at its anchor, against a.
+    JOSTLE_INLINE void push(Wide3 impulse) {
+        a.v = a.v - a.push(impulse);
+        a.w = a.w - a.inverse_inertia * cross(a.arm, impulse);
+        b.v = b.v + b.push(impulse);
+        b.w = b.w + b.inverse_inertia * cross(b.arm, impulse);
+    }
+    JOSTLE_INLINE void turn(Wide3 impulse) {
+        a.w = a.w - a.inverse_inertia * impulse;
+        b.w = b.w + b.inverse_inertia * impulse;
+    }
+
+    // What an impulse at the anchors, or a turn, does to the relative motion.
+    JOSTLE_INLINE WideSymmetric point_matrix() const {
+        WideSymmetric k = across(a.inverse_inertia, a.arm) + across(b.inverse_inertia, b.arm);
+        const Wide3 mass = a.inverse_mass + b.inverse_mass;
+        k.xx += mass.x;
+        k.yy += mass.y;
+        k.zz += mass.z;
+        return k;
+    }
+    JOSTLE_INLINE WideSymmetric turn_matrix() const {
+        return a.inverse_inertia + b.inverse_inertia;
+    }
+};
+
+// A spring, or what the sub-step can carry, in eight lanes.
+struct WideSoft {
+    Wide bias_rate, mass_scale, impulse_scale;
+};
+// What is not a spring is without push in the relaxing pass.
+template <bool kRelax>
+JOSTLE_INLINE WideSoft rigid(const JointStep& step) {
+    if constexpr (kRelax) return {splat(0), splat(1), splat(0)};
+    return {splat(step.bias_rate), splat(step.mass_scale), splat(step.impulse_scale)};
+}
+JOSTLE_INLINE WideSoft spring_of(const SoftRow& row) {
+    return {load(row.bias_rate), load(row.mass_scale), load(row.impulse_scale)};
+}
+
+// The point row: the anchors stay together. `impulse` accumulates, in world axes.
+JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impulse) {
+    const Wide3 error = pair.anchor_velocity() + pair.apart * s.bias_rate;
+    const Wide3 d =
+        -(solve3(pair.point_matrix(), error) * s.mass_scale) - impulse * s.impulse_scale;
+    impulse = impulse + d;
+    pair.push(d);
+}
+
+// All three turns: `error` is the rotation vector from where b should be to where it is.
+JOSTLE_INLINE void hold_turns(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
+    const Wide3 want = pair.spin() + error * s.bias_rate;
+    const Wide3 d = -(solve3(pair.turn_matrix(), want) * s.mass_scale) - impulse * s.impulse_scale;
+    impulse = impulse + d;
+    pair.turn(d);
+}
+
+// The two turns across an axis.
+JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wide3 error,
+                             Wide3& impulse) {
+    const Wide zero = splat(0), one = splat(1);
+    const WideMask not_x = splat(0.7f) > absolute(axis.x);
+    const Wide3 other{select(not_x, one, zero), select(not_x, zero, one), zero};
+    const Wide3 p = normalized(cross(axis, other), other), q = cross(axis, p);
+    const WideSymmetric k = pair.turn_matrix();
+    const Wide3 kp = k * p, kq = k * q;
+    const Wide pp = dot(p, kp), pq = dot(p, kq), qq = dot(q, kq);
+    const Wide scale = inverse_above(pp * qq - pq * pq, pp * qq * splat(1e-6f));
+    const Wide3 want = pair.spin() + error * s.bias_rate;
+    const Wide ep = dot(p, want), eq = dot(q, want);
+    // What accumulated in the step before lies across the axis as it was then.
+    impulse = impulse - axis * dot(axis, impulse);
+    const Wide3 d =
+        -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * (s.mass_scale * scale)) -
+        impulse * s.impulse_scale;
+    impulse = impulse + d;
+    pair.turn(d);
+}
+
+// One degree of freedom: an angle about an axis, or a length along a line.
+template <bool kAngular>
+struct WideRow {
+    Wide3 direction;
+    Wide response;  // one over what an impulse does to the speed; 0 where it does nothing
+
+    JOSTLE_INLINE WideRow(const JointPair& pair, Wide3 unit) : direction(unit) {
+        const WideSymmetric k = kAngular ? pair.turn_matrix() : pair.point_matrix();
+        response = inverse_above(dot(unit, k * unit), splat(0));
+    }
+    JOSTLE_INLINE Wide speed(const JointPair& pair) const {
+        return dot(direction, kAngular ? pair.spin() : pair.anchor_velocity());
+    }
+    JOSTLE_INLINE void apply(JointPair& pair, Wide impulse) const {
+        if constexpr (kAngular)
+            pair.turn(direction * impulse);
+        else
+            pair.push(direction * impulse);
+    }
+};
+
+// `room`: how much there is left before the limit; negative: beyond it. `sign` times the row's
+// direction is that in which the impulse, which is kept, may push (>= 0).
+template <bool kRelax, bool kAngular>
+JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideRow<kAngular>& row,
+                             float sign, Wide room, float* kept) {
+    const WideMask free = room > splat(0);
+    const WideSoft s = rigid<kRelax>(step);
+    // What is left may be used up within the sub-step, no more.
+    const Wide bias = room * select(free, splat(step.inverse_h), s.bias_rate);
+    const Wide before = load(kept);
+    const Wide toward = row.speed(pair) * splat(sign);
+    const Wide now =
+        max(before - select(free, splat(1), s.mass_scale) * (toward + bias) * row.response -
+                select(free, splat(0), s.impulse_scale) * before,
+            splat(0));
+    row.apply(pair, (now - before) * splat(sign));
+    store(kept, now);
+}
+
+// Pulls the row's value `error` to zero.
+template <bool kAngular>
+JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
+                              Wide error, float* kept) {
+    const Wide before = load(kept);
+    const Wide d = -(s.mass_scale * (row.speed(pair) + error * s.bias_rate) * row.response) -
+                   s.impulse_scale * before;
+    store(kept, before + d);
+    row.apply(pair, d);
+}
+
+// Drives the row's speed to the target with at most `most` per sub-step.
+JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<true>& row, Wide speed, Wide most,
+                             float* kept) {
+    const Wide before = load(kept);
+    const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);
+    row.apply(pair, now - before);
+    store(kept, now);
+}
+
+}  // namespace jostle::physics::JOSTLE_ISA

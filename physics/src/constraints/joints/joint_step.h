@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// The numbers of a sub-step that all joints share.
+#pragma once
+
+namespace jostle::physics {
+
+// Of h seconds. Joints are as stiff as the sub-step can carry: more sub-steps are stiffer.
+struct JointStep {
+    float h = 0, inverse_h = 0;
+    // Of what the user did not make a spring (constraints/softness.h).
+    float bias_rate = 0, mass_scale = 1, impulse_scale = 0;
+};
+
+JointStep joint_step(double h);
+
+}  // namespace jostle::physics

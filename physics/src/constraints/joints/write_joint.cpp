@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/joints/write_joint.h"
+
+#include <cstdlib>
+
+#include "constraints/softness.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr float never = 1e30f;  // a limit that nothing reaches
+
+float as_float(double x) {
+    return static_cast<float>(x);
+}
+
+struct Lane {
+    int at;
+
+    void put(float (&row)[8], double x) const { row[at] = as_float(x); }
+    void put(float (*rows)[8], Vec3 v) const {
+        put(rows[0], v.x), put(rows[1], v.y), put(rows[2], v.z);
+    }
+    void put(float (*rows)[8], Quat q) const {
+        put(rows[0], q.x), put(rows[1], q.y), put(rows[2], q.z), put(rows[3], q.w);
+    }
+    void put(SoftRow& row, const Softness& s) const {
+        put(row.bias_rate, s.bias_rate);
+        put(row.mass_scale, s.mass_scale);
+        put(row.impulse_scale, s.impulse_scale);
+    }
+    double get(const float (&row)[8]) const { return double{row[at]}; }
+    Vec3 get3(const float (*rows)[8]) const { return {get(rows[0]), get(rows[1]), get(rows[2])}; }
+
+    void put_limit(JointTurns& t, double lower, double upper) const {
+        put(t.lower_at, lower);
+        put(t.upper_at, upper);
+    }
+};
+
+// Takes away what was left of an impulse and adds none.
+constexpr Softness switched_off{0, 1e-30, 1};
+// Where kernels read this they put what the sub-step can carry.
+constexpr Softness as_stiff_as_can_be{0, 0, 0};
+
+Softness spring_or(const JointSpring& spring, double h, const Softness& other) {
+    return spring.hertz > 0 ? soft(spring.hertz, spring.damping_ratio, h) : other;
+}
+
+// What is switched off keeps no impulse.
+double kept(bool enabled, double impulse) {
+    return enabled ? impulse : 0;
+}
+
+struct Parts {
+    const Joint& joint;
+    const JointEnd &a, &b;
+    double h;
+    const Lane& lane;
+    JointTurns& t;
+    std::uint8_t uses = 0;
+
+    void limit(bool enabled, double lower, double upper) {
+        lane.put_limit(t, enabled ? lower : double{-never}, enabled ? upper : double{never});
+        lane.put(t.lower, kept(enabled, joint.lower));
+        lane.put(t.upper, kept(enabled, joint.upper));
+        if (enabled) uses |= uses_limit;
+    }
+    void spring(bool enabled, const Softness& softness, double at) {
+        lane.put(t.spring_soft, enabled ? softness : switched_off);
+        lane.put(t.spring_at, at);
+        lane.put(t.spring, kept(enabled, joint.spring));
+        if (enabled) uses |= uses_spring;
+    }
+    void motor(bool enabled, double speed, double most) {
+        lane.put(t.motor_speed, speed);
+        lane.put(t.motor_most, enabled ? most * h : 0);
+        lane.put(t.motor, kept(enabled, joint.motor));
+        if (enabled) uses |= uses_motor;
+    }
+    void frames() {
+        lane.put(t.frame_a, a.frame);
+        lane.put(t.frame_b, b.frame);
+    }
+
+    void operator()(const BallJoint&) {}
+    void operator()(const HingeJoint& kind) {
+        frames();
+        limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
+        spring(kind.spring.hertz > 0, spring_or(kind.spring, h, {}), kind.spring_angle);
+        motor(kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
+    }
+    void operator()(const ConeTwistJoint& kind) {
+        frames();
+        limit(kind.twist.enabled, kind.twist.lower, kind.twist.upper);
+        motor(kind.friction_torque > 0, 0, kind.friction_torque);
+        lane.put(t.swing_at, kind.swing);
+        lane.put(t.swing, joint.swing);
+    }
+    void operator()(const FixedJoint& kind) {
+        // Both frames in one turn, so that a small one keeps its digits.
+        lane.put(t.frame_b, b.frame * conjugate(a.frame));
+        lane.put(t.spring_soft, spring_or(kind.angular, h, as_stiff_as_can_be));
+        lane.put(t.point_soft, spring_or(kind.linear, h, as_stiff_as_can_be));
+    }
+    void operator()(const DistanceJoint& kind) {
+        const bool rod = kind.min_length == kind.max_length;
+        limit(!rod, kind.min_length, kind.max_length);
+        if (rod)
+            spring(true, as_stiff_as_can_be, kind.min_length);
+        else
+            spring(kind.spring.hertz > 0, spring_or(kind.spring, h, {}), kind.rest_length);
+    }
+};
+
+}  // namespace
+
+void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
+                 JointBlock& block, JointTurns* turns, JointBlockSide& side, int lane_index) {
+    const Lane lane{lane_index};
+    const Quat carried = carrier_of(a.hot, b.hot) == b.hot ? b.rotation : a.rotation;
+    block.a[lane.at] = std::abs(a.hot);
+    block.b[lane.at] = std::abs(b.hot);
+    lane.put(block.arm_a, a.arm);
+    lane.put(block.arm_b, b.arm);
+    lane.put(block.apart, (b.center - a.center) + (b.arm - a.arm));
+    lane.put(block.point, rotate(carried, joint.point));
+    if (turns == nullptr) return;
+    lane.put(turns->turn, rotate(carried, joint.turn));
+    Parts parts{joint, a, b, h, lane, *turns};
+    std::visit(parts, joint.kind);
+    if ((parts.uses & uses_motor) != 0) lane.put(turns->drive, rotate(carried, joint.drive));
+    side.uses |= parts.uses;
+}
+
+bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& block,
+                const JointTurns* turns, int lane_index) {
+    const Lane lane{lane_index};
+    joint.point = inverse_rotate(carried, lane.get3(block.point));
+    joint.force = lane.get3(block.force) * (1 / dt);
+    if (turns != nullptr) {
+        joint.turn = inverse_rotate(carried, lane.get3(turns->turn));
+        joint.drive = inverse_rotate(carried, lane.get3(turns->drive));
+        joint.lower = lane.get(turns->lower);
+        joint.upper = lane.get(turns->upper);
+        joint.swing = lane.get(turns->swing);
+        joint.spring = lane.get(turns->spring);
+        joint.motor = lane.get(turns->motor);
+        joint.torque = lane.get3(turns->torque) * (1 / dt);
+    }
+    return (joint.break_force > 0 && length(joint.force) > joint.break_force) ||
+           (joint.break_torque > 0 && length(joint.torque) > joint.break_torque);
+}
+
+JointStep joint_step(double h) {
+    const Softness s = soft(tuning::joint_stiffness / h, tuning::joint_damping_ratio, h);
+    return {as_float(h), as_float(1 / h), as_float(s.bias_rate), as_float(s.mass_scale),
+            as_float(s.impulse_scale)};
+}
+
+const char* kind_name(const JointKind& kind) {
+    static constexpr const char* names[joint_kinds] = {"ball", "hinge", "cone-twist", "fixed",
+                                                       "distance"};
+    return names[kind.index()];
+}
+
+}  // namespace jostle::physics

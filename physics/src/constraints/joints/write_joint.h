@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// A joint's lane in a block, from the doubles of the world and back.
+#pragma once
+
+#include "constraints/joints/joint_step.h"
+#include "state/joint_block.h"
+#include "state/joint_store.h"
+
+namespace jostle::physics {
+
+// One body of a joint at the start of the step.
+struct JointEnd {
+    std::int32_t hot = 0;  // as JointBlockSide's
+    Vec3 center, arm;      // of mass; of the frame's origin from it
+    Quat rotation, frame;  // of the body; of the frame in the world
+};
+
+// The hot index of the body with which a joint's impulses turn.
+inline std::int32_t carrier_of(std::int32_t a, std::int32_t b) {
+    return b > 0 ? b : a;
+}
+
+// `turns` is null for kinds that need none; h: sub-step, s.
+void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
+                 JointBlock& block, JointTurns* turns, JointBlockSide& side, int lane);
+// Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation
+// of its carrier at the start of the step. Returns whether it is loaded more than it bears.
+bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& block,
+                const JointTurns* turns, int lane);
+
+}  // namespace jostle::physics

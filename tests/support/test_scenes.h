@@ -224,17 +224,57 @@ inline physics::World fair_scene(int threads = 1) {
     return world;
 }
 
+// 310 chains of two links that swing through each other, of all kinds of joints with and without
+// limits, springs and motors: levels are long enough for threads to share them.
+inline physics::World chains_scene(int threads = 1) {
+    using namespace physics;
+    World world = make_world({.threads = threads});
+    Random random(77);
+    const BodyId ceiling =
+        add(world, {.geometry = Sphere{0.1}, .position = {0, 12, 0}, .type = BodyType::fixed});
+    for (int i = 0; i < 310; i++) {
+        const bool plain = i < 260;  // balls, the rest one of everything
+        const JointKind kinds[] = {
+            BallJoint{},
+            HingeJoint{.limit = {i % 2 == 0, -0.4, 0.6}, .motor = {i % 3 == 0, 2, 15}},
+            HingeJoint{.spring = {2, 0.3}, .spring_angle = 0.5},
+            ConeTwistJoint{
+                .swing = 0.5, .twist = {i % 2 == 0, -0.2, 0.3}, .friction_torque = i % 3 * 0.4},
+            FixedJoint{.angular = {i % 2 * 3.0, 0.2}},
+            DistanceJoint{.min_length = 0.2, .max_length = i % 2 == 0 ? 0.2 : 0.5},
+            DistanceJoint{
+                .min_length = 0, .max_length = 2, .spring = {3, 0.1}, .rest_length = 0.3}};
+        BodyId above = ceiling;
+        Vec3 place{i % 20 - 9.5, 0, i / 20 - 9.5};
+        Vec3 anchor = place;
+        for (int link = 0; link < 2; link++) {
+            place.y = -0.5 * link;
+            const Vec3 spin = random.vector(2);
+            const BodyId body = must(world.create_body(
+                {.pose = {place + Vec3{0, 11.6, 0}, {}}, .angular_velocity = spin},
+                {.geometry = Capsule{0.06, 0.15}, .filter = {.mask = 0}}));
+            must(world.create_joint(
+                {.body_a = above,
+                 .body_b = body,
+                 .frame_a = {anchor, from_rotation_vector({0, 0, -pi / 2})},
+                 .frame_b = {{0, 0.25, 0}, from_rotation_vector({0, 0.1 * link, -pi / 2})},
+                 .kind = kinds[plain ? 0 : i % 7]}));
+            above = body;
+            anchor = {0, -0.25, 0};
+        }
+    }
+    return world;
+}
+
 struct TestScene {
     std::string name;
     physics::World (*make)(int threads);
 };
 
 inline const std::vector<TestScene>& test_scenes() {
-    static const std::vector<TestScene> all = {{"pyramid", pyramid_scene},
-                                               {"pile", pile_scene},
-                                               {"towers", towers_scene},
-                                               {"yard", yard_scene},
-                                               {"fair", fair_scene}};
+    static const std::vector<TestScene> all = {
+        {"pyramid", pyramid_scene}, {"pile", pile_scene}, {"towers", towers_scene},
+        {"yard", yard_scene},       {"fair", fair_scene}, {"chains", chains_scene}};
     return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include "constraints/joints/write_joint.h"
 #include "constraints/kernels.h"
+#include "foundation/fetch.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -32,8 +33,15 @@ void find_joints(WorldState& world, Effort effort) {
     JointScratch& scratch = world.scratch.joints;
     scratch.marks.assign((world.joints.joints.size() + 63) / 64, 0);
     scratch.bodies.clear();
-    for (const std::uint32_t hot : world.scratch.in_solver[index_of(effort)]) {
-        const BodyCold& cold = world.bodies.cold[world.bodies.awake[hot - 1].body];
+    const auto& solved = world.scratch.in_solver[index_of(effort)];
+    const auto cold_of = [&](std::size_t k) -> const BodyCold& {
+        return world.bodies.cold[world.bodies.awake[solved[k] - 1].body];
+    };
+    for (std::size_t k = 0; k < solved.size(); k++) {
+        if (k + 8 < solved.size() && cold_of(k + 8).first_joint != none)
+            fetch(world.joints.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
+        const std::uint32_t hot = solved[k];
+        const BodyCold& cold = cold_of(k);
         if (cold.first_joint == none) continue;
         scratch.bodies.push_back(hot);
         for_each_joint(world.joints, cold, [&](std::uint32_t joint) {
@@ -123,11 +131,6 @@ JointTurns* turns_of(JointScratch& scratch, int first) {
 
 // Joints of a level lie far apart in memory, and so do their bodies.
 void fetch_ahead(const WorldState& world, const JointBlockSide& side) {
-    const auto fetch = [](const auto& record) {
-        const char* at = reinterpret_cast<const char*>(&record);
-        for (std::size_t offset = 0; offset < sizeof(record); offset += 64)
-            __builtin_prefetch(at + offset);
-    };
     for (int lane = 0; lane < side.count; lane++) {
         fetch(world.joints.joints[side.joint[lane]]);
         for (const std::int32_t hot : {side.a[lane], side.b[lane]})

@@ -36,8 +36,7 @@ public:
         // Every impact uses up one of somebody's, and between two there are so many legs: this
         // ends.
         for (;;) {
-            for (const std::size_t k : to_look_) look(k);
-            to_look_.clear();
+            look_all();
             std::size_t first = 0;
             for (std::size_t k = 1; k < next_.size(); k++)
                 if (next_[k] < next_[first]) first = k;
@@ -329,6 +328,13 @@ private:
         look_again(index);
     }
 
+    // Looking reads how the others go and writes down what one meets.
+    void look_all() {
+        step_.team.run(static_cast<int>(to_look_.size()), 4, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) look(to_look_[static_cast<std::size_t>(k)]);
+        });
+        to_look_.clear();
+    }
     // The first impact on the way that is left.
     void look(std::size_t k) {
         Traveller& t = travellers_[k];

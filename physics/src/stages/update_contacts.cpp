@@ -2,11 +2,13 @@
 #include "stages/update_contacts.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <tuple>
 
 #include "collision/narrowphase/collide.h"
 #include "collision/narrowphase/collide_planar.h"
 #include "constraints/write_manifold.h"
+#include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
 #include "stages/sweep_rule.h"
 #include "state/lanes.h"
@@ -22,7 +24,8 @@ void queue(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     if (c.queued) return;
     c.queued = true;
-    world.scratch.checks.push_back({.contact = contact, .manifold = {}});
+    world.scratch.checks.push_back(
+        {.contact = contact, .list = c.composite ? world.scratch.part_lists++ : -1});
 }
 
 void note_held(WorldState& world) {
@@ -68,6 +71,8 @@ void drop_dormant_pairs(WorldState& world) {
 void take_due_pairs(WorldState& world, double dt) {
     std::vector<Waiting>& waiting = world.contacts.waiting;
     const std::vector<BodyReach>& reach = world.bodies.reach;
+    std::vector<std::uint32_t>& due = world.scratch.due;
+    due.clear();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < waiting.size(); k++) {
         Waiting w = waiting[k];
@@ -75,8 +80,7 @@ void take_due_pairs(WorldState& world, double dt) {
         if (a.reach + b.reach > w.limit) {
             const double left = w.slack < 0 ? -1 : slack_left(world, w, dt);
             if (left < 0) {
-                world.contacts.contacts[w.contact].waiting = false;
-                queue(world, w.contact);
+                due.push_back(w.contact);
                 continue;
             }
             w.limit = a.reach + b.reach + left;
@@ -84,6 +88,11 @@ void take_due_pairs(WorldState& world, double dt) {
         waiting[kept++] = w;
     }
     waiting.resize(kept);
+    for (std::size_t k = 0; k < due.size(); k++) {
+        if (k + 8 < due.size()) fetch(world.contacts.contacts[due[k + 8]]);
+        world.contacts.contacts[due[k]].waiting = false;
+        queue(world, due[k]);
+    }
 }
 
 // A composite pair is looked at as a whole when any of its parts has aged.
@@ -100,13 +109,12 @@ void take_aged_manifolds(WorldState& world) {
     });
 }
 
-// Room for the parts of every composite pair, given out before threads look at them.
-void give_out_lists(WorldState& world) {
-    std::int32_t lists = 0;
-    for (ContactCheck& check : world.scratch.checks)
-        if (world.contacts.contacts[check.contact].composite) check.list = lists++;
-    if (world.scratch.parts.size() < static_cast<std::size_t>(lists))
-        world.scratch.parts.resize(static_cast<std::size_t>(lists));
+// Room for what threads will find.
+void make_room(StepScratch& scratch) {
+    const auto lists = static_cast<std::size_t>(scratch.part_lists);
+    if (scratch.parts.size() < lists) scratch.parts.resize(lists);
+    if (scratch.fresh.size() < scratch.checks.size()) scratch.fresh.resize(scratch.checks.size());
+    scratch.fresh_count = 0;
 }
 
 // ---- looking at one pair ----
@@ -196,9 +204,9 @@ void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, 
                        double dt) {
     const Contact& c = world.contacts.contacts[check.contact];
     const double way = closing_way(world, c, dt);
-    check.sure = closing_reach(world, c, way) + composite_slack;
+    check.near = closing_reach(world, c, way) + composite_slack;
     std::vector<PartManifold> parts;
-    collide_composite(a, b, tuning::speculative_margin + check.sure, parts);
+    collide_composite(a, b, tuning::speculative_margin + check.near, parts);
     std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
@@ -211,6 +219,32 @@ void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, 
     match_parts(world, c, found);
 }
 
+double smallest_gap(const Manifold& m) {
+    double gap = m.distance;
+    for (int i = 0; i < m.count; i++) gap = i == 0 ? m.gap[0] : minimum(gap, m.gap[i]);
+    return gap;
+}
+
+// Contacts, their bodies and shapes lie anywhere: asked for in the order in which one leads to the
+// next, some checks before they are needed.
+void fetch_ahead(const WorldState& world, int k, int end) {
+    const auto contact_of = [&](int check) -> const Contact& {
+        return world.contacts
+            .contacts[world.scratch.checks[static_cast<std::size_t>(check)].contact];
+    };
+    if (k + 12 < end) fetch(contact_of(k + 12));
+    if (k + 8 < end) {
+        const Contact& c = contact_of(k + 8);
+        for (const std::uint32_t body : {c.body_a, c.body_b})
+            fetch(world.bodies.cold[body], offsetof(BodyCold, local_center));
+        for (const std::uint32_t shape : {c.shape_a, c.shape_b}) fetch(world.shapes.shapes[shape]);
+    }
+    if (k + 4 < end) {
+        const Contact& c = contact_of(k + 4);
+        for (const std::uint32_t body : {c.body_a, c.body_b}) fetch(warm_of(world, body));
+    }
+}
+
 void look(WorldState& world, ContactCheck& check, double dt) {
     Contact& c = world.contacts.contacts[check.contact];
     const ShapeRecord& sa = world.shapes.shapes[c.shape_a];
@@ -221,11 +255,17 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     const double margin = will_be_swept(world, c, way, dt)
                               ? tuning::touch_gap
                               : tuning::speculative_margin + closing_reach(world, c, way);
-    check.manifold =
+    const Manifold manifold =
         world.def.planar ? collide_planar(a, b, margin, c.cache) : collide(a, b, margin, c.cache);
-    check.gap_ahead = expected_gap(world, c, check.manifold, dt);
-    check.expected = check.gap_ahead < tuning::speculative_margin;
-    if (c.colour >= 0 && check.manifold.count > 0) write_manifold(world, c, check.manifold, false);
+    check.near = smallest_gap(manifold);
+    check.gap_ahead = expected_gap(world, c, manifold, dt);
+    if (manifold.count > 0 && c.colour >= 0) {
+        check.goes_on = true;
+        write_manifold(world, c, manifold, false);
+    } else if (check.gap_ahead < tuning::speculative_margin) {
+        check.list = world.scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+        world.scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
+    }
 }
 
 // ---- what came of it ----
@@ -242,12 +282,6 @@ bool boxes_overlap(const WorldState& world, const Contact& c) {
     return overlap(a.fat, b.fat);
 }
 
-double smallest_gap(const Manifold& m) {
-    double gap = m.distance;
-    for (int i = 0; i < m.count; i++) gap = i == 0 ? m.gap[0] : minimum(gap, m.gap[i]);
-    return gap;
-}
-
 // No manifold (any more): the pair waits until its bodies may have come near, or ends when its
 // boxes parted.
 void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
@@ -261,7 +295,7 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
         destroy_contact(world, check.contact, world.events.contacts_ended);
         return;
     }
-    put_on_waiting_list(world, check.contact, smallest_gap(check.manifold) - near);
+    put_on_waiting_list(world, check.contact, check.near - near);
 }
 
 std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
@@ -288,8 +322,8 @@ void decide_composite(WorldState& world, ContactCheck& check) {
     if (asleep && check.gap_ahead >= tuning::wake_gap) {
         if (!boxes_overlap(world, contacts[check.contact]))
             return destroy_contact(world, check.contact, world.events.contacts_ended);
-        const double clear = found.empty() ? check.sure : check.gap_ahead - tuning::wake_gap;
-        return put_on_waiting_list(world, check.contact, minimum(check.sure, clear));
+        const double clear = found.empty() ? check.near : check.gap_ahead - tuning::wake_gap;
+        return put_on_waiting_list(world, check.contact, minimum(check.near, clear));
     }
     if (asleep) wake_sleepers(world, contacts[check.contact]);
     for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
@@ -305,7 +339,7 @@ void decide_composite(WorldState& world, ContactCheck& check) {
     if (found.empty() && !boxes_overlap(world, contacts[check.contact])) {
         return destroy_contact(world, check.contact, world.events.contacts_ended);
     }
-    double clear = check.sure;
+    double clear = check.near;
     for (std::size_t k = 0; k < found.size(); k++) {
         if (found[k].contact != none) continue;
         if (found[k].gap_ahead < tuning::speculative_margin)
@@ -333,11 +367,9 @@ void decide(WorldState& world, ContactCheck& check) {
     }
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
-    if (check.manifold.count > 0 && (c.colour >= 0 || check.expected)) {
-        if (c.colour >= 0)
-            continue_manifold(world, check.contact);
-        else
-            scratch.new_lanes.push_back({index_of(world, check), -1});
+    if (check.goes_on) return continue_manifold(world, check.contact);
+    if (check.list >= 0) {
+        scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
     }
     wait_or_end(world, check, tuning::speculative_margin);
@@ -362,14 +394,15 @@ void begin_manifolds(WorldState& world) {
     for (const NewLane& lane : fresh) {
         const ContactCheck& check = world.scratch.checks[lane.check];
         std::uint32_t contact = check.contact;
-        const Manifold* manifold = &check.manifold;
+        const auto list = static_cast<std::size_t>(check.list);
+        const Manifold* manifold = nullptr;
         if (lane.part >= 0) {
-            const PartManifold& part = world.scratch
-                                           .parts[static_cast<std::size_t>(check.list)]
-                                                 [static_cast<std::size_t>(lane.part)]
-                                           .part;
+            const PartManifold& part =
+                world.scratch.parts[list][static_cast<std::size_t>(lane.part)].part;
             contact = create_part(world, check.contact, part.key);
             manifold = &part.manifold;
+        } else {
+            manifold = &world.scratch.fresh[list];
         }
         take_lane(world, contact, manifold->count == 1);
         const Contact& c = world.contacts.contacts[contact];
@@ -385,17 +418,24 @@ Skipped update_contacts(StepContext& step) {
     WorldState& world = step.world;
     auto& checks = world.scratch.checks;
     checks.clear();
+    world.scratch.part_lists = 0;
     world.scratch.new_lanes.clear();
     world.scratch.to_wake.clear();
     note_held(world);
     drop_dormant_pairs(world);
     take_due_pairs(world, step.dt);
     take_aged_manifolds(world);
-    give_out_lists(world);
+    make_room(world.scratch);
     step.team.run(static_cast<int>(checks.size()), 32, [&](int begin, int end) {
-        for (int k = begin; k < end; k++) look(world, checks[static_cast<std::size_t>(k)], step.dt);
+        for (int k = begin; k < end; k++) {
+            fetch_ahead(world, k, end);
+            look(world, checks[static_cast<std::size_t>(k)], step.dt);
+        }
     });
-    for (ContactCheck& check : checks) decide(world, check);
+    for (std::size_t k = 0; k < checks.size(); k++) {
+        if (k + 8 < checks.size()) fetch(world.contacts.contacts[checks[k + 8].contact]);
+        decide(world, checks[k]);
+    }
     wake_islands(world);
     begin_manifolds(world);
     world.profile.pairs_checked = static_cast<int>(checks.size());

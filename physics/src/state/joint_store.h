@@ -13,6 +13,8 @@
 namespace jostle::physics {
 
 struct Joint {
+    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
+
     // What the user set. Bodies by index.
     std::uint32_t body_a = none, body_b = none;
     Transform frame_a, frame_b;
@@ -33,8 +35,6 @@ struct Joint {
     Vec3 drive;        // friction
     // What acted during the last step, for reports and for breaking.
     Vec3 force, torque;  // N, N m
-
-    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
 };
 
 struct JointStore {

@@ -18,17 +18,18 @@
 
 namespace jostle::physics {
 
-// One narrow phase call and what came of it.
+// One narrow phase call and what came of it. Small: there may be tens of thousands.
 struct ContactCheck {
     std::uint32_t contact = 0;
-    Manifold manifold;
-    double gap_ahead =
-        0;  // m: smallest gap of any point at the end of the step, as the bodies move now
-    bool expected = false;  // near enough for a manifold
-    // Of a composite pair: its parts are in StepScratch::parts[list], and everything nearer than
-    // `sure` beyond the speculative margin is among them.
+    // Of a composite pair: its parts are in StepScratch::parts[list]. Else: the manifold that may
+    // begin is StepScratch::fresh[list].
     std::int32_t list = -1;
-    double sure = 0;
+    bool goes_on = false;  // has points, and a lane that they were written to
+    double gap_ahead = 0;  // m: smallest gap of any point at the end of the step, as the bodies
+                           // move now
+    // m: the smallest gap now. Of a composite pair: everything nearer than this beyond the
+    // speculative margin is among its parts.
+    double near = 0;
 };
 
 // One manifold of a composite pair.
@@ -82,7 +83,11 @@ struct StepScratch {
     std::vector<std::uint32_t> drivers;  // hot indices of kinematic bodies that the solver reads
     std::vector<std::uint32_t> free;     // the other awake bodies, and all kinematic ones
     std::vector<std::pair<std::uint32_t, std::uint32_t>> new_pairs;  // shapes
+    std::vector<std::uint32_t> due;  // contacts that waited long enough
     std::vector<ContactCheck> checks;
+    std::int32_t part_lists = 0;  // given to checks of composite pairs
+    std::vector<Manifold> fresh;  // of checks without a lane, as far as fresh_count, in any order
+    std::atomic<int> fresh_count = 0;
     std::vector<std::vector<FoundPart>> parts;
     std::vector<NewLane> new_lanes;
     std::vector<std::uint32_t> to_wake, pairs_changed, found;

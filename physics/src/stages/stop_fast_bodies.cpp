@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "collision/narrowphase/impact_points.h"
 #include "collision/narrowphase/time_of_impact.h"
@@ -29,7 +31,7 @@ public:
     void run() {
         for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++)
             if (is_fast(i)) fast_.push_back(i);
-        for (const std::uint32_t i : fast_) start_if_it_may_meet(i);
+        start_those_that_may_meet();
         if (travellers_.empty()) return;
         world_.shapes.fixed->settle();
         world_.shapes.moving->settle();
@@ -37,9 +39,7 @@ public:
         // ends.
         for (;;) {
             look_all();
-            std::size_t first = 0;
-            for (std::size_t k = 1; k < next_.size(); k++)
-                if (next_[k] < next_[first]) first = k;
+            const std::size_t first = next_to_come();
             if (next_[first] > 1) break;
             if (travellers_[first].fraction <= travellers_[first].sweep.until)
                 impact(first);
@@ -51,8 +51,15 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t nobody = 0xffffffff;
+
+    // Index of the traveller that a body is, or nobody.
+    std::uint32_t traveller_of(std::uint32_t body) const {
+        return where_.empty() ? nobody : where_[body];
+    }
     std::size_t add(std::uint32_t body, const Sweep& sweep, bool fast) {
-        where_.emplace(body, travellers_.size());
+        if (where_.empty()) where_.resize(world_.bodies.cold.size(), nobody);
+        where_[body] = static_cast<std::uint32_t>(travellers_.size());
         Traveller t;
         t.body = body;
         t.sweep = sweep;
@@ -67,6 +74,20 @@ private:
         const Traveller& t = travellers_[k];
         next_[k] = t.fast ? std::min(t.fraction, t.sweep.until < 1 ? t.sweep.until : Impact::never)
                           : Impact::never;
+    }
+    // Enters the traveller with what next_ says of it; entries that next_ contradicts are passed
+    // over.
+    void queue(std::size_t k) {
+        queue_.emplace_back(next_[k], k);
+        std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+    }
+    // The traveller to which something happens first; of several the first.
+    std::size_t next_to_come() {
+        while (!queue_.empty() && queue_.front().first != next_[queue_.front().second]) {
+            std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+            queue_.pop_back();
+        }
+        return queue_.empty() ? 0 : queue_.front().second;
     }
     void look_again(std::size_t k) {
         Traveller& t = travellers_[k];
@@ -137,37 +158,41 @@ private:
     // Most fast bodies fly through nothing, or along with others that fall beside them: those need
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
-    void start_if_it_may_meet(std::uint32_t awake) {
+    void start_those_that_may_meet() {
+        std::vector<std::uint8_t>& starts = world_.scratch.starts;
+        starts.assign(fast_.size(), 0);
+        step_.team.run(static_cast<int>(fast_.size()), 32, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                const std::uint32_t awake = fast_[static_cast<std::size_t>(k)];
+                bool any = world_.scratch.strayed[awake] != 0;
+                each_met(awake, [&](std::uint32_t) { return any = true; });
+                starts[static_cast<std::size_t>(k)] = any ? 1 : 0;
+            }
+        });
+        for (std::size_t k = 0; k < fast_.size(); k++)
+            if (starts[k] != 0) start(fast_[k]);
+    }
+    // Calls visit(shape) for those among a fast body's contacts that it may meet, until that
+    // returns true.
+    template <class Visit>
+    void each_met(std::uint32_t awake, Visit&& visit) const {
         const std::uint32_t body = world_.bodies.awake[awake].body;
         const BodyCold& cold = world_.bodies.cold[body];
         const Sweep sweep = way_of_fast(awake);
-        near_.clear();
-        if (world_.scratch.strayed[awake] == 0) {
-            for (std::uint32_t edge = cold.first_edge; edge != none;) {
-                const Contact& c = world_.contacts.contacts[edge / 2];
-                edge = c.next[edge % 2];
-                if (c.parent != none) continue;
-                const bool first = c.body_a == body;
-                const std::uint32_t other = first ? c.shape_b : c.shape_a;
-                if (may_meet_on(sweep, cold, other)) near_.push_back(other);
-            }
-            if (near_.empty()) return;
+        for (std::uint32_t edge = cold.first_edge; edge != none;) {
+            const Contact& c = world_.contacts.contacts[edge / 2];
+            edge = c.next[edge % 2];
+            if (c.parent != none) continue;
+            const std::uint32_t other = c.body_a == body ? c.shape_b : c.shape_a;
+            if (may_meet_on(sweep, cold, other) && visit(other)) return;
         }
-        start(awake, sweep);
-        Traveller& t = travellers_.back();
-        t.way = bounds_of_way(t);
-        t.near = near_;
-        if (world_.scratch.strayed[awake] != 0)
-            find_near_all(t);
-        else
-            tidy_near(t);
     }
 
     // Whether their motions against each other are large enough for a sweep and may bring them
     // together. What moves less is the contact solver's (stages/update_contacts.cpp).
     bool may_meet_on(const Sweep& sweep, const BodyCold& cold, std::uint32_t other_shape) const {
         const std::uint32_t other = world_.shapes.shapes[other_shape].body;
-        const Sweep motion = sweep_of(other);
+        const Sweep motion = way_of(other);
         const BodyCold& cold_other = world_.bodies.cold[other];
         const double linear = length(sweep.motion - motion.motion);
         const double turning =
@@ -190,11 +215,21 @@ private:
         return is_plane(shape) ? reaches_plane(world_, shape, way) : overlap(way, shape.fat);
     }
 
-    void start(std::uint32_t awake, const Sweep& sweep) {
+    void start(std::uint32_t awake) {
+        Traveller& t = travellers_[add(world_.bodies.awake[awake].body, way_of_fast(awake), true)];
+        aim_first(t, awake);
+        t.way = bounds_of_way(t);
+        if (world_.scratch.strayed[awake] != 0) return find_near_all(t);
+        each_met(awake, [&](std::uint32_t shape) {
+            t.near.push_back(shape);
+            return false;
+        });
+        tidy_near(t);
+    }
+    void aim_first(Traveller& t, std::uint32_t awake) {
         const BodyWarm& now = world_.bodies.awake[awake];
         const BodyWarm& before = world_.scratch.before[awake];
         const BodyCold& cold = world_.bodies.cold[now.body];
-        Traveller& t = travellers_[add(now.body, sweep, true)];
         t.end_rotation = now.rotation;
         t.end_spin = now.w;
         t.velocity = now.v;
@@ -216,12 +251,12 @@ private:
         Vec3 v, w;
     };
     Speed speed_at(std::uint32_t body, const Sweep& sweep, double fraction) const {
-        const auto known = where_.find(body);
-        if (known == where_.end()) {
+        const std::uint32_t known = traveller_of(body);
+        if (known == nobody) {
             const BodyWarm& warm = warm_of(world_, body);
             return {warm.v, warm.w};
         }
-        const Traveller& t = travellers_[known->second];
+        const Traveller& t = travellers_[known];
         Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
         const BodyCold& cold = world_.bodies.cold[body];
         if (cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0) return s;
@@ -233,11 +268,13 @@ private:
         return s;
     }
 
-    // How a body that is no traveller moves: as it did if it was fast, else back from where it is,
-    // by its velocity.
     Sweep sweep_of(std::uint32_t body) const {
-        const auto known = where_.find(body);
-        if (known != where_.end()) return travellers_[known->second].sweep;
+        const std::uint32_t known = traveller_of(body);
+        return known != nobody ? travellers_[known].sweep : way_of(body);
+    }
+    // How a body moved in this step: as it did if it was fast, else back from where it is, by its
+    // velocity.
+    Sweep way_of(std::uint32_t body) const {
         const BodyCold& cold = world_.bodies.cold[body];
         const BodyWarm& warm = warm_of(world_, body);
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
@@ -333,6 +370,7 @@ private:
         step_.team.run(static_cast<int>(to_look_.size()), 4, [&](int begin, int end) {
             for (int k = begin; k < end; k++) look(to_look_[static_cast<std::size_t>(k)]);
         });
+        for (const std::size_t k : to_look_) queue(k);
         to_look_.clear();
     }
     // The first impact on the way that is left.
@@ -350,9 +388,8 @@ private:
     // it: its contacts did not foresee the new way.
     bool moves_enough(const Traveller& t, std::uint32_t other, const Sweep& motion) const {
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
-        const auto known = where_.find(other);
-        const bool changed =
-            t.changed || (known != where_.end() && travellers_[known->second].changed);
+        const std::uint32_t known = traveller_of(other);
+        const bool changed = t.changed || (known != nobody && travellers_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
         const double least = (changed ? 0.4 : 0.8) * way_without_sweep(world_, cold, cold_other);
         return way_against(t.sweep, cold, motion, cold_other) * (1 - t.sweep.from) > least;
@@ -456,8 +493,8 @@ private:
                resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb)));
         travellers_[index].impacts++;
         look_again(index);
-        if (go_on(body_a, a, sweep_a, at)) look_out_for(where_.at(body_a));
-        if (go_on(body_b, b, sweep_b, at)) look_out_for(where_.at(body_b));
+        if (go_on(body_a, a, sweep_a, at)) look_out_for(where_[body_a]);
+        if (go_on(body_b, b, sweep_b, at)) look_out_for(where_[body_b]);
     }
 
     // Whoever might meet a body that goes another way now looks anew: at that body or, if it would
@@ -476,6 +513,7 @@ private:
                  s = world_.shapes.shapes[s].next)
                 look_at(t, s);
             note_next(k);
+            queue(k);
         }
         // Those that would have met it where it no longer goes.
         for (std::size_t k = 0; k < travellers_.size(); k++) {
@@ -489,10 +527,9 @@ private:
     const std::vector<std::size_t>& fast_travellers_met(std::uint32_t body, const Aabb& way) {
         met_.clear();
         ways_.query(way, [&](std::uint32_t other) {
-            const auto known = where_.find(other);
+            const std::uint32_t known = traveller_of(other);
             if (other == body) return;
-            if (known != where_.end() && travellers_[known->second].fast)
-                met_.push_back(known->second);
+            if (known != nobody && travellers_[known].fast) met_.push_back(known);
         });
         std::sort(met_.begin(), met_.end());
         for (const std::size_t k : met_) {
@@ -515,8 +552,8 @@ private:
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
         const BodyCold& cold = world_.bodies.cold[body];
         const double left = 1 - at, dt = left * step_.dt;
-        const auto known = where_.find(body);
-        Traveller& t = travellers_[known == where_.end() ? add(body, old, false) : known->second];
+        const std::uint32_t known = traveller_of(body);
+        Traveller& t = travellers_[known == nobody ? add(body, old, false) : known];
         // From here on it flies, whatever held it before: the next step's contacts will see.
         BodyWarm there = warm_of(world_, body);
         there.rotation = rotation_at(old, at);
@@ -570,12 +607,12 @@ private:
     WorldState& world_;
     std::vector<std::uint32_t> fast_;  // awake indices, rising
     FastWays ways_;                    // made when first asked for
-    std::vector<std::uint32_t> near_;  // scratch
     std::vector<std::size_t> met_;     // scratch
     std::vector<Traveller> travellers_;
     std::vector<double> next_;  // by traveller: when something next happens to it
     std::vector<std::size_t> to_look_;
-    std::unordered_map<std::uint32_t, std::size_t> where_;  // looked up, never walked
+    std::vector<std::pair<double, std::size_t>> queue_;  // heap of travellers by what comes next
+    std::vector<std::uint32_t> where_;  // by body: its traveller; empty before the first
 };
 
 }  // namespace

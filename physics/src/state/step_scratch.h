@@ -97,6 +97,7 @@ struct StepScratch {
     std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
     std::vector<std::uint8_t> strayed;   // by awake body: fast, and not on the way that its fat
                                          // boxes foresaw
+    std::vector<std::uint8_t> starts;    // by fast body: may meet something
     std::vector<BodyWarm> before;  // by awake body: as it was before the step, of the fast ones
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes

@@ -121,9 +121,14 @@ void DynamicTree::update(std::int32_t i) {
 
 void DynamicTree::refit_up(std::int32_t i) {
     while (i != null_node) {
+        const Node before = node(i);
         update(i);
         rotate(i);
-        i = node(i).parent;
+        const Node& now = node(i);
+        if (now.box == before.box && now.height == before.height &&
+            now.categories == before.categories)
+            return;  // what is above sees no change
+        i = now.parent;
     }
 }
 

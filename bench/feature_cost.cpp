@@ -7,7 +7,10 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "jostle/physics/physics.h"
 #include "measure.h"
@@ -20,9 +23,11 @@ using namespace physics;
 
 constexpr const char* footer = R"(
 Two worlds of the same boxes, 10 columns by 10 of 10 upon each other, kept awake: one without the feature, one in which it
-is there and idle, a kilometre away. Some steps of the one, some of the other, in turn; each pair of turns gives a ratio of
-processor times. Shown are the median of the ratios less one, in percent, and the middle half of them: where that holds 0,
-the median is noise. 'nothing' compares two equal worlds: what is not larger than that is not measured.
+is there and idle, a kilometre away. A step of the one, a step of the other, in turn, by the thread's processor time. Each
+round makes both worlds anew, elsewhere in memory, and does the same work again, so the least time of a step over all rounds
+is what it takes when nothing disturbs it. Shown is by how much the sum of those of the one exceeds that of the other, in
+percent, and the same for every other round alone, twice: how far those two lie apart is the noise. 'nothing' compares two
+equal worlds: what is not larger than that is not measured.
 
 Idle means:  continuous  sweeps are on, nobody is fast        joints     one joint between two bodies asleep
              triggers    one trigger with nobody inside       events     one shape that reports its contacts, asleep
@@ -30,13 +35,13 @@ Idle means:  continuous  sweeps are on, nobody is fast        joints     one joi
 
 Examples:
   jostle-bench features
-  jostle-bench features --feature joints,meshes --turns 1000
+  jostle-bench features --feature joints,meshes --rounds 100
   jostle-bench features --at-most 1 --json features.json
 
 Exit status: 0 done, 1 a feature costs more than --at-most or the file could not be written, 2 wrong flags.)";
 
 struct Flags {
-    int turns = 200, steps = 20;
+    int rounds = 40, steps = 60;
     double at_most = 0;             // percent; 0: whatever it is
     std::vector<std::string> only;  // empty: all
     std::string json;
@@ -115,40 +120,70 @@ World make_world(const Feature* feature) {
     return world;
 }
 
-double time_steps(World& world, int steps) {
+double time_step(World& world) {
     const double began = cpu_seconds();
-    for (int k = 0; k < steps; k++) (void)world.step(1.0 / 60);
+    (void)world.step(1.0 / 60);
     return cpu_seconds() - began;
 }
 
+// The least times of every step, of one kind of world.
+class LeastTimes {
+public:
+    explicit LeastTimes(int steps) : least_(static_cast<std::size_t>(steps), 1e300) {}
+    void note(int step, double seconds) {
+        double& least = least_[static_cast<std::size_t>(step)];
+        least = std::min(least, seconds);
+    }
+    double sum() const { return std::accumulate(least_.begin(), least_.end(), 0.0); }
+
+private:
+    std::vector<double> least_;
+};
+
+// A world without and one with the feature.
+struct Pair {
+    LeastTimes without, with;
+
+    explicit Pair(int steps) : without(steps), with(steps) {}
+    double percent() const { return 100 * (with.sum() / without.sum() - 1); }
+};
+
 struct Row {
     const char* feature;
-    double percent = 0, low = 0, high = 0;  // median and quartiles
+    double percent = 0, low = 0, high = 0;  // of all rounds, of the two halves
 };
 
 Row measure(const Feature& feature, const Flags& flags) {
-    World without = make_world(nullptr), with = make_world(&feature);
-    std::vector<double> percent;
-    for (int turn = 0; turn < flags.turns; turn++) {
-        show_progress(std::string(feature.name) + ", turn " + std::to_string(turn + 1));
-        double a = 0, b = 0;
-        // Who goes first changes, so that a clock that slows down favours neither.
-        if (turn % 2 == 0) a = time_steps(without, flags.steps);
-        b = time_steps(with, flags.steps);
-        if (turn % 2 != 0) a = time_steps(without, flags.steps);
-        percent.push_back(100 * (b / a - 1));
+    Pair all(flags.steps), odd(flags.steps), even(flags.steps);
+    for (int round = 0; round < flags.rounds; round++) {
+        show_progress(std::string(feature.name) + ", round " + std::to_string(round + 1));
+        // Who is made first, and goes first, changes.
+        const bool first = round / 2 % 2 == 0;
+        std::optional<World> without, with;
+        if (first) without = make_world(nullptr);
+        with = make_world(&feature);
+        if (!first) without = make_world(nullptr);
+        for (int k = 0; k < flags.steps; k++) {
+            double a = 0, b = 0;
+            if (first) a = time_step(*without);
+            b = time_step(*with);
+            if (!first) a = time_step(*without);
+            for (Pair* pair : {&all, round % 2 == 0 ? &even : &odd}) {
+                pair->without.note(k, a);
+                pair->with.note(k, b);
+            }
+        }
     }
     show_progress("");
-    std::sort(percent.begin(), percent.end());
-    const std::size_t n = percent.size();
-    return {feature.name, percent[n / 2], percent[n / 4], percent[3 * n / 4]};
+    const auto [low, high] = std::minmax({odd.percent(), even.percent()});
+    return {feature.name, all.percent(), low, high};
 }
 
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     bool within = true;
-    std::printf("%-12s %8s %20s\n", "idle feature", "costs %", "(middle half)");
+    std::printf("%-12s %8s %20s\n", "idle feature", "costs %", "(halves of rounds)");
     for (const Feature& feature : features) {
         if (!flags.only.empty() && std::ranges::count(flags.only, feature.name) == 0) continue;
         const Row row = measure(feature, flags);
@@ -168,7 +203,7 @@ int run(const Flags& flags) {
     const nlohmann::ordered_json head = {{"benchmark", "features"},
                                          {"cpu", cpu_model()},
                                          {"compiler", compiler()},
-                                         {"turns", flags.turns},
+                                         {"rounds", flags.rounds},
                                          {"steps", flags.steps}};
     return write_result(flags.json, head, rows) && within ? 0 : 1;
 }
@@ -184,10 +219,10 @@ void add_features(CLI::App& app, int& status) {
     command->add_option("--feature", flags->only, "These alone, with commas between; without: all")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
-    command->add_option("--turns", flags->turns, "Pairs of turns, of which the median is shown")
+    command->add_option("--rounds", flags->rounds, "How often both worlds are made and stepped")
         ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
-    command->add_option("--steps", flags->steps, "Steps in a turn")
+        ->check(CLI::Range(2, 100000));
+    command->add_option("--steps", flags->steps, "Steps in a round")
         ->capture_default_str()
         ->check(CLI::Range(1, 10000));
     command->add_option("--at-most", flags->at_most, "Percent: fails when a feature costs more")

@@ -79,7 +79,7 @@ TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
 }
 
 TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) {
-    const std::string two = "--feature nothing,joints --turns 2 --steps 2 ";
+    const std::string two = "--feature nothing,joints --rounds 2 --steps 2 ";
     ASSERT_EQ(run(two + "--at-most 1000 --json " + file("f.json"), "features"), 0) << output();
     EXPECT_THAT(output(), HasSubstr("joints"));
     const auto json = nlohmann::json::parse(read("f.json"));
@@ -89,7 +89,7 @@ TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) 
     EXPECT_LE(json["rows"][1]["low"], json["rows"][1]["high"]);
     EXPECT_EQ(run("--feature wings", "features"), 2);
     EXPECT_THAT(output(), HasSubstr("wings"));
-    EXPECT_EQ(run("--turns 0", "features"), 2);
+    EXPECT_EQ(run("--rounds 1", "features"), 2);
 }
 
 TEST_F(SpeedFlags, unknown_scene_is_named_with_those_there_are) {

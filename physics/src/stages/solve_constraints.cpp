@@ -22,6 +22,7 @@ void put(float* row, Vec3 linear, Vec3 angular) {
 void sort_out_bodies(WorldState& world) {
     StepScratch& scratch = world.scratch;
     for (auto& solved : scratch.in_solver) solved.clear();
+    for (auto& jointed : scratch.joints.bodies) jointed.clear();
     scratch.drivers.clear();
     scratch.free.clear();
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
@@ -34,6 +35,7 @@ void sort_out_bodies(WorldState& world) {
         } else if (held) {
             const Effort effort = world.islands.islands[cold.island].effort;
             scratch.in_solver[index_of(effort)].push_back(i + 1);
+            if (cold.first_joint != none) scratch.joints.bodies[index_of(effort)].push_back(i + 1);
         } else {
             scratch.free.push_back(i);
         }

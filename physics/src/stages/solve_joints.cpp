@@ -28,23 +28,18 @@ JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& fr
             .frame = warm.rotation * frame.rotation};
 }
 
-// Marks the joints of the bodies in the solver, and lists those bodies.
+// The joints of the bodies in the solver, in order.
 void find_joints(WorldState& world, Effort effort) {
     JointScratch& scratch = world.scratch.joints;
     scratch.marks.assign((world.joints.joints.size() + 63) / 64, 0);
-    scratch.bodies.clear();
-    const auto& solved = world.scratch.in_solver[index_of(effort)];
+    const auto& bodies = scratch.bodies[index_of(effort)];
     const auto cold_of = [&](std::size_t k) -> const BodyCold& {
-        return world.bodies.cold[world.bodies.awake[solved[k] - 1].body];
+        return world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
     };
-    for (std::size_t k = 0; k < solved.size(); k++) {
-        if (k + 8 < solved.size() && cold_of(k + 8).first_joint != none)
+    for (std::size_t k = 0; k < bodies.size(); k++) {
+        if (k + 8 < bodies.size())
             fetch(world.joints.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
-        const std::uint32_t hot = solved[k];
-        const BodyCold& cold = cold_of(k);
-        if (cold.first_joint == none) continue;
-        scratch.bodies.push_back(hot);
-        for_each_joint(world.joints, cold, [&](std::uint32_t joint) {
+        for_each_joint(world.joints, cold_of(k), [&](std::uint32_t joint) {
             scratch.marks[joint / 64] |= 1ull << (joint % 64);
         });
     }
@@ -176,7 +171,7 @@ void run_pass(StepContext& step, JointPass pass, const JointStep& numbers) {
 
 void each_body(StepContext& step, void (*pass)(const BodyRange&)) {
     StepScratch& scratch = step.world.scratch;
-    const auto& bodies = scratch.joints.bodies;
+    const auto& bodies = scratch.joints.bodies[index_of(scratch.joints.effort)];
     step.team.run(static_cast<int>(bodies.size()), 256, [&](int begin, int end) {
         pass({scratch.hot.data(), scratch.drive.data(), bodies.data(), begin, end});
     });
@@ -189,7 +184,8 @@ void prepare_joints(StepContext& step, Effort effort, double h) {
     JointScratch& scratch = world.scratch.joints;
     scratch.found.clear();
     scratch.runs.clear();
-    if (world.joints.ids.alive_count() == 0) return;
+    scratch.effort = effort;
+    if (scratch.bodies[index_of(effort)].empty()) return;
     find_joints(world, effort);
     lay_out_runs(scratch, assign_levels(world));
     world.profile.joints += static_cast<int>(scratch.found.size());

@@ -9,15 +9,17 @@ namespace {
 
 // ... and what is tied to one.
 void keep_towed_awake(WorldState& world) {
-    if (world.joints.ids.alive_count() == 0) return;
-    for (BodyWarm& warm : world.bodies.awake)
-        for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
-            const Joint& j = world.joints.joints[joint];
-            const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
-            if (world.bodies.cold[other].type != BodyType::kinematic) return;
-            const BodyWarm& driver = warm_of(world, other);
-            if (driver.v != Vec3{} || driver.w != Vec3{}) warm.quiet = 0;
-        });
+    for (const auto& jointed : world.scratch.joints.bodies)
+        for (const std::uint32_t hot : jointed) {
+            BodyWarm& warm = world.bodies.awake[hot - 1];
+            for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
+                const Joint& j = world.joints.joints[joint];
+                const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
+                if (world.bodies.cold[other].type != BodyType::kinematic) return;
+                const BodyWarm& driver = warm_of(world, other);
+                if (driver.v != Vec3{} || driver.w != Vec3{}) warm.quiet = 0;
+            });
+        }
 }
 
 // What touches a moving kinematic body is not at rest, however slowly that moves.

@@ -64,9 +64,11 @@ struct FoundJoint {
 
 // The joints of the islands of one effort, for the solver.
 struct JointScratch {
-    std::vector<std::uint64_t> marks;    // a bit per joint
-    std::vector<FoundJoint> found;       // rising
-    std::vector<std::uint32_t> bodies;   // hot indices of the bodies that have some
+    Effort effort{};                   // whose joints the rest is about, but for `bodies`
+    std::vector<std::uint64_t> marks;  // a bit per joint
+    std::vector<FoundJoint> found;     // rising
+    // Hot indices of the dynamic bodies that have some, by their island's effort.
+    std::array<std::vector<std::uint32_t>, effort_count> bodies;
     std::vector<std::uint32_t> reached;  // by hot index: level that the body's next joint may have
     std::vector<int> places;             // by run number: lanes of all blocks before, then the next
     std::vector<JointRun> runs;

@@ -16,7 +16,7 @@ void accelerate_range(const BodyRange& range) {
         HotBody& hot = range.bodies[range.indices[k]];
         const BodyDrive& drive = range.drives[range.indices[k]];
         const Wide now = load(hot.v);
-        const Wide free = now * load(drive.keep) + load(drive.push);
+        const Wide free = fma(now, load(drive.keep), load(drive.push));
         Wide warm = free;
         if constexpr (!kFirst) {
             Wide pushed = now - load(hot.free);
@@ -33,7 +33,7 @@ inline void advance_range(const BodyRange& range, float h) {
     pace[6] = pace[7] = 0;
     for (int k = range.begin; k < range.end; k++) {
         HotBody& hot = range.bodies[range.indices[k]];
-        store(hot.dp, load(hot.dp) + load(hot.v) * pace);
+        store(hot.dp, fma(load(hot.v), pace, load(hot.dp)));
     }
 }
 

@@ -69,16 +69,15 @@ template <Inertia kInertia>
 JOSTLE_INLINE Wide3 spin(const WideSide& s, Wide3 l) {
     if constexpr (kInertia == Inertia::isotropic) return l * s.state[7];
     const Wide* i = s.inertia;
-    return {i[0] * l.x + i[3] * l.y + i[4] * l.z, i[3] * l.x + i[1] * l.y + i[5] * l.z,
-            i[4] * l.x + i[5] * l.y + i[2] * l.z};
+    return {dot({i[0], i[3], i[4]}, l), dot({i[3], i[1], i[5]}, l), dot({i[4], i[5], i[2]}, l)};
 }
 
-// Change of velocity by the impulse p.
+// Velocity after the impulse p.
 template <Inertia kInertia>
-JOSTLE_INLINE Wide3 push(const WideSide& s, Wide3 p) {
-    const Wide3 d = p * s.state[6];
-    if constexpr (kInertia != Inertia::locked) return d;
-    return {d.x * s.inertia[6], d.y * s.inertia[7], d.z * s.free_z};
+JOSTLE_INLINE Wide3 pushed(const WideSide& s, Wide3 p) {
+    if constexpr (kInertia == Inertia::locked)
+        p = {p.x * s.inertia[6], p.y * s.inertia[7], p.z * s.free_z};
+    return fma(p, s.state[6], s.v);
 }
 
 // What the bodies of a block have done since the start of the step: b against a, at the centre of
@@ -139,19 +138,19 @@ struct BlockBodies {
 
     // Impulse p at the centre, against a and for b.
     JOSTLE_INLINE void apply(Wide3 p) {
-        a.v = a.v - push<kInertia>(a, p);
+        a.v = pushed<kInertia>(a, -p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p));
         if constexpr (kSecond == Second::moving) {
-            b.v = b.v + push<kInertia>(b, p);
+            b.v = pushed<kInertia>(b, p);
             b.w = b.w + spin<kInertia>(b, cross(arm_b, p));
         }
     }
     // ... and angular impulse l.
     JOSTLE_INLINE void apply(Wide3 p, Wide3 l) {
-        a.v = a.v - push<kInertia>(a, p);
+        a.v = pushed<kInertia>(a, -p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p) + l);
         if constexpr (kSecond == Second::moving) {
-            b.v = b.v + push<kInertia>(b, p);
+            b.v = pushed<kInertia>(b, p);
             b.w = b.w + spin<kInertia>(b, cross(arm_b, p) + l);
         }
     }
@@ -167,10 +166,15 @@ struct WideImpulse {
 
     JOSTLE_INLINE void add(Wide x, Wide y, Wide impulse) {
         total += impulse;
-        m1 += y * impulse;
-        m2 -= x * impulse;
+        m1 = fma(y, impulse, m1);
+        m2 = fnma(x, impulse, m2);
     }
 };
+
+// u0 + y u1 - x u2: the normal part at a point of what the centre does, and its two tilts.
+JOSTLE_INLINE Wide at_point(Wide x, Wide y, Wide u0, Wide u1, Wide u2) {
+    return fnma(x, u2, fma(y, u1, u0));
+}
 
 // G (1, y, -x): what a unit impulse at a point does to (approach, tilt 1, tilt 2).
 struct PointResponse {
@@ -178,9 +182,10 @@ struct PointResponse {
 };
 JOSTLE_INLINE PointResponse response_of(const ManifoldBlock& m, Wide x, Wide y) {
     const Wide g01 = load(m.g[1]), g02 = load(m.g[2]), g12 = load(m.g[4]);
-    const Wide r0 = load(m.g[0]) + y * g01 - x * g02, r1 = g01 + y * load(m.g[3]) - x * g12,
-               r2 = g02 + y * g12 - x * load(m.g[5]);
-    return {r0, r1, r2, r0 + y * r1 - x * r2};
+    const Wide r0 = at_point(x, y, load(m.g[0]), g01, g02),
+               r1 = at_point(x, y, g01, load(m.g[3]), g12),
+               r2 = at_point(x, y, g02, g12, load(m.g[5]));
+    return {r0, r1, r2, at_point(x, y, r0, r1, r2)};
 }
 
 template <Second kSecond, Inertia kInertia>
@@ -192,8 +197,9 @@ void warm_start_block(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies
         sum.m1 += load(rough->roll[0]);
         sum.m2 += load(rough->roll[1]);
     }
-    pair.apply(pair.n * sum.total + pair.t1 * load(m.friction[0]) + pair.t2 * load(m.friction[1]),
-               pair.t1 * sum.m1 + pair.t2 * sum.m2 + pair.n * load(m.twist));
+    pair.apply(
+        fma(pair.t2, load(m.friction[1]), fma(pair.t1, load(m.friction[0]), pair.n * sum.total)),
+        fma(pair.n, load(m.twist), fma(pair.t2, sum.m2, pair.t1 * sum.m1)));
     pair.store();
 }
 
@@ -218,7 +224,7 @@ JOSTLE_INLINE void solve_rolling(ManifoldBlock& m, BlockRough& rough, Wide norma
     store(rough.roll[0], r1);
     store(rough.roll[1], r2);
     const Wide zero = splat(0);
-    pair.apply({zero, zero, zero}, pair.t1 * (r1 - old1) + pair.t2 * (r2 - old2));
+    pair.apply({zero, zero, zero}, fma(pair.t2, r2 - old2, pair.t1 * (r1 - old1)));
 }
 
 // Cone at the centre, then twist. The limit is the normal impulse that the pass before found.
@@ -239,19 +245,19 @@ JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
     const Wide m00 = load(m.friction_mass[0]), m01 = load(m.friction_mass[1]),
                m11 = load(m.friction_mass[2]);
     const Wide old1 = load(m.friction[0]), old2 = load(m.friction[1]), old_twist = load(m.twist);
-    Wide f1 = old1 - (m00 * u1 + m01 * u2);
-    Wide f2 = old2 - (m01 * u1 + m11 * u2);
-    const Wide length2 = f1 * f1 + f2 * f2;
+    Wide f1 = old1 - fma(m01, u2, m00 * u1);
+    Wide f2 = old2 - fma(m11, u2, m01 * u1);
+    const Wide length2 = fma(f2, f2, f1 * f1);
     const Wide scale =
         select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
     f1 = f1 * scale;
     f2 = f2 * scale;
     const Wide twist =
-        max(-twist_limit, min(old_twist - load(m.twist_mass) * dot(pair.n, w), twist_limit));
+        max(-twist_limit, min(fnma(load(m.twist_mass), dot(pair.n, w), old_twist), twist_limit));
     store(m.friction[0], f1);
     store(m.friction[1], f2);
     store(m.twist, twist);
-    pair.apply(pair.t1 * (f1 - old1) + pair.t2 * (f2 - old2), pair.n * (twist - old_twist));
+    pair.apply(fma(pair.t2, f2 - old2, pair.t1 * (f1 - old1)), pair.n * (twist - old_twist));
     if (rough != nullptr) solve_rolling(m, *rough, normal_impulse, pair);
 }
 
@@ -289,13 +295,13 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
             r[i] = {load(m.g[0]), zero, zero, load(m.g[0])};
         } else {
             x[i] = load(m.x[i]), y[i] = load(m.y[i]);
-            gap[i] = load(m.gap[i]) + s0 + y[i] * s1 - x[i] * s2;
-            vn[i] = u0 + y[i] * u1 - x[i] * u2;
+            gap[i] = at_point(x[i], y[i], load(m.gap[i]) + s0, s1, s2);
+            vn[i] = at_point(x[i], y[i], u0, u1, u2);
             r[i] = response_of(m, x[i], y[i]);
         }
         response[i][i] = r[i].k;
         for (int j = 0; j < i; j++)
-            response[i][j] = response[j][i] = r[j].r0 + y[i] * r[j].r1 - x[i] * r[j].r2;
+            response[i][j] = response[j][i] = at_point(x[i], y[i], r[j].r0, r[j].r1, r[j].r2);
         lambda[i] = load(m.lambda[i]);
         // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
         // out.
@@ -310,16 +316,16 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
             rate[i] = select(apart, splat(1), splat(set.mass_scale)) / r[i].k;
             const Wide leak = select(apart, zero, splat(set.leak));
             keep[i] = splat(1) - leak;
-            base[i] = leak * load(m.steady[i]) - rate[i] * select(apart, meet, soft);
+            base[i] = fnma(rate[i], select(apart, meet, soft), leak * load(m.steady[i]));
         }
     }
     for (int sweep = 0; sweep < sweeps; sweep++)
         for (int i = 0; i < kPoints; i++) {
-            const Wide kept = kRelax ? lambda[i] : keep[i] * lambda[i];
-            const Wide now = max((kept + base[i]) - rate[i] * vn[i], zero);
+            const Wide kept = kRelax ? lambda[i] + base[i] : fma(keep[i], lambda[i], base[i]);
+            const Wide now = max(fnma(rate[i], vn[i], kept), zero);
             const Wide change = now - lambda[i];
             lambda[i] = now;
-            for (int j = 0; j < kPoints; j++) vn[j] += response[i][j] * change;
+            for (int j = 0; j < kPoints; j++) vn[j] = fma(response[i][j], change, vn[j]);
         }
     WideImpulse sum;
     Wide nearest = splat(no_point);
@@ -334,7 +340,7 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
     if constexpr (kPoints == 1)
         pair.apply(pair.n * sum.total);
     else
-        pair.apply(pair.n * sum.total, pair.t1 * sum.m1 + pair.t2 * sum.m2);
+        pair.apply(pair.n * sum.total, fma(pair.t2, sum.m2, pair.t1 * sum.m1));
     pair.store();
 
     BlockReport report;
@@ -377,7 +383,7 @@ void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bo
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
-        store(bounce.approach[i], u0 + load(m.y[i]) * u1 - load(m.x[i]) * u2);
+        store(bounce.approach[i], at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2));
         store(bounce.peak[i], splat(0));
     }
 }
@@ -393,7 +399,7 @@ void foresee_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* 
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
         const Wide before = load(bounce.approach[i]);
-        const Wide now = u0 + load(m.y[i]) * u1 - load(m.x[i]) * u2;
+        const Wide now = at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2);
         const Wide pull = (before - now) * splat(set.inverse_h);
         const Wide gap = max(load(m.gap[i]), splat(0));
         const Wide square = before * before + (pull + pull) * gap;
@@ -427,7 +433,7 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
             const Wide x = load(m.x[i]), y = load(m.y[i]);
             const PointResponse r = response_of(m, x, y);
             const Wide approach = load(bounce.approach[i]);
-            const Wide vn = u0 + y * u1 - x * u2;
+            const Wide vn = at_point(x, y, u0, u1, u2);
             const WideMask hit = (load(bounce.peak[i]) > zero) &
                                  (approach < splat(-set.restitution_speed)) &
                                  (load(restitution) > zero);
@@ -436,12 +442,12 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
             const Wide d = select(hit, now - given[i], zero);
             given[i] = given[i] + d;
             left_with = max(left_with, given[i]);
-            u0 += r.r0 * d;
-            u1 += r.r1 * d;
-            u2 += r.r2 * d;
+            u0 = fma(r.r0, d, u0);
+            u1 = fma(r.r1, d, u1);
+            u2 = fma(r.r2, d, u2);
             sum.add(x, y, d);
         }
-    pair.apply(pair.n * sum.total, pair.t1 * sum.m1 + pair.t2 * sum.m2);
+    pair.apply(pair.n * sum.total, fma(pair.t2, sum.m2, pair.t1 * sum.m1));
     pair.store();
     const WideMask bounced = left_with > zero;
     for (auto& lambda : m.lambda) store(lambda, select(bounced, zero, load(lambda)));

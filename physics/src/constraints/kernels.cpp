@@ -8,6 +8,18 @@
 namespace jostle::physics {
 namespace {
 
+#if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
+constexpr bool has_baseline = false;
+const Kernels& usual_table() {
+    return scalar::table;
+}
+#else
+constexpr bool has_baseline = true;
+const Kernels& usual_table() {
+    return baseline::table;
+}
+#endif
+
 const Kernels& table_of(InstructionSet set) {
     switch (set) {
 #if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
@@ -21,7 +33,7 @@ const Kernels& table_of(InstructionSet set) {
             return scalar::table;
 #endif
         default:
-            return baseline::table;
+            return usual_table();
     }
 }
 
@@ -30,11 +42,12 @@ std::vector<InstructionSet> find_available() {
 #if defined(JOSTLE_ALL_KERNELS)
     sets.push_back(InstructionSet::scalar);
 #endif
-    sets.push_back(InstructionSet::baseline);
+    if (has_baseline) sets.push_back(InstructionSet::baseline);
 #if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) sets.push_back(InstructionSet::avx2);
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (avx2) sets.push_back(InstructionSet::avx2);
+    if (avx2 && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512bw"))
         sets.push_back(InstructionSet::avx512);
 #endif
     return sets;

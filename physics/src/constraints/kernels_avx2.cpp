@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built with -mavx2 (physics/CMakeLists.txt).
+// Built with -mavx2 -mfma (physics/CMakeLists.txt).
 #if defined(__x86_64__)
 #define JOSTLE_ISA avx2
 #include "constraints/kernel_table.h"

@@ -2,8 +2,9 @@
 //
 // Eight floats at a time, with the same bits whatever the machine. Nothing here reduces across
 // lanes, so lane k of a result depends on lane k of the inputs alone; together with
-// -ffp-contract=off that makes a run's hash independent of the instruction set. min and max are
-// compares because minps and its scalar relatives disagree about NaN and -0.
+// -ffp-contract=off that makes a run's hash independent of the instruction set: what is fused is
+// written so, with fma(). min and max are compares because minps and its scalar relatives disagree
+// about NaN and -0.
 //
 // GCC and clang vector extensions: the compiler splits a Wide into what the target has (two SSE
 // registers, one AVX). Included by one source per instruction set (constraints/kernels_*.cpp), each
@@ -14,7 +15,11 @@
 
 #if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
+
+#include "math/fused.h"
 
 #ifndef JOSTLE_ISA
 #define JOSTLE_ISA baseline
@@ -75,6 +80,12 @@ typedef float Quad __attribute__((vector_size(16)));
 JOSTLE_INLINE Wide select(WideMask m, Wide a, Wide b) {
     return m ? a : b;
 }
+JOSTLE_INLINE Quad low_half(Wide w) {
+    return __builtin_shufflevector(w, w, 0, 1, 2, 3);
+}
+JOSTLE_INLINE Quad high_half(Wide w) {
+    return __builtin_shufflevector(w, w, 4, 5, 6, 7);
+}
 #endif
 
 JOSTLE_INLINE Wide splat(float f) {
@@ -101,6 +112,25 @@ JOSTLE_INLINE Wide root(Wide a) {
     for (int i = 0; i < 8; i++) r[i] = __builtin_sqrtf(a[i]);
     return r;
 #endif
+}
+// a b + c, rounded once: on every machine, in one instruction where it has one.
+JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
+#if defined(__FMA__) && !defined(JOSTLE_SCALAR)
+    return _mm256_fmadd_ps(a, b, c);
+#elif defined(__aarch64__) && !defined(JOSTLE_SCALAR)
+    const auto half = [&](Quad x, Quad y, Quad z) { return static_cast<Quad>(vfmaq_f32(z, x, y)); };
+    const Quad low = half(low_half(a), low_half(b), low_half(c)),
+               high = half(high_half(a), high_half(b), high_half(c));
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    Wide r{};
+    for (int i = 0; i < 8; i++) r[i] = fused_multiply_add(a[i], b[i], c[i]);
+    return r;
+#endif
+}
+// c - a b with one rounding.
+JOSTLE_INLINE Wide fnma(Wide a, Wide b, Wide c) {
+    return fma(-a, b, c);
 }
 // One bit per lane: lane k sets bit k.
 JOSTLE_INLINE unsigned lane_bits(WideMask m) {
@@ -134,11 +164,15 @@ JOSTLE_INLINE Wide3 operator-(Wide3 a) {
 JOSTLE_INLINE Wide3 operator*(Wide3 a, Wide s) {
     return {a.x * s, a.y * s, a.z * s};
 }
+// a s + c.
+JOSTLE_INLINE Wide3 fma(Wide3 a, Wide s, Wide3 c) {
+    return {fma(a.x, s, c.x), fma(a.y, s, c.y), fma(a.z, s, c.z)};
+}
 JOSTLE_INLINE Wide dot(Wide3 a, Wide3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+    return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
 }
 JOSTLE_INLINE Wide3 cross(Wide3 a, Wide3 b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return {fnma(a.z, b.y, a.y * b.z), fnma(a.x, b.z, a.z * b.x), fnma(a.y, b.x, a.x * b.y)};
 }
 
 #if defined(JOSTLE_SCALAR)
@@ -221,8 +255,8 @@ JOSTLE_INLINE void store_rows(float* const rows[8], const Wide in[8]) {
         Quad q[8];
         for (int k = 0; k < 4; k++) {
             const Wide w = in[half + k];
-            q[k] = __builtin_shufflevector(w, w, 0, 1, 2, 3);
-            q[k + 4] = __builtin_shufflevector(w, w, 4, 5, 6, 7);
+            q[k] = low_half(w);
+            q[k + 4] = high_half(w);
         }
         transpose4(q[0], q[1], q[2], q[3]);
         transpose4(q[4], q[5], q[6], q[7]);

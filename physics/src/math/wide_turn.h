@@ -4,6 +4,8 @@
 // float: a few 1e-7.
 #pragma once
 
+#include <initializer_list>
+
 #include "math/wide.h"
 
 namespace jostle::physics::JOSTLE_ISA {

@@ -12,10 +12,11 @@
 namespace jostle::physics {
 
 enum class InstructionSet {
-    scalar,    // one float at a time: for proofs
-    baseline,  // what the target's compiler assumes: SSE2 on x86-64, NEON on aarch64
-    avx2,
-    avx512,  // AVX-512 VL on 256-bit registers
+    scalar,  // one float at a time: for proofs, and for x86-64 processors without AVX2 and FMA
+             // (older than x86-64-v3), on which it is the only one and many times slower
+    baseline,  // what the target's compiler assumes: NEON on aarch64. Not on x86-64
+    avx2,      // with FMA
+    avx512,    // AVX-512 VL on 256-bit registers
 };
 
 const char* instruction_set_name(InstructionSet set);  // "scalar", "baseline", "avx2", "avx512"

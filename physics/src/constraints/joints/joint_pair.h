@@ -31,8 +31,7 @@ JOSTLE_INLINE WideSymmetric operator+(const WideSymmetric& a, const WideSymmetri
     return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
 }
 JOSTLE_INLINE Wide3 operator*(const WideSymmetric& m, Wide3 v) {
-    return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
-            m.xz * v.x + m.yz * v.y + m.zz * v.z};
+    return {dot({m.xx, m.xy, m.xz}, v), dot({m.xy, m.yy, m.yz}, v), dot({m.xz, m.yz, m.zz}, v)};
 }
 // [r]x m [r]x^T: what an impulse at arm r does to the velocity there, by way of the spin.
 JOSTLE_INLINE WideSymmetric across(const WideSymmetric& m, Wide3 r) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collision/narrowphase/collide_round.h"
 
+#include "collision/narrowphase/segments.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -16,31 +18,6 @@ Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double 
     m.gap[0] = gap;
     m.point[0] = a + m.normal * (radius_a + 0.5 * gap);
     return m;
-}
-
-struct SegmentPair {
-    double s, t;  // where on a and b, -half..half
-};
-
-// Closest points of a + s u, |s| <= ha, and b + t v, |t| <= hb, u and v unit (Ericson, "Real-Time
-// Collision Detection", 5.1.9). Parallel segments take the middle of their common part, so that the
-// answer does not hang on rounding.
-SegmentPair closest_on_segments(Vec3 a, Vec3 u, double ha, Vec3 b, Vec3 v, double hb) {
-    const Vec3 r = b - a;
-    const double c = dot(u, v), ru = dot(r, u), rv = dot(r, v), det = 1 - c * c;
-    double s;
-    if (det > 1e-12) {
-        s = clamp((ru - c * rv) / det, -ha, ha);
-    } else {
-        const double reach = hb, low = maximum(-ha, ru - reach), high = minimum(ha, ru + reach);
-        s = clamp(0.5 * (low + high), -ha, ha);
-    }
-    double t = c * s - rv;
-    if (t < -hb || hb < t) {
-        t = clamp(t, -hb, hb);
-        s = clamp(ru + c * t, -ha, ha);
-    }
-    return {s, t};
 }
 
 // ---- box against segment, in the box's frame ----

@@ -3,6 +3,7 @@
 
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/gjk.h"
+#include "collision/narrowphase/segments.h"
 #include "geometry/bounds.h"
 #include "geometry/bvh.h"
 #include "geometry/surface.h"
@@ -113,6 +114,43 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, double from, doub
     });
 }
 
+// ---- spheres and capsules: balls around a segment, whose distance needs no search ----
+
+bool is_rod(ShapeKind kind) {
+    return kind == ShapeKind::sphere || kind == ShapeKind::capsule;
+}
+
+struct Rod {
+    Vec3 middle, direction;  // m, world; unit
+    double half, radius;     // m
+};
+
+Rod rod_at(const SweptShape& shape, double t) {
+    const Vec3 center = center_at(shape.sweep, t);
+    if (const auto* sphere = std::get_if<Sphere>(shape.geometry)) {
+        const bool central = shape.offset == Vec3{};
+        const Vec3 arm = central ? Vec3{} : rotate(rotation_at(shape.sweep, t), shape.offset);
+        return {center + arm, {0, 1, 0}, 0, sphere->radius * shape.scale};
+    }
+    const auto& capsule = std::get<Capsule>(*shape.geometry);
+    const Quat rotation = rotation_at(shape.sweep, t);
+    return {center + rotate(rotation, shape.offset), rotate(rotation, shape.axes.y),
+            capsule.half_length * shape.scale, capsule.radius * shape.scale};
+}
+
+Impact rod_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
+    return advance(a, b, from, gap, [&](double t, bool) {
+        const Rod ra = rod_at(a, t), rb = rod_at(b, t);
+        const SegmentPair at =
+            closest_on_segments(ra.middle, ra.direction, ra.half, rb.middle, rb.direction, rb.half);
+        const Vec3 on_a = ra.middle + ra.direction * at.s, on_b = rb.middle + rb.direction * at.t;
+        const double apart = length(on_b - on_a);
+        const Vec3 normal = normalized(on_b - on_a);
+        return Gap{apart - ra.radius - rb.radius, normal,
+                   (on_a + normal * ra.radius + on_b - normal * rb.radius) * 0.5};
+    });
+}
+
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
 // the world and the box is turned into the frame of `frame` as it stands at `from` and at the end.
 Aabb way_in(const SweptShape& frame, const SweptShape& shape, double from) {
@@ -182,7 +220,7 @@ Vec3 center_at(const Sweep& s, double fraction) {
 }
 Quat rotation_at(const Sweep& s, double fraction) {
     if (s.turn == Vec3{}) return s.rotation;
-    return normalized(from_rotation_vector(s.turn * (fraction - s.from)) * s.rotation);
+    return from_rotation_vector(s.turn * (fraction - s.from)) * s.rotation;  // unit to rounding
 }
 
 Placed placed_at(const SweptShape& shape, double fraction) {
@@ -223,6 +261,7 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
         }
         return first ? best : turned_round(best);
     }
+    if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, from, gap);
     if (is_convex(ka) && is_convex(kb)) return convex_impact(a, b, from, gap);
     // Planes and surfaces do not meet each other.
     if (is_convex(ka) == is_convex(kb)) return {};

@@ -12,8 +12,8 @@
 namespace jostle::physics {
 
 enum class InstructionSet {
-    scalar,  // one float at a time: for proofs, and for x86-64 processors without AVX2 and FMA
-             // (older than x86-64-v3), on which it is the only one and many times slower
+    scalar,    // one float at a time: for proofs, and for x86-64 processors without AVX2 and FMA
+               // (older than x86-64-v3), on which it is the only one and many times slower
     baseline,  // what the target's compiler assumes: NEON on aarch64. Not on x86-64
     avx2,      // with FMA
     avx512,    // AVX-512 VL on 256-bit registers

@@ -126,6 +126,22 @@ TEST(Joints, fixed_bodies_move_as_one) {
 }
 
 // A weight on a spring: sinks by g / w^2 and swings with its own frequency.
+// Its inverse inertias about its length and across lie a millionfold apart: as far as the joints'
+// floats can tell.
+TEST(Joints, flagpole_of_thirty_metres_and_two_centimetres_is_held_by_its_foot) {
+    for (const Vec3 turn : {Vec3{}, Vec3{0.3, 0.5, 0.7}, Vec3{0, 1, 1.2}}) {
+        World world = make_world();
+        const Quat way = from_rotation_vector(turn);
+        const BodyId pole =
+            must(world.create_body({.pose = {rotate(way, {15, 0, 0}), way}, .may_sleep = false},
+                                   {.geometry = Box{{15, 0.01, 0.01}}}));
+        join(world, anchor(world), pole, FixedJoint{}, {{}, way}, {{-15, 0, 0}, {}});
+        run(world, 5);
+        const Vec3 tip = apply(state_of(world, pole).pose, {15, 0, 0});
+        EXPECT_LT(length(tip - rotate(way, {30, 0, 0})), 0.03) << turn.x;
+    }
+}
+
 TEST(Joints, spring_swings_with_its_frequency) {
     World world = make_world();
     const BodyId weight =

@@ -4,8 +4,6 @@
 // float: a few 1e-7.
 #pragma once
 
-#include <initializer_list>
-
 #include "math/wide.h"
 
 namespace jostle::physics::JOSTLE_ISA {
@@ -66,11 +64,12 @@ JOSTLE_INLINE WideQuat from_rotation_vector(Wide3 r) {
         t2 = select(far, t * t, t2);
         scale = select(far, t / (half + half), scale);
     }
+    constexpr float sine_series[] = {1.f / 362880, -1.f / 5040, 1.f / 120, -1.f / 6, 1.f};
+    constexpr float cosine_series[] = {-1.f / 3628800, 1.f / 40320, -1.f / 720,
+                                       1.f / 24,       -1.f / 2,    1.f};
     Wide sine = splat(-1.f / 39916800), cosine = splat(1.f / 479001600);
-    for (const float k : {1.f / 362880, -1.f / 5040, 1.f / 120, -1.f / 6, 1.f})
-        sine = splat(k) + sine * t2;
-    for (const float k : {-1.f / 3628800, 1.f / 40320, -1.f / 720, 1.f / 24, -1.f / 2, 1.f})
-        cosine = splat(k) + cosine * t2;
+    for (const float k : sine_series) sine = splat(k) + sine * t2;
+    for (const float k : cosine_series) cosine = splat(k) + cosine * t2;
     const Wide3 u = r * (sine * scale);
     return {u.x, u.y, u.z, cosine};
 }
@@ -85,7 +84,8 @@ JOSTLE_INLINE Wide arc_tangent(Wide y, Wide x) {
     t = select(steep, (t - one) / (t + one), t);
     const Wide t2 = t * t;
     Wide sum = splat(1.f / 17);
-    for (const float k : {15.f, 13.f, 11.f, 9.f, 7.f, 5.f, 3.f, 1.f}) sum = splat(1 / k) - t2 * sum;
+    constexpr float odd[] = {15.f, 13.f, 11.f, 9.f, 7.f, 5.f, 3.f, 1.f};
+    for (const float k : odd) sum = splat(1 / k) - t2 * sum;
     Wide angle = select(steep, splat(pi / 4), zero) + t * sum;
     angle = select(ay > ax, splat(pi / 2) - angle, angle);
     angle = select(zero > x, splat(pi) - angle, angle);

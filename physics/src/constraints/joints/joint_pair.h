@@ -47,14 +47,14 @@ JOSTLE_INLINE Wide inverse_above(Wide x, Wide least) {
     return select(solid, splat(1) / select(solid, x, splat(1)), splat(0));
 }
 // The solution of m x = v, without the directions in which nothing can move: locked axes leave
-// zero rows. LDL^T, whose pivots tell.
+// zero rows. LDL^T; a pivot of which next to nothing is left of the diagonal is rounding.
 JOSTLE_INLINE Wide3 solve3(const WideSymmetric& m, Wide3 v) {
-    const Wide least = max(m.xx, max(m.yy, m.zz)) * splat(1e-6f);
-    const Wide d0 = inverse_above(m.xx, least);
+    const Wide left = splat(1e-6f);
+    const Wide d0 = inverse_above(m.xx, splat(0));
     const Wide l1 = m.xy * d0, l2 = m.xz * d0;
-    const Wide d1 = inverse_above(m.yy - l1 * m.xy, least);
+    const Wide d1 = inverse_above(m.yy - l1 * m.xy, m.yy * left);
     const Wide under = m.yz - l1 * m.xz, l3 = under * d1;
-    const Wide d2 = inverse_above((m.zz - l2 * m.xz) - l3 * under, least);
+    const Wide d2 = inverse_above((m.zz - l2 * m.xz) - l3 * under, m.zz * left);
     const Wide y = v.y - l1 * v.x, z = (v.z - l2 * v.x) - l3 * y;
     const Wide rz = z * d2, ry = y * d1 - l3 * rz;
     return {(v.x * d0 - l1 * ry) - l2 * rz, ry, rz};

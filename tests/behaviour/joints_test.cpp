@@ -186,6 +186,27 @@ TEST(Joints, rope_is_slack_until_it_is_taut_and_a_rod_never_is) {
 
 // A weight of 10 kg on a joint that bears 90 N hangs; on one that bears 110 N it stays; the event
 // names the load.
+// Bodies get their shapes, and with them their mass, after they were made: joined before that they
+// are moved by nothing, and none of them can carry the joint's impulse.
+TEST(Joints, bodies_without_mass_are_joined_and_wait_for_their_shapes) {
+    World world = make_world();
+    const BodyId a = must(world.create_body({.pose = {{1, 0, 0}, {}}}));
+    const BodyId b = must(world.create_body({.pose = {{2, 0, 0}, {}}}));
+    const JointId held =
+        join(world, anchor(world), a, FixedJoint{}, {{1, 0, 0}, {}}, {});  // fixed and massless
+    const JointId both = join(world, a, b, HingeJoint{}, {{1, 0, 0}, {}}, {});
+    run(world, 1);
+    for (const JointId joint : {held, both}) {
+        EXPECT_EQ(must(world.joint(joint)).force, Vec3{});
+        EXPECT_EQ(must(world.joint(joint)).torque, Vec3{});
+    }
+    for (const BodyId body : {a, b})
+        must(world.create_shape(body, {.geometry = Box{{0.4, 0.2, 0.2}}}));
+    run(world, 1);
+    EXPECT_TRUE(near(position_of(world, a), {1, 0, 0}, 2e-3)) << "held by the anchor";
+    EXPECT_LT(must(world.joint(both)).separation, 2e-3);
+}
+
 TEST(Joints, break_above_their_force_and_tell) {
     for (const double bears : {90.0, 110.0}) {
         World world = make_world();

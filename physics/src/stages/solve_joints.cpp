@@ -223,10 +223,12 @@ void finish_joints(StepContext& step) {
     if (scratch.runs.empty()) return;
     each_block(step, [&](std::size_t block, JointBlockSide& side) {
         for (int lane = 0; lane < side.count; lane++) {
-            const auto carrier = static_cast<std::size_t>(carrier_of(side.a[lane], side.b[lane]));
-            if (read_joint(world.joints.joints[side.joint[lane]],
-                           world.bodies.awake[carrier - 1].rotation, step.dt, scratch.blocks[block],
-                           turns_of(scratch, side.turns), lane))
+            const std::int32_t carrier = carrier_of(side.a[lane], side.b[lane]);
+            const Quat carried =
+                carrier > 0 ? world.bodies.awake[static_cast<std::size_t>(carrier) - 1].rotation
+                            : Quat{};
+            if (read_joint(world.joints.joints[side.joint[lane]], carried, step.dt,
+                           scratch.blocks[block], turns_of(scratch, side.turns), lane))
                 side.overloaded |= static_cast<std::uint8_t>(1u << lane);
         }
     });

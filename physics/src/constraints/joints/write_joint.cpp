@@ -119,7 +119,8 @@ struct Parts {
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  JointBlock& block, JointTurns* turns, JointBlockSide& side, int lane_index) {
     const Lane lane{lane_index};
-    const Quat carried = carrier_of(a.hot, b.hot) == b.hot ? b.rotation : a.rotation;
+    const std::int32_t carrier = carrier_of(a.hot, b.hot);
+    const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
     block.a[lane.at] = std::abs(a.hot);
     block.b[lane.at] = std::abs(b.hot);
     lane.put(block.arm_a, a.arm);

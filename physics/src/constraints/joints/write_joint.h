@@ -16,7 +16,8 @@ struct JointEnd {
     Quat rotation, frame;  // of the body; of the frame in the world
 };
 
-// The hot index of the body with which a joint's impulses turn.
+// The hot index of the body with which a joint's impulses turn; 0 or less when nothing can move
+// either: bodies without shapes have no mass.
 inline std::int32_t carrier_of(std::int32_t a, std::int32_t b) {
     return b > 0 ? b : a;
 }
@@ -25,7 +26,8 @@ inline std::int32_t carrier_of(std::int32_t a, std::int32_t b) {
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  JointBlock& block, JointTurns* turns, JointBlockSide& side, int lane);
 // Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation
-// of its carrier at the start of the step. Returns whether it is loaded more than it bears.
+// of its carrier at the start of the step, or none. Returns whether it is loaded more than it
+// bears.
 bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& block,
                 const JointTurns* turns, int lane);
 

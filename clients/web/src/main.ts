@@ -22,9 +22,10 @@ const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 
 const canvas = byId<HTMLCanvasElement>('view');
 const stateLine = byId('state');
-// ?quality=medium: no shadows, no smooth edges; ?quality=low: half the pixels as well. For machines without a graphics
-// processor.
+// ?quality=medium: no shadows, no smooth edges, nothing blurred behind panels; ?quality=low: a quarter of the pixels each way as
+// well. For machines without a graphics processor.
 const quality = new URLSearchParams(location.search).get('quality') ?? 'high';
+document.documentElement.dataset['quality'] = quality;
 const renderer = new THREE.WebGLRenderer({ canvas, antialias: quality === 'high' });
 renderer.shadowMap.enabled = quality === 'high';
 renderer.shadowMap.type = THREE.PCFShadowMap;
@@ -137,7 +138,7 @@ addEventListener('keydown', (event) => {
 });
 
 function resize(): void {
-  renderer.setPixelRatio(quality === 'low' ? 0.5 : quality === 'medium' ? 1 : Math.min(2, devicePixelRatio));
+  renderer.setPixelRatio(quality === 'low' ? 0.25 : quality === 'medium' ? 1 : Math.min(2, devicePixelRatio));
   renderer.setSize(innerWidth, innerHeight, false);
   camera.resize(innerWidth, innerHeight);
 }

@@ -18,6 +18,7 @@ namespace {
 using physics::Transform;
 
 constexpr int most_steps_to_sleep = 600;
+constexpr double moving_speed = 0.05;  // m/s
 constexpr int steps_between_looks = 10;
 // A step of a world asleep takes less than reading the clock does.
 constexpr int steps_per_reading_asleep = 20;
@@ -57,6 +58,14 @@ public:
         if (sleep_ && !asleep_at_ && engine_->awake() <= driven) asleep_at_ = steps_done;
     }
 
+    bool may_sleep() const { return sleep_; }
+    int awake() const { return engine_->awake(); }
+    int moving() const {
+        int count = 0;
+        for (std::uint32_t k = 0; k < scene_.bodies.size(); k++)
+            if (length(engine_->velocity(k)) > moving_speed) count++;
+        return count;
+    }
     const std::vector<Transform>& poses() {
         poses_.resize(scene_.bodies.size());
         for (std::uint32_t k = 0; k < poses_.size(); k++) poses_[k] = engine_->pose(k);
@@ -168,6 +177,10 @@ physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowReques
     row.clock = clock.name();
     row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
     row.asleep_at_step = run.asleep_at();
+    if (run.may_sleep()) {
+        row.awake_at_end = run.awake();
+        row.moving_at_end = run.moving();
+    }
     row.top_m = highest(scene, run.poses());
     row.tunnelled = count_tunnelled(scene, run.poses());
     return run.poses();

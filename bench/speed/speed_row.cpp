@@ -34,6 +34,8 @@ void visit_figures(Row& row, Field&& field) {
     field("bodies_lost", row.bodies_lost);
     field("repeats", row.repeats);
     field("asleep_at_step", row.asleep_at_step);
+    field("awake_at_end", row.awake_at_end);
+    field("moving_at_end", row.moving_at_end);
     field("top_m", row.top_m);
     field("tunnelled", row.tunnelled);
     field("rss_mib", row.rss_mib);

@@ -29,7 +29,9 @@ struct SpeedRow {
     std::optional<bool> repeats;     // the referee's run ended in the same poses as the timed one
 
     std::optional<int> asleep_at_step;  // null: never, or not allowed to
-    double top_m = 0;                   // of the highest centre of a body that moves, at the end
+    // Null where nobody may sleep: who is not asleep at the end, and who is faster than 5 cm/s.
+    std::optional<int> awake_at_end, moving_at_end;
+    double top_m = 0;  // of the highest centre of a body that moves, at the end
     std::optional<int> tunnelled;
     double rss_mib = 0;  // peak of the process, scene included
 

@@ -48,7 +48,7 @@ std::string speed_heading() {
                  "ms_mean", "ms_p99", "clock") +
            print(" %8s %8s %8s %6s %8s %8s", "deep_mm", "peak_mm", "mean_mm", ">1cm", "drift_mm",
                  "worst_mm") +
-           print(" %6s %8s %6s %6s", "asleep", "top_m", "tunnel", "MiB");
+           print(" %6s %6s %6s %8s %6s %6s", "asleep", "awake", "moving", "top_m", "tunnel", "MiB");
 }
 
 std::string speed_line(const SpeedRow& row) {
@@ -61,7 +61,8 @@ std::string speed_line(const SpeedRow& row) {
            cell(millimetres(row.peak_penetration_m), 8) +
            cell(millimetres(row.mean_penetration_m), 8) + cell(count(row.contacts_over_1cm), 6) +
            cell(millimetres(row.joint_drift_m), 8) + cell(millimetres(row.peak_joint_drift_m), 8) +
-           cell(count(row.asleep_at_step), 6) + print(" %8.3f", row.top_m) +
+           cell(count(row.asleep_at_step), 6) + cell(count(row.awake_at_end), 6) +
+           cell(count(row.moving_at_end), 6) + print(" %8.3f", row.top_m) +
            cell(count(row.tunnelled), 6) + print(" %6.1f", row.rss_mib) + remarks(row);
 }
 

@@ -73,6 +73,15 @@ TEST(Rows, asleep_says_by_which_step) {
     EXPECT_GT(*row.asleep_at_step, 20);
 }
 
+// 900 cubes lie about and a player pushes some: who is not pushed sleeps.
+TEST(Rows, awake_says_who_is_left) {
+    const SpeedRow row = row_of("jostle", "e", 120, true);
+    ASSERT_TRUE(row.awake_at_end && row.moving_at_end);
+    EXPECT_LE(*row.awake_at_end, 60);
+    EXPECT_GE(*row.moving_at_end, 10);
+    EXPECT_LE(*row.moving_at_end, *row.awake_at_end);
+}
+
 TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
     const SpeedRow row = measure_row_in_child({.scene = find_lab_scene("a"),
                                                .engine = find_engine_kind("jostle"),

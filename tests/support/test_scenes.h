@@ -266,15 +266,37 @@ inline physics::World chains_scene(int threads = 1) {
     return world;
 }
 
+// A block of bodies of three kinds with a small one on it that never sleeps: most of it is frozen,
+// and what is done to it thaws some.
+inline physics::World guarded_scene(int threads = 1) {
+    using namespace physics;
+    World world = make_world({.threads = threads});
+    add_floor(world);
+    for (int i = 0; i < 108; i++) {
+        const Vec3 place{i % 6 - 2.5, 0.5 + i / 36, i / 6 % 6 - 2.5};
+        const bool on_top = i >= 72;
+        if (on_top && i % 5 == 0)
+            add(world, {.geometry = Cylinder{0.5, 0.5}, .position = place});
+        else if (on_top && i % 7 == 0)
+            must(world.create_body({.pose = {place, {}}}, {.geometry = Sphere{0.5},
+                                                           .material = {.rolling_friction = 0.1}}));
+        else
+            add(world, {.position = place});
+    }
+    add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {2.4, 3.2, 2.5}, .may_sleep = false});
+    return world;
+}
+
 struct TestScene {
     std::string name;
     physics::World (*make)(int threads);
 };
 
 inline const std::vector<TestScene>& test_scenes() {
-    static const std::vector<TestScene> all = {
-        {"pyramid", pyramid_scene}, {"pile", pile_scene}, {"towers", towers_scene},
-        {"yard", yard_scene},       {"fair", fair_scene}, {"chains", chains_scene}};
+    static const std::vector<TestScene> all = {{"pyramid", pyramid_scene}, {"pile", pile_scene},
+                                               {"towers", towers_scene},   {"yard", yard_scene},
+                                               {"fair", fair_scene},       {"chains", chains_scene},
+                                               {"guarded", guarded_scene}};
     return all;
 }
 

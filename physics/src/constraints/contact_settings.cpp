@@ -13,11 +13,14 @@ namespace jostle::physics {
 // leak = 1 / (1 + a2).
 ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
     const int substeps = substeps_of(effort, world_substeps);
-    const bool low = effort <= Effort::low;
+    const bool low = effort <= Effort::heap;
     const double steady_time = low ? tuning::low_steady_time : tuning::steady_time;
-    const double stiffness = low ? tuning::low_contact_stiffness : tuning::contact_stiffness;
-    const double damping = effort == Effort::slender ? tuning::slender_contact_damping_ratio
-                                                     : tuning::contact_damping_ratio;
+    const double stiffness = effort == Effort::heap ? tuning::heap_contact_stiffness
+                             : low                  ? tuning::low_contact_stiffness
+                                                    : tuning::contact_stiffness;
+    const double damping = effort == Effort::heap      ? tuning::heap_contact_damping_ratio
+                           : effort == Effort::slender ? tuning::slender_contact_damping_ratio
+                                                       : tuning::contact_damping_ratio;
     const double h = dt / substeps, omega = 2 * pi * stiffness / h;
     const double a1 = 2 * damping + h * omega, a2 = h * omega * a1;
     const auto f = [](double x) { return static_cast<float>(x); };

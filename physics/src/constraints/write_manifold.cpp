@@ -3,25 +3,11 @@
 
 #include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
+#include "state/lane_masses.h"
 #include "state/lanes.h"
 
 namespace jostle::physics {
 namespace {
-
-// One side of the pair as effective masses see it: all zero for what contacts cannot push.
-struct Side {
-    Vec3 center;
-    Vec3 inverse_mass;  // along each world axis
-    Mat3 inverse_inertia = diagonal({0, 0, 0});
-};
-
-Side side_of(const WorldState& world, std::uint32_t body) {
-    const BodyCold& cold = world.bodies.cold[body];
-    const BodyWarm& warm = warm_of(world, body);
-    if (cold.inverse_mass == 0) return {.center = warm.center};
-    return {warm.center, free_directions(cold) * cold.inverse_mass,
-            world_inverse_inertia(warm, cold)};
-}
 
 float as_float(double x) {
     return static_cast<float>(x);
@@ -78,41 +64,6 @@ int match(const Carried& old, bool taken[4], Vec3 point, double reach) {
     }
     if (best >= 0) taken[best] = true;
     return best;
-}
-
-void write_masses(ManifoldBlock& block, int lane, const Side& a, const Side& b, Vec3 n, Vec3 t1,
-                  Vec3 t2, Vec3 arm_a, Vec3 arm_b) {
-    const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
-        return dot(ja, a.inverse_inertia * ka) + dot(jb, b.inverse_inertia * kb);
-    };
-    const Vec3 mass = a.inverse_mass + b.inverse_mass;
-    const auto along = [&](Vec3 u, Vec3 v) { return dot(scaled(mass, u), v); };
-    // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of twist: n.
-    const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
-    block.g[0][lane] = as_float(maximum(along(n, n) + both(na, nb, na, nb), 1e-30));
-    block.g[1][lane] = as_float(both(na, nb, t1, t1));
-    block.g[2][lane] = as_float(both(na, nb, t2, t2));
-    block.g[3][lane] = as_float(both(t1, t1, t1, t1));
-    block.g[4][lane] = as_float(both(t1, t1, t2, t2));
-    block.g[5][lane] = as_float(both(t2, t2, t2, t2));
-    const Vec3 pa = cross(arm_a, t1), pb = cross(arm_b, t1);
-    const Vec3 qa = cross(arm_a, t2), qb = cross(arm_b, t2);
-    const double f00 = along(t1, t1) + both(pa, pb, pa, pb);
-    const double f01 = along(t1, t2) + both(pa, pb, qa, qb);
-    const double f11 = along(t2, t2) + both(qa, qb, qa, qb), det = f00 * f11 - f01 * f01;
-    if (det > 1e-12 * f00 * f11) {
-        block.friction_mass[0][lane] = as_float(f11 / det);
-        block.friction_mass[1][lane] = as_float(-f01 / det);
-        block.friction_mass[2][lane] = as_float(f00 / det);
-    } else {
-        // Locked axes leave one direction in which anything can slide, or none.
-        const double trace = f00 + f11, scale = trace > 0 ? 1 / (trace * trace) : 0;
-        block.friction_mass[0][lane] = as_float(f00 * scale);
-        block.friction_mass[1][lane] = as_float(f01 * scale);
-        block.friction_mass[2][lane] = as_float(f11 * scale);
-    }
-    const double k = both(n, n, n, n);
-    block.twist_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
 // The point of contact goes along with a round body that rolls on a flat one; of two alike it stays
@@ -173,7 +124,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     ManifoldBlock& block = *place.block;
     const int lane = place.lane;
     const Carried old = fresh ? Carried{} : carried(block, *place.rough, lane);
-    const Side a = side_of(world, contact.body_a), b = side_of(world, contact.body_b);
+    const Vec3 center_a = warm_of(world, contact.body_a).center,
+               center_b = warm_of(world, contact.body_b).center;
 
     Vec3 centre;
     for (int i = 0; i < m.count; i++) centre += m.point[i] * (1.0 / m.count);
@@ -181,7 +133,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Vec3 t1 = world.def.planar
                         ? Vec3{-n.y, n.x, 0}
                         : normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
-    const Vec3 t2 = cross(n, t1), arm_a = centre - a.center, arm_b = centre - b.center;
+    const Vec3 t2 = cross(n, t1), arm_a = centre - center_a, arm_b = centre - center_b;
     put(block.normal, lane, n);
     put(block.tangent, lane, t1);
     put(block.arm_a, lane, arm_a);
@@ -199,7 +151,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.x[i][lane] = as_float(x);
         block.y[i][lane] = as_float(y);
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
-        const int same = used ? match(old, taken, m.point[i] - a.center, reach) : -1;
+        const int same = used ? match(old, taken, m.point[i] - center_a, reach) : -1;
         block.lambda[i][lane] = same < 0 ? 0 : as_float(old.lambda[same]);
         // A new point bears its share, as the load has not changed.
         block.steady[i][lane] =
@@ -211,7 +163,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
     if (fresh) block.twist[lane] = 0;
-    write_masses(block, lane, a, b, n, t1, t2, arm_a, arm_b);
+    write_masses(world, contact, {n, t1, arm_a, arm_b});
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;

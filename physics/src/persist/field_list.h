@@ -100,6 +100,7 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("isotropic", b.isotropic);
     v.field("set", b.set);
     v.field("at", b.at);
+    v.field("frozen", b.frozen);
     v.field("first_shape", b.first_shape);
     v.field("last_shape", b.last_shape);
     v.field("first_edge", b.first_edge);
@@ -288,6 +289,7 @@ void visit_fields(V& v, Contact& c) {
     v.field("waiting", c.waiting);
     v.field("dormant", c.dormant);
     v.field("limit", c.limit);
+    for (float& x : c.load) v.field("load", x);
     v.field("composite", c.composite);
     v.field("parent", c.parent);
     v.field("first_part", c.first_part);
@@ -431,9 +433,9 @@ void visit_world(V& v, WorldState& world) {
     v.leave();
 
     v.enter("manifolds");
-    for (const Effort effort : all_efforts) {
-        v.enter(index_of(effort));
-        visit_fields(v, world.manifolds[index_of(effort)]);
+    for (std::size_t store = 0; store < world.manifolds.size(); store++) {
+        v.enter(store);
+        visit_fields(v, world.manifolds[store]);
         v.leave();
     }
     v.leave();

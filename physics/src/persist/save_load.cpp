@@ -46,7 +46,7 @@ struct Saver {
 template <class T>
 constexpr std::uint64_t largest_value() {
     if constexpr (std::is_same_v<T, Combine>) return 4;
-    if constexpr (std::is_same_v<T, Effort>) return effort_count - 1;
+    if constexpr (std::is_same_v<T, Effort>) return store_count - 1;
     return 2;  // BodyType, BodySet
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
+#include "stages/freeze_bodies.h"
 #include "state/efforts.h"
 #include "state/lanes.h"
 
@@ -86,8 +87,10 @@ Effort need_of(WorldState& world, std::uint32_t index, Vec3 up) {
     if (island.uneven && has_overload(world, island, up)) return Effort::heavy;
     const IslandExtent& extent = world.scratch.extents[index];
     if (!is_slender(extent)) {
-        const bool all_slow = extent.bodies == static_cast<int>(island.bodies);
-        return all_slow && layers_of(extent) <= tuning::flat_layers ? Effort::flat : Effort::low;
+        const auto bodies = static_cast<int>(island.bodies);
+        if (layers_of(extent) <= tuning::flat_layers)
+            return extent.bodies == bodies ? Effort::flat : Effort::low;
+        return 2 * extent.bodies > bodies ? Effort::heap : Effort::low;
     }
     const double limit =
         island.effort < Effort::tall ? tuning::tall_layers : tuning::tall_layers_end;
@@ -97,16 +100,17 @@ Effort need_of(WorldState& world, std::uint32_t index, Vec3 up) {
 // What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
 // else what most of its bodies do.
 Effort common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Vec3 up) {
-    Effort most = Effort::flat;
+    Effort most = Effort::flat, most_low = Effort::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : tied) {
         const Effort need = need_of(world, i, up);
         most = std::max(most, need);
-        (need <= Effort::low ? low : slender) += world.islands.islands[i].bodies;
+        if (need <= Effort::heap) most_low = std::max(most_low, need);
+        (need <= Effort::heap ? low : slender) += world.islands.islands[i].bodies;
         world.scratch.extents[i].settled = true;
     }
     if (most > Effort::slender) return most;
-    return slender > low ? Effort::slender : std::min(most, Effort::low);
+    return slender > low ? Effort::slender : most_low;
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.
@@ -149,6 +153,7 @@ void forget_lost_loads(WorldState& world) {
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return nobody_awake;
+    thaw_bodies(step);
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::effort_interval == 1 && world.def.gravity != Vec3{};
     if (!look && !world.islands.some_lost) return "islands are looked at in every eighth step";

@@ -47,7 +47,7 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlo
 
 void report_stays(WorldState& world) {
     auto& stays = world.events.contacts;
-    for_each_colour(world.manifolds, [&](const Colour& colour) {
+    for_each_colour(solved_stores(world.manifolds), [&](const Colour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++) {
             const BlockSide& side = colour.sides[k];
             const unsigned reported = side.touching & side.reporting;

@@ -28,6 +28,7 @@ void sort_out_bodies(WorldState& world) {
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
         const bool held = cold.lanes > 0 || cold.first_joint != none;
+        if (cold.frozen) continue;
         if (cold.type == BodyType::kinematic) {
             // Moved by its velocity, whatever touches it; the solver reads it when something may.
             scratch.free.push_back(i);
@@ -40,9 +41,10 @@ void sort_out_bodies(WorldState& world) {
             scratch.free.push_back(i);
         }
     }
-    world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size());
+    world.profile.bodies_frozen = static_cast<int>(world.bodies.frozen);
+    world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size() - world.bodies.frozen);
     world.profile.bodies_in_solver =
-        static_cast<int>(world.bodies.awake.size() - scratch.free.size());
+        world.profile.bodies_awake - static_cast<int>(scratch.free.size());
     const auto bodies_of = [&](Effort effort) {
         return static_cast<int>(scratch.in_solver[index_of(effort)].size());
     };
@@ -184,6 +186,11 @@ Skipped solve_constraints(StepContext& step) {
     scratch.drive.resize(step.world.bodies.awake.size() + 1);
     scratch.tumbling.assign(step.world.bodies.awake.size() + 1, 0);
     scratch.hot[0] = {};
+    // What is frozen stands still and cannot be pushed.
+    if (step.world.bodies.frozen > 0)
+        for (std::size_t i = 0; i < step.world.bodies.awake.size(); i++)
+            if (step.world.bodies.cold[step.world.bodies.awake[i].body].frozen)
+                scratch.hot[i + 1] = {};
     for (const Effort effort : all_efforts)
         if (!scratch.in_solver[index_of(effort)].empty()) solve_effort(step, effort);
     return ran;

@@ -16,6 +16,7 @@
 #include "stages/fast_ways.h"
 #include "stages/sweep_rule.h"
 #include "stages/traveller.h"
+#include "state/frozen.h"
 #include "state/links.h"
 #include "state/reach.h"
 
@@ -482,10 +483,13 @@ private:
                             body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = travellers_[index].sweep, sweep_b = sweep_of(body_b);
         const std::vector<ImpactPoint> points = std::move(travellers_[index].points);
-        if (world_.bodies.cold[body_b].set == BodySet::sleeping) {
-            wake_island(world_, world_.bodies.cold[body_b].island, world_.events.woke);
-            world_.scratch.not_finite.resize(world_.bodies.awake.size(), 0);
+        if (world_.bodies.cold[body_b].frozen) {
+            const BodyCold& cold_a = world_.bodies.cold[body_a];
+            const double momentum = cold_a.mass * length(warm_of(world_, body_a).v);
+            thaw_around(world_, body_b, mass_stirred_by(momentum), world_.events.woke);
         }
+        rouse(world_, body_b, world_.events.woke);
+        world_.scratch.not_finite.resize(world_.bodies.awake.size(), 0);
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         const Material &ma = world_.shapes.shapes[own].material,
                        &mb = world_.shapes.shapes[other].material;

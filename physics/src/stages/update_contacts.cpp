@@ -11,6 +11,7 @@
 #include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
 #include "stages/sweep_rule.h"
+#include "state/frozen.h"
 #include "state/lanes.h"
 #include "state/links.h"
 #include "state/reach.h"
@@ -313,6 +314,38 @@ void wake_sleepers(WorldState& world, const Contact& c) {
             world.scratch.to_wake.push_back(world.bodies.cold[body].island);
 }
 
+bool has_frozen(const WorldState& world, const Contact& c) {
+    return world.bodies.cold[c.body_a].frozen || world.bodies.cold[c.body_b].frozen;
+}
+
+// A kinematic body stops for nobody.
+double mass_as_mover(const WorldState& world, std::uint32_t mover, std::uint32_t met) {
+    constexpr double unstoppable = 100;
+    const BodyCold& cold = world.bodies.cold[mover];
+    return cold.type == BodyType::dynamic ? cold.mass : unstoppable * world.bodies.cold[met].mass;
+}
+
+// Whether a manifold begins. One with a frozen body begins only when they meet, and thaws it and as
+// much around it as the impact will stir.
+bool begins(WorldState& world, const Contact& c, double gap_ahead) {
+    if (!has_frozen(world, c)) return gap_ahead < tuning::speculative_margin;
+    if (gap_ahead >= tuning::wake_gap) return false;
+    const double speed = closing_way(world, c, 1);
+    const auto meet = [&](std::uint32_t body, std::uint32_t other) {
+        if (world.bodies.cold[body].frozen)
+            world.scratch.hits.push_back(
+                {body, mass_stirred_by(speed * mass_as_mover(world, other, body))});
+    };
+    meet(c.body_a, c.body_b);
+    meet(c.body_b, c.body_a);
+    return true;
+}
+
+// Within which gap a manifold of the pair begins, m.
+double begin_margin(const WorldState& world, const Contact& c) {
+    return has_frozen(world, c) ? tuning::wake_gap : tuning::speculative_margin;
+}
+
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
 // step, and the pair waits until something new may come near.
 void decide_composite(WorldState& world, ContactCheck& check) {
@@ -340,13 +373,14 @@ void decide_composite(WorldState& world, ContactCheck& check) {
         return destroy_contact(world, check.contact, world.events.contacts_ended);
     }
     double clear = check.near;
+    const double margin = begin_margin(world, contacts[check.contact]);
     for (std::size_t k = 0; k < found.size(); k++) {
         if (found[k].contact != none) continue;
-        if (found[k].gap_ahead < tuning::speculative_margin)
+        if (begins(world, contacts[check.contact], found[k].gap_ahead))
             world.scratch.new_lanes.push_back(
                 {index_of(world, check), static_cast<std::int32_t>(k)});
         else
-            clear = minimum(clear, found[k].gap_ahead - tuning::speculative_margin);
+            clear = minimum(clear, found[k].gap_ahead - margin);
     }
     put_on_waiting_list(world, check.contact, clear);
 }
@@ -368,11 +402,11 @@ void decide(WorldState& world, ContactCheck& check) {
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
     if (check.goes_on) return continue_manifold(world, check.contact);
-    if (check.list >= 0) {
+    if (check.list >= 0 && begins(world, c, check.gap_ahead)) {
         scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
     }
-    wait_or_end(world, check, tuning::speculative_margin);
+    wait_or_end(world, check, begin_margin(world, c));
 }
 
 void wake_islands(WorldState& world) {
@@ -380,6 +414,9 @@ void wake_islands(WorldState& world) {
     std::sort(islands.begin(), islands.end());
     islands.erase(std::unique(islands.begin(), islands.end()), islands.end());
     for (const std::uint32_t island : islands) wake_island(world, island, world.events.woke);
+    auto& hits = world.scratch.hits;
+    std::sort(hits.begin(), hits.end());
+    for (const Disturbance& hit : hits) thaw_around(world, hit.body, hit.mass, world.events.woke);
 }
 
 // In order of shapes, so that colours and lanes do not depend on the order of the waiting list.
@@ -421,6 +458,7 @@ Skipped update_contacts(StepContext& step) {
     world.scratch.part_lists = 0;
     world.scratch.new_lanes.clear();
     world.scratch.to_wake.clear();
+    world.scratch.hits.clear();
     note_held(world);
     drop_dormant_pairs(world);
     take_due_pairs(world, step.dt);

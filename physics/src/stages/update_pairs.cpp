@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "state/frozen.h"
 #include "state/links.h"
 #include "state/reach.h"
 
@@ -47,9 +48,11 @@ void find_neighbours(WorldState& world, std::uint32_t index) {
 
 // A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
 void wake_if_all_asleep(WorldState& world, const Contact& c) {
-    for (const std::uint32_t body : {c.body_a, c.body_b})
-        if (world.bodies.cold[body].set == BodySet::awake) return;
-    wake_island(world, world.bodies.cold[c.body_a].island, world.events.woke);
+    for (const std::uint32_t body : {c.body_a, c.body_b}) {
+        const BodyCold& cold = world.bodies.cold[body];
+        if (cold.set == BodySet::awake && !cold.frozen) return;
+    }
+    rouse(world, c.body_a, world.events.woke);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "stages/update_sleep.h"
 
 #include "jostle/physics/tuning.h"
+#include "stages/freeze_bodies.h"
+#include "state/frozen.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -100,9 +102,15 @@ void split_island(WorldState& world, std::uint32_t island) {
     }
 }
 
-void report_asleep(WorldState& world, std::uint32_t island) {
-    for (const BodyWarm& warm : world.islands.islands[island].sleepers)
-        world.events.fell_asleep.push_back(body_id(world, warm.body));
+// Frozen bodies have been told of.
+void fall_asleep(WorldState& world, std::uint32_t island) {
+    for (std::uint32_t body = world.islands.islands[island].first; body != none;
+         body = world.bodies.cold[body].island_next) {
+        if (!world.bodies.cold[body].frozen)
+            world.events.fell_asleep.push_back(body_id(world, body));
+        unfreeze(world, body);
+    }
+    put_island_to_sleep(world, island);
 }
 
 }  // namespace
@@ -125,8 +133,7 @@ Skipped update_sleep(StepContext& step) {
         if (scratch.island_most_quiet[i] < tuning::sleep_time) continue;
         const bool all_rest = scratch.island_quiet[i] >= tuning::sleep_time;
         if (all_rest && !world.islands.islands[i].may_be_split) {
-            put_island_to_sleep(world, i);
-            report_asleep(world, i);
+            fall_asleep(world, i);
             awake--;
         } else if (world.islands.islands[i].may_be_split &&
                    world.steps >= world.islands.islands[i].split_at + tuning::split_interval &&
@@ -137,7 +144,10 @@ Skipped update_sleep(StepContext& step) {
     }
     // One split a step is enough: a part that rests can wait a step, and a pile in motion would be
     // split in vain.
-    if (sleepiest != none) split_island(world, sleepiest);
+    if (sleepiest != none)
+        split_island(world, sleepiest);
+    else
+        freeze_bodies(step);
     world.profile.islands_awake = awake;
     return ran;
 }

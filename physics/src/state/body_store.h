@@ -20,7 +20,7 @@ inline constexpr std::uint32_t none = 0xffffffff;
 
 enum class BodySet : std::uint8_t {
     fixed,     // BodyStore::fixed
-    awake,     // BodyStore::awake: moving dynamic bodies and all kinematic ones
+    awake,     // BodyStore::awake: moving dynamic bodies, frozen ones and all kinematic ones
     sleeping,  // Island::sleepers of its island
 };
 
@@ -34,7 +34,8 @@ struct BodyCold {
     double wanted_mass = 0;  // kg; 0: what the shapes give
     std::uint64_t user_data = 0;
 
-    // What its shapes make of it. Infinite mass and inertia are zero inverses.
+    // What its shapes make of it. Infinite mass and inertia are zero inverses; a frozen body's
+    // inverses are zero too.
     double mass = 0, inverse_mass = 0;
     Mat3 inertia = diagonal({0, 0, 0}),
          inverse_inertia = diagonal({0, 0, 0});  // about the centre, body axes
@@ -47,6 +48,7 @@ struct BodyCold {
     // Where it is and what hangs on it.
     BodySet set = BodySet::fixed;
     std::uint32_t at = 0;  // index in its set
+    bool frozen = false;   // rests in an island that moves elsewhere (state/frozen.h)
     std::uint32_t first_shape = none,
                   last_shape = none;   // list through ShapeRecord::next, in order of creation
     std::uint32_t first_edge = none;   // list of contacts: contact * 2 + side
@@ -85,10 +87,22 @@ struct BodyStore {
     FlatArray<BodyCold> cold;    // by index
     FlatArray<BodyReach> reach;  // by index
     FlatArray<BodyWarm> fixed, awake;
+    std::uint32_t frozen = 0;  // how many of the awake set are; derived
 };
 
 inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
     return {warm.center - warm.axes * cold.local_center, warm.rotation};
+}
+
+// The inverses of its mass and inertia.
+inline void invert_mass(BodyCold& cold) {
+    cold.inverse_mass = cold.mass > 0 ? 1 / cold.mass : 0;
+    const double spin = cold.inertia.x.x;
+    if (!cold.isotropic)
+        cold.inverse_inertia = inverse(cold.inertia);
+    else
+        cold.inverse_inertia =
+            spin > 0 ? diagonal(Vec3{1, 1, 1} * (1 / spin)) : diagonal({0, 0, 0});
 }
 
 // A body whose axes are locked: what pushes it along or about one does nothing.

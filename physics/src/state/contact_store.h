@@ -22,13 +22,14 @@ struct Contact {
     std::uint32_t shape_a = none, shape_b = none;
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
     std::int32_t colour = -1;                    // of its lane; -1: no lane
-    Effort effort = Effort::low;                 // of its lane
+    Effort effort = Effort::low;                 // of its lane; which store that is in
     std::int32_t slot = 0;                       // in that colour
     PairCache cache;
     bool touching = false;  // pressed in the last step; binds the two bodies into one island
     bool waiting = false;   // has an entry on the waiting list
     bool dormant = false;
-    double limit = -1;  // m: to be looked at when reach_a + reach_b exceeds it
+    double limit = -1;   // m: to be looked at when reach_a + reach_b exceeds it
+    float load[3] = {};  // N, on b, when one of its bodies was frozen
 
     // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
     // of its own, a part, that names it as parent.

@@ -13,15 +13,19 @@ namespace jostle::physics {
 // In rising order.
 enum class Effort : std::uint8_t {
     flat,     // at most three layers, all slow
-    low,      // heaps, and all that lies by itself: contacts learn the force of each point
+    low,      // what nothing is known of yet or moves: contacts learn the force of each point
+    heap,     // most of it lies still, on more ground than it is high: like low, but stiffer
     slender,  // stacks and walls: contacts learn the force of a manifold; moments would make it
               // sway
     tall,     // many layers of that, which at the same sub-steps lean and in the end fall
     heavy,    // a body rests on nothing but what is a hundred times lighter
+    frozen,   // none: of manifolds, not of islands. Nobody of it moves (state/frozen.h)
 };
-inline constexpr int effort_count = 5;
+inline constexpr int effort_count = 6;
 inline constexpr std::array<Effort, effort_count> all_efforts = {
-    Effort::flat, Effort::low, Effort::slender, Effort::tall, Effort::heavy};
+    Effort::flat, Effort::low, Effort::heap, Effort::slender, Effort::tall, Effort::heavy};
+// One store of manifolds for each, and one for what is frozen.
+inline constexpr int store_count = effort_count + 1;
 
 inline constexpr std::size_t index_of(Effort effort) {
     return static_cast<std::size_t>(effort);
@@ -29,7 +33,7 @@ inline constexpr std::size_t index_of(Effort effort) {
 
 // Sub-steps of an island in a world of so many.
 inline constexpr int substeps_of(Effort effort, int world_substeps) {
-    constexpr std::array<int, effort_count> halves = {1, 2, 2, 4, 8};
+    constexpr std::array<int, effort_count> halves = {1, 2, 2, 2, 4, 8};
     return (world_substeps * halves[index_of(effort)] + 1) / 2;
 }
 

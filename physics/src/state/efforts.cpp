@@ -109,7 +109,7 @@ void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Ef
     }
     for (const std::uint32_t i : islands)
         for_each_body(world, i, [&](std::uint32_t body) {
-            move_lanes(world, body, static_cast<float>(scale), effort > Effort::low);
+            move_lanes(world, body, static_cast<float>(scale), effort > Effort::heap);
             scale_joints(world, body, scale);
         });
 }

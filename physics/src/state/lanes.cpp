@@ -83,6 +83,12 @@ int free_colour(std::uint64_t taken, Second kind) {
     return overflow_colours + static_cast<int>(kind);
 }
 
+// Between frozen bodies nothing is solved, so nothing needs a colour of its own.
+int frozen_colour(Second kind) {
+    if (kind == Second::moving) return 0;
+    return kind == Second::driven ? moving_colours : moving_colours + driven_colours;
+}
+
 }  // namespace
 
 void add_block(Colour& colour) {
@@ -107,6 +113,12 @@ Colour& colour_of(WorldState& world, const Contact& contact) {
 
 }  // namespace
 
+Effort effort_of_lane(const WorldState& world, const Contact& contact) {
+    const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
+    if (a.frozen && (b.frozen || b.type != BodyType::dynamic)) return Effort::frozen;
+    return world.islands.islands[a.island].effort;
+}
+
 LanePlace place_of(WorldState& world, const Contact& contact) {
     ASSERT(contact.colour >= 0);
     return place_at(colour_of(world, contact), contact.colour, contact.slot);
@@ -129,11 +141,13 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
     const Second kind = second_kind(b);
     if (kind == Second::moving) level_efforts(world, a.island, b.island);
-    contact.effort = world.islands.islands[a.island].effort;
-    int c = free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind);
+    contact.effort = effort_of_lane(world, contact);
+    const bool solved = contact.effort != Effort::frozen;
+    int c = solved ? free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind)
+                   : frozen_colour(kind);
     if (!is_overflow(c)) {
-        a.colours |= 1ull << c;
-        if (kind == Second::moving) b.colours |= 1ull << c;
+        if (solved) a.colours |= 1ull << c;
+        if (solved && kind == Second::moving) b.colours |= 1ull << c;
         if (single) c += single_colours;
     }
     a.lanes++;
@@ -162,7 +176,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     BodyCold& a = world.bodies.cold[contact.body_a];
     BodyCold& b = world.bodies.cold[contact.body_b];
     const bool two = second_of(c) == Second::moving;
-    if (!is_overflow(c)) {
+    if (!is_overflow(c) && contact.effort != Effort::frozen) {
         a.colours &= ~(1ull << mask_bit(c));
         if (two) b.colours &= ~(1ull << mask_bit(c));
     }
@@ -232,6 +246,7 @@ void restore_lane(WorldState& world, const SavedManifold& saved) {
     place.side->restitution[place.lane] = saved.restitution;
     place.side->aged = with_bit(place.side->aged, place.lane, saved.aged);
     place.side->touching = with_bit(place.side->touching, place.lane, contact.touching);
+    place.side->pressing = with_bit(place.side->pressing, place.lane, contact.touching);
     place.side->bouncy = with_bit(place.side->bouncy, place.lane, saved.restitution > 0);
 }
 

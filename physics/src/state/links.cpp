@@ -7,6 +7,7 @@
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
 #include "state/efforts.h"
+#include "state/frozen.h"
 #include "state/lanes.h"
 #include "state/reach.h"
 
@@ -357,6 +358,9 @@ void begin_touch(WorldState& world, std::uint32_t contact) {
 void end_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     c.touching = false;
+    for (const std::uint32_t body : {c.body_a, c.body_b})
+        if (world.bodies.cold[body].frozen)
+            world.scratch.let_go.push_back({body, mass_borne_by(world, c)});
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole parted is seen when the step's changes are all in.
@@ -482,7 +486,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
 void wake_body(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.type != BodyType::dynamic) return;
-    wake_island(world, cold.island, world.events.pending.woke);
+    rouse(world, body, world.events.pending.woke);
     warm_of(world, body).quiet = 0;
 }
 

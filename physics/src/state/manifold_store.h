@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -162,11 +163,16 @@ struct ManifoldStore {
     std::array<Colour, colour_count> colours;
     std::int32_t lanes = 0;  // of all colours
 };
-using ManifoldStores = std::array<ManifoldStore, effort_count>;
+using ManifoldStores = std::array<ManifoldStore, store_count>;
+
+// The stores that the solver works on.
+inline auto solved_stores(ManifoldStores& stores) {
+    return std::span(stores).first<effort_count>();
+}
 
 // Calls visit(colour) or visit(colour, its number) for every colour of every store in use.
 template <class Stores, class Visit>
-void for_each_colour(Stores& stores, Visit&& visit) {
+void for_each_colour(Stores&& stores, Visit&& visit) {
     for (auto& store : stores) {
         if (store.lanes == 0) continue;
         for (int c = 0; c < colour_count; c++) {

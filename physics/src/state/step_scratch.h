@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <compare>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -54,6 +55,13 @@ struct IslandExtent {
     Vec3 first;
     double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     bool settled = false;  // its effort was looked at together with another's
+};
+
+// Of a frozen body: how much is to thaw with it, kg.
+struct Disturbance {
+    std::uint32_t body = none;
+    double mass = 0;
+    auto operator<=>(const Disturbance&) const = default;
 };
 
 struct FoundJoint {
@@ -107,6 +115,10 @@ struct StepScratch {
     std::vector<std::uint8_t> not_finite;      // by awake body
     std::vector<IslandExtent> extents;         // by island
     std::vector<double> island_quiet, island_most_quiet;
+    std::vector<std::uint8_t> restless, beside;  // by hot index: moves, or touches one that does
+    std::vector<std::uint32_t> resting;          // by island: bodies that could be frozen, or are
+    std::vector<Disturbance> hits, let_go;  // of frozen bodies: from outside; by touches that ended
+    std::vector<std::uint32_t> loads_changed, freezing;  // bodies
     std::vector<std::uint32_t> stack;
 };
 

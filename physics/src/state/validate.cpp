@@ -68,6 +68,9 @@ Fault check_bodies(const WorldState& world) {
             return at("bodies", i, "is in a set that its type does not belong to");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
+        if (b.frozen &&
+            (!dynamic || b.set != BodySet::awake || b.first_joint != none || b.inverse_mass != 0))
+            return at("bodies", i, "is frozen but asleep, jointed or free to move");
         if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
         if (dynamic && !world.islands.ids.alive(b.island))
             return at("bodies", i, "is in an island that does not exist");
@@ -216,10 +219,14 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
     if (c.colour >= 0) {
         for (const std::uint32_t body : {c.body_a, c.body_b}) {
             const std::uint32_t island = world.bodies.cold[body].island;
-            if (island < world.islands.islands.size() &&
+            if (island < world.islands.islands.size() && c.effort != Effort::frozen &&
                 world.islands.islands[island].effort != c.effort)
                 return at("contacts", i, "has another effort than its island");
         }
+        const BodyCold &own = world.bodies.cold[c.body_a], &other = world.bodies.cold[c.body_b];
+        if ((c.effort == Effort::frozen) !=
+            (own.frozen && (other.frozen || other.type != BodyType::dynamic)))
+            return at("contacts", i, "is solved though nobody of it moves, or the other way round");
         const Colour& colour =
             world.manifolds[index_of(c.effort)].colours[static_cast<std::size_t>(c.colour)];
         if (c.slot < 0 || c.slot >= colour.lanes)
@@ -289,8 +296,8 @@ Fault check_contacts(const WorldState& world) {
 Fault check_manifolds(const WorldState& world) {
     std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
     std::vector<std::uint32_t> lanes(world.bodies.cold.size(), 0);
-    for (int k = 0; k < effort_count * colour_count; k++) {
-        const Effort effort = all_efforts[static_cast<std::size_t>(k / colour_count)];
+    for (int k = 0; k < store_count * colour_count; k++) {
+        const auto effort = static_cast<Effort>(k / colour_count);
         const int c = k % colour_count;
         const Colour& colour =
             world.manifolds[index_of(effort)].colours[static_cast<std::size_t>(c)];
@@ -307,7 +314,7 @@ Fault check_manifolds(const WorldState& world) {
             for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;
                 lanes[body]++;
-                if (is_overflow(c)) continue;
+                if (is_overflow(c) || effort == Effort::frozen) continue;
                 if ((colours[body] >> mask_bit(c) & 1) != 0)
                     return at("bodies", body, "has two contacts of one colour");
                 colours[body] |= 1ull << mask_bit(c);
@@ -340,6 +347,7 @@ Fault check_islands(const WorldState& world) {
         }
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
+        if (island.effort == Effort::frozen) return at("islands", i, "has an effort of none");
         if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::effort_patience ||
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");

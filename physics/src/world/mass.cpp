@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "world/mass.h"
 
+#include "foundation/check.h"
 #include "geometry/bounds.h"
 #include "geometry/inner_radius.h"
 #include "geometry/mass_properties.h"
@@ -34,6 +35,7 @@ MassProperties mass_of_shape(const ShapeRecord& shape, bool planar) {
 
 void update_mass(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
+    ASSERT(!cold.frozen);
     BodyWarm& warm = warm_of(world, body);
     MassProperties total;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
@@ -49,16 +51,10 @@ void update_mass(WorldState& world, std::uint32_t body) {
     if (cold.island != none)
         world.islands.islands[cold.island].mass += (dynamic ? total.mass : 0) - cold.mass;
     cold.mass = dynamic ? total.mass : 0;
-    cold.inverse_mass = dynamic ? 1 / total.mass : 0;
     cold.inertia = dynamic ? total.inertia : diagonal({0, 0, 0});
     if (world.def.planar) flatten(cold);
     cold.isotropic = is_isotropic(cold.inertia) && (cold.locks == 0 || world.def.planar);
-    const double spin = cold.inertia.x.x;
-    if (!cold.isotropic)
-        cold.inverse_inertia = inverse(cold.inertia);
-    else
-        cold.inverse_inertia =
-            spin > 0 ? diagonal(Vec3{1, 1, 1} * (1 / spin)) : diagonal({0, 0, 0});
+    invert_mass(cold);
     warm.center = origin + warm.axes * cold.local_center;
     warm.v += cross(warm.w, warm.center - old_center);
 

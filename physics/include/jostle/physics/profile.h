@@ -32,7 +32,8 @@ struct StepProfile {
     // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
     std::array<const char*, stage_count> stage_skipped{};
     double step_ms = 0;        // of all stages
-    int bodies_awake = 0;      // dynamic and kinematic bodies that the step walked
+    int bodies_awake = 0;      // dynamic and kinematic bodies that the step moved
+    int bodies_frozen = 0;     // bodies at rest in islands that are awake elsewhere
     int bodies_in_solver = 0;  // of those, the ones with a manifold; the others fly free
     int bodies_flat = 0;       // of those, the ones in flat and slow islands: half the sub-steps
     int bodies_tall = 0;       // ... in tall islands: twice the sub-steps

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "stages/freeze_bodies.h"
+
+#include <algorithm>
+
+#include "jostle/physics/tuning.h"
+#include "state/frozen.h"
+#include "state/lanes.h"
+
+namespace jostle::physics {
+namespace {
+
+// Calls visit(contact, hot index of a, of b) for every solved manifold of two dynamic bodies.
+template <class Visit>
+void for_each_bond(WorldState& world, Visit&& visit) {
+    for_each_colour(solved_stores(world.manifolds), [&](const Colour& colour, int c) {
+        if (second_of(c) != Second::moving) return;
+        for (std::size_t k = 0; k < colour.sides.size(); k++)
+            for (int lane = 0; lane < lanes_per_block(c); lane++)
+                if (colour.sides[k].contact[lane] != none)
+                    visit(colour.sides[k].contact[lane],
+                          static_cast<std::size_t>(colour.blocks[k].a[lane]),
+                          static_cast<std::size_t>(colour.blocks[k].b[lane]));
+    });
+}
+
+// ---- who thaws ----
+
+bool load_changed(WorldState& world, const Contact& c, std::uint32_t frozen) {
+    const BodyCold& cold = world.bodies.cold[frozen];
+    const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
+    const Vec3 before = load_before(c);
+    const double most = tuning::thaw_weight * weight + length(before);
+    return length_squared(load_of(world, c) - before) > most * most;
+}
+
+double momentum_of(const WorldState& world, const BodyWarm& warm, double dt) {
+    const BodyCold& cold = world.bodies.cold[warm.body];
+    return cold.mass * (length(warm.v) + length(warm.w) * cold.radius) + length(warm.force) * dt;
+}
+
+// ---- who freezes ----
+
+bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
+    if (cold.frozen) return false;
+    return cold.type != BodyType::dynamic || cold.first_joint != none ||
+           warm.quiet < tuning::freeze_time;
+}
+
+// By hot index: who does not rest, and who touches such a one.
+void find_restless(WorldState& world) {
+    StepScratch& scratch = world.scratch;
+    scratch.restless.assign(world.bodies.awake.size() + 1, 0);
+    for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
+        const BodyWarm& warm = world.bodies.awake[i];
+        if (is_restless(warm, world.bodies.cold[warm.body])) scratch.restless[i + 1] = 1;
+    }
+    scratch.beside = scratch.restless;
+    for_each_bond(world, [&](std::uint32_t, std::size_t a, std::size_t b) {
+        scratch.beside[a] |= scratch.restless[b];
+        scratch.beside[b] |= scratch.restless[a];
+    });
+}
+
+}  // namespace
+
+void thaw_bodies(StepContext& step) {
+    WorldState& world = step.world;
+    StepScratch& scratch = world.scratch;
+    auto& hits = scratch.hits;
+    auto& shifted = scratch.loads_changed;
+    hits.swap(scratch.let_go);
+    scratch.let_go.clear();
+    if (world.bodies.frozen == 0) return;
+    shifted.clear();
+    // What a kinematic body carries has no rest time: update_sleep.cpp.
+    for (const BodyWarm& warm : world.bodies.awake)
+        if (world.bodies.cold[warm.body].frozen && warm.quiet == 0) hits.push_back({warm.body, 0});
+    for_each_bond(world, [&](std::uint32_t contact, std::size_t a, std::size_t b) {
+        const Contact& c = world.contacts.contacts[contact];
+        const BodyCold &cold_a = world.bodies.cold[c.body_a], &cold_b = world.bodies.cold[c.body_b];
+        if (cold_a.frozen == cold_b.frozen) return;
+        const std::uint32_t body = cold_a.frozen ? c.body_a : c.body_b;
+        const BodyWarm& mover = world.bodies.awake[(cold_a.frozen ? b : a) - 1];
+        if (c.touching && mover.quiet == 0)
+            hits.push_back({body, mass_stirred_by(momentum_of(world, mover, step.dt))});
+        else if (load_changed(world, c, body))
+            shifted.push_back(body);
+    });
+    // In order of bodies: lanes must not depend on the order in which they were found.
+    std::sort(hits.begin(), hits.end());
+    std::sort(shifted.begin(), shifted.end());
+    for (const Disturbance& hit : hits)
+        if (world.bodies.ids.alive(hit.body) && world.bodies.cold[hit.body].frozen)
+            thaw_around(world, hit.body, hit.mass, world.events.woke);
+    for (const std::uint32_t body : shifted) thaw_briefly(world, body, world.events.woke);
+}
+
+void freeze_bodies(StepContext& step) {
+    WorldState& world = step.world;
+    if (world.steps % tuning::freeze_interval != 0) return;
+    StepScratch& scratch = world.scratch;
+    const bool any = std::any_of(scratch.island_most_quiet.begin(), scratch.island_most_quiet.end(),
+                                 [](double quiet) { return quiet >= tuning::freeze_time; });
+    if (!any) return;
+    find_restless(world);
+    // By island: how many rest among what rests.
+    auto& count = scratch.resting;
+    count.assign(world.islands.ids.size(), 0);
+    const auto rests = [&](std::size_t i, const BodyCold& cold) {
+        return scratch.beside[i + 1] == 0 && cold.lanes > 0;
+    };
+    for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
+        const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
+        if (rests(i, cold)) count[cold.island]++;
+    }
+    // Freezing what lies in a turmoil would hold up loads that are about to shift.
+    const auto calm = [&](std::uint32_t island) {
+        return count[island] >= tuning::freeze_least &&
+               count[island] >= tuning::freeze_share * world.islands.islands[island].bodies;
+    };
+    auto& freezing = scratch.freezing;
+    freezing.clear();
+    for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
+        const std::uint32_t body = world.bodies.awake[i].body;
+        const BodyCold& cold = world.bodies.cold[body];
+        if (rests(i, cold) && !cold.frozen && calm(cold.island)) freezing.push_back(body);
+    }
+    freeze(world, freezing);
+    for (const std::uint32_t body : freezing)
+        world.events.fell_asleep.push_back(body_id(world, body));
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "state/frozen.h"
+
+#include <algorithm>
+
+#include "foundation/check.h"
+#include "jostle/physics/tuning.h"
+#include "state/lane_masses.h"
+#include "state/lanes.h"
+#include "state/links.h"
+
+namespace jostle::physics {
+namespace {
+
+template <class Visit>
+void for_each_lane(WorldState& world, std::uint32_t body, Visit&& visit) {
+    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+        if (world.contacts.contacts[contact].colour >= 0) visit(contact);
+    });
+}
+
+// After one of its bodies froze or thawed: to the store where it belongs now. What is solved there
+// gets its effective masses anew.
+void settle_store(WorldState& world, std::uint32_t contact) {
+    const Contact& c = world.contacts.contacts[contact];
+    const Effort belongs = effort_of_lane(world, c);
+    if (belongs != c.effort) {
+        const SavedManifold saved = save_lane(world, contact);
+        release_lane(world, contact);
+        restore_lane(world, saved);
+    }
+    if (belongs != Effort::frozen) write_masses_anew(world, c);
+}
+
+}  // namespace
+
+Vec3 load_of(WorldState& world, const Contact& contact) {
+    const LanePlace place = place_of(world, contact);
+    const ManifoldBlock& block = *place.block;
+    const int lane = place.lane;
+    double pressed = 0;
+    for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};
+    const Vec3 normal = normal_of(place);
+    const Vec3 t1{double{block.tangent[0][lane]}, double{block.tangent[1][lane]},
+                  double{block.tangent[2][lane]}};
+    const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
+                         cross(normal, t1) * double{block.friction[1][lane]};
+    const Effort effort = world.islands.islands[world.bodies.cold[contact.body_a].island].effort;
+    return impulse * (substeps_of(effort, world.def.substeps) / world.last_dt);
+}
+
+Vec3 load_before(const Contact& c) {
+    return {double{c.load[0]}, double{c.load[1]}, double{c.load[2]}};
+}
+
+double mass_borne_by(const WorldState& world, const Contact& contact) {
+    const double gravity = length(world.def.gravity);
+    return gravity > 0 ? length(load_before(contact)) / gravity : 0;
+}
+
+void freeze(WorldState& world, std::span<const std::uint32_t> bodies) {
+    for (const std::uint32_t body : bodies)
+        for_each_lane(world, body, [&](std::uint32_t contact) {
+            Contact& c = world.contacts.contacts[contact];
+            const Vec3 load = load_of(world, c);
+            for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
+        });
+    for (const std::uint32_t body : bodies) {
+        BodyCold& cold = world.bodies.cold[body];
+        ASSERT(cold.set == BodySet::awake && !cold.frozen && cold.first_joint == none);
+        cold.frozen = true;
+        cold.inverse_mass = 0;
+        cold.inverse_inertia = diagonal({0, 0, 0});
+        BodyWarm& warm = warm_of(world, body);
+        warm.v = warm.w = {};
+        world.bodies.reach[body].reach = world.bodies.reach[body].travel;
+        world.bodies.frozen++;
+    }
+    for (const std::uint32_t body : bodies)
+        for_each_lane(world, body, [&](std::uint32_t contact) { settle_store(world, contact); });
+}
+
+void unfreeze(WorldState& world, std::uint32_t body) {
+    BodyCold& cold = world.bodies.cold[body];
+    if (!cold.frozen) return;
+    cold.frozen = false;
+    invert_mass(cold);
+    world.bodies.frozen--;
+    for_each_lane(world, body, [&](std::uint32_t contact) { settle_store(world, contact); });
+}
+
+void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+    if (!world.bodies.cold[body].frozen) return;
+    unfreeze(world, body);
+    warm_of(world, body).quiet = 0;
+    woke.push_back(body_id(world, body));
+}
+
+void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+    if (!world.bodies.cold[body].frozen) return;
+    const double quiet = warm_of(world, body).quiet;
+    const double soon = tuning::freeze_time - tuning::freeze_interval * world.last_dt;
+    thaw(world, body, woke);
+    warm_of(world, body).quiet = minimum(quiet, soon);
+}
+
+void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
+    std::vector<std::uint32_t> met{body};
+    double sum = world.bodies.cold[body].mass;
+    for (std::size_t k = 0; k < met.size() && sum < mass; k++)
+        for_each_lane(world, met[k], [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            const std::uint32_t other = c.body_a == met[k] ? c.body_b : c.body_a;
+            if (!world.bodies.cold[other].frozen ||
+                std::find(met.begin(), met.end(), other) != met.end())
+                return;
+            met.push_back(other);
+            sum += world.bodies.cold[other].mass;
+        });
+    std::sort(met.begin(), met.end());
+    for (const std::uint32_t near : met) thaw_briefly(world, near, woke);
+    warm_of(world, body).quiet = 0;
+}
+
+void rouse(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (cold.set == BodySet::sleeping) wake_island(world, cold.island, woke);
+    thaw(world, body, woke);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Bodies that rest in an island that moves elsewhere. A frozen body stays in the awake set, but
+// nobody solves it: for its neighbours that move it is as good as fixed, and manifolds between
+// frozen bodies lie in a store of their own. What would move it thaws it (stages/freeze_bodies.h).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "jostle/physics/tuning.h"
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+// The force of a contact's lane, N, on body b.
+Vec3 load_of(WorldState& world, const Contact& contact);
+
+// When one of its bodies was frozen.
+Vec3 load_before(const Contact& contact);
+// What that was the weight of, kg; 0 without gravity.
+double mass_borne_by(const WorldState& world, const Contact& contact);
+
+// Freezes dynamic bodies of the awake set that have no joints, and keeps the forces at their
+// contacts.
+void freeze(WorldState& world, std::span<const std::uint32_t> bodies);
+
+// The body moves again. Its rest time goes on.
+void unfreeze(WorldState& world, std::uint32_t body);
+// ... and begins anew.
+void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
+
+// ... and goes on, but for the last steps before it would freeze: if it still rests, it soon
+// freezes again, with what presses on it now.
+void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
+
+// Thaws the body, and briefly so much of what manifolds lead to from it, kg: an impact is felt by
+// more than the body that it hits, and what lost its support may have borne more than itself.
+void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke);
+
+// What would follow if it came to rest in so much at once would be slow.
+inline double mass_stirred_by(double momentum) {
+    return momentum / tuning::gentle_speed;
+}
+
+// Makes sure that a dynamic body moves: wakes its island or thaws it.
+void rouse(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
+
+}  // namespace jostle::physics

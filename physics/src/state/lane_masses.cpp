@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "state/lane_masses.h"
+
+#include "state/lanes.h"
+
+namespace jostle::physics {
+namespace {
+
+// One side of the pair as effective masses see it: all zero for what contacts cannot push.
+struct Side {
+    Vec3 inverse_mass;  // along each world axis
+    Mat3 inverse_inertia = diagonal({0, 0, 0});
+};
+
+Side side_of(const WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (cold.inverse_mass == 0) return {};
+    return {free_directions(cold) * cold.inverse_mass,
+            world_inverse_inertia(warm_of(world, body), cold)};
+}
+
+float as_float(double x) {
+    return static_cast<float>(x);
+}
+
+Vec3 get(const float (*rows)[8], int lane) {
+    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
+}
+
+}  // namespace
+
+void write_masses(WorldState& world, const Contact& contact, const LaneFrame& frame) {
+    const LanePlace place = place_of(world, contact);
+    ManifoldBlock& block = *place.block;
+    const int lane = place.lane;
+    const Side a = side_of(world, contact.body_a), b = side_of(world, contact.body_b);
+    const auto [n, t1, arm_a, arm_b] = frame;
+    const Vec3 t2 = cross(n, t1);
+    const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
+        return dot(ja, a.inverse_inertia * ka) + dot(jb, b.inverse_inertia * kb);
+    };
+    const Vec3 mass = a.inverse_mass + b.inverse_mass;
+    const auto along = [&](Vec3 u, Vec3 v) { return dot(scaled(mass, u), v); };
+    // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of twist: n.
+    const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
+    block.g[0][lane] = as_float(maximum(along(n, n) + both(na, nb, na, nb), 1e-30));
+    block.g[1][lane] = as_float(both(na, nb, t1, t1));
+    block.g[2][lane] = as_float(both(na, nb, t2, t2));
+    block.g[3][lane] = as_float(both(t1, t1, t1, t1));
+    block.g[4][lane] = as_float(both(t1, t1, t2, t2));
+    block.g[5][lane] = as_float(both(t2, t2, t2, t2));
+    const Vec3 pa = cross(arm_a, t1), pb = cross(arm_b, t1);
+    const Vec3 qa = cross(arm_a, t2), qb = cross(arm_b, t2);
+    const double f00 = along(t1, t1) + both(pa, pb, pa, pb);
+    const double f01 = along(t1, t2) + both(pa, pb, qa, qb);
+    const double f11 = along(t2, t2) + both(qa, qb, qa, qb), det = f00 * f11 - f01 * f01;
+    if (det > 1e-12 * f00 * f11) {
+        block.friction_mass[0][lane] = as_float(f11 / det);
+        block.friction_mass[1][lane] = as_float(-f01 / det);
+        block.friction_mass[2][lane] = as_float(f00 / det);
+    } else {
+        // Locked axes leave one direction in which anything can slide, or none.
+        const double trace = f00 + f11, scale = trace > 0 ? 1 / (trace * trace) : 0;
+        block.friction_mass[0][lane] = as_float(f00 * scale);
+        block.friction_mass[1][lane] = as_float(f01 * scale);
+        block.friction_mass[2][lane] = as_float(f11 * scale);
+    }
+    const double k = both(n, n, n, n);
+    block.twist_mass[lane] = k > 0 ? as_float(1 / k) : 0;
+}
+
+void write_masses_anew(WorldState& world, const Contact& contact) {
+    const LanePlace place = place_of(world, contact);
+    ManifoldBlock& block = *place.block;
+    const int lane = place.lane;
+    const float before = block.g[0][lane];
+    write_masses(world, contact,
+                 {get(block.normal, lane), get(block.tangent, lane), get(block.arm_a, lane),
+                  get(block.arm_b, lane)});
+    // A contact is as stiff as its bodies are heavy: what it gives beyond its steady impulse would
+    // jump, so the steady impulse makes up for the difference and the load stays what it is.
+    const float stiffer = before / block.g[0][lane];
+    for (int k = 0; k < 4; k++)
+        block.steady[k][lane] =
+            block.lambda[k][lane] - stiffer * (block.lambda[k][lane] - block.steady[k][lane]);
+}
+
+}  // namespace jostle::physics

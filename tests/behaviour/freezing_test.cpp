@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+//
+// What rests in an island that moves elsewhere stands still and costs nothing, and moves as soon as
+// it would.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// A wall of bricks, `rows` high, from the bottom, left to right; on its first column lies a small
+// box that never sleeps and keeps the island awake.
+struct GuardedWall {
+    World world;
+    std::vector<BodyId> bricks;
+    BodyId guard;
+
+    GuardedWall(int columns, int rows, WorldDef def = {}) : world(make_world(def)) {
+        add_floor(world);
+        const auto shift = [&](int row) { return columns > 1 ? 0.5 * (row % 2) : 0; };
+        for (int r = 0; r < rows; r++)
+            for (int c = 0; c < columns; c++)
+                bricks.push_back(add(world, {.geometry = Box{{0.5, 0.25, 0.25}},
+                                             .position = {c + shift(r), 0.25 + 0.5 * r, 0}}));
+        guard = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
+                            .position = {shift(rows - 1), 0.2 + 0.5 * rows, 0},
+                            .may_sleep = false});
+    }
+    BodyId brick(int columns, int row, int column) const {
+        return bricks[static_cast<std::size_t>(row * columns + column)];
+    }
+    bool awake(BodyId body) const { return must(world.body(body)).awake; }
+    int frozen() const { return world.profile().bodies_frozen; }
+};
+
+TEST(Freezing, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
+    GuardedWall wall(10, 6);
+    run(wall.world, 5);
+    EXPECT_EQ(wall.world.profile().islands_awake, 1);
+    EXPECT_GE(wall.frozen(), 58);
+    EXPECT_LE(wall.world.profile().bodies_awake, 3);
+    EXPECT_EQ(wall.world.summary().awake_bodies, wall.world.profile().bodies_awake);
+    EXPECT_TRUE(wall.awake(wall.guard));
+    EXPECT_TRUE(wall.awake(wall.brick(10, 5, 0)));
+    EXPECT_FALSE(wall.awake(wall.brick(10, 5, 9)));
+    // It may sleep as soon as nobody keeps it awake.
+    must(wall.world.destroy_body(wall.guard));
+    run(wall.world, 2);
+    EXPECT_EQ(wall.world.summary().awake_bodies, 0);
+}
+
+TEST(Freezing, events_and_states_agree_on_who_is_awake) {
+    GuardedWall wall(10, 6);
+    std::set<BodyId> asleep;
+    for (int step = 0; step < 600; step++) {
+        must(wall.world.step(1.0 / 60));
+        for (const BodyId body : wall.world.events().woke) asleep.erase(body);
+        for (const BodyId body : wall.world.events().fell_asleep) asleep.insert(body);
+        if (step == 400)
+            must(wall.world.apply_impulse(wall.brick(10, 5, 4), {0, 0, 300},
+                                          position_of(wall.world, wall.brick(10, 5, 4))));
+        // The impulse is felt in the step that follows, and told with it.
+        if (step == 400) continue;
+        for (const BodyId body : wall.bricks)
+            ASSERT_EQ(wall.awake(body), !asleep.contains(body)) << "step " << step;
+    }
+    EXPECT_GE(asleep.size(), 30u);
+}
+
+TEST(Freezing, what_loses_its_support_falls_at_once) {
+    GuardedWall wall(1, 24);
+    run(wall.world, 5);
+    ASSERT_GE(wall.frozen(), 16);
+    const BodyId top = wall.bricks[20];
+    ASSERT_FALSE(wall.awake(top));
+    const double height = position_of(wall.world, top).y;
+    must(wall.world.destroy_body(wall.bricks[8]));
+    run(wall.world, 0.5);
+    // A free fall of half a second is 1.2 m, and there is half a metre to fall.
+    EXPECT_LT(position_of(wall.world, top).y, height - 0.4);
+}
+
+TEST(Freezing, a_weight_is_felt_through_a_frozen_stack) {
+    // A plank that juts out over the edge of a table by less than half, held down by bricks, bears
+    // a stack at its free end.
+    World world = make_world();
+    add_floor(world);
+    add(world, {.geometry = Box{{2, 1, 1}}, .position = {-2, 1, 0}, .type = BodyType::fixed});
+    const BodyId plank = add(world, {.geometry = Box{{2, 0.1, 0.5}}, .position = {-0.2, 2.1, 0}});
+    for (int k = 0; k < 10; k++)
+        add(world, {.geometry = Box{{0.25, 0.1, 0.25}}, .position = {-1.9, 2.3 + 0.2 * k, 0}});
+    for (int k = 0; k < 8; k++)
+        add(world, {.geometry = Box{{0.25, 0.1, 0.25}}, .position = {1.5, 2.3 + 0.2 * k, 0}});
+    add(world, {.geometry = Box{{0.1, 0.1, 0.1}}, .position = {-0.5, 2.3, 0}, .may_sleep = false});
+    run(world, 6);
+    ASSERT_GE(world.profile().bodies_frozen, 14);
+    ASSERT_NEAR(position_of(world, plank).y, 2.1, 0.01);
+    add(world, {.geometry = Box{{0.25, 0.25, 0.25}}, .position = {1.5, 4.05, 0}, .density = 8000});
+    run(world, 2);
+    EXPECT_LT(position_of(world, plank).y, 2.0);  // it has tipped
+}
+
+// The momentum of all that moves, along x, just after a ball hit the block's side.
+double momentum_after_hit(bool sleeping) {
+    World world = make_world({.sleeping = sleeping});
+    add_floor(world);
+    for (int layer = 0; layer < 4; layer++)
+        for (int k = 0; k < 16; k++)
+            add(world, {.position = {static_cast<double>(k % 4), 0.5 + layer,
+                                     static_cast<double>(k / 4)}});
+    add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .may_sleep = false});
+    run(world, 5);
+    EXPECT_EQ(world.profile().bodies_frozen > 40, sleeping);
+    add(world, {.geometry = Sphere{0.5}, .position = {-2, 3.4, 1.5}, .velocity = {15, 0, 0}});
+    run(world, 0.1);
+    return world.summary().linear_momentum.x;
+}
+
+TEST(Freezing, a_hit_goes_into_a_frozen_block_as_into_one_that_is_awake) {
+    const double awake = momentum_after_hit(false), frozen = momentum_after_hit(true);
+    RecordProperty("awake_kg_m_per_s", std::to_string(awake));
+    RecordProperty("frozen_kg_m_per_s", std::to_string(frozen));
+    EXPECT_NEAR(frozen, awake, 0.1 * awake);
+}
+
+}  // namespace
+}  // namespace jostle::test

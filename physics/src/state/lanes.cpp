@@ -83,10 +83,22 @@ int free_colour(std::uint64_t taken, Second kind) {
     return overflow_colours + static_cast<int>(kind);
 }
 
-// Between frozen bodies nothing is solved, so nothing needs a colour of its own.
-int frozen_colour(Second kind) {
-    if (kind == Second::moving) return 0;
-    return kind == Second::driven ? moving_colours : moving_colours + driven_colours;
+// Of a colour whose lanes all went, perhaps to the same one of another store: a heap would keep its
+// memory in each store that it was ever in.
+void forget_room(Colour& colour) {
+    constexpr std::size_t much = 8;  // blocks
+    if (colour.blocks.empty() && colour.blocks.capacity() > much) colour = {};
+}
+
+// Between frozen bodies nothing is solved, so nothing needs a colour of its own; all of them,
+// because a long list that grows holds much more than it needs.
+int frozen_colour(Second kind, std::uint32_t contact) {
+    const auto any_of = [&](int first, int count) {
+        return first + static_cast<int>(contact % static_cast<std::uint32_t>(count));
+    };
+    if (kind == Second::moving) return any_of(0, moving_colours);
+    return kind == Second::driven ? any_of(moving_colours, driven_colours)
+                                  : any_of(moving_colours + driven_colours, fixed_colours);
 }
 
 }  // namespace
@@ -144,7 +156,7 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     contact.effort = effort_of_lane(world, contact);
     const bool solved = contact.effort != Effort::frozen;
     int c = solved ? free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind)
-                   : frozen_colour(kind);
+                   : frozen_colour(kind, contact_index);
     if (!is_overflow(c)) {
         if (solved) a.colours |= 1ull << c;
         if (solved && kind == Second::moving) b.colours |= 1ull << c;
@@ -198,6 +210,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
         colour.sides.pop_back();
         colour.bounces.pop_back();
         colour.roughs.pop_back();
+        forget_room(colour);
     }
     contact.colour = -1;
     contact.slot = 0;

@@ -41,7 +41,7 @@ struct BodyState {
     double mass = 0;        // kg; 0 for fixed and kinematic bodies
     Mat3 inertia;  // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic
                    // bodies
-    bool awake = false;  // false for fixed bodies
+    bool awake = false;  // false for fixed bodies and for what rests
     AxisLocks locks = 0;
     std::uint64_t user_data = 0;
 };

@@ -70,6 +70,22 @@ TEST(SaveLoadMoments, in_the_middle_of_an_impact) {
     EXPECT_EQ(state_hash(world), state_hash(copy)) << first_difference(world, copy).value_or("");
 }
 
+TEST(SaveLoadMoments, while_frozen_bodies_thaw) {
+    World original = guarded_scene(), copy = guarded_scene();
+    int thawed = 0;
+    for (int step = 0; step < 330; step++) {
+        if (step > 100) copy = again(copy);
+        disturb(original, step);
+        disturb(copy, step);
+        must(original.step(1.0 / 60));
+        must(copy.step(1.0 / 60));
+        thawed += static_cast<int>(original.events().woke.size());
+        ASSERT_EQ(state_hash(original), state_hash(copy))
+            << "step " << step << ": " << first_difference(original, copy).value_or("");
+    }
+    EXPECT_GT(thawed, 200);
+}
+
 TEST(SaveLoadMoments, asleep_and_then_woken) {
     World world = make_world();
     add_floor(world);

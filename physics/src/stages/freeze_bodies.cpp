@@ -39,6 +39,14 @@ double momentum_of(const WorldState& world, const BodyWarm& warm, double dt) {
     return cold.mass * (length(warm.v) + length(warm.w) * cold.radius) + length(warm.force) * dt;
 }
 
+// In order of bodies: lanes must not depend on the order in which they were found.
+void thaw_hit(WorldState& world, std::vector<Disturbance>& hits) {
+    std::sort(hits.begin(), hits.end());
+    for (const Disturbance& hit : hits)
+        if (world.bodies.ids.alive(hit.body) && world.bodies.cold[hit.body].frozen)
+            thaw_around(world, hit.body, hit.mass, world.events.woke);
+}
+
 // ---- who freezes ----
 
 bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
@@ -69,9 +77,8 @@ void thaw_bodies(StepContext& step) {
     StepScratch& scratch = world.scratch;
     auto& hits = scratch.hits;
     auto& shifted = scratch.loads_changed;
-    hits.swap(scratch.let_go);
-    scratch.let_go.clear();
     if (world.bodies.frozen == 0) return;
+    hits.clear();
     shifted.clear();
     // What a kinematic body carries has no rest time: update_sleep.cpp.
     for (const BodyWarm& warm : world.bodies.awake)
@@ -87,13 +94,14 @@ void thaw_bodies(StepContext& step) {
         else if (load_changed(world, c, body))
             shifted.push_back(body);
     });
-    // In order of bodies: lanes must not depend on the order in which they were found.
-    std::sort(hits.begin(), hits.end());
+    thaw_hit(world, hits);
     std::sort(shifted.begin(), shifted.end());
-    for (const Disturbance& hit : hits)
-        if (world.bodies.ids.alive(hit.body) && world.bodies.cold[hit.body].frozen)
-            thaw_around(world, hit.body, hit.mass, world.events.woke);
     for (const std::uint32_t body : shifted) thaw_briefly(world, body, world.events.woke);
+}
+
+void thaw_let_go(StepContext& step) {
+    thaw_hit(step.world, step.world.scratch.let_go);
+    step.world.scratch.let_go.clear();
 }
 
 void freeze_bodies(StepContext& step) {

@@ -15,4 +15,8 @@ void freeze_bodies(StepContext& step);
 // Before anything is solved: those who must thaw do.
 void thaw_bodies(StepContext& step);
 
+// When it is known which touches ended in this step: nothing of that is left for the next one,
+// which may be another world's that was loaded.
+void thaw_let_go(StepContext& step);
+
 }  // namespace jostle::physics

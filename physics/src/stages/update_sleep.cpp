@@ -119,6 +119,7 @@ Skipped update_sleep(StepContext& step) {
     WorldState& world = step.world;
     if (!world.def.sleeping) return "sleeping is off";
     if (world.bodies.awake.empty()) return nobody_awake;
+    thaw_let_go(step);
     keep_carried_awake(world);
     keep_towed_awake(world);
     measure_rest(world);

@@ -106,17 +106,20 @@ void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
 
 void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
     std::vector<std::uint32_t> met{body};
+    auto& seen = world.scratch.met;
+    seen.resize(world.bodies.cold.size(), 0);
+    seen[body] = 1;
     double sum = world.bodies.cold[body].mass;
     for (std::size_t k = 0; k < met.size() && sum < mass; k++)
         for_each_lane(world, met[k], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
             const std::uint32_t other = c.body_a == met[k] ? c.body_b : c.body_a;
-            if (!world.bodies.cold[other].frozen ||
-                std::find(met.begin(), met.end(), other) != met.end())
-                return;
+            if (!world.bodies.cold[other].frozen || seen[other] != 0) return;
+            seen[other] = 1;
             met.push_back(other);
             sum += world.bodies.cold[other].mass;
         });
+    for (const std::uint32_t near : met) seen[near] = 0;
     std::sort(met.begin(), met.end());
     for (const std::uint32_t near : met) thaw_briefly(world, near, woke);
     warm_of(world, body).quiet = 0;

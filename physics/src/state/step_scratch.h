@@ -119,6 +119,7 @@ struct StepScratch {
     std::vector<std::uint32_t> resting;          // by island: bodies that could be frozen, or are
     std::vector<Disturbance> hits, let_go;  // of frozen bodies: from outside; by touches that ended
     std::vector<std::uint32_t> loads_changed, freezing;  // bodies
+    std::vector<std::uint8_t> met;                       // by body; zero between uses
     std::vector<std::uint32_t> stack;
 };
 

@@ -4,7 +4,6 @@
 // it would.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 #include "support/world_builder.h"
@@ -20,7 +19,7 @@ struct GuardedWall {
     std::vector<BodyId> bricks;
     BodyId guard;
 
-    GuardedWall(int columns, int rows, WorldDef def = {}) : world(make_world(def)) {
+    GuardedWall(int columns, int rows) : world(make_world()) {
         add_floor(world);
         const auto shift = [&](int row) { return columns > 1 ? 0.5 * (row % 2) : 0; };
         for (int r = 0; r < rows; r++)

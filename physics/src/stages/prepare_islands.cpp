@@ -153,10 +153,12 @@ void forget_lost_loads(WorldState& world) {
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return nobody_awake;
+    const bool any_frozen = world.bodies.frozen > 0;
     thaw_bodies(step);
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::effort_interval == 1 && world.def.gravity != Vec3{};
-    if (!look && !world.islands.some_lost) return "islands are looked at in every eighth step";
+    if (!look && !world.islands.some_lost)
+        return any_frozen ? ran : "islands are looked at in every eighth step";
     if (world.islands.some_lost) forget_lost_loads(world);
     if (look) choose_efforts(world);
     return ran;

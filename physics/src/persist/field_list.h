@@ -425,9 +425,9 @@ void visit_world(V& v, WorldState& world) {
         v.field("contact", w.contact);
         v.field("body_a", w.body_a);
         v.field("body_b", w.body_b);
-        v.field("slack", w.slack);
         for (float& x : w.apart) v.field("apart", x);
-        v.field("turned", w.turned);
+        v.field("directed", w.directed);
+        v.field("budget", w.budget);
         v.field("limit", w.limit);
     });
     v.leave();

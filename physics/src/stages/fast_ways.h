@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
+#include <vector>
 
 #include "collision/broadphase/dynamic_tree.h"
 
@@ -14,14 +14,17 @@ namespace jostle::physics {
 class FastWays {
 public:
     bool empty() const { return leaf_.empty(); }
+    bool has(std::uint32_t body) const {
+        return body < leaf_.size() && leaf_[body] != DynamicTree::null_node;
+    }
 
     // The box of a body's way, or of what is left of it.
     void set(std::uint32_t body, const Aabb& box) {
-        const auto [known, fresh] = leaf_.try_emplace(body, DynamicTree::null_node);
-        if (fresh)
-            known->second = tree_.insert(box, body);
+        if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
+        if (has(body))
+            tree_.move(leaf_[body], box);
         else
-            tree_.move(known->second, box);
+            leaf_[body] = tree_.insert(box, body);
     }
 
     template <class Visit>
@@ -31,7 +34,7 @@ public:
 
 private:
     DynamicTree tree_;
-    std::unordered_map<std::uint32_t, std::int32_t> leaf_;  // looked up, never walked
+    std::vector<std::int32_t> leaf_;  // by body
 };
 
 }  // namespace jostle::physics

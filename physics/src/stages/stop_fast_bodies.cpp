@@ -12,6 +12,7 @@
 #include "constraints/combine.h"
 #include "constraints/free_motion.h"
 #include "constraints/impact.h"
+#include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
 #include "stages/fast_ways.h"
 #include "stages/sweep_rule.h"
@@ -30,8 +31,13 @@ public:
     explicit Sweeper(StepContext& step) : step_(step), world_(step.world) {}
 
     void run() {
-        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++)
-            if (is_fast(i)) fast_.push_back(i);
+        course_of_.assign(world_.scratch.fast.size(), nobody);
+        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++) {
+            if (!is_fast(i)) continue;
+            course_of_[i] = static_cast<std::uint32_t>(fast_.size());
+            fast_.push_back(i);
+        }
+        note_courses();
         start_those_that_may_meet();
         if (travellers_.empty()) return;
         world_.shapes.fixed->settle();
@@ -79,6 +85,7 @@ private:
     // Enters the traveller with what next_ says of it; entries that next_ contradicts are passed
     // over.
     void queue(std::size_t k) {
+        if (travellers_[k].fraction <= 1) expect(k);
         queue_.emplace_back(next_[k], k);
         std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
@@ -89,6 +96,17 @@ private:
             queue_.pop_back();
         }
         return queue_.empty() ? 0 : queue_.front().second;
+    }
+    // Whether it is a body that a traveller meets next, as far as is known.
+    bool expects(std::size_t k, std::uint32_t body) const {
+        const Traveller& t = travellers_[k];
+        return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
+    }
+    void expect(std::size_t k) {
+        const std::uint32_t body = world_.shapes.shapes[travellers_[k].other_shape].body;
+        if (expected_.empty()) expected_.resize(world_.bodies.cold.size(), nobody);
+        expectations_.push_back({k, expected_[body]});
+        expected_[body] = static_cast<std::uint32_t>(expectations_.size() - 1);
     }
     void look_again(std::size_t k) {
         Traveller& t = travellers_[k];
@@ -149,13 +167,6 @@ private:
         return {0, before.center, before.rotation, now.center - before.center, turn};
     }
 
-    // How far any two points of two bodies move against each other in a whole step, at most.
-    static double way_against(const Sweep& a, const BodyCold& cold_a, const Sweep& b,
-                              const BodyCold& cold_b) {
-        return length(a.motion - b.motion) + length(a.turn) * cold_a.radius +
-               (b.turn == Vec3{} ? 0 : length(b.turn) * cold_b.radius);
-    }
-
     // Most fast bodies fly through nothing, or along with others that fall beside them: those need
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
@@ -179,39 +190,77 @@ private:
     void each_met(std::uint32_t awake, Visit&& visit) const {
         const std::uint32_t body = world_.bodies.awake[awake].body;
         const BodyCold& cold = world_.bodies.cold[body];
-        const Sweep sweep = way_of_fast(awake);
+        const Course course = course_of(body);
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             edge = c.next[edge % 2];
+            if (edge != none) fetch(world_.contacts.contacts[edge / 2]);
             if (c.parent != none) continue;
-            const std::uint32_t other = c.body_a == body ? c.shape_b : c.shape_a;
-            if (may_meet_on(sweep, cold, other) && visit(other)) return;
+            const bool is_a = c.body_a == body;
+            const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
+            if (may_meet_on(course, cold, is_a ? c.body_b : c.body_a, other) && visit(other))
+                return;
         }
+    }
+
+    // A body's way in this step as far as it takes to tell whether two may meet.
+    struct Course {
+        Vec3 center, motion;  // m: at the start, and from there to the end
+        double turning = 0;   // m, of any of its points
+    };
+    void note_courses() {
+        courses_.resize(fast_.size());
+        step_.team.run(static_cast<int>(fast_.size()), 64, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                const auto index = static_cast<std::size_t>(k);
+                const Sweep sweep = way_of_fast(fast_[index]);
+                const BodyCold& cold = world_.bodies.cold[world_.bodies.awake[fast_[index]].body];
+                courses_[index] = {sweep.center, sweep.motion, length(sweep.turn) * cold.radius};
+            }
+        });
+    }
+    Course course_of(std::uint32_t body) const {
+        const BodyCold& cold = world_.bodies.cold[body];
+        const bool awake = cold.set == BodySet::awake;
+        if (awake && cold.at < course_of_.size() && course_of_[cold.at] != nobody)
+            return courses_[course_of_[cold.at]];
+        const BodyWarm& warm = warm_of(world_, body);
+        if (!awake) return {warm.center, {}, 0};
+        const Vec3 motion = warm.v * step_.dt;
+        return {warm.center - motion, motion, length(warm.w * step_.dt) * cold.radius};
+    }
+
+    // The same from its last impact on, if it had one.
+    Course course_now(std::uint32_t body) const {
+        const std::uint32_t known = traveller_of(body);
+        if (known == nobody) return course_of(body);
+        const Sweep& sweep = travellers_[known].sweep;
+        return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
     }
 
     // Whether their motions against each other are large enough for a sweep and may bring them
     // together. What moves less is the contact solver's (stages/update_contacts.cpp).
-    bool may_meet_on(const Sweep& sweep, const BodyCold& cold, std::uint32_t other_shape) const {
-        const std::uint32_t other = world_.shapes.shapes[other_shape].body;
-        const Sweep motion = way_of(other);
-        const BodyCold& cold_other = world_.bodies.cold[other];
-        const double linear = length(sweep.motion - motion.motion);
-        const double turning =
-            length(sweep.turn) * cold.radius +
-            (motion.turn == Vec3{} ? 0 : length(motion.turn) * cold_other.radius);
+    bool may_meet_on(const Course& course, const BodyCold& cold, std::uint32_t other,
+                     std::uint32_t other_shape) const {
+        const Course met = course_of(other);
+        const double linear = length(course.motion - met.motion);
         // A little less than foreseen, so that nothing falls between the two.
-        if (linear + turning < 0.8 * tuning::sweep_fraction * cold.inner_radius) return false;
-        if (cold_other.type != BodyType::dynamic) return on_way_of(sweep, cold.radius, other_shape);
+        if (linear + course.turning + met.turning <
+            0.8 * tuning::sweep_fraction * cold.inner_radius)
+            return false;
+        const BodyCold& cold_other = world_.bodies.cold[other];
+        if (cold_other.type != BodyType::dynamic)
+            return on_way_of(course, cold.radius, other_shape);
         // How near their centres come, were both to move evenly.
-        const Vec3 apart = motion.center - sweep.center, closing = sweep.motion - motion.motion;
+        const Vec3 apart = met.center - course.center, closing = course.motion - met.motion;
         const double nearest =
             clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
         const double reach = cold.radius + cold_other.radius + 0.01;
         return length_squared(apart - closing * nearest) < reach * reach;
     }
-    bool on_way_of(const Sweep& sweep, double radius, std::uint32_t other) const {
-        const Vec3 end = sweep.center + sweep.motion;
-        const Aabb way = grow({min(sweep.center, end), max(sweep.center, end)}, radius + 0.01);
+    bool on_way_of(const Course& course, double radius, std::uint32_t other) const {
+        const Vec3 end = course.center + course.motion;
+        const Aabb way = grow({min(course.center, end), max(course.center, end)}, radius + 0.01);
         const ShapeRecord& shape = world_.shapes.shapes[other];
         return is_plane(shape) ? reaches_plane(world_, shape, way) : overlap(way, shape.fat);
     }
@@ -322,6 +371,14 @@ private:
              s = world_.shapes.shapes[s].next)
             to.near.push_back(s);
     }
+    void insert_near(std::vector<std::uint32_t>& near, std::uint32_t body) const {
+        for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
+             s = world_.shapes.shapes[s].next) {
+            const auto place = std::lower_bound(near.begin(), near.end(), s);
+            const bool known = place != near.end() && *place == s;
+            if (!known && !world_.shapes.shapes[s].trigger) near.insert(place, s);
+        }
+    }
     // In order and once each: of two that are met at the same moment the first counts.
     void tidy_near(Traveller& t) {
         std::sort(t.near.begin(), t.near.end());
@@ -349,9 +406,13 @@ private:
         tidy_near(t);
     }
 
+    // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
     void find_near(Traveller& t) {
-        world_.shapes.fixed->query(t.way, 0xffffffff, t.near);
-        world_.shapes.moving->query(t.way, 0xffffffff, t.near);
+        found_.clear();
+        world_.shapes.fixed->query(t.way, 0xffffffff, found_);
+        world_.shapes.moving->query(t.way, 0xffffffff, found_);
+        for (const std::uint32_t shape : found_)
+            if (!ways_.has(world_.shapes.shapes[shape].body)) t.near.push_back(shape);
         for (const std::uint32_t plane : world_.shapes.planes)
             if (reaches_plane(world_, world_.shapes.shapes[plane], t.way)) t.near.push_back(plane);
     }
@@ -361,7 +422,10 @@ private:
         Traveller& t = travellers_[index];
         t.way = bounds_of_way(t);
         t.near.clear();
-        find_near_all(t);
+        if (t.fast)
+            find_near_all(t);
+        else
+            note_fast_ways();
         ways_.set(t.body, t.way);
         look_again(index);
     }
@@ -387,26 +451,29 @@ private:
 
     // What hardly moves against the other is the contact solver's. After an impact less is left to
     // it: its contacts did not foresee the new way.
-    bool moves_enough(const Traveller& t, std::uint32_t other, const Sweep& motion) const {
+    bool moves_enough(const Traveller& t, std::uint32_t other) const {
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
         const std::uint32_t known = traveller_of(other);
         const bool changed = t.changed || (known != nobody && travellers_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
         const double least = (changed ? 0.4 : 0.8) * way_without_sweep(world_, cold, cold_other);
-        return way_against(t.sweep, cold, motion, cold_other) * (1 - t.sweep.from) > least;
+        const Course course = course_now(other);
+        const double way = length(t.sweep.motion - course.motion) +
+                           length(t.sweep.turn) * cold.radius + course.turning;
+        return way * (1 - t.sweep.from) > least;
     }
 
     // Whether one shape is met before all that are known.
     void look_at(Traveller& t, std::uint32_t other) {
         const std::uint32_t body = world_.shapes.shapes[other].body;
+        if (!moves_enough(t, body)) return;
         const Sweep motion = sweep_of(body);
-        if (!moves_enough(t, body, motion)) return;
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
             const double from = std::max(t.sweep.from, motion.from);
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
-            const Impact hit = time_of_impact(a, b, from, tuning::sweep_gap);
+            const Impact hit = time_of_impact(a, b, from, tuning::sweep_gap, t.fraction);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
                                   bool at_start = false) {
                 if (fraction >= t.fraction) return true;
@@ -428,7 +495,7 @@ private:
             for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
                 if (!touches) break;
                 core.scale = scale;
-                const Impact later = time_of_impact(core, b, from, tuning::sweep_gap);
+                const Impact later = time_of_impact(core, b, from, tuning::sweep_gap, t.fraction);
                 touches = later.at_start;
                 if (later.fraction < t.fraction)
                     touches |= !meet(later.fraction, points_along(a, b, later));
@@ -509,7 +576,7 @@ private:
         for (const std::size_t k : fast_travellers_met(body, travellers_[index].way)) {
             Traveller& t = travellers_[k];
             if (!t.looked || t.impacts >= tuning::sweep_impacts) continue;
-            if (t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body) {
+            if (expects(k, body)) {
                 look_again(k);
                 continue;
             }
@@ -520,11 +587,11 @@ private:
             queue(k);
         }
         // Those that would have met it where it no longer goes.
-        for (std::size_t k = 0; k < travellers_.size(); k++) {
-            const Traveller& t = travellers_[k];
-            if (next_[k] <= 1 && t.fraction <= 1 &&
-                world_.shapes.shapes[t.other_shape].body == body)
-                look_again(k);
+        std::uint32_t known = expected_.empty() ? nobody : std::exchange(expected_[body], nobody);
+        while (known != nobody) {
+            const auto [k, next] = expectations_[known];
+            if (next_[k] <= 1 && expects(k, body)) look_again(k);
+            known = next;
         }
     }
     // The other fast travellers whose way crosses a box, in order. They know the body from now on.
@@ -536,10 +603,7 @@ private:
             if (known != nobody && travellers_[known].fast) met_.push_back(known);
         });
         std::sort(met_.begin(), met_.end());
-        for (const std::size_t k : met_) {
-            add_shapes(travellers_[k], body);
-            tidy_near(travellers_[k]);
-        }
+        for (const std::size_t k : met_) insert_near(travellers_[k].near, body);
         return met_;
     }
 
@@ -609,13 +673,23 @@ private:
 
     StepContext& step_;
     WorldState& world_;
-    std::vector<std::uint32_t> fast_;  // awake indices, rising
-    FastWays ways_;                    // made when first asked for
-    std::vector<std::size_t> met_;     // scratch
+    std::vector<std::uint32_t> fast_;       // awake indices, rising
+    std::vector<Course> courses_;           // of those
+    std::vector<std::uint32_t> course_of_;  // by awake index: index of its course, or nobody
+    FastWays ways_;                         // made when first asked for
+    std::vector<std::size_t> met_;          // scratch
+    std::vector<std::uint32_t> found_;      // scratch
     std::vector<Traveller> travellers_;
     std::vector<double> next_;  // by traveller: when something next happens to it
     std::vector<std::size_t> to_look_;
     std::vector<std::pair<double, std::size_t>> queue_;  // heap of travellers by what comes next
+    // By body: index of the latest expectation of it; chains of who expects to meet it, or did.
+    struct Expectation {
+        std::size_t traveller;
+        std::uint32_t next;
+    };
+    std::vector<std::uint32_t> expected_;
+    std::vector<Expectation> expectations_;
     std::vector<std::uint32_t> where_;  // by body: its traveller; empty before the first
 };
 

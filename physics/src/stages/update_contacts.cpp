@@ -36,23 +36,60 @@ void note_held(WorldState& world) {
         held.push_back(world.bodies.cold[warm.body].lanes > 0 ? 1 : 0);
 }
 
-// What is left of a pair's slack after what its bodies have done and may do in this step: the same
-// bounds as look_ahead()'s, on their motion against each other. Both fall alike.
-double slack_left(const WorldState& world, const Waiting& w, double dt) {
+// What is left of a pair's slack, m, and how much of that this step may use up.
+struct Slack {
+    double left, next;
+};
+
+// Along a direction by what look() would see; else by the same bounds as look_ahead()'s, on their
+// motion against each other.
+Slack slack_of(const WorldState& world, const Waiting& w, double dt) {
     const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
     const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
-    const Vec3 before{double{w.apart[0]}, double{w.apart[1]}, double{w.apart[2]}};
-    const double moved = length((wb.center - wa.center) - before);
-    const double turned =
-        world.bodies.reach[w.body_a].turned + world.bodies.reach[w.body_b].turned - w.turned;
+    const double turned = world.bodies.reach[w.body_a].turned + world.bodies.reach[w.body_b].turned;
+    const double turning = length(wa.w) * a.radius + length(wb.w) * b.radius;
+    const Vec3 kept = way_apart(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
+    if (w.directed)
+        return {w.budget + dot(kept, apart) - turned,
+                dt * maximum(0, turning - dot(kept, velocity))};
     const auto force = [](const BodyWarm& warm, const BodyCold& cold) {
         return warm.force == Vec3{} ? 0 : length(warm.force) * cold.inverse_mass;
     };
     const double pull = 2 * length(world.def.gravity) + force(wa, a) + force(wb, b);
-    const double next =
-        1.5 * dt * (length(wb.v - wa.v) + length(wa.w) * a.radius + length(wb.w) * b.radius) +
-        dt * dt * pull;
-    return double{w.slack} - moved - turned - next;
+    return {w.budget - length(apart - kept) - turned,
+            1.5 * dt * (length(velocity) + turning) + dt * dt * pull};
+}
+
+// Most new pairs are of bodies that fly along with each other: if the balls around them cannot
+// touch in this step, the pair waits along their centres without a look. That happens once: a look
+// ends pairs that have parted.
+bool wait_as_balls(const WorldState& world, Waiting& w, double dt) {
+    const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
+    // What forces do not move may have a plane, which no ball holds.
+    if (a.type != BodyType::dynamic || b.type != BodyType::dynamic) return false;
+    const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
+    const Vec3 apart = wb.center - wa.center;
+    const double distance = length(apart);
+    const double slack = distance - a.radius - b.radius - tuning::speculative_margin - 1e-4;
+    if (slack <= 0) return false;
+    const Vec3 direction = apart * (1 / distance);
+    if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;
+    const BodyReach &ra = world.bodies.reach[w.body_a], &rb = world.bodies.reach[w.body_b];
+    w.directed = true;
+    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(direction[k]);
+    w.budget = slack + ra.turned + rb.turned - dot(way_apart(w), apart);
+    w.limit = ra.travel + rb.travel + slack;
+    return true;
+}
+
+// Whether a pair may touch in this step; if not, knows from when on to ask again.
+bool is_due(const WorldState& world, Waiting& w, double dt) {
+    const BodyReach &a = world.bodies.reach[w.body_a], &b = world.bodies.reach[w.body_b];
+    if (a.reach + b.reach <= w.limit) return false;
+    if (w.budget == Waiting::measured_by_limit) return !wait_as_balls(world, w, dt);
+    const Slack slack = slack_of(world, w, dt);
+    w.limit = a.travel + b.travel + slack.left;
+    return slack.next > slack.left;
 }
 
 // Pairs whose bodies all fell asleep wait no longer.
@@ -69,31 +106,27 @@ void drop_dormant_pairs(WorldState& world) {
 }
 
 // Takes the due entries off the waiting list.
-void take_due_pairs(WorldState& world, double dt) {
-    std::vector<Waiting>& waiting = world.contacts.waiting;
-    const std::vector<BodyReach>& reach = world.bodies.reach;
-    std::vector<std::uint32_t>& due = world.scratch.due;
-    due.clear();
+void take_due_pairs(StepContext& step) {
+    WorldState& world = step.world;
+    FlatArray<Waiting>& waiting = world.contacts.waiting;
+    std::vector<std::uint8_t>& due = world.scratch.due;
+    due.resize(waiting.size());
+    step.team.run(static_cast<int>(waiting.size()), 512, [&](int begin, int end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
+            due[k] = is_due(world, waiting[k], step.dt) ? 1 : 0;
+    });
     std::size_t kept = 0;
     for (std::size_t k = 0; k < waiting.size(); k++) {
-        Waiting w = waiting[k];
-        const BodyReach &a = reach[w.body_a], &b = reach[w.body_b];
-        if (a.reach + b.reach > w.limit) {
-            const double left = w.slack < 0 ? -1 : slack_left(world, w, dt);
-            if (left < 0) {
-                due.push_back(w.contact);
-                continue;
-            }
-            w.limit = a.reach + b.reach + left;
+        if (k + 8 < waiting.size() && due[k + 8] != 0)
+            fetch(world.contacts.contacts[waiting[k + 8].contact]);
+        if (due[k] == 0) {
+            waiting[kept++] = waiting[k];
+            continue;
         }
-        waiting[kept++] = w;
+        world.contacts.contacts[waiting[k].contact].waiting = false;
+        queue(world, waiting[k].contact);
     }
     waiting.resize(kept);
-    for (std::size_t k = 0; k < due.size(); k++) {
-        if (k + 8 < due.size()) fetch(world.contacts.contacts[due[k + 8]]);
-        world.contacts.contacts[due[k]].waiting = false;
-        queue(world, due[k]);
-    }
 }
 
 // A composite pair is looked at as a whole when any of its parts has aged.
@@ -150,6 +183,15 @@ bool will_be_swept(const WorldState& world, const Contact& c, double way, double
                tuning::sweep_fraction * mover.inner_radius;
     };
     return sweeps(a, b) || sweeps(b, a);
+}
+
+// How fast any two points of two bodies come nearer to each other along a direction from a to b, at
+// most, m/s.
+double closing_along(const WorldState& world, const Contact& c, Vec3 direction) {
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const Motion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
+    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
+    return length(ma.w) * a.radius + turning_b - dot(direction, mb.v - ma.v);
 }
 
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
@@ -246,18 +288,34 @@ void fetch_ahead(const WorldState& world, int k, int end) {
     }
 }
 
+// The points where a pair may touch in this step.
+Manifold manifold_ahead(const WorldState& world, Contact& c, const Placed& a, const Placed& b,
+                        double dt) {
+    const auto within = [&](double margin) {
+        return world.def.planar ? collide_planar(a, b, margin, c.cache)
+                                : collide(a, b, margin, c.cache);
+    };
+    const double way = closing_way(world, c, dt);
+    if (will_be_swept(world, c, way, dt)) return within(tuning::touch_gap);
+    // Most of what moves much against each other flies past: that is cheaper to see than points.
+    if (c.colour < 0) {
+        const Manifold near = within(tuning::speculative_margin);
+        if (near.count == 0 && near.normal != Vec3{} &&
+            near.distance - closing_along(world, c, near.normal) * dt >= tuning::speculative_margin)
+            return near;
+    }
+    return within(tuning::speculative_margin + closing_reach(world, c, way));
+}
+
 void look(WorldState& world, ContactCheck& check, double dt) {
     Contact& c = world.contacts.contacts[check.contact];
     const ShapeRecord& sa = world.shapes.shapes[c.shape_a];
     const ShapeRecord& sb = world.shapes.shapes[c.shape_b];
     const Placed a = placed(sa, warm_of(world, c.body_a)), b = placed(sb, warm_of(world, c.body_b));
     if (c.composite) return look_at_composite(world, check, a, b, dt);
-    const double way = closing_way(world, c, dt);
-    const double margin = will_be_swept(world, c, way, dt)
-                              ? tuning::touch_gap
-                              : tuning::speculative_margin + closing_reach(world, c, way);
-    const Manifold manifold =
-        world.def.planar ? collide_planar(a, b, margin, c.cache) : collide(a, b, margin, c.cache);
+    const Manifold manifold = manifold_ahead(world, c, a, b, dt);
+    if (manifold.count == 0)
+        for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
     check.near = smallest_gap(manifold);
     check.gap_ahead = expected_gap(world, c, manifold, dt);
     if (manifold.count > 0 && c.colour >= 0) {
@@ -296,7 +354,9 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
         destroy_contact(world, check.contact, world.events.contacts_ended);
         return;
     }
-    put_on_waiting_list(world, check.contact, check.near - near);
+    const float* d = check.direction;
+    put_on_waiting_list(world, check.contact, check.near - near,
+                        {double{d[0]}, double{d[1]}, double{d[2]}});
 }
 
 std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
@@ -461,7 +521,7 @@ Skipped update_contacts(StepContext& step) {
     world.scratch.hits.clear();
     note_held(world);
     drop_dormant_pairs(world);
-    take_due_pairs(world, step.dt);
+    take_due_pairs(step);
     take_aged_manifolds(world);
     make_room(world.scratch);
     step.team.run(static_cast<int>(checks.size()), 32, [&](int begin, int end) {

@@ -10,7 +10,10 @@
 namespace jostle::physics {
 namespace {
 
-void add_pair(WorldState& world, std::uint32_t a, std::uint32_t b) {
+using ShapePair = std::pair<std::uint32_t, std::uint32_t>;
+
+void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
+              std::vector<ShapePair>& pairs) {
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
     if (sa.body == sb.body) return;
     if (world.bodies.cold[sa.body].type != BodyType::dynamic &&
@@ -19,10 +22,10 @@ void add_pair(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (!may_meet(sa.filter, sb.filter) || sa.trigger || sb.trigger) return;
     if (world.contacts.pairs.contains(pair_key(a, b))) return;
     if (joined_without_contact(world, sa.body, sb.body)) return;
-    world.scratch.new_pairs.emplace_back(std::min(a, b), std::max(a, b));
+    pairs.emplace_back(std::min(a, b), std::max(a, b));
 }
 
-void find_neighbours(WorldState& world, std::uint32_t index) {
+void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out) {
     const ShapeStore& store = world.shapes;
     const ShapeRecord& shape = store.shapes[index];
     if (shape.trigger) return;  // looked at by update_triggers
@@ -31,19 +34,43 @@ void find_neighbours(WorldState& world, std::uint32_t index) {
         for (std::uint32_t other = 0; other < store.ids.size(); other++)
             if (store.ids.alive(other) && !is_plane(store.shapes[other]) &&
                 reaches_plane(world, shape, store.shapes[other].fat))
-                add_pair(world, index, other);
+                add_pair(world, index, other, out.pairs);
         return;
     }
     // A positive group collides whatever the mask says.
     const std::uint32_t mask = shape.filter.group > 0 ? 0xffffffff : shape.filter.mask;
-    std::vector<std::uint32_t>& found = world.scratch.found;
-    found.clear();
-    store.moving->query(shape.fat, mask, found);
-    if (!fixed) store.fixed->query(shape.fat, mask, found);
-    for (const std::uint32_t other : found) add_pair(world, index, other);
+    out.near.clear();
+    store.moving->query(shape.fat, mask, out.near);
+    if (!fixed) store.fixed->query(shape.fat, mask, out.near);
+    for (const std::uint32_t other : out.near) add_pair(world, index, other, out.pairs);
     if (fixed) return;
     for (const std::uint32_t plane : store.planes)
-        if (reaches_plane(world, store.shapes[plane], shape.fat)) add_pair(world, index, plane);
+        if (reaches_plane(world, store.shapes[plane], shape.fat))
+            add_pair(world, index, plane, out.pairs);
+}
+
+// The new pairs of all shapes that moved, each once, in an order that depends on nothing else:
+// contact indices must not depend on the shape of a tree or on threads.
+const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
+    constexpr std::size_t chunk = 64;  // shapes
+    const WorldState& world = step.world;
+    const std::vector<std::uint32_t>& moved = world.shapes.moved;
+    std::vector<NewPairs>& parts = step.world.scratch.new_pairs;
+    const std::size_t chunks = (moved.size() + chunk - 1) / chunk;
+    if (parts.size() < chunks) parts.resize(chunks);
+    for (NewPairs& part : parts) part.pairs.clear();
+    step.team.run(static_cast<int>(chunks), 1, [&](int begin, int end) {
+        for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
+             part++)
+            for (std::size_t k = part * chunk; k < std::min((part + 1) * chunk, moved.size()); k++)
+                find_neighbours(world, moved[k], parts[part]);
+    });
+    std::vector<ShapePair>& all = parts.front().pairs;
+    for (std::size_t k = 1; k < parts.size(); k++)
+        all.insert(all.end(), parts[k].pairs.begin(), parts[k].pairs.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 // A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
@@ -64,14 +91,9 @@ Skipped update_pairs(StepContext& step) {
     if (moved.empty()) return "no shape left its fat box";
     world.shapes.fixed->settle();
     world.shapes.moving->settle();
-    auto& pairs = world.scratch.new_pairs;
-    pairs.clear();
-    for (const std::uint32_t shape : moved) find_neighbours(world, shape);
+    const std::vector<ShapePair>& pairs = find_new_pairs(step);
     for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
     moved.clear();
-    // Sorted: contact indices must not depend on the shape of a tree.
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (const auto& [a, b] : pairs) {
         const std::uint32_t contact = create_contact(world, a, b);
         wake_if_all_asleep(world, world.contacts.contacts[contact]);

@@ -45,16 +45,27 @@ struct Contact {
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
 };
 
-// A pair that cannot touch yet. It is due when its bodies may have come nearer to each other by
-// `slack` since the moment it was put here. The sum of both bodies' travels says at once that most
-// are not; for the others, which may fall side by side, the motion against each other is measured.
+// A pair that cannot touch yet. It is due when its bodies may have come nearer to each other than
+// its slack since the moment it was put here. The sum of both bodies' travels says at once that
+// most are not; for the others the motion against each other is measured: along the direction in
+// which they were apart if that is known, since what falls past each other comes no nearer, else
+// its length.
 struct Waiting {
+    static constexpr double measured_by_limit = -1e300;
+
     std::uint32_t contact = none, body_a = none, body_b = none;
-    float slack = -1;     // m; negative: due when the limit is exceeded
-    float apart[3] = {};  // m, from a's centre of mass to b's at that moment
-    double turned = 0;    // m, sum of both bodies' BodyReach::turned at that moment
-    double limit = -1;    // m, on the sum of both bodies' reach
+    // Directed: unit, from a to b. Else m, from a's centre of mass to b's at that moment.
+    float apart[3] = {};
+    bool directed = false;
+    // m, what may be used up: the slack and both bodies' BodyReach::turned at that moment, and when
+    // directed less the distance of the centres along the direction.
+    double budget = measured_by_limit;
+    double limit = -1;  // m, on the sum of both bodies' reach
 };
+
+inline Vec3 way_apart(const Waiting& w) {
+    return {double{w.apart[0]}, double{w.apart[1]}, double{w.apart[2]}};
+}
 
 struct ContactStore {
     IdPool ids;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "state/efforts.h"
 
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "foundation/check.h"
 #include "state/lanes.h"
 
@@ -51,17 +55,40 @@ void scale_impulses(Joint& joint, double scale) {
         *x *= scale;
 }
 
+void move_lane(WorldState& world, std::uint32_t contact) {
+    const SavedManifold saved = save_lane(world, contact);
+    release_lane(world, contact);
+    restore_lane(world, saved);
+}
+
 void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
         if (c.colour < 0 || c.body_a != body) return;
-        const LanePlace place = place_of(world, c);
-        scale_impulses(place, scale);
-        stiffen(place, 1 / (scale * scale), even);
-        const SavedManifold saved = save_lane(world, index);
-        release_lane(world, index);
-        restore_lane(world, saved);
+        if (scale != 1 || even) {
+            const LanePlace place = place_of(world, c);
+            scale_impulses(place, scale);
+            stiffen(place, 1 / (scale * scale), even);
+        }
+        if (c.effort != effort_of_lane(world, c)) move_lane(world, index);
     });
+}
+
+// Manifolds by the ten thousand, one by one, would take as long as several steps: when most of a
+// store goes to one that holds little, the two change places and what is in the wrong one moves.
+void swap_stores(WorldState& world, Effort before, Effort after) {
+    std::swap(world.manifolds[index_of(before)], world.manifolds[index_of(after)]);
+    std::vector<std::uint32_t> others;
+    for (const Effort effort : {before, after})
+        for (const Colour& colour : world.manifolds[index_of(effort)].colours)
+            for (const BlockSide& side : colour.sides)
+                for (const std::uint32_t index : side.contact) {
+                    if (index == none) continue;
+                    Contact& c = world.contacts.contacts[index];
+                    c.effort = effort;
+                    if (effort_of_lane(world, c) != effort) others.push_back(index);
+                }
+    for (const std::uint32_t contact : others) move_lane(world, contact);
 }
 
 void scale_joints(WorldState& world, std::uint32_t body, double scale) {
@@ -102,14 +129,24 @@ void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Ef
     const double scale = static_cast<double>(substeps_of(before, world.def.substeps)) /
                          substeps_of(effort, world.def.substeps);
     // All islands first: lanes ask what effort their bodies have.
+    std::int64_t lanes = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
         ASSERT(world.islands.islands[i].effort == before && !world.islands.islands[i].asleep);
         world.islands.islands[i].effort = effort;
         world.islands.islands[i].calm = 0;
+        for_each_body(world, i,
+                      [&](std::uint32_t body) { lanes += world.bodies.cold[body].lanes; });
+    }
+    const std::int32_t in_before = world.manifolds[index_of(before)].lanes;
+    const std::int32_t in_after = world.manifolds[index_of(effort)].lanes;
+    const bool even = effort > Effort::heap;
+    if (lanes > in_before && 2 * in_after < in_before) {
+        swap_stores(world, before, effort);
+        if (scale == 1 && !even) return;
     }
     for (const std::uint32_t i : islands)
         for_each_body(world, i, [&](std::uint32_t body) {
-            move_lanes(world, body, static_cast<float>(scale), effort > Effort::heap);
+            move_lanes(world, body, static_cast<float>(scale), even);
             scale_joints(world, body, scale);
         });
 }

@@ -94,7 +94,7 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
     return index;
 }
 
-void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack) {
+void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
     Contact& c = world.contacts.contacts[contact];
     c.dormant = false;
     if (c.waiting) return;  // was dormant meanwhile: keeps its place and limit
@@ -102,12 +102,15 @@ void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack)
     const BodyReach &a = world.bodies.reach[c.body_a], &b = world.bodies.reach[c.body_b];
     Waiting w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
     w.limit = a.travel + b.travel + slack;
-    w.slack = static_cast<float>(slack - 1e-5);
     const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
-    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(apart[k]);
-    // Far apart, a float is not exact enough.
-    if (length_squared(apart) > 100) w.slack = -1;
-    w.turned = a.turned + b.turned;
+    w.directed = direction != Vec3{};
+    const Vec3 kept = w.directed ? direction : apart;
+    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(kept[k]);
+    // At a kilometre a float is off by less than the tenth of a millimetre that is held back.
+    if (slack >= 0 && length_squared(apart) <= 1e6) {
+        w.budget = slack - 1e-4 + a.turned + b.turned;
+        if (w.directed) w.budget -= dot(way_apart(w), apart);
+    }
     c.limit = w.limit;
     world.contacts.waiting.push_back(w);
 }

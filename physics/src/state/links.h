@@ -26,7 +26,8 @@ void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32
 void report_end(const WorldState& world, const Contact& contact, std::vector<ContactEnd>& ended);
 // Reports the end of a composite pair none of whose parts touches any more.
 void settle_pair(WorldState& world, std::uint32_t pair);
-void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack);
+void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack,
+                         Vec3 direction = {});
 // A dormant contact waits again, as before.
 void resume_waiting(WorldState& world, std::uint32_t contact);
 

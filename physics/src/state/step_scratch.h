@@ -25,12 +25,19 @@ struct ContactCheck {
     // Of a composite pair: its parts are in StepScratch::parts[list]. Else: the manifold that may
     // begin is StepScratch::fresh[list].
     std::int32_t list = -1;
-    bool goes_on = false;  // has points, and a lane that they were written to
-    double gap_ahead = 0;  // m: smallest gap of any point at the end of the step, as the bodies
-                           // move now
+    bool goes_on = false;     // has points, and a lane that they were written to
+    float direction[3] = {};  // along which they are apart by `near`; zero: not known
+    double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
+                              // move now
     // m: the smallest gap now. Of a composite pair: everything nearer than this beyond the
     // speculative margin is among its parts.
     double near = 0;
+};
+
+// What one task of update_pairs found.
+struct NewPairs {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // shapes
+    std::vector<std::uint32_t> near;                             // shapes, of one query
 };
 
 // One manifold of a composite pair.
@@ -92,8 +99,8 @@ struct StepScratch {
     std::array<std::vector<std::uint32_t>, effort_count> in_solver;
     std::vector<std::uint32_t> drivers;  // hot indices of kinematic bodies that the solver reads
     std::vector<std::uint32_t> free;     // the other awake bodies, and all kinematic ones
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> new_pairs;  // shapes
-    std::vector<std::uint32_t> due;  // contacts that waited long enough
+    std::vector<NewPairs> new_pairs;     // of some of the shapes that moved each
+    std::vector<std::uint8_t> due;       // by waiting pair: it waited long enough
     std::vector<ContactCheck> checks;
     std::int32_t part_lists = 0;  // given to checks of composite pairs
     std::vector<Manifold> fresh;  // of checks without a lane, as far as fresh_count, in any order

@@ -97,6 +97,8 @@ void check(const Pair& p, Report& report) {
     if (m.count == 0) {
         EXPECT_GT(at_most, margin - tolerance) << "missed";
         EXPECT_LE(m.distance, at_most + tolerance) << "the bound must be below the distance";
+        EXPECT_NEAR(length(m.normal), 1, 1e-9);
+        EXPECT_GE(gap_along(p, m.normal), m.distance - tolerance) << "not that far along it";
         return;
     }
     ASSERT_NEAR(length(m.normal), 1, 1e-9);

@@ -2,6 +2,7 @@
 #include "collision/narrowphase/collide_boxes.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "collision/narrowphase/manifold_reduction.h"
 
@@ -38,6 +39,7 @@ struct FaceAxis {
     int axis = -1;               // 0-2: a face of a, 3-5: a face of b
     double preferred = -1e300;   // its separation with the preference for the cached axis
     double separation = -1e300;  // largest over all six
+    int widest = -1;             // which of them has that
 };
 
 FaceAxis best_face(const BoxPair& p, double size, int cached) {
@@ -55,7 +57,10 @@ FaceAxis best_face(const BoxPair& p, double size, int cached) {
             s = absolute(p.along_b[i]) - p.half_b[i] -
                 (absolute(p.r[0][i]) * p.half_a.x + absolute(p.r[1][i]) * p.half_a.y +
                  absolute(p.r[2][i]) * p.half_a.z);
-        best.separation = maximum(best.separation, s);
+        if (s > best.separation) {
+            best.separation = s;
+            best.widest = k;
+        }
         if (k == cached) s += preference;
         if (s > best.preferred + tie) {
             best.preferred = s;
@@ -87,6 +92,14 @@ EdgeAxis best_edge(const BoxPair& p) {
             if (s > best.separation + 1e-6) best = {i, j, c < 0 ? -n : n, s};
         }
     return best;
+}
+
+// Of the axis that separates most, from a to b.
+Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
+    const int i = face.widest % 3;
+    const bool of_a = face.widest < 3;
+    const Vec3 axis = of_a ? p.axis_a[i] : p.axis_b[i];
+    return (of_a ? p.along_a[i] : p.along_b[i]) < 0 ? -axis : axis;
 }
 
 // Cuts the polygon to one side of the reference face: sign * coordinate <= limit.
@@ -168,10 +181,11 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
     const BoxPair pair = make_pair(a, b);
     const double size = minimum(length(pair.half_a), length(pair.half_b));
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
-    if (face.separation > margin) return {.distance = face.separation};
+    if (face.separation > margin)
+        return {.normal = normal_of_widest(pair, face), .distance = face.separation};
     const EdgeAxis edge = best_edge(pair);
     const double separation = maximum(face.separation, edge.separation);
-    if (separation > margin) return {.distance = separation};
+    if (separation > margin) return {.normal = edge.normal, .distance = separation};
 
     // Edges must be better by more than rounding, or resting faces would flicker. And boxes that
     // are apart may be nearest at corners, where an axis shows less than the distance.
@@ -186,7 +200,14 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
         cache.axis = edges ? 7 : 0;
     }
     PairCache free;
-    Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, free);
+    const Convex ca = convex_of(a, a.position), cb = convex_of(b, a.position);
+    std::optional<Manifold> found;
+    if (separation > 0) {
+        const Vec3 normal =
+            edge.separation > face.separation ? edge.normal : normal_of_widest(pair, face);
+        found = collide_apart(ca, cb, normal, separation, margin, free);
+    }
+    Manifold m = found ? *found : collide_convex(ca, cb, margin, free);
     for (int k = 0; k < m.count; k++) m.point[k] += a.position;
     return m;
 }

@@ -72,18 +72,25 @@ Witness round_witness(const Convex& a, const Convex& b, double enough, PairCache
     return snapped(a, b, {p.normal, -p.depth, p.on_a, p.on_b});
 }
 
+// Of two polyhedra that an axis separates: it shows less than the distance when corners are what is
+// nearest. Nothing when they touch after all.
+std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 normal, double distance,
+                                     double enough, PairCache& cache) {
+    const Vec3 hint = length_squared(cache.direction) > 0 ? cache.direction : normal;
+    const GjkResult g = gjk(a, b, hint, {.beyond = enough});
+    if (g.distance == 0) return std::nullopt;
+    if (g.distance <= distance + 2e-5 * minimum(size_of(a), size_of(b)))
+        return Witness{normal, distance, g.on_a, g.on_b};
+    cache.direction = g.normal;
+    return from(g);
+}
+
 Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
     const Separation s = separate(a, b, cache.axis, enough);
     cache.axis = s.code;
     if (s.distance <= 0 || s.distance > enough) return from(s);
-    // Apart: an axis shows less than the distance when corners are what is nearest.
-    const GjkResult g = gjk(a, b, length_squared(cache.direction) > 0 ? cache.direction : s.normal,
-                            {.beyond = enough});
-    if (g.distance == 0) return from(s);  // they touch
-    if (g.distance <= s.distance + 2e-5 * minimum(size_of(a), size_of(b)))
-        return {s.normal, s.distance, g.on_a, g.on_b};
-    cache.direction = g.normal;
-    return from(g);
+    const auto apart = apart_witness(a, b, s.normal, s.distance, enough, cache);
+    return apart ? *apart : from(s);
 }
 
 // A point or a segment against a polyhedron.
@@ -124,10 +131,18 @@ Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache&
     return round_witness(a, b, enough, cache);
 }
 
+std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 normal,
+                                      double distance, double margin, PairCache& cache) {
+    const auto w = apart_witness(a, b, normal, distance, margin, cache);
+    if (!w) return std::nullopt;
+    if (w->distance > margin) return Manifold{.normal = w->normal, .distance = w->distance};
+    return manifold_of(contact_points(a, b, *w, margin), w->normal);
+}
+
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {
     const Witness w = find_witness(a, b, margin + a.radius + b.radius, cache);
     const double gap = w.distance - a.radius - b.radius;
-    if (gap > margin) return {.distance = gap};
+    if (gap > margin) return {.normal = w.normal, .distance = gap};
     return manifold_of(contact_points(a, b, w, margin), w.normal);
 }
 

@@ -4,6 +4,8 @@
 // separating axes for polyhedra, GJK and EPA for what is round.
 #pragma once
 
+#include <optional>
+
 #include "collision/narrowphase/clip.h"
 #include "collision/narrowphase/sat.h"
 
@@ -18,6 +20,11 @@ struct PairCache {
 // The cores' signed distance and where it is attained. `enough`: beyond this distance between the
 // surfaces a lower bound will do.
 Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache& cache);
+
+// As collide_convex(), of two polyhedra without radius that are known to be apart by `distance`
+// along a normal, m. Nothing when they touch after all.
+std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 normal,
+                                      double distance, double margin, PairCache& cache);
 
 // Points with a gap of at most `margin`, relative to the same origin as the shapes.
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache);

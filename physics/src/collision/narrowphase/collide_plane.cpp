@@ -64,7 +64,7 @@ Manifold collide_plane_convex(const Placed& a, const Placed& b, double margin) {
     const double height = dot(b.position - a.position, n);
     const Vec3 lowest = support(shape, -n);
     const double deepest = height + dot(lowest, n);
-    if (deepest > margin) return {.distance = deepest};
+    if (deepest > margin) return {.normal = n, .distance = deepest};
     ContactPoints points;
     const Feature feature = feature_along(shape, -n);
     const auto add = [&](Vec3 p) {

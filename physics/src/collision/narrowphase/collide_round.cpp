@@ -11,9 +11,8 @@ Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double 
                        Vec3 fallback = {0, 1, 0}) {
     const Vec3 d = b - a;
     const double l = length(d), gap = l - radius_a - radius_b;
-    Manifold m{.distance = gap};
+    Manifold m{.normal = l > 1e-12 ? d * (1 / l) : fallback, .distance = gap};
     if (gap > margin) return m;
-    m.normal = l > 1e-12 ? d * (1 / l) : fallback;
     m.count = 1;
     m.gap[0] = gap;
     m.point[0] = a + m.normal * (radius_a + 0.5 * gap);
@@ -160,9 +159,8 @@ Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {
         distance = absolute(l[face]) - h[face];
         n[face] = l[face] < 0 ? -1 : 1;
     }
-    Manifold m{.distance = distance - r};
+    Manifold m{.normal = a.axes * n, .distance = distance - r};
     if (m.distance > margin) return m;
-    m.normal = a.axes * n;
     m.count = 1;
     m.gap[0] = m.distance;
     m.point[0] = b.position - m.normal * (r + 0.5 * m.distance);
@@ -182,9 +180,8 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
     const Vec3 out{outside(q.x, h.x), outside(q.y, h.y), outside(q.z, h.z)};
     const double distance = square_root(near.distance2), gap = distance - r;
     const Vec3 n = out * (1 / distance);
-    Manifold m{.distance = gap};
+    Manifold m{.normal = a.axes * n, .distance = gap};
     if (gap > margin) return m;
-    m.normal = a.axes * n;
 
     const auto add = [&](double at, double point_gap) {
         m.gap[m.count] = point_gap;

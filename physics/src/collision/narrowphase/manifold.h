@@ -8,8 +8,10 @@
 namespace jostle::physics {
 
 struct Manifold {
-    int count = 0;       // 0..4 points
-    Vec3 normal;         // unit, world, from a to b
+    int count = 0;  // 0..4 points
+    // Unit, world, from a to b. When count is 0: the direction along which they are apart by
+    // `distance`, or zero when that is not known.
+    Vec3 normal;
     Vec3 point[4];       // m, world, half way between the surfaces
     double gap[4] = {};  // m, separation along the normal; negative: overlap
     double distance =

@@ -35,38 +35,39 @@ double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b,
            length(cross(normal, b.turn)) * radius_b;
 }
 
-double end_of(const SweptShape& a, const SweptShape& b) {
-    return minimum(a.sweep.until, b.sweep.until);
-}
+// What part of the way is looked at.
+struct Search {
+    double from, until;  // fractions of the step
+    double gap;          // m
+};
 
 // Whether the balls around the two bodies' centres never touch on the way.
-bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap) {
-    const Vec3 apart = center_at(b.sweep, from) - center_at(a.sweep, from);
+bool pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
+    const Vec3 apart = center_at(b.sweep, way.from) - center_at(a.sweep, way.from);
     const Vec3 motion = b.sweep.motion - a.sweep.motion;
     const double speed2 = length_squared(motion);
     const double nearest =
-        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, end_of(a, b) - from) : 0;
-    const double reach = a.radius + b.radius + 2 * gap;
+        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, way.until - way.from) : 0;
+    const double reach = a.radius + b.radius + 2 * way.gap;
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
 // gap_at(t, exact): what is not exact may say less than the distance.
 template <class GapAt>
-Impact advance(const SweptShape& a, const SweptShape& b, double from, double gap, GapAt&& gap_at) {
+Impact advance(const SweptShape& a, const SweptShape& b, const Search& way, GapAt&& gap_at) {
     constexpr int rounds_max = 400;
-    const double until = end_of(a, b);
-    double t = from;
+    double t = way.from;
     for (int round = 0; round < rounds_max; round++) {
         const Gap now = gap_at(t, false);
-        if (now.distance <= 2 * gap) {
+        if (now.distance <= 2 * way.gap) {
             if (round == 0) return {.at_start = true};
             break;
         }
         const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
         // All points move apart along a direction that separates: they never meet.
         if (speed <= 0) return {};
-        t += (now.distance - gap) / speed;
-        if (t > until) return {};
+        t += (now.distance - way.gap) / speed;
+        if (t > way.until) return {};
     }
     // Met, or creeping towards each other: what is left is shorter than rounding can tell.
     const Gap there = gap_at(t, true);
@@ -88,8 +89,8 @@ Convex convex_at(const SweptShape& shape, const Placed& placed, Vec3 origin) {
     return c;
 }
 
-Impact plane_impact(const SweptShape& plane, const SweptShape& shape, double from, double gap) {
-    return advance(plane, shape, from, gap, [&](double t, bool) {
+Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const Search& way) {
+    return advance(plane, shape, way, [&](double t, bool) {
         const Placed pp = placed_at(plane, t), ps = placed_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
         const Convex c = convex_at(shape, ps, pp.position);
@@ -99,15 +100,15 @@ Impact plane_impact(const SweptShape& plane, const SweptShape& shape, double fro
     });
 }
 
-Impact convex_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
+Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
     Vec3 hint;
-    const double most = closing_at_most(a, b), until = end_of(a, b);
-    return advance(a, b, from, gap, [&](double t, bool exact) {
+    const double most = closing_at_most(a, b);
+    return advance(a, b, way, [&](double t, bool exact) {
         const Placed pa = placed_at(a, t), pb = placed_at(b, t);
         const Convex ca = convex_at(a, pa, pa.position), cb = convex_at(b, pb, pa.position);
         const double radii = ca.radius + cb.radius;
         const GjkGoal early{
-            .beyond = radii + gap + most * (until - t), .loose = loose, .radii = radii};
+            .beyond = radii + way.gap + most * (way.until - t), .loose = loose, .radii = radii};
         const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
         hint = g.normal;
         return gap_of(g, ca.radius, cb.radius, pa.position);
@@ -138,8 +139,8 @@ Rod rod_at(const SweptShape& shape, double t) {
             capsule.half_length * shape.scale, capsule.radius * shape.scale};
 }
 
-Impact rod_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
-    return advance(a, b, from, gap, [&](double t, bool) {
+Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
+    return advance(a, b, way, [&](double t, bool) {
         const Rod ra = rod_at(a, t), rb = rod_at(b, t);
         const SegmentPair at =
             closest_on_segments(ra.middle, ra.direction, ra.half, rb.middle, rb.direction, rb.half);
@@ -152,17 +153,17 @@ Impact rod_impact(const SweptShape& a, const SweptShape& b, double from, double 
 }
 
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
-// the world and the box is turned into the frame of `frame` as it stands at `from` and at the end.
-Aabb way_in(const SweptShape& frame, const SweptShape& shape, double from) {
-    const double until = end_of(frame, shape);
-    const Aabb box = swept_bounds(shape, from, until);
+// the world and the box is turned into the frame of `frame` as it stands at the start and at the
+// end.
+Aabb way_in(const SweptShape& frame, const SweptShape& shape, const Search& way) {
+    const Aabb box = swept_bounds(shape, way.from, way.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
     const double own = (length(frame.sweep.motion) +
                         length(frame.sweep.turn) *
-                            (length(half) + length(middle - center_at(frame.sweep, from)))) *
-                       (until - from);
-    const Placed p = placed_at(frame, from);
+                            (length(half) + length(middle - center_at(frame.sweep, way.from)))) *
+                       (way.until - way.from);
+    const Placed p = placed_at(frame, way.from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
     const Vec3 reach = abs(back.x) * half.x + abs(back.y) * half.y + abs(back.z) * half.z;
@@ -181,19 +182,19 @@ Impact turned_round(Impact impact) {
     return impact;
 }
 
-Impact surface_impact(const SweptShape& surface, const SweptShape& shape, double from, double gap) {
+Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const Search& way) {
     Impact best;
-    const double most = closing_at_most(surface, shape), until = end_of(surface, shape);
+    const double most = closing_at_most(surface, shape);
     for_each_triangle(
-        *surface.geometry, grow(way_in(surface, shape, from), 2 * gap),
+        *surface.geometry, grow(way_in(surface, shape, way), 2 * way.gap),
         [&](const SurfaceTriangle& t) {
             Vec3 hint;
-            const Impact impact = advance(surface, shape, from, gap, [&](double at, bool exact) {
+            const Impact impact = advance(surface, shape, way, [&](double at, bool exact) {
                 const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
                 const Convex triangle =
                     triangle_convex(t.corner, ps.position - pc.position, ps.axes);
                 const Convex c = convex_at(shape, pc, pc.position);
-                const GjkGoal early{.beyond = c.radius + gap + most * (until - at),
+                const GjkGoal early{.beyond = c.radius + way.gap + most * (way.until - at),
                                     .loose = loose,
                                     .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
@@ -219,7 +220,7 @@ Vec3 center_at(const Sweep& s, double fraction) {
     return s.center + s.motion * (fraction - s.from);
 }
 Quat rotation_at(const Sweep& s, double fraction) {
-    if (s.turn == Vec3{}) return s.rotation;
+    if (s.turn == Vec3{} || fraction == s.from) return s.rotation;
     return from_rotation_vector(s.turn * (fraction - s.from)) * s.rotation;  // unit to rounding
 }
 
@@ -240,34 +241,36 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
     return grow(both, bulge);
 }
 
-Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap) {
+Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap,
+                      double until) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
-    if (from > end_of(a, b)) return {};
-    if (ka != ShapeKind::plane && kb != ShapeKind::plane && pass_by(a, b, from, gap)) return {};
+    const Search way{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
+    if (from > way.until) return {};
+    if (ka != ShapeKind::plane && kb != ShapeKind::plane && pass_by(a, b, way)) return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {
         const bool first = ka == ShapeKind::compound;
         const SweptShape &compound = first ? a : b, &other = first ? b : a;
         const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
         Impact best;
         const auto consider = [&](std::uint32_t k) {
-            keep_first(best,
-                       time_of_impact(child_of(compound, data.children[k]), other, from, gap));
+            const SweptShape child = child_of(compound, data.children[k]);
+            keep_first(best, time_of_impact(child, other, from, gap, way.until));
         };
         const ShapeKind kind = first ? kb : ka;
         if (kind == ShapeKind::plane) {
             for (std::uint32_t k = 0; k < data.children.size(); k++) consider(k);
         } else {
-            data.tree->query(grow(way_in(compound, other, from), 2 * gap), consider);
+            data.tree->query(grow(way_in(compound, other, way), 2 * gap), consider);
         }
         return first ? best : turned_round(best);
     }
-    if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, from, gap);
-    if (is_convex(ka) && is_convex(kb)) return convex_impact(a, b, from, gap);
+    if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, way);
+    if (is_convex(ka) && is_convex(kb)) return convex_impact(a, b, way);
     // Planes and surfaces do not meet each other.
     if (is_convex(ka) == is_convex(kb)) return {};
-    if (is_convex(ka)) return turned_round(time_of_impact(b, a, from, gap));
-    if (ka == ShapeKind::plane) return plane_impact(a, b, from, gap);
-    return surface_impact(a, b, from, gap);
+    if (is_convex(ka)) return turned_round(time_of_impact(b, a, from, gap, way.until));
+    if (ka == ShapeKind::plane) return plane_impact(a, b, way);
+    return surface_impact(a, b, way);
 }
 
 }  // namespace jostle::physics

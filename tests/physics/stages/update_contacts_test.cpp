@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// How often pairs are looked at.
+#include <gtest/gtest.h>
+
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// The checks of one second, after the pairs are known.
+int checks_of(World& world) {
+    must(world.step(1.0 / 60));
+    int checks = 0;
+    for (int k = 0; k < 60; k++) {
+        must(world.step(1.0 / 60));
+        checks += world.profile().pairs_checked;
+    }
+    return checks;
+}
+
+// It comes no nearer to the wall, however fast it falls. Turning would matter: it does not turn.
+TEST(UpdateContacts, what_falls_along_a_wall_is_looked_at_once) {
+    World world = make_world();
+    add(world, {.geometry = Box{{0.5, 50, 5}}, .type = BodyType::fixed});
+    add(world, {.position = {1.03, 40, 0}, .velocity = {0, -10, 0}});
+    EXPECT_LE(checks_of(world), 1);
+}
+
+TEST(UpdateContacts, what_falls_side_by_side_is_not_looked_at) {
+    World world = make_world();
+    for (int i = 0; i < 100; i++)
+        add(world,
+            {.position = {1.1 * (i % 10), 100 + 1.1 * (i / 10), 0}, .velocity = {0, -20, 0}});
+    EXPECT_EQ(checks_of(world), 0);
+}
+
+// Faster than the lower one by 6 m/s: 30 boxes pass 30 others at 5 cm, and none of them nears.
+TEST(UpdateContacts, columns_that_pass_each_other_are_looked_at_a_few_times) {
+    World world = make_world({.gravity = {}});
+    for (int i = 0; i < 30; i++) {
+        add(world, {.position = {0, 1.2 * i, 0}});
+        add(world, {.position = {1.05, 1.2 * i, 0}, .velocity = {0, 6, 0}});
+    }
+    EXPECT_LE(checks_of(world), 600);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -2,9 +2,10 @@
 #include "collision/narrowphase/collide_boxes.h"
 
 #include <algorithm>
-#include <optional>
 
+#include "collision/narrowphase/clip.h"
 #include "collision/narrowphase/manifold_reduction.h"
+#include "collision/narrowphase/segments.h"
 
 namespace jostle::physics {
 namespace {
@@ -76,21 +77,29 @@ struct EdgeAxis {
     double separation = -1e300;
 };
 
+// All by the matrix of one box in the other: e_i x v has the components -v[i2] and v[i1] along the
+// axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996).
 EdgeAxis best_edge(const BoxPair& p) {
     EdgeAxis best;
+    double sign = 0, scale = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const double l2 = 1 - p.r[i][j] * p.r[i][j];
             if (l2 < 1e-4) continue;  // parallel edges: a face axis says it better
-            const Vec3 n = cross(p.axis_a[i], p.axis_b[j]) * (1 / square_root(l2));
-            const double c = dot(n, p.between);
-            double reach = 0;
-            for (int k = 0; k < 3; k++)
-                reach += absolute(dot(n, p.axis_a[k])) * p.half_a[k] +
-                         absolute(dot(n, p.axis_b[k])) * p.half_b[k];
-            const double s = absolute(c) - reach;
-            if (s > best.separation + 1e-6) best = {i, j, c < 0 ? -n : n, s};
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const double c = p.r[i1][j] * p.along_a[i2] - p.r[i2][j] * p.along_a[i1];
+            const double reach =
+                absolute(p.r[i2][j]) * p.half_a[i1] + absolute(p.r[i1][j]) * p.half_a[i2] +
+                absolute(p.r[i][j2]) * p.half_b[j1] + absolute(p.r[i][j1]) * p.half_b[j2];
+            const double per_length = 1 / square_root(l2);
+            const double s = (absolute(c) - reach) * per_length;
+            if (s > best.separation + 1e-6) {
+                best.i = i, best.j = j, best.separation = s;
+                sign = c < 0 ? -1 : 1;
+                scale = per_length;
+            }
         }
+    best.normal = cross(p.axis_a[best.i], p.axis_b[best.j]) * (sign * scale);
     return best;
 }
 
@@ -175,6 +184,37 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
     return m;
 }
 
+// Where two edges are nearest to each other, from a's centre.
+Witness edge_witness(const BoxPair& p, const EdgeAxis& edge) {
+    // The middle of the edge that reaches furthest along n.
+    const auto middle = [](const Vec3* axis, Vec3 half, int along, Vec3 n) {
+        Vec3 sum;
+        for (int k = 0; k < 3; k++)
+            if (k != along) sum += axis[k] * (dot(n, axis[k]) > 0 ? half[k] : -half[k]);
+        return sum;
+    };
+    const Vec3 a = middle(p.axis_a, p.half_a, edge.i, edge.normal);
+    const Vec3 b = p.between + middle(p.axis_b, p.half_b, edge.j, -edge.normal);
+    const Vec3 u = p.axis_a[edge.i], v = p.axis_b[edge.j];
+    const SegmentPair at = closest_on_segments(a, u, p.half_a[edge.i], b, v, p.half_b[edge.j]);
+    return {edge.normal, edge.separation, a + u * at.s, b + v * at.t};
+}
+
+// What is not face on face. `edges`: two edges are what is nearest, or overlaps least.
+Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const EdgeAxis& edge,
+                         bool edges, const Convex& a, const Convex& b, double margin) {
+    const bool wider = edge.separation > face.separation;
+    const double separation = wider ? edge.separation : face.separation;
+    PairCache free;
+    if (separation > 0) {
+        const Vec3 normal = wider ? edge.normal : normal_of_widest(pair, face);
+        if (const auto m = collide_apart(a, b, normal, separation, margin, free)) return *m;
+    } else if (edges) {
+        return manifold_of(contact_points(a, b, edge_witness(pair, edge), margin), edge.normal);
+    }
+    return collide_convex(a, b, margin, free);
+}
+
 }  // namespace
 
 Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCache& cache) {
@@ -199,15 +239,8 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
     } else {
         cache.axis = edges ? 7 : 0;
     }
-    PairCache free;
     const Convex ca = convex_of(a, a.position), cb = convex_of(b, a.position);
-    std::optional<Manifold> found;
-    if (separation > 0) {
-        const Vec3 normal =
-            edge.separation > face.separation ? edge.normal : normal_of_widest(pair, face);
-        found = collide_apart(ca, cb, normal, separation, margin, free);
-    }
-    Manifold m = found ? *found : collide_convex(ca, cb, margin, free);
+    Manifold m = general_contact(pair, face, edge, edges, ca, cb, margin);
     for (int k = 0; k < m.count; k++) m.point[k] += a.position;
     return m;
 }

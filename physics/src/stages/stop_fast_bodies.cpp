@@ -14,6 +14,8 @@
 #include "constraints/impact.h"
 #include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
+#include "stages/courses.h"
+#include "stages/expectations.h"
 #include "stages/fast_ways.h"
 #include "stages/sweep_rule.h"
 #include "stages/traveller.h"
@@ -31,13 +33,9 @@ public:
     explicit Sweeper(StepContext& step) : step_(step), world_(step.world) {}
 
     void run() {
-        course_of_.assign(world_.scratch.fast.size(), nobody);
-        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++) {
-            if (!is_fast(i)) continue;
-            course_of_[i] = static_cast<std::uint32_t>(fast_.size());
-            fast_.push_back(i);
-        }
-        note_courses();
+        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++)
+            if (is_fast(i)) fast_.push_back(i);
+        courses_.note(step_, fast_, [&](std::uint32_t awake) { return way_of_fast(awake); });
         start_those_that_may_meet();
         if (travellers_.empty()) return;
         world_.shapes.fixed->settle();
@@ -85,7 +83,8 @@ private:
     // Enters the traveller with what next_ says of it; entries that next_ contradicts are passed
     // over.
     void queue(std::size_t k) {
-        if (travellers_[k].fraction <= 1) expect(k);
+        const Traveller& t = travellers_[k];
+        if (t.fraction <= 1) expectations_.add(world_.shapes.shapes[t.other_shape].body, k);
         queue_.emplace_back(next_[k], k);
         std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
@@ -101,12 +100,6 @@ private:
     bool expects(std::size_t k, std::uint32_t body) const {
         const Traveller& t = travellers_[k];
         return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
-    }
-    void expect(std::size_t k) {
-        const std::uint32_t body = world_.shapes.shapes[travellers_[k].other_shape].body;
-        if (expected_.empty()) expected_.resize(world_.bodies.cold.size(), nobody);
-        expectations_.push_back({k, expected_[body]});
-        expected_[body] = static_cast<std::uint32_t>(expectations_.size() - 1);
     }
     void look_again(std::size_t k) {
         Traveller& t = travellers_[k];
@@ -190,7 +183,7 @@ private:
     void each_met(std::uint32_t awake, Visit&& visit) const {
         const std::uint32_t body = world_.bodies.awake[awake].body;
         const BodyCold& cold = world_.bodies.cold[body];
-        const Course course = course_of(body);
+        const Course course = courses_.of(world_, body);
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             edge = c.next[edge % 2];
@@ -203,37 +196,10 @@ private:
         }
     }
 
-    // A body's way in this step as far as it takes to tell whether two may meet.
-    struct Course {
-        Vec3 center, motion;  // m: at the start, and from there to the end
-        double turning = 0;   // m, of any of its points
-    };
-    void note_courses() {
-        courses_.resize(fast_.size());
-        step_.team.run(static_cast<int>(fast_.size()), 64, [&](int begin, int end) {
-            for (int k = begin; k < end; k++) {
-                const auto index = static_cast<std::size_t>(k);
-                const Sweep sweep = way_of_fast(fast_[index]);
-                const BodyCold& cold = world_.bodies.cold[world_.bodies.awake[fast_[index]].body];
-                courses_[index] = {sweep.center, sweep.motion, length(sweep.turn) * cold.radius};
-            }
-        });
-    }
-    Course course_of(std::uint32_t body) const {
-        const BodyCold& cold = world_.bodies.cold[body];
-        const bool awake = cold.set == BodySet::awake;
-        if (awake && cold.at < course_of_.size() && course_of_[cold.at] != nobody)
-            return courses_[course_of_[cold.at]];
-        const BodyWarm& warm = warm_of(world_, body);
-        if (!awake) return {warm.center, {}, 0};
-        const Vec3 motion = warm.v * step_.dt;
-        return {warm.center - motion, motion, length(warm.w * step_.dt) * cold.radius};
-    }
-
-    // The same from its last impact on, if it had one.
+    // How a body goes on from its last impact or, without one, in the whole step.
     Course course_now(std::uint32_t body) const {
         const std::uint32_t known = traveller_of(body);
-        if (known == nobody) return course_of(body);
+        if (known == nobody) return courses_.of(world_, body);
         const Sweep& sweep = travellers_[known].sweep;
         return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
     }
@@ -242,7 +208,7 @@ private:
     // together. What moves less is the contact solver's (stages/update_contacts.cpp).
     bool may_meet_on(const Course& course, const BodyCold& cold, std::uint32_t other,
                      std::uint32_t other_shape) const {
-        const Course met = course_of(other);
+        const Course met = courses_.of(world_, other);
         const double linear = length(course.motion - met.motion);
         // A little less than foreseen, so that nothing falls between the two.
         if (linear + course.turning + met.turning <
@@ -587,12 +553,9 @@ private:
             queue(k);
         }
         // Those that would have met it where it no longer goes.
-        std::uint32_t known = expected_.empty() ? nobody : std::exchange(expected_[body], nobody);
-        while (known != nobody) {
-            const auto [k, next] = expectations_[known];
+        expectations_.take(body, [&](std::size_t k) {
             if (next_[k] <= 1 && expects(k, body)) look_again(k);
-            known = next;
-        }
+        });
     }
     // The other fast travellers whose way crosses a box, in order. They know the body from now on.
     const std::vector<std::size_t>& fast_travellers_met(std::uint32_t body, const Aabb& way) {
@@ -673,23 +636,16 @@ private:
 
     StepContext& step_;
     WorldState& world_;
-    std::vector<std::uint32_t> fast_;       // awake indices, rising
-    std::vector<Course> courses_;           // of those
-    std::vector<std::uint32_t> course_of_;  // by awake index: index of its course, or nobody
-    FastWays ways_;                         // made when first asked for
-    std::vector<std::size_t> met_;          // scratch
-    std::vector<std::uint32_t> found_;      // scratch
+    std::vector<std::uint32_t> fast_;   // awake indices, rising
+    Courses courses_;                   // in the whole step
+    FastWays ways_;                     // made when first asked for
+    Expectations expectations_;         // of travellers, by whom they meet next
+    std::vector<std::size_t> met_;      // scratch
+    std::vector<std::uint32_t> found_;  // scratch
     std::vector<Traveller> travellers_;
     std::vector<double> next_;  // by traveller: when something next happens to it
     std::vector<std::size_t> to_look_;
     std::vector<std::pair<double, std::size_t>> queue_;  // heap of travellers by what comes next
-    // By body: index of the latest expectation of it; chains of who expects to meet it, or did.
-    struct Expectation {
-        std::size_t traveller;
-        std::uint32_t next;
-    };
-    std::vector<std::uint32_t> expected_;
-    std::vector<Expectation> expectations_;
     std::vector<std::uint32_t> where_;  // by body: its traveller; empty before the first
 };
 

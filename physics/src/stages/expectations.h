@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Who expects to meet a body next, so that they can be told when it goes another way. An
+// expectation that has changed meanwhile stays until somebody asks: who takes one looks whether it
+// still holds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace jostle::physics {
+
+class Expectations {
+public:
+    void add(std::uint32_t body, std::size_t who) {
+        if (body >= latest_.size()) latest_.resize(body + 1, nobody);
+        chain_.push_back({who, latest_[body]});
+        latest_[body] = static_cast<std::uint32_t>(chain_.size() - 1);
+    }
+
+    // Calls visit(who) for all that were added for a body, and forgets them.
+    template <class Visit>
+    void take(std::uint32_t body, Visit&& visit) {
+        if (body >= latest_.size()) return;
+        for (std::uint32_t at = std::exchange(latest_[body], nobody); at != nobody;
+             at = chain_[at].before)
+            visit(chain_[at].who);
+    }
+
+private:
+    static constexpr std::uint32_t nobody = 0xffffffff;
+
+    struct Link {
+        std::size_t who;
+        std::uint32_t before;
+    };
+    std::vector<std::uint32_t> latest_;  // by body
+    std::vector<Link> chain_;
+};
+
+}  // namespace jostle::physics

@@ -11,8 +11,8 @@ namespace jostle::physics {
 //     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - leak lambda,
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
 // leak = 1 / (1 + a2).
-ContactSettings contact_settings(double dt, int world_substeps, Effort effort) {
-    const int substeps = substeps_of(effort, world_substeps);
+ContactSettings contact_settings(double dt, const WorldDef& world, Effort effort) {
+    const int substeps = substeps_of(effort, world);
     const bool low = effort <= Effort::heap;
     const double steady_time = low ? tuning::low_steady_time : tuning::steady_time;
     const double stiffness = effort == Effort::heap ? tuning::heap_contact_stiffness

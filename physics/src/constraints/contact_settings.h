@@ -27,7 +27,7 @@ struct ContactSettings {
 
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step
 // rate, so that more sub-steps are stiffer and more exact.
-// For islands of this effort in a world of so many sub-steps.
-ContactSettings contact_settings(double dt, int world_substeps, Effort effort);
+// For islands of this effort.
+ContactSettings contact_settings(double dt, const WorldDef& world, Effort effort);
 
 }  // namespace jostle::physics

@@ -27,7 +27,7 @@ Vec3 row3(const float (*rows)[8], int lane) {
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
                     int lane) {
-    const double substeps = substeps_of(c.effort, world.def.substeps);
+    const double substeps = substeps_of(c.effort, world.def);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
         normal += double{block.lambda[k][lane]};

@@ -28,7 +28,7 @@ StepContext begin_step(WorldState& world, double dt) {
     StepContext step{world, *world.team, dt, {}};
     for (const Effort effort : all_efforts) {
         ContactSettings& set = step.contacts[index_of(effort)];
-        set = contact_settings(dt, world.def.substeps, effort);
+        set = contact_settings(dt, world.def, effort);
         set.planar = world.def.planar;
     }
     return step;

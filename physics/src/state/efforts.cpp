@@ -126,8 +126,8 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
 void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Effort effort) {
     const Effort before = world.islands.islands[islands.front()].effort;
     if (before == effort) return;
-    const double scale = static_cast<double>(substeps_of(before, world.def.substeps)) /
-                         substeps_of(effort, world.def.substeps);
+    const double scale =
+        static_cast<double>(substeps_of(before, world.def)) / substeps_of(effort, world.def);
     // All islands first: lanes ask what effort their bodies have.
     std::int64_t lanes = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
@@ -164,8 +164,7 @@ void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     if (ia.effort == ib.effort) return;
     // What touches a heap does not make it slender, nor the other way round.
-    const int substeps = world.def.substeps;
-    const bool alike = substeps_of(ia.effort, substeps) == substeps_of(ib.effort, substeps);
+    const bool alike = is_usual(ia.effort) && is_usual(ib.effort);
     const bool a_yields = alike ? ia.bodies < ib.bodies : ia.effort < ib.effort;
     if (a_yields)
         set_effort(world, tied_islands(world, a), ib.effort);

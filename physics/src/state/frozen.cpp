@@ -46,7 +46,7 @@ Vec3 load_of(WorldState& world, const Contact& contact) {
     const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
     const Effort effort = world.islands.islands[world.bodies.cold[contact.body_a].island].effort;
-    return impulse * (substeps_of(effort, world.def.substeps) / world.last_dt);
+    return impulse * (substeps_of(effort, world.def) / world.last_dt);
 }
 
 Vec3 load_before(const Contact& c) {

@@ -83,11 +83,16 @@ int free_colour(std::uint64_t taken, Second kind) {
     return overflow_colours + static_cast<int>(kind);
 }
 
-// Of a colour whose lanes all went, perhaps to the same one of another store: a heap would keep its
-// memory in each store that it was ever in.
+// Of a colour most of whose lanes went, perhaps to the same one of another store: a heap would keep
+// its memory in each store that it was ever in.
 void forget_room(Colour& colour) {
     constexpr std::size_t much = 8;  // blocks
-    if (colour.blocks.empty() && colour.blocks.capacity() > much) colour = {};
+    const std::size_t room = colour.blocks.capacity();
+    if (room <= much || 4 * colour.blocks.size() > room) return;
+    colour.blocks.shrink_to_fit();
+    colour.sides.shrink_to_fit();
+    colour.bounces.shrink_to_fit();
+    colour.roughs.shrink_to_fit();
 }
 
 // Between frozen bodies nothing is solved, so nothing needs a colour of its own; all of them,

@@ -433,9 +433,29 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
         });
 }
 
+namespace {
+
+// How many it has, so that a heap's memory is taken once.
+std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
+    std::size_t count = 0;
+    for (std::uint32_t body = world.islands.islands[island].first; body != none;
+         body = world.bodies.cold[body].island_next)
+        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+            const Contact& c = world.contacts.contacts[index];
+            const bool first =
+                c.body_a == body || world.bodies.cold[c.body_a].island != island;  // of two
+            count += c.colour >= 0 && first ? 1 : 0;
+        });
+    return count;
+}
+
+}  // namespace
+
 void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
     Island& island = world.islands.islands[island_index];
     ASSERT(!island.asleep && island.sleepers.empty());
+    island.sleepers.reserve(island.bodies);
+    island.manifolds.reserve(manifolds_of(world, island_index));
     // Manifolds first, while the hot indices still mean something. Each contact is met at its body
     // a, or at b when only b is of this island.
     for (std::uint32_t body = island.first; body != none;

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "collision/narrowphase/time_of_impact.h"
+#include "jostle/physics/tuning.h"
 #include "stages/step_context.h"
+#include "state/reach.h"
 
 namespace jostle::physics {
 
@@ -49,7 +51,36 @@ public:
         return {warm.center - motion, motion, length(warm.w * dt_) * cold.radius};
     }
 
+    // Whether the motions of a body and another, one of whose shapes is given, are large enough
+    // against each other for a sweep and may bring them together. What moves less is the contact
+    // solver's (stages/update_contacts.cpp).
+    bool may_meet(const WorldState& world, const Course& course, const BodyCold& cold,
+                  std::uint32_t other, std::uint32_t other_shape) const {
+        const Course met = of(world, other);
+        const double linear = length(course.motion - met.motion);
+        // A little less than foreseen, so that nothing falls between the two.
+        if (linear + course.turning + met.turning <
+            0.8 * tuning::sweep_fraction * cold.inner_radius)
+            return false;
+        const BodyCold& cold_other = world.bodies.cold[other];
+        if (cold_other.type != BodyType::dynamic)
+            return is_on_way(world, course, cold.radius, world.shapes.shapes[other_shape]);
+        // How near their centres come, were both to move evenly.
+        const Vec3 apart = met.center - course.center, closing = course.motion - met.motion;
+        const double nearest =
+            clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
+        const double reach = cold.radius + cold_other.radius + 0.01;
+        return length_squared(apart - closing * nearest) < reach * reach;
+    }
+
 private:
+    static bool is_on_way(const WorldState& world, const Course& course, double radius,
+                          const ShapeRecord& shape) {
+        const Vec3 end = course.center + course.motion;
+        const Aabb way = grow({min(course.center, end), max(course.center, end)}, radius + 0.01);
+        return is_plane(shape) ? reaches_plane(world, shape, way) : overlap(way, shape.fat);
+    }
+
     static constexpr std::uint32_t not_fast = 0xffffffff;
 
     std::vector<Course> courses_;

@@ -12,11 +12,10 @@
 #include "constraints/combine.h"
 #include "constraints/free_motion.h"
 #include "constraints/impact.h"
-#include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
 #include "stages/courses.h"
 #include "stages/expectations.h"
-#include "stages/fast_ways.h"
+#include "stages/near_shapes.h"
 #include "stages/sweep_rule.h"
 #include "stages/traveller.h"
 #include "state/frozen.h"
@@ -187,11 +186,11 @@ private:
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             edge = c.next[edge % 2];
-            if (edge != none) fetch(world_.contacts.contacts[edge / 2]);
             if (c.parent != none) continue;
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
-            if (may_meet_on(course, cold, is_a ? c.body_b : c.body_a, other) && visit(other))
+            const std::uint32_t met = is_a ? c.body_b : c.body_a;
+            if (courses_.may_meet(world_, course, cold, met, other) && visit(other))
                 return;
         }
     }
@@ -204,43 +203,16 @@ private:
         return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
     }
 
-    // Whether their motions against each other are large enough for a sweep and may bring them
-    // together. What moves less is the contact solver's (stages/update_contacts.cpp).
-    bool may_meet_on(const Course& course, const BodyCold& cold, std::uint32_t other,
-                     std::uint32_t other_shape) const {
-        const Course met = courses_.of(world_, other);
-        const double linear = length(course.motion - met.motion);
-        // A little less than foreseen, so that nothing falls between the two.
-        if (linear + course.turning + met.turning <
-            0.8 * tuning::sweep_fraction * cold.inner_radius)
-            return false;
-        const BodyCold& cold_other = world_.bodies.cold[other];
-        if (cold_other.type != BodyType::dynamic)
-            return on_way_of(course, cold.radius, other_shape);
-        // How near their centres come, were both to move evenly.
-        const Vec3 apart = met.center - course.center, closing = course.motion - met.motion;
-        const double nearest =
-            clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
-        const double reach = cold.radius + cold_other.radius + 0.01;
-        return length_squared(apart - closing * nearest) < reach * reach;
-    }
-    bool on_way_of(const Course& course, double radius, std::uint32_t other) const {
-        const Vec3 end = course.center + course.motion;
-        const Aabb way = grow({min(course.center, end), max(course.center, end)}, radius + 0.01);
-        const ShapeRecord& shape = world_.shapes.shapes[other];
-        return is_plane(shape) ? reaches_plane(world_, shape, way) : overlap(way, shape.fat);
-    }
-
     void start(std::uint32_t awake) {
         Traveller& t = travellers_[add(world_.bodies.awake[awake].body, way_of_fast(awake), true)];
         aim_first(t, awake);
         t.way = bounds_of_way(t);
-        if (world_.scratch.strayed[awake] != 0) return find_near_all(t);
+        if (world_.scratch.strayed[awake] != 0) return near_.find(t.body, t.way, t.near);
         each_met(awake, [&](std::uint32_t shape) {
             t.near.push_back(shape);
             return false;
         });
-        tidy_near(t);
+        near_.tidy(t.body, t.near);
     }
     void aim_first(Traveller& t, std::uint32_t awake) {
         const BodyWarm& now = world_.bodies.awake[awake];
@@ -332,67 +304,13 @@ private:
         return !joined_without_contact(world_, a.body, b.body);
     }
 
-    void add_shapes(Traveller& to, std::uint32_t body) {
-        for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
-             s = world_.shapes.shapes[s].next)
-            to.near.push_back(s);
-    }
-    void insert_near(std::vector<std::uint32_t>& near, std::uint32_t body) const {
-        for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
-             s = world_.shapes.shapes[s].next) {
-            const auto place = std::lower_bound(near.begin(), near.end(), s);
-            const bool known = place != near.end() && *place == s;
-            if (!known && !world_.shapes.shapes[s].trigger) near.insert(place, s);
-        }
-    }
-    // In order and once each: of two that are met at the same moment the first counts.
-    void tidy_near(Traveller& t) {
-        std::sort(t.near.begin(), t.near.end());
-        t.near.erase(std::unique(t.near.begin(), t.near.end()), t.near.end());
-        std::erase_if(t.near, [&](std::uint32_t s) {
-            return world_.shapes.shapes[s].body == t.body || world_.shapes.shapes[s].trigger;
-        });
-    }
-
-    void note_fast_ways() {
-        if (!ways_.empty()) return;
-        for (const std::uint32_t i : fast_) {
-            const std::uint32_t body = world_.bodies.awake[i].body;
-            const double radius = world_.bodies.cold[body].radius;
-            const Vec3 from = world_.scratch.before[i].center, to = world_.bodies.awake[i].center;
-            ways_.set(body, grow({min(from, to), max(from, to)}, radius + 0.01));
-        }
-    }
-
-    // Everything on the way: by the trees, and what is or was fast.
-    void find_near_all(Traveller& t) {
-        note_fast_ways();
-        ways_.query(t.way, [&](std::uint32_t body) { add_shapes(t, body); });
-        find_near(t);
-        tidy_near(t);
-    }
-
-    // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
-    void find_near(Traveller& t) {
-        found_.clear();
-        world_.shapes.fixed->query(t.way, 0xffffffff, found_);
-        world_.shapes.moving->query(t.way, 0xffffffff, found_);
-        for (const std::uint32_t shape : found_)
-            if (!ways_.has(world_.shapes.shapes[shape].body)) t.near.push_back(shape);
-        for (const std::uint32_t plane : world_.shapes.planes)
-            if (reaches_plane(world_, world_.shapes.shapes[plane], t.way)) t.near.push_back(plane);
-    }
-
     // A body that goes another way from now on may meet others there, and they it.
     void find_near_anew(std::size_t index) {
         Traveller& t = travellers_[index];
         t.way = bounds_of_way(t);
         t.near.clear();
-        if (t.fast)
-            find_near_all(t);
-        else
-            note_fast_ways();
-        ways_.set(t.body, t.way);
+        if (t.fast) near_.find(t.body, t.way, t.near);
+        near_.set_way(t.body, t.way);
         look_again(index);
     }
 
@@ -560,13 +478,13 @@ private:
     // The other fast travellers whose way crosses a box, in order. They know the body from now on.
     const std::vector<std::size_t>& fast_travellers_met(std::uint32_t body, const Aabb& way) {
         met_.clear();
-        ways_.query(way, [&](std::uint32_t other) {
+        near_.each_way(way, [&](std::uint32_t other) {
             const std::uint32_t known = traveller_of(other);
             if (other == body) return;
             if (known != nobody && travellers_[known].fast) met_.push_back(known);
         });
         std::sort(met_.begin(), met_.end());
-        for (const std::size_t k : met_) insert_near(travellers_[k].near, body);
+        for (const std::size_t k : met_) near_.insert(body, travellers_[k].near);
         return met_;
     }
 
@@ -638,10 +556,9 @@ private:
     WorldState& world_;
     std::vector<std::uint32_t> fast_;   // awake indices, rising
     Courses courses_;                   // in the whole step
-    FastWays ways_;                     // made when first asked for
+    NearShapes near_{world_, fast_};
     Expectations expectations_;         // of travellers, by whom they meet next
     std::vector<std::size_t> met_;      // scratch
-    std::vector<std::uint32_t> found_;  // scratch
     std::vector<Traveller> travellers_;
     std::vector<double> next_;  // by traveller: when something next happens to it
     std::vector<std::size_t> to_look_;

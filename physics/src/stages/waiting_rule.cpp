@@ -2,6 +2,7 @@
 #include "stages/waiting_rule.h"
 
 #include "jostle/physics/tuning.h"
+#include "state/links.h"
 
 namespace jostle::physics {
 namespace {
@@ -40,14 +41,13 @@ bool wait_as_balls(const WorldState& world, Waiting& w, double dt) {
     const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
     const Vec3 apart = wb.center - wa.center;
     const double distance = length(apart);
-    const double slack = distance - a.radius - b.radius - tuning::speculative_margin - 1e-4;
+    const double slack =
+        distance - a.radius - b.radius - tuning::speculative_margin - slack_held_back;
     if (slack <= 0) return false;
     const Vec3 direction = apart * (1 / distance);
     if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;
     const BodyReach &ra = world.bodies.reach[w.body_a], &rb = world.bodies.reach[w.body_b];
-    w.directed = true;
-    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(direction[k]);
-    w.budget = slack + ra.turned + rb.turned - dot(way_apart(w), apart);
+    measure(w, apart, direction, slack, ra, rb);
     w.limit = ra.travel + rb.travel + slack;
     return true;
 }

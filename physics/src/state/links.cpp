@@ -94,6 +94,14 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
     return index;
 }
 
+void measure(Waiting& w, Vec3 apart, Vec3 direction, double slack, const BodyReach& a,
+             const BodyReach& b) {
+    w.directed = direction != Vec3{};
+    const Vec3 kept = w.directed ? direction : apart;
+    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(kept[k]);
+    w.budget = slack + a.turned + b.turned - (w.directed ? dot(way_apart(w), apart) : 0);
+}
+
 void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
     Contact& c = world.contacts.contacts[contact];
     c.dormant = false;
@@ -103,14 +111,8 @@ void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack,
     Waiting w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
     w.limit = a.travel + b.travel + slack;
     const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
-    w.directed = direction != Vec3{};
-    const Vec3 kept = w.directed ? direction : apart;
-    for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(kept[k]);
-    // At a kilometre a float is off by less than the tenth of a millimetre that is held back.
-    if (slack >= 0 && length_squared(apart) <= 1e6) {
-        w.budget = slack - 1e-4 + a.turned + b.turned;
-        if (w.directed) w.budget -= dot(way_apart(w), apart);
-    }
+    if (slack >= 0 && length_squared(apart) <= 1e6)
+        measure(w, apart, direction, slack - slack_held_back, a, b);
     c.limit = w.limit;
     world.contacts.waiting.push_back(w);
 }

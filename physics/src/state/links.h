@@ -26,6 +26,12 @@ void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32
 void report_end(const WorldState& world, const Contact& contact, std::vector<ContactEnd>& ended);
 // Reports the end of a composite pair none of whose parts touches any more.
 void settle_pair(WorldState& world, std::uint32_t pair);
+// What is held back of a slack, m: within a kilometre the floats of Waiting::apart are off by less.
+inline constexpr double slack_held_back = 1e-4;
+// From now on by the motion of the two centres, which are `apart`, against each other: along a
+// direction, or by its length if that is zero. `a`, `b`: of the two bodies.
+void measure(Waiting& waiting, Vec3 apart, Vec3 direction, double slack, const BodyReach& a,
+             const BodyReach& b);
 void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack,
                          Vec3 direction = {});
 // A dormant contact waits again, as before.

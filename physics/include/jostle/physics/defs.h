@@ -103,8 +103,9 @@ enum class BroadPhase : std::uint8_t {
 struct WorldDef {
     Vec3 gravity{0, -9.81, 0};  // m/s^2
     // 1 to 64 solver passes per step: more is stiffer and more exact. Islands of few layers, all
-    // slow, take half as many, towers and walls of many layers twice, such in which something lies
-    // on a hundredth of its mass four times.
+    // slow, take half as many, heaps that come to rest half as many again where bodies may sleep,
+    // towers and walls of many layers twice as many, such in which something lies on a hundredth of
+    // its mass four times.
     int substeps = 8;
     int threads = 1;         // 1 to 64; the result has the same bits for every number
     bool sleeping = true;    // bodies at rest leave the step

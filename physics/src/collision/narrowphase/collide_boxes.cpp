@@ -205,13 +205,13 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const EdgeAx
                          bool edges, const Convex& a, const Convex& b, double margin) {
     const bool wider = edge.separation > face.separation;
     const double separation = wider ? edge.separation : face.separation;
-    PairCache free;
     if (separation > 0) {
         const Vec3 normal = wider ? edge.normal : normal_of_widest(pair, face);
-        if (const auto m = collide_apart(a, b, normal, separation, margin, free)) return *m;
+        if (const auto m = collide_apart(a, b, normal, separation, margin)) return *m;
     } else if (edges) {
         return manifold_of(contact_points(a, b, edge_witness(pair, edge), margin), edge.normal);
     }
+    PairCache free;
     return collide_convex(a, b, margin, free);
 }
 

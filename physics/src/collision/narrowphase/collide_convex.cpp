@@ -132,8 +132,9 @@ Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache&
 }
 
 std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 normal,
-                                      double distance, double margin, PairCache& cache) {
-    const auto w = apart_witness(a, b, normal, distance, margin, cache);
+                                      double distance, double margin) {
+    PairCache none_yet;
+    const auto w = apart_witness(a, b, normal, distance, margin, none_yet);
     if (!w) return std::nullopt;
     if (w->distance > margin) return Manifold{.normal = w->normal, .distance = w->distance};
     return manifold_of(contact_points(a, b, *w, margin), w->normal);

@@ -24,7 +24,7 @@ Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache&
 // As collide_convex(), of two polyhedra without radius that are known to be apart by `distance`
 // along a normal, m. Nothing when they touch after all.
 std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 normal,
-                                      double distance, double margin, PairCache& cache);
+                                      double distance, double margin);
 
 // Points with a gap of at most `margin`, relative to the same origin as the shapes.
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "stages/near_shapes.h"
+
+#include <algorithm>
+
+#include "state/reach.h"
+
+namespace jostle::physics {
+
+void NearShapes::find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near) {
+    note_fast();
+    ways_.query(way, [&](std::uint32_t other) {
+        for (std::uint32_t s = world_.bodies.cold[other].first_shape; s != none;
+             s = world_.shapes.shapes[s].next)
+            near.push_back(s);
+    });
+    found_.clear();
+    world_.shapes.fixed->query(way, 0xffffffff, found_);
+    world_.shapes.moving->query(way, 0xffffffff, found_);
+    // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
+    for (const std::uint32_t shape : found_)
+        if (!ways_.has(world_.shapes.shapes[shape].body)) near.push_back(shape);
+    for (const std::uint32_t plane : world_.shapes.planes)
+        if (reaches_plane(world_, world_.shapes.shapes[plane], way)) near.push_back(plane);
+    tidy(body, near);
+}
+
+void NearShapes::set_way(std::uint32_t body, const Aabb& way) {
+    note_fast();
+    ways_.set(body, way);
+}
+
+void NearShapes::insert(std::uint32_t body, std::vector<std::uint32_t>& near) const {
+    for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
+         s = world_.shapes.shapes[s].next) {
+        const auto place = std::lower_bound(near.begin(), near.end(), s);
+        const bool known = place != near.end() && *place == s;
+        if (!known && !world_.shapes.shapes[s].trigger) near.insert(place, s);
+    }
+}
+
+void NearShapes::tidy(std::uint32_t body, std::vector<std::uint32_t>& near) const {
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::erase_if(near, [&](std::uint32_t s) {
+        return world_.shapes.shapes[s].body == body || world_.shapes.shapes[s].trigger;
+    });
+}
+
+void NearShapes::note_fast() {
+    if (!ways_.empty()) return;
+    for (const std::uint32_t i : fast_) {
+        const std::uint32_t body = world_.bodies.awake[i].body;
+        const double radius = world_.bodies.cold[body].radius;
+        const Vec3 from = world_.scratch.before[i].center, to = world_.bodies.awake[i].center;
+        ways_.set(body, grow({min(from, to), max(from, to)}, radius + 0.01));
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Which shapes a body under way may meet: those in the trees, the planes, and all bodies that were
+// fast in this step, by their ways. Only reading; one thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "stages/fast_ways.h"
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+class NearShapes {
+public:
+    // `fast`: awake indices of the fast bodies; it lives as long.
+    NearShapes(const WorldState& world, const std::vector<std::uint32_t>& fast)
+        : world_(world), fast_(fast) {}
+
+    // All shapes that may be in the box of a body's way, in order and once each: of two that are
+    // met at the same moment the first counts.
+    void find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near);
+    // The body goes this way from now on.
+    void set_way(std::uint32_t body, const Aabb& way);
+    // Calls visit(body) for the bodies whose ways cross a box, in no order.
+    template <class Visit>
+    void each_way(const Aabb& box, Visit&& visit) const {
+        ways_.query(box, visit);
+    }
+    // Puts a body's shapes into an ordered list that may know them.
+    void insert(std::uint32_t body, std::vector<std::uint32_t>& near) const;
+    // Orders a list, without the body's own shapes and what only triggers.
+    void tidy(std::uint32_t body, std::vector<std::uint32_t>& near) const;
+
+private:
+    void note_fast();  // once, when first needed
+
+    const WorldState& world_;
+    const std::vector<std::uint32_t>& fast_;
+    FastWays ways_;
+    std::vector<std::uint32_t> found_;  // scratch
+};
+
+}  // namespace jostle::physics

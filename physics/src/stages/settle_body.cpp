@@ -82,7 +82,8 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     world.bodies.reach[warm.body].travel += way;
     world.bodies.reach[warm.body].turned += turned;
     look_ahead(world, warm.body, step.dt);
-    const bool rests = cold.may_sleep && way < tuning::sleep_speed * step.dt;
+    const double fastest = maximum(length(motion.displacement), turned);
+    const bool rests = cold.may_sleep && fastest < tuning::sleep_speed * step.dt;
     warm.quiet = rests ? warm.quiet + step.dt : 0;
     world.scratch.left_fat_box[awake_index] = left_fat_box(world, warm, cold, step.dt) ? 1 : 0;
 }

@@ -274,11 +274,6 @@ void look(WorldState& world, ContactCheck& check, double dt) {
 
 // ---- what came of it ----
 
-bool has_sleeper(const WorldState& world, const Contact& c) {
-    return world.bodies.cold[c.body_a].set == BodySet::sleeping ||
-           world.bodies.cold[c.body_b].set == BodySet::sleeping;
-}
-
 // A plane has no box; b is the only one that can be a plane.
 bool boxes_overlap(const WorldState& world, const Contact& c) {
     const ShapeRecord &a = world.shapes.shapes[c.shape_a], &b = world.shapes.shapes[c.shape_b];
@@ -313,14 +308,13 @@ void continue_manifold(WorldState& world, std::uint32_t contact) {
     settle_lane(world, contact);
 }
 
-void wake_sleepers(WorldState& world, const Contact& c) {
-    for (const std::uint32_t body : {c.body_a, c.body_b})
-        if (world.bodies.cold[body].set == BodySet::sleeping)
-            world.scratch.to_wake.push_back(world.bodies.cold[body].island);
+// Whether a body sleeps or is frozen.
+bool is_still(const BodyCold& cold) {
+    return cold.set == BodySet::sleeping || cold.frozen;
 }
 
-bool has_frozen(const WorldState& world, const Contact& c) {
-    return world.bodies.cold[c.body_a].frozen || world.bodies.cold[c.body_b].frozen;
+bool has_still(const WorldState& world, const Contact& c) {
+    return is_still(world.bodies.cold[c.body_a]) || is_still(world.bodies.cold[c.body_b]);
 }
 
 // A kinematic body stops for nobody.
@@ -330,16 +324,18 @@ double mass_as_mover(const WorldState& world, std::uint32_t mover, std::uint32_t
     return cold.type == BodyType::dynamic ? cold.mass : unstoppable * world.bodies.cold[met].mass;
 }
 
-// Whether a manifold begins. One with a frozen body begins only when they meet, and thaws it and as
-// much around it as the impact will stir.
+// Whether a manifold begins. One with a body that sleeps or is frozen begins only when they meet,
+// and wakes it and as much around it as the impact will stir.
 bool begins(WorldState& world, const Contact& c, double gap_ahead) {
-    if (!has_frozen(world, c)) return gap_ahead < tuning::speculative_margin;
+    if (!has_still(world, c)) return gap_ahead < tuning::speculative_margin;
     if (gap_ahead >= tuning::wake_gap) return false;
     const double speed = closing_way(world, c, 1);
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
-        if (world.bodies.cold[body].frozen)
-            world.scratch.hits.push_back(
-                {body, mass_stirred_by(speed * mass_as_mover(world, other, body))});
+        const BodyCold& cold = world.bodies.cold[body];
+        if (!is_still(cold)) return;
+        if (cold.set == BodySet::sleeping) world.scratch.to_wake.push_back(cold.island);
+        world.scratch.hits.push_back(
+            {body, mass_stirred_by(speed * mass_as_mover(world, other, body))});
     };
     meet(c.body_a, c.body_b);
     meet(c.body_b, c.body_a);
@@ -348,7 +344,7 @@ bool begins(WorldState& world, const Contact& c, double gap_ahead) {
 
 // Within which gap a manifold of the pair begins, m.
 double begin_margin(const WorldState& world, const Contact& c) {
-    return has_frozen(world, c) ? tuning::wake_gap : tuning::speculative_margin;
+    return has_still(world, c) ? tuning::wake_gap : tuning::speculative_margin;
 }
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
@@ -356,14 +352,6 @@ double begin_margin(const WorldState& world, const Contact& c) {
 void decide_composite(WorldState& world, ContactCheck& check) {
     auto& contacts = world.contacts.contacts;
     const auto& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
-    const bool asleep = has_sleeper(world, contacts[check.contact]);
-    if (asleep && check.gap_ahead >= tuning::wake_gap) {
-        if (!boxes_overlap(world, contacts[check.contact]))
-            return destroy_contact(world, check.contact, world.events.contacts_ended);
-        const double clear = found.empty() ? check.near : check.gap_ahead - tuning::wake_gap;
-        return put_on_waiting_list(world, check.contact, minimum(check.near, clear));
-    }
-    if (asleep) wake_sleepers(world, contacts[check.contact]);
     for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
         const std::uint32_t next = contacts[p].next_part;
         const bool goes_on = std::any_of(found.begin(), found.end(),
@@ -394,21 +382,11 @@ void decide(WorldState& world, ContactCheck& check) {
     Contact& c = world.contacts.contacts[check.contact];
     c.queued = false;
     if (c.composite) return decide_composite(world, check);
-    StepScratch& scratch = world.scratch;
-    if (has_sleeper(world, c)) {
-        if (check.gap_ahead < tuning::wake_gap) {
-            wake_sleepers(world, c);
-            scratch.new_lanes.push_back({index_of(world, check), -1});
-        } else {
-            wait_or_end(world, check, tuning::wake_gap);
-        }
-        return;
-    }
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
     if (check.goes_on) return continue_manifold(world, check.contact);
     if (check.list >= 0 && begins(world, c, check.gap_ahead)) {
-        scratch.new_lanes.push_back({index_of(world, check), -1});
+        world.scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
     }
     wait_or_end(world, check, begin_margin(world, c));
@@ -421,7 +399,9 @@ void wake_islands(WorldState& world) {
     for (const std::uint32_t island : islands) wake_island(world, island, world.events.woke);
     auto& hits = world.scratch.hits;
     std::sort(hits.begin(), hits.end());
-    for (const Disturbance& hit : hits) thaw_around(world, hit.body, hit.mass, world.events.woke);
+    for (const Disturbance& hit : hits)
+        if (world.bodies.cold[hit.body].frozen)
+            thaw_around(world, hit.body, hit.mass, world.events.woke);
 }
 
 // In order of shapes, so that colours and lanes do not depend on the order of the waiting list.

@@ -58,24 +58,28 @@ double mass_borne_by(const WorldState& world, const Contact& contact) {
     return gravity > 0 ? length(load_before(contact)) / gravity : 0;
 }
 
+void hold_still(WorldState& world, std::uint32_t body) {
+    BodyCold& cold = world.bodies.cold[body];
+    ASSERT(cold.set == BodySet::awake && !cold.frozen && cold.first_joint == none);
+    cold.frozen = true;
+    cold.inverse_mass = 0;
+    cold.inverse_inertia = diagonal({0, 0, 0});
+    BodyWarm& warm = warm_of(world, body);
+    warm.v = warm.w = {};
+    world.bodies.reach[body].reach = world.bodies.reach[body].travel;
+    world.bodies.frozen++;
+}
+
+void keep_load(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    const Vec3 load = load_of(world, c);
+    for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
+}
+
 void freeze(WorldState& world, std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies)
-        for_each_lane(world, body, [&](std::uint32_t contact) {
-            Contact& c = world.contacts.contacts[contact];
-            const Vec3 load = load_of(world, c);
-            for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
-        });
-    for (const std::uint32_t body : bodies) {
-        BodyCold& cold = world.bodies.cold[body];
-        ASSERT(cold.set == BodySet::awake && !cold.frozen && cold.first_joint == none);
-        cold.frozen = true;
-        cold.inverse_mass = 0;
-        cold.inverse_inertia = diagonal({0, 0, 0});
-        BodyWarm& warm = warm_of(world, body);
-        warm.v = warm.w = {};
-        world.bodies.reach[body].reach = world.bodies.reach[body].travel;
-        world.bodies.frozen++;
-    }
+        for_each_lane(world, body, [&](std::uint32_t contact) { keep_load(world, contact); });
+    for (const std::uint32_t body : bodies) hold_still(world, body);
     for (const std::uint32_t body : bodies)
         for_each_lane(world, body, [&](std::uint32_t contact) { settle_store(world, contact); });
 }

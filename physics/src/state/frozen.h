@@ -26,6 +26,10 @@ double mass_borne_by(const WorldState& world, const Contact& contact);
 // contacts.
 void freeze(WorldState& world, std::span<const std::uint32_t> bodies);
 
+// The two halves of that, for a caller who moves the manifolds himself: all bodies first.
+void hold_still(WorldState& world, std::uint32_t body);
+void keep_load(WorldState& world, std::uint32_t contact);
+
 // The body moves again. Its rest time goes on.
 void unfreeze(WorldState& world, std::uint32_t body);
 // ... and begins anew.

@@ -410,6 +410,18 @@ void leave_set(WorldState& world, std::uint32_t body) {
     set.pop_back();
 }
 
+namespace {
+
+// Whether a touch leaves most of an island as it lies.
+bool wakes_frozen(const WorldState& world, const std::vector<BodyWarm>& sleepers) {
+    int free = 0;
+    for (const BodyWarm& warm : sleepers)
+        free += world.bodies.cold[warm.body].first_joint == none ? 1 : 0;
+    return world.def.sleeping && free >= tuning::freeze_least;
+}
+
+}  // namespace
+
 void wake_island(WorldState& world, std::uint32_t island_index, std::vector<BodyId>& woke) {
     Island& island = world.islands.islands[island_index];
     if (!island.asleep) return;
@@ -418,12 +430,17 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     const std::vector<SavedManifold> manifolds = std::move(island.manifolds);
     island.sleepers = {};
     island.manifolds = {};
+    const bool still = wakes_frozen(world, sleepers);
     for (const BodyWarm& warm : sleepers) {
         enter_awake(world, warm);
-        woke.push_back(body_id(world, warm.body));
+        if (still && world.bodies.cold[warm.body].first_joint == none)
+            hold_still(world, warm.body);
+        else
+            woke.push_back(body_id(world, warm.body));
     }
     for (const SavedManifold& saved : manifolds) {
         restore_lane(world, saved);
+        if (still) keep_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
     // What has no manifold waits as before. A contact with another island that still sleeps is

@@ -96,8 +96,8 @@ inline constexpr double sweep_gap = 1e-4;  // m
 inline constexpr int sweep_impacts = 16;   // of one body in one step; then it stays where it is
 
 // --- sleep ---
-// An island sleeps when none of its bodies moved faster than this for that long. Speed of the
-// fastest point.
+// An island sleeps when none of its bodies moved faster than this for that long: neither its centre
+// nor, about that, any of its points (as Box2D measures it).
 inline constexpr double sleep_speed = 0.05;  // m/s
 inline constexpr double sleep_time = 0.5;    // s
 // Of an island that does not sleep, what has rested this long beside nothing that has not is

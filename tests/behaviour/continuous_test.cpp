@@ -213,6 +213,24 @@ TEST(Continuous, dynamic_target_takes_the_momentum) {
 }
 
 // A sleeping target wakes.
+// A ball rests a metre before a sheet of 1 cm; a bullet throws it at that, both within one step.
+TEST(Continuous, what_a_bullet_throws_stops_at_the_wall_behind) {
+    for (const bool asleep : {false, true}) {
+        for (int phase = 0; phase < 16; phase++) {
+            World world = make_world({.gravity = {}});
+            add(world, {.geometry = Box{{0.005, 5, 5}}, .type = BodyType::fixed});
+            const BodyId ball = add(world, {.geometry = Sphere{0.1}, .position = {-1, 0, 0}});
+            if (asleep) run(world, 1);
+            const BodyId bullet = add(world, {.geometry = Sphere{0.1},
+                                              .position = {-3 - phase * 200.0 / 60 / 16, 0, 0},
+                                              .velocity = {200, 0, 0}});
+            run(world, 0.1);
+            EXPECT_LT(position_of(world, ball).x, 0) << "phase " << phase;
+            EXPECT_LT(position_of(world, bullet).x, 0) << "phase " << phase;
+        }
+    }
+}
+
 TEST(Continuous, bullet_wakes_what_it_hits) {
     World world = make_world();
     add_floor(world);

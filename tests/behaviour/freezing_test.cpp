@@ -4,6 +4,7 @@
 // it would.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "support/world_builder.h"
@@ -104,27 +105,80 @@ TEST(Freezing, a_weight_is_felt_through_a_frozen_stack) {
     EXPECT_LT(position_of(world, plank).y, 2.0);  // it has tipped
 }
 
-// The momentum of all that moves, along x, just after a ball hit the block's side.
-double momentum_after_hit(bool sleeping) {
+// 64 boxes of a metre, four layers.
+World block_of_boxes(bool sleeping) {
     World world = make_world({.sleeping = sleeping});
     add_floor(world);
     for (int layer = 0; layer < 4; layer++)
         for (int k = 0; k < 16; k++)
             add(world, {.position = {static_cast<double>(k % 4), 0.5 + layer,
                                      static_cast<double>(k / 4)}});
-    add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .may_sleep = false});
+    return world;
+}
+
+enum class Rest { none, frozen, asleep };
+
+// The momentum of all that moves, along x, just after a ball hit the block's side.
+double momentum_after_hit(Rest rest) {
+    World world = block_of_boxes(rest != Rest::none);
+    if (rest != Rest::asleep)
+        add(world,
+            {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .may_sleep = false});
     run(world, 5);
-    EXPECT_EQ(world.profile().bodies_frozen > 40, sleeping);
+    EXPECT_EQ(world.profile().bodies_frozen > 40, rest == Rest::frozen);
+    EXPECT_EQ(world.summary().awake_bodies == 0, rest == Rest::asleep);
     add(world, {.geometry = Sphere{0.5}, .position = {-2, 3.4, 1.5}, .velocity = {15, 0, 0}});
     run(world, 0.1);
     return world.summary().linear_momentum.x;
 }
 
-TEST(Freezing, a_hit_goes_into_a_frozen_block_as_into_one_that_is_awake) {
-    const double awake = momentum_after_hit(false), frozen = momentum_after_hit(true);
+TEST(Freezing, a_hit_goes_into_a_resting_block_as_into_one_that_is_awake) {
+    const double awake = momentum_after_hit(Rest::none), frozen = momentum_after_hit(Rest::frozen),
+                 asleep = momentum_after_hit(Rest::asleep);
     RecordProperty("awake_kg_m_per_s", std::to_string(awake));
     RecordProperty("frozen_kg_m_per_s", std::to_string(frozen));
+    RecordProperty("asleep_kg_m_per_s", std::to_string(asleep));
     EXPECT_NEAR(frozen, awake, 0.1 * awake);
+    EXPECT_NEAR(asleep, awake, 0.1 * awake);
+}
+
+// A ball rolls against a corner of a block that sleeps: most of it never learns of that.
+TEST(Freezing, a_nudge_wakes_a_sleeping_block_where_it_is_felt) {
+    World world = block_of_boxes(true);
+    run(world, 3);
+    ASSERT_EQ(world.summary().awake_bodies, 0);
+    add(world, {.geometry = Sphere{0.2},
+                .position = {-1, 0.2, 0},
+                .velocity = {0.5, 0, 0},
+                .spin = {0, 0, -2.5}});
+    int touched = 0, most = 0;
+    std::set<BodyId> woken;
+    for (int step = 0; step < 240; step++) {
+        must(world.step(1.0 / 60));
+        touched += static_cast<int>(world.events().contacts_began.size());
+        most = std::max(most, world.profile().bodies_awake);
+        for (const BodyId body : world.events().woke) woken.insert(body);
+    }
+    EXPECT_GE(touched, 1);
+    EXPECT_GE(woken.size(), 1u);
+    EXPECT_LE(woken.size(), 24u);
+    EXPECT_LE(most, 25) << "the ball and what it stirred";
+}
+
+// In a wall that sleeps as a whole too.
+TEST(Freezing, what_loses_its_support_wakes_and_falls_at_once) {
+    World world = make_world();
+    add_floor(world);
+    std::vector<BodyId> bricks;
+    for (int k = 0; k < 24; k++)
+        bricks.push_back(
+            add(world, {.geometry = Box{{0.5, 0.25, 0.25}}, .position = {0, 0.25 + 0.5 * k, 0}}));
+    run(world, 5);
+    ASSERT_EQ(world.summary().awake_bodies, 0);
+    const double height = position_of(world, bricks[20]).y;
+    must(world.destroy_body(bricks[8]));
+    run(world, 0.5);
+    EXPECT_LT(position_of(world, bricks[20]).y, height - 0.4);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ bool load_changed(WorldState& world, const Contact& c, std::uint32_t frozen) {
     const BodyCold& cold = world.bodies.cold[frozen];
     const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
     const Vec3 before = load_before(c);
-    const double most = tuning::thaw_weight * weight + length(before);
+    const double most = tuning::thaw_weight * weight + tuning::thaw_share * length(before);
     return length_squared(load_of(world, c) - before) > most * most;
 }
 

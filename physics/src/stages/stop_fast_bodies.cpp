@@ -61,16 +61,15 @@ private:
     std::uint32_t traveller_of(std::uint32_t body) const {
         return where_.empty() ? nobody : where_[body];
     }
-    std::size_t add(std::uint32_t body, const Sweep& sweep, bool fast) {
+    std::size_t add(std::uint32_t body, bool fast) {
         if (where_.empty()) where_.resize(world_.bodies.cold.size(), nobody);
         where_[body] = static_cast<std::uint32_t>(travellers_.size());
         Traveller t;
         t.body = body;
-        t.sweep = sweep;
         t.fast = fast;
         travellers_.push_back(std::move(t));
         next_.push_back(Impact::never);
-        if (fast) to_look_.push_back(travellers_.size() - 1);
+        enlist(travellers_.size() - 1);
         return travellers_.size() - 1;
     }
 
@@ -101,9 +100,17 @@ private:
         return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
     }
     void look_again(std::size_t k) {
+        travellers_[k].looked = false;
+        enlist(k);
+    }
+    void look_also(std::size_t k, std::uint32_t body) {
+        travellers_[k].turned.push_back(body);
+        enlist(k);
+    }
+    void enlist(std::size_t k) {
         Traveller& t = travellers_[k];
-        if (t.fast && t.looked) to_look_.push_back(k);
-        t.looked = false;
+        if (t.fast && !t.to_look) to_look_.push_back(k);
+        t.to_look = t.fast;
     }
 
     // The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
@@ -174,7 +181,15 @@ private:
             }
         });
         for (std::size_t k = 0; k < fast_.size(); k++)
-            if (starts[k] != 0) start(fast_[k]);
+            if (starts[k] != 0) add(world_.bodies.awake[fast_[k]].body, true);
+        step_.team.run(static_cast<int>(travellers_.size()), 8, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) start(travellers_[static_cast<std::size_t>(k)]);
+        });
+        for (Traveller& t : travellers_)
+            if (has_strayed(t)) near_.find(t.body, t.way, t.near);
+    }
+    bool has_strayed(const Traveller& t) const {
+        return world_.scratch.strayed[world_.bodies.cold[t.body].at] != 0;
     }
     // Calls visit(shape) for those among a fast body's contacts that it may meet, until that
     // returns true.
@@ -203,11 +218,12 @@ private:
         return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
     }
 
-    void start(std::uint32_t awake) {
-        Traveller& t = travellers_[add(world_.bodies.awake[awake].body, way_of_fast(awake), true)];
+    void start(Traveller& t) {
+        const std::uint32_t awake = world_.bodies.cold[t.body].at;
+        t.sweep = way_of_fast(awake);
         aim_first(t, awake);
         t.way = bounds_of_way(t);
-        if (world_.scratch.strayed[awake] != 0) return near_.find(t.body, t.way, t.near);
+        if (has_strayed(t)) return;
         each_met(awake, [&](std::uint32_t shape) {
             t.near.push_back(shape);
             return false;
@@ -316,20 +332,29 @@ private:
 
     // Looking reads how the others go and writes down what one meets.
     void look_all() {
-        step_.team.run(static_cast<int>(to_look_.size()), 4, [&](int begin, int end) {
+        step_.team.run(static_cast<int>(to_look_.size()), 1, [&](int begin, int end) {
             for (int k = begin; k < end; k++) look(to_look_[static_cast<std::size_t>(k)]);
         });
         for (const std::size_t k : to_look_) queue(k);
         to_look_.clear();
     }
-    // The first impact on the way that is left.
+    // The first impact on the way that is left; of one that has looked, whether those that go
+    // another way now are met before.
     void look(std::size_t k) {
         Traveller& t = travellers_[k];
-        if (t.looked) return;
+        if (!t.looked) {
+            t.fraction = Impact::never;
+            if (t.impacts < tuning::sweep_impacts)
+                for (const std::uint32_t other : t.near) look_at(t, other);
+        } else {
+            for (const std::uint32_t body : t.turned)
+                for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
+                     s = world_.shapes.shapes[s].next)
+                    look_at(t, s);
+        }
         t.looked = true;
-        t.fraction = Impact::never;
-        if (t.impacts < tuning::sweep_impacts)
-            for (const std::uint32_t other : t.near) look_at(t, other);
+        t.to_look = false;
+        t.turned.clear();
         note_next(k);
     }
 
@@ -460,15 +485,10 @@ private:
         for (const std::size_t k : fast_travellers_met(body, travellers_[index].way)) {
             Traveller& t = travellers_[k];
             if (!t.looked || t.impacts >= tuning::sweep_impacts) continue;
-            if (expects(k, body)) {
+            if (expects(k, body))
                 look_again(k);
-                continue;
-            }
-            for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
-                 s = world_.shapes.shapes[s].next)
-                look_at(t, s);
-            note_next(k);
-            queue(k);
+            else
+                look_also(k, body);
         }
         // Those that would have met it where it no longer goes.
         expectations_.take(body, [&](std::size_t k) {
@@ -502,7 +522,7 @@ private:
         const BodyCold& cold = world_.bodies.cold[body];
         const double left = 1 - at, dt = left * step_.dt;
         const std::uint32_t known = traveller_of(body);
-        Traveller& t = travellers_[known == nobody ? add(body, old, false) : known];
+        Traveller& t = travellers_[known == nobody ? add(body, false) : known];
         // From here on it flies, whatever held it before: the next step's contacts will see.
         BodyWarm there = warm_of(world_, body);
         there.rotation = rotation_at(old, at);

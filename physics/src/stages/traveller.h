@@ -31,7 +31,8 @@ struct Traveller {
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
     // The first impact that is known, if any.
-    bool looked = false;
+    bool looked = false, to_look = false;
+    std::vector<std::uint32_t> turned;  // bodies that go another way since then
     double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;

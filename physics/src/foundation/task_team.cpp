@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "foundation/task_team.h"
 
+#include <utility>
+
 #include "foundation/fp_mode.h"
 
 namespace jostle::physics {
@@ -65,12 +67,40 @@ void TaskTeam::take_grains(int self) {
     }
 }
 
+void TaskTeam::start(std::function<void()> job) {
+    if (count_ == 1) return job();
+    job_ = std::move(job);
+    job_state_.store(Job::waiting, std::memory_order_release);
+    // Whoever waits at the gate sees it change and looks around.
+    gate_.fetch_add(one_range, std::memory_order_release);
+    gate_.notify_all();
+}
+
+bool TaskTeam::take_job() {
+    Job waiting = Job::waiting;
+    if (!job_state_.compare_exchange_strong(waiting, Job::taken, std::memory_order_acquire))
+        return false;
+    job_();
+    job_state_.store(Job::idle, std::memory_order_release);
+    return true;
+}
+
+void TaskTeam::finish() {
+    if (take_job()) return;
+    int spins = 0;
+    while (job_state_.load(std::memory_order_acquire) != Job::idle) {
+        relax_cpu();
+        if (++spins > spins_before_sleep) std::this_thread::yield();
+    }
+}
+
 void TaskTeam::work(int self) {
     const FpModeScope fp_mode;
     std::uint64_t seen = 0;  // the range that it was last in, or found closed
     int spins = 0;
     while (!quit_.load(std::memory_order_relaxed)) {
         std::uint64_t gate = gate_.load(std::memory_order_acquire);
+        if (job_state_.load(std::memory_order_relaxed) == Job::waiting && take_job()) spins = 0;
         if (gate / one_range == seen || (gate & open) == 0) {
             relax_cpu();
             if (++spins > spins_before_sleep) gate_.wait(gate, std::memory_order_acquire);

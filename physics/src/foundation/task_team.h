@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -41,6 +42,12 @@ public:
             const_cast<void*>(static_cast<const void*>(&fn)));
     }
 
+    // Has a free worker do a job while this thread goes on, also through ranges; without workers it
+    // is done at once. One at a time: finish() comes before the next.
+    void start(std::function<void()> job);
+    // Returns when the job is done, if there is one: does it itself if nobody has begun it.
+    void finish();
+
 private:
     using Call = void (*)(void* context, int begin, int end);
     struct alignas(64) Cursor {
@@ -51,6 +58,7 @@ private:
     void share_out(int total, int grain, Call call, void* context);
     void take_grains(int self);
     void work(int self);
+    bool take_job();
 
     int count_;
     std::vector<Cursor> cursors_;
@@ -63,6 +71,9 @@ private:
     Call call_ = nullptr;
     void* context_ = nullptr;
     int grain_ = 1;
+    enum class Job { idle, waiting, taken };
+    alignas(64) std::atomic<Job> job_state_{Job::idle};
+    std::function<void()> job_;
 };
 
 }  // namespace jostle::physics

@@ -18,6 +18,16 @@ public:
         return body < leaf_.size() && leaf_[body] != DynamicTree::null_node;
     }
 
+    // All at once: by way_of(body), each body once.
+    template <class WayOf>
+    void set_all(const std::vector<std::uint32_t>& bodies, WayOf&& way_of) {
+        for (const std::uint32_t body : bodies) {
+            if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
+            leaf_[body] = tree_.add(way_of(body), body);
+        }
+        tree_.rebuild();
+    }
+
     // The box of a body's way, or of what is left of it.
     void set(std::uint32_t body, const Aabb& box) {
         if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);

@@ -33,14 +33,25 @@ Skipped finalize(StepContext& step) {
                             motion_of(scratch.hot[i + 1], world.bodies.awake[i], tumbling));
             }
         });
-    // Trees are changed serially, in order of the awake set.
+    // In order of the awake set.
+    auto& moves = scratch.moves;
+    moves.clear();
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         if (scratch.left_fat_box[i] == 0) continue;
-        const BodyWarm& warm = world.bodies.awake[i];
-        for (std::uint32_t s = world.bodies.cold[warm.body].first_shape; s != none;
-             s = world.shapes.shapes[s].next)
-            refatten(world, s, warm, step.dt);
+        const std::uint32_t body = world.bodies.awake[i].body;
+        for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
+             s = world.shapes.shapes[s].next) {
+            const ShapeRecord& shape = world.shapes.shapes[s];
+            if (shape.leaf >= 0) moves.push_back({shape.leaf, shape.fat});
+            ask_for_pairs(world, s);
+        }
     }
+    // Nobody asks the trees before the sweeps do.
+    if (!moves.empty())
+        step.team.start([&shapes = world.shapes, &moves] {
+            shapes.moving->move_all(moves);
+            shapes.moving->settle();
+        });
     return ran;
 }
 

@@ -49,12 +49,14 @@ void NearShapes::tidy(std::uint32_t body, std::vector<std::uint32_t>& near) cons
 
 void NearShapes::note_fast() {
     if (!ways_.empty()) return;
-    for (const std::uint32_t i : fast_) {
-        const std::uint32_t body = world_.bodies.awake[i].body;
-        const double radius = world_.bodies.cold[body].radius;
-        const Vec3 from = world_.scratch.before[i].center, to = world_.bodies.awake[i].center;
-        ways_.set(body, grow({min(from, to), max(from, to)}, radius + 0.01));
-    }
+    std::vector<std::uint32_t> bodies;
+    for (const std::uint32_t i : fast_) bodies.push_back(world_.bodies.awake[i].body);
+    ways_.set_all(bodies, [&](std::uint32_t body) {
+        const BodyCold& cold = world_.bodies.cold[body];
+        const Vec3 from = world_.scratch.before[cold.at].center,
+                   to = world_.bodies.awake[cold.at].center;
+        return grow({min(from, to), max(from, to)}, cold.radius + 0.01);
+    });
 }
 
 }  // namespace jostle::physics

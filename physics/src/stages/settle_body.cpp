@@ -85,7 +85,10 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     const double fastest = maximum(length(motion.displacement), turned);
     const bool rests = cold.may_sleep && fastest < tuning::sleep_speed * step.dt;
     warm.quiet = rests ? warm.quiet + step.dt : 0;
-    world.scratch.left_fat_box[awake_index] = left_fat_box(world, warm, cold, step.dt) ? 1 : 0;
+    if (!left_fat_box(world, warm, cold, step.dt)) return;
+    world.scratch.left_fat_box[awake_index] = 1;
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
+        fatten(world, s, warm, step.dt);
 }
 
 }  // namespace jostle::physics

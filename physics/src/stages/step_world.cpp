@@ -59,6 +59,7 @@ void step_world(WorldState& world, double dt) {
     run<stop_fast_bodies>(step, Stage::stop_fast_bodies);    // nothing passes through a wall
     run<quarantine>(step, Stage::quarantine);                // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);            // resting islands leave the awake set
+    step.team.finish();                                      // what finalize began
     run<update_triggers>(step, Stage::update_triggers);      // what is inside which trigger
     run<publish_events>(step, Stage::publish_events);        // sorted, ready to read
     world.steps++;

@@ -37,8 +37,6 @@ public:
         courses_.note(step_, fast_, [&](std::uint32_t awake) { return way_of_fast(awake); });
         start_those_that_may_meet();
         if (travellers_.empty()) return;
-        world_.shapes.fixed->settle();
-        world_.shapes.moving->settle();
         // Every impact uses up one of somebody's, and between two there are so many legs: this
         // ends.
         for (;;) {
@@ -185,6 +183,9 @@ private:
         step_.team.run(static_cast<int>(travellers_.size()), 8, [&](int begin, int end) {
             for (int k = begin; k < end; k++) start(travellers_[static_cast<std::size_t>(k)]);
         });
+        if (travellers_.empty()) return;
+        step_.team.finish();  // the trees: finalize.cpp
+        world_.shapes.fixed->settle();
         for (Traveller& t : travellers_)
             if (has_strayed(t)) near_.find(t.body, t.way, t.near);
     }

@@ -75,20 +75,22 @@ void leave_tree(WorldState& world, std::uint32_t index) {
     }
 }
 
-void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
+void fatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
     ShapeRecord& shape = world.shapes.shapes[index];
-    if (!is_plane(shape)) {
-        const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
-        Aabb fat = bounds_of(placed(shape, warm));
-        if (!fixed) {
-            fat = grow(fat, tuning::fat_margin);
-            const Vec3 ahead = warm.v * (dt * tuning::fat_steps_ahead);
-            fat = {fat.low + min(ahead, Vec3{}), fat.high + max(ahead, Vec3{})};
-        }
-        shape.fat = fat;
-        world.bodies.reach[shape.body].roomy_until = 0;
-        if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, fat);
+    if (is_plane(shape)) return;
+    shape.fat = bounds_of(placed(shape, warm));
+    if (world.bodies.cold[shape.body].type != BodyType::fixed) {
+        const Aabb wide = grow(shape.fat, tuning::fat_margin);
+        const Vec3 ahead = warm.v * (dt * tuning::fat_steps_ahead);
+        shape.fat = {wide.low + min(ahead, Vec3{}), wide.high + max(ahead, Vec3{})};
     }
+    world.bodies.reach[shape.body].roomy_until = 0;
+}
+
+void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
+    fatten(world, index, warm, dt);
+    const ShapeRecord& shape = world.shapes.shapes[index];
+    if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, shape.fat);
     ask_for_pairs(world, index);
 }
 

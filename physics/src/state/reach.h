@@ -15,7 +15,10 @@ void enter_tree(WorldState& world, std::uint32_t shape);
 void leave_tree(WorldState& world, std::uint32_t shape);
 // Its pairs are looked for in the next step.
 void ask_for_pairs(WorldState& world, std::uint32_t shape);
-// Gives the shape a new fat box that looks ahead along the body's velocity, and asks for its pairs.
+// The shape's new fat box, which looks ahead along the body's velocity, without telling the trees:
+// for many threads.
+void fatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
+// ... with telling them, and asks for its pairs.
 void refatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
 // How far inside its fat box the shape is, m; negative: outside by that.
 struct FatRoom {

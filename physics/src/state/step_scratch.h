@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision/broadphase/broad_phase.h"
 #include "collision/narrowphase/collide_composite.h"
 #include "state/body_store.h"
 #include "state/effort.h"
@@ -119,6 +120,7 @@ struct StepScratch {
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     std::vector<std::uint8_t> left_fat_box;    // by awake body: some shape of it did
+    std::vector<BroadPhaseIndex::Move> moves;  // of their boxes
     std::vector<std::uint8_t> not_finite;      // by awake body
     std::vector<IslandExtent> extents;         // by island
     std::vector<double> island_quiet, island_most_quiet;

@@ -49,6 +49,15 @@ TEST(DynamicTree, agrees_with_a_list_under_random_changes) {
                 list.erase(at);
             }
         }
+        // Now and then a third of all moves at once.
+        if (change % 97 == 0) {
+            for (auto& [item, entry] : list) {
+                if (item % 3 != 0) continue;
+                entry.second = random_box(random);
+                tree.change(entry.first, entry.second);
+            }
+            tree.rebuild();
+        }
         ASSERT_EQ(tree.leaf_count(), static_cast<int>(list.size()));
         if (change % 5 != 0) continue;
         const Aabb probe = random_box(random);
@@ -110,6 +119,36 @@ TEST(DynamicTree, stays_low) {
         tree.insert({{1.0 * i, 0, 0}, {1.0 * i + 0.5, 1, 1}}, i);
     RecordProperty("height", tree.height());
     EXPECT_LE(tree.height(), 3 * 12);
+    tree.rebuild();
+    EXPECT_EQ(tree.height(), 12);
+}
+
+// Boxes that cannot be told apart, and such that lie ever farther away.
+TEST(DynamicTree, is_made_anew_of_anything) {
+    DynamicTree same, far;
+    for (std::uint32_t i = 0; i < 1000; i++) {
+        same.add({{1, 2, 3}, {2, 3, 4}}, i);
+        far.add({{std::pow(1.05, i), 0, 0}, {std::pow(1.05, i) + 1, 1, 1}}, i);
+    }
+    same.rebuild();
+    far.rebuild();
+    EXPECT_EQ(same.height(), 10);
+    EXPECT_EQ(asked(same, {{2, 3, 4}, {9, 9, 9}}).size(), 1000u);
+    EXPECT_EQ(asked(far, {{0, 0, 0}, {1e30, 1, 1}}).size(), 1000u);
+    EXPECT_LE(far.height(), 400);
+    DynamicTree empty;
+    empty.rebuild();
+    EXPECT_TRUE(asked(empty, {{0, 0, 0}, {1, 1, 1}}).empty());
+}
+
+// At a thousand kilometres a float is off by 6 cm; what is answered is exact.
+TEST(DynamicTree, answers_by_the_exact_boxes) {
+    DynamicTree tree;
+    tree.insert({{1e6, 0, 0}, {1e6 + 1e-3, 1, 1}}, 1);
+    tree.insert({{1e6 + 2e-3, 0, 0}, {1e6 + 3e-3, 1, 1}}, 2);
+    EXPECT_EQ(asked(tree, {{1e6 + 1.5e-3, 0, 0}, {1e6 + 2.5e-3, 1, 1}}),
+              (std::vector<std::uint32_t>{2}));
+    EXPECT_TRUE(asked(tree, {{1e6 + 1.2e-3, 0, 0}, {1e6 + 1.8e-3, 1, 1}}).empty());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,14 @@ public:
     virtual std::int32_t insert(const Aabb& box, std::uint32_t item, std::uint32_t category) = 0;
     virtual void remove(std::int32_t handle) = 0;
     virtual void move(std::int32_t handle, const Aabb& box) = 0;
+    // Many at once, each at most once.
+    struct Move {
+        std::int32_t handle;
+        Aabb box;
+    };
+    virtual void move_all(std::span<const Move> moves) {
+        for (const Move& m : moves) move(m.handle, m.box);
+    }
 
     // Appends the items whose box overlaps and whose category has a bit in the mask, each once.
     virtual void query(const Aabb& box, std::uint32_t mask,

@@ -1,45 +1,73 @@
 // SPDX-License-Identifier: MIT
 #include "collision/broadphase/dynamic_tree.h"
 
+#include <algorithm>
+
 #include "foundation/check.h"
 
 namespace jostle::physics {
 
-std::int32_t DynamicTree::allocate() {
-    if (free_ == null_node) {
+DynamicTree::Box DynamicTree::bounds_of(Child child) const {
+    if (is_leaf(child)) return rounded_out(at(handle_of(child)).box);
+    return unite(node(child).box[0], node(child).box[1]);
+}
+
+std::uint32_t DynamicTree::categories_of(Child child) const {
+    if (is_leaf(child)) return at(handle_of(child)).category;
+    return node(child).categories[0] | node(child).categories[1];
+}
+
+void DynamicTree::set_parent(Child child, std::int32_t parent) {
+    (is_leaf(child) ? at(handle_of(child)).parent : above(child).parent) = parent;
+}
+
+std::int32_t DynamicTree::take_node() {
+    if (free_node_ == null_node) {
         nodes_.emplace_back();
+        above_.emplace_back();
         return static_cast<std::int32_t>(nodes_.size() - 1);
     }
-    const std::int32_t i = free_;
-    free_ = node(i).parent;
-    node(i) = Node{};
+    const std::int32_t i = free_node_;
+    free_node_ = above(i).parent;
     return i;
 }
 
-void DynamicTree::release(std::int32_t i) {
-    node(i).parent = free_;
-    free_ = i;
+void DynamicTree::give_back_node(std::int32_t i) {
+    above(i).parent = free_node_;
+    free_node_ = i;
+}
+
+std::int32_t DynamicTree::add(const Aabb& box, std::uint32_t item, std::uint32_t category) {
+    ASSERT(category != 0);
+    std::int32_t leaf = free_leaf_;
+    if (leaf == null_node) {
+        leaves_.emplace_back();
+        leaf = static_cast<std::int32_t>(leaves_.size() - 1);
+    } else {
+        free_leaf_ = at(leaf).parent;
+    }
+    at(leaf) = {box, item, category, null_node};
+    leaf_count_++;
+    return leaf;
 }
 
 std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item, std::uint32_t category) {
-    const std::int32_t leaf = allocate();
-    node(leaf).box = box;
-    node(leaf).item = item;
-    node(leaf).categories = category;
+    const std::int32_t leaf = add(box, item, category);
     link(leaf);
-    leaf_count_++;
     return leaf;
 }
 
 void DynamicTree::remove(std::int32_t leaf) {
     unlink(leaf);
-    release(leaf);
+    at(leaf).category = 0;
+    at(leaf).parent = free_leaf_;
+    free_leaf_ = leaf;
     leaf_count_--;
 }
 
 void DynamicTree::move(std::int32_t leaf, const Aabb& box) {
     unlink(leaf);
-    node(leaf).box = box;
+    at(leaf).box = box;
     link(leaf);
 }
 
@@ -48,115 +76,225 @@ void DynamicTree::clear() {
 }
 
 // Walks down while a child can take the leaf for less added surface than making a sibling here.
-std::int32_t DynamicTree::best_sibling(const Aabb& box) const {
-    std::int32_t i = root_;
-    while (node(i).left != null_node) {
-        const Node& n = node(i);
-        const double area = half_area(n.box), together = half_area(unite(n.box, box));
-        const double here = 2 * together, inherited = 2 * (together - area);
-        const auto cost = [&](std::int32_t child) {
-            const Node& c = node(child);
-            const double grown = half_area(unite(c.box, box));
-            return inherited + (c.left == null_node ? grown : grown - half_area(c.box));
-        };
-        const double left = cost(n.left), right = cost(n.right);
-        if (here < left && here < right) break;
-        // Equal boxes: the lower side, or a thousand bodies in one place would make a chain.
-        if (left == right)
-            i = node(n.left).height <= node(n.right).height ? n.left : n.right;
-        else
-            i = left < right ? n.left : n.right;
-    }
-    return i;
-}
-
-void DynamicTree::replace_child(std::int32_t parent, std::int32_t old_child,
-                                std::int32_t new_child) {
-    if (parent == null_node)
-        root_ = new_child;
-    else if (node(parent).left == old_child)
-        node(parent).left = new_child;
-    else
-        node(parent).right = new_child;
-}
-
 void DynamicTree::link(std::int32_t leaf) {
-    if (root_ == null_node) {
-        root_ = leaf;
-        node(leaf).parent = null_node;
+    const Child child = ~leaf;
+    if (root_ == none) {
+        root_ = child;
+        set_parent(child, null_node);
         return;
     }
-    const std::int32_t sibling = best_sibling(node(leaf).box);
-    const std::int32_t parent = allocate();
-    const std::int32_t above = node(sibling).parent;
-    node(parent).parent = above;
-    node(parent).left = sibling;
-    node(parent).right = leaf;
-    replace_child(above, sibling, parent);
-    node(sibling).parent = parent;
-    node(leaf).parent = parent;
-    refit_up(parent);
+    const Box box = bounds_of(child);
+    Child sibling = root_;
+    Box taken = bounds_of(root_);
+    std::int32_t parent = null_node;
+    while (!is_leaf(sibling)) {
+        const Node& n = node(sibling);
+        const float together = half_area(unite(taken, box));
+        const float here = 2 * together, inherited = 2 * (together - half_area(taken));
+        const auto cost = [&](int k) {
+            const float grown = half_area(unite(n.box[k], box));
+            return inherited + (is_leaf(n.child[k]) ? grown : grown - half_area(n.box[k]));
+        };
+        const float first = cost(0), second = cost(1);
+        if (here < first && here < second) break;
+        // Equal boxes: the lower side, or a thousand bodies in one place would make a chain.
+        int side = first < second ? 0 : 1;
+        if (first == second) side = height_of(n.child[0]) <= height_of(n.child[1]) ? 0 : 1;
+        parent = sibling;
+        taken = n.box[side];
+        sibling = n.child[side];
+    }
+    const std::int32_t made = take_node();
+    Node& n = node(made);
+    n.child[0] = sibling;
+    n.child[1] = child;
+    n.box[0] = taken;
+    n.box[1] = box;
+    n.categories[0] = categories_of(sibling);
+    n.categories[1] = categories_of(child);
+    if (parent == null_node)
+        root_ = made;
+    else
+        node(parent).child[slot_of(parent, sibling)] = made;
+    set_parent(made, parent);
+    set_parent(sibling, made);
+    set_parent(child, made);
+    refit_up(made);
 }
 
 void DynamicTree::unlink(std::int32_t leaf) {
-    if (leaf == root_) {
-        root_ = null_node;
+    const Child child = ~leaf;
+    if (child == root_) {
+        root_ = none;
         return;
     }
-    const std::int32_t parent = node(leaf).parent, above = node(parent).parent;
-    const std::int32_t sibling = node(parent).left == leaf ? node(parent).right : node(parent).left;
-    replace_child(above, parent, sibling);
-    node(sibling).parent = above;
-    release(parent);
-    refit_up(above);
+    const std::int32_t parent = at(leaf).parent, grand = above(parent).parent;
+    const int other = 1 - slot_of(parent, child);
+    const Child sibling = node(parent).child[other];
+    set_parent(sibling, grand);
+    if (grand == null_node) {
+        root_ = sibling;
+    } else {
+        const int slot = slot_of(grand, parent);
+        node(grand).child[slot] = sibling;
+        node(grand).box[slot] = node(parent).box[other];
+        node(grand).categories[slot] = node(parent).categories[other];
+    }
+    give_back_node(parent);
+    if (grand != null_node) refit_up(grand);
 }
 
-void DynamicTree::update(std::int32_t i) {
-    Node& n = node(i);
-    const Node &l = node(n.left), &r = node(n.right);
-    n.box = unite(l.box, r.box);
-    n.categories = l.categories | r.categories;
-    n.height = 1 + (l.height > r.height ? l.height : r.height);
+void DynamicTree::measure_height(std::int32_t i) {
+    const Node& n = node(i);
+    above(i).height = 1 + std::max(height_of(n.child[0]), height_of(n.child[1]));
 }
 
+// From a node one of whose children changed.
 void DynamicTree::refit_up(std::int32_t i) {
-    while (i != null_node) {
-        const Node before = node(i);
-        update(i);
+    for (;;) {
+        const int before = above(i).height;
+        measure_height(i);
         rotate(i);
-        const Node& now = node(i);
-        if (now.box == before.box && now.height == before.height &&
-            now.categories == before.categories)
+        const std::int32_t parent = above(i).parent;
+        if (parent == null_node) return;
+        Node& p = node(parent);
+        const int slot = slot_of(parent, i);
+        const Box box = bounds_of(i);
+        const std::uint32_t categories = categories_of(i);
+        if (above(i).height == before && p.box[slot] == box && p.categories[slot] == categories)
             return;  // what is above sees no change
-        i = now.parent;
+        p.box[slot] = box;
+        p.categories[slot] = categories;
+        i = parent;
     }
 }
 
 // Swaps a child of i with a grandchild under the other child when that shrinks the box in between.
 void DynamicTree::rotate(std::int32_t i) {
     struct Swap {
-        std::int32_t child = null_node, other = null_node, grandchild = null_node;
-        double gain = 1e-9;
+        int side = -1, grandchild = 0;
+        float gain = 1e-9f;
     } best;
-    const auto consider = [&](std::int32_t child, std::int32_t other) {
-        if (node(other).left == null_node) return;
-        for (const bool left : {true, false}) {
-            const std::int32_t grandchild = left ? node(other).left : node(other).right;
-            const std::int32_t stays = left ? node(other).right : node(other).left;
-            const double gain =
-                half_area(node(other).box) - half_area(unite(node(child).box, node(stays).box));
-            if (gain > best.gain) best = {child, other, grandchild, gain};
+    Node& n = node(i);
+    for (const int side : {0, 1}) {
+        const Child other = n.child[1 - side];
+        if (is_leaf(other)) continue;
+        const Node& o = node(other);
+        for (const int k : {0, 1}) {
+            const float gain =
+                half_area(n.box[1 - side]) - half_area(unite(n.box[side], o.box[1 - k]));
+            if (gain > best.gain) best = {side, k, gain};
         }
-    };
-    consider(node(i).left, node(i).right);
-    consider(node(i).right, node(i).left);
-    if (best.child == null_node) return;
-    replace_child(i, best.child, best.grandchild);
-    replace_child(best.other, best.grandchild, best.child);
-    node(best.grandchild).parent = i;
-    node(best.child).parent = best.other;
-    update(best.other);
-    update(i);
+    }
+    if (best.side < 0) return;
+    const std::int32_t other = n.child[1 - best.side];
+    Node& o = node(other);
+    std::swap(n.child[best.side], o.child[best.grandchild]);
+    std::swap(n.box[best.side], o.box[best.grandchild]);
+    std::swap(n.categories[best.side], o.categories[best.grandchild]);
+    set_parent(n.child[best.side], i);
+    set_parent(o.child[best.grandchild], other);
+    n.box[1 - best.side] = bounds_of(other);
+    n.categories[1 - best.side] = categories_of(other);
+    measure_height(other);
+    measure_height(i);
+}
+
+// ---- all at once ----
+
+void DynamicTree::rebuild() {
+    nodes_.clear();
+    above_.clear();
+    free_node_ = null_node;
+    sorted_.clear();
+    for (std::size_t k = 0; k < leaves_.size(); k++)
+        if (leaves_[k].category != 0)
+            sorted_.push_back({rounded_out(leaves_[k].box), static_cast<std::int32_t>(k)});
+    if (sorted_.empty()) {
+        root_ = none;
+        return;
+    }
+    nodes_.reserve(sorted_.size() - 1);
+    above_.reserve(sorted_.size() - 1);
+    root_ = build(sorted_, null_node);
+}
+
+// Nodes come in the order in which a query walks down.
+DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t parent) {
+    if (leaves.size() == 1) {
+        at(leaves[0].leaf).parent = parent;
+        return ~leaves[0].leaf;
+    }
+    // Along the axis on which the middles (twice them) lie farthest apart.
+    const auto middle = [](const Box& b, int k) { return b.low[k] + b.high[k]; };
+    float low[3], high[3];
+    for (int k = 0; k < 3; k++) low[k] = high[k] = middle(leaves[0].box, k);
+    for (const Sorted& leaf : leaves)
+        for (int k = 0; k < 3; k++) {
+            low[k] = std::min(low[k], middle(leaf.box, k));
+            high[k] = std::max(high[k], middle(leaf.box, k));
+        }
+    int axis = 0;
+    for (int k = 1; k < 3; k++)
+        if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+
+    std::size_t cut = leaves.size() / 2;
+    constexpr int bins = 8;
+    const float width = high[axis] - low[axis];
+    const float scale = static_cast<float>(bins) / width;
+    if (leaves.size() > 2 && width > 0 && scale < 1e30f) {
+        const auto bin_of = [&](const Sorted& leaf) {
+            return std::min(bins - 1,
+                            static_cast<int>((middle(leaf.box, axis) - low[axis]) * scale));
+        };
+        std::size_t count[bins] = {};
+        Box box[bins];
+        for (const Sorted& leaf : leaves) {
+            const int b = bin_of(leaf);
+            box[b] = count[b] == 0 ? leaf.box : unite(box[b], leaf.box);
+            count[b]++;
+        }
+        // What the upper bins cost, from the top.
+        float upper[bins] = {};
+        Box sum;
+        std::size_t many = 0;
+        for (int b = bins - 1; b > 0; b--) {
+            if (count[b] != 0) sum = many == 0 ? box[b] : unite(sum, box[b]);
+            many += count[b];
+            upper[b] = many == 0 ? 0 : half_area(sum) * static_cast<float>(many);
+        }
+        // The lowest and the highest bin are never empty, so every cut has leaves on both sides.
+        int best = 1;
+        float least = 0;
+        many = 0;
+        for (int b = 1; b < bins; b++) {
+            if (count[b - 1] != 0) sum = many == 0 ? box[b - 1] : unite(sum, box[b - 1]);
+            many += count[b - 1];
+            const float cost = half_area(sum) * static_cast<float>(many) + upper[b];
+            if (b == 1 || cost < least) {
+                best = b;
+                least = cost;
+            }
+        }
+        const auto end = std::partition(leaves.begin(), leaves.end(),
+                                        [&](const Sorted& leaf) { return bin_of(leaf) < best; });
+        cut = static_cast<std::size_t>(end - leaves.begin());
+    }
+    // Where all middles coincide any half is as good.
+    if (cut == 0 || cut == leaves.size()) cut = leaves.size() / 2;
+
+    const std::int32_t made = take_node();
+    above(made).parent = parent;
+    const Child first = build(leaves.first(cut), made), second = build(leaves.subspan(cut), made);
+    Node& n = node(made);
+    n.child[0] = first;
+    n.child[1] = second;
+    for (int k = 0; k < 2; k++) {
+        n.box[k] = bounds_of(n.child[k]);
+        n.categories[k] = categories_of(n.child[k]);
+    }
+    measure_height(made);
+    return made;
 }
 
 }  // namespace jostle::physics

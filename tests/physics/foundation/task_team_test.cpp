@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "foundation/task_team.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+namespace jostle::test {
+namespace {
+using physics::TaskTeam;
+
+TEST(TaskTeam, a_range_is_covered_once) {
+    for (const int threads : {1, 2, 5}) {
+        TaskTeam team(threads);
+        for (int round = 0; round < 200; round++) {
+            std::vector<int> seen(1000 + static_cast<std::size_t>(round), 0);
+            team.run(static_cast<int>(seen.size()), 7, [&](int begin, int end) {
+                for (int k = begin; k < end; k++) seen[static_cast<std::size_t>(k)]++;
+            });
+            for (const int times : seen) ASSERT_EQ(times, 1);
+        }
+    }
+}
+
+// Whoever takes it, the job is done once, and before finish() returns; ranges go on beside it.
+TEST(TaskTeam, a_job_is_done_once_beside_ranges) {
+    for (const int threads : {1, 2, 5}) {
+        TaskTeam team(threads);
+        for (int round = 0; round < 2000; round++) {
+            int done = 0;
+            std::atomic<int> sum{0};
+            team.start([&] { done++; });
+            for (int part = 0; part < round % 4; part++)
+                team.run(64, 1, [&](int begin, int end) { sum += end - begin; });
+            team.finish();
+            ASSERT_EQ(done, 1) << threads << " threads, round " << round;
+            ASSERT_EQ(sum, 64 * (round % 4));
+        }
+        team.finish();  // of nothing
+    }
+}
+
+}  // namespace
+}  // namespace jostle::test

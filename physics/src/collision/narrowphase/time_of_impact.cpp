@@ -52,9 +52,48 @@ bool pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
-// gap_at(t, exact): what is not exact may say less than the distance.
-template <class GapAt>
-Impact advance(const SweptShape& a, const SweptShape& b, const Search& way, GapAt&& gap_at) {
+// For how long from the fraction t on the shapes stay apart, at least, as a fraction of the step:
+// `least`, as is known, or longer; beyond `way` if they do not meet on it.
+//
+// To second order, along the one normal n: a time d later a point p of a body that turns by w is at
+// most at p . (n + d (n x w)) + w^2 d^2 r / 2. So with the shapes' support functions h about their
+// bodies' centres the gap is at least
+//   n . (centres apart) - ha(n + d (n x wa)) - hb(-n - d (n x wb)) - d^2 (wa^2 ra + wb^2 rb) / 2.
+// Support functions are convex, so this is concave in d: where it is positive at both ends of a
+// time it is positive in between, and its chords lie below it.
+template <class ExtentA, class ExtentB>
+double safe_step(const SweptShape& a, const SweptShape& b, Vec3 n, double t, const Search& way,
+                 double least, ExtentA&& extent_a, ExtentB&& extent_b) {
+    const Vec3 apart = center_at(b.sweep, t) - center_at(a.sweep, t);
+    const Vec3 motion = b.sweep.motion - a.sweep.motion;
+    const Vec3 turn_a = cross(n, a.sweep.turn), turn_b = cross(n, b.sweep.turn);
+    const double bend = 0.5 * (length_squared(a.sweep.turn) * a.radius +
+                               length_squared(b.sweep.turn) * b.radius);
+    const auto left_at = [&](double d) {
+        return dot(n, apart + motion * d) - extent_a(n + turn_a * d) - extent_b(-(n + turn_b * d)) -
+               bend * d * d - way.gap;
+    };
+    double high = way.until - t, at_high = left_at(high);
+    if (at_high > 0) return 2;
+    double low = least, at_low = left_at(low);
+    for (int k = 0; k < 8 && at_low > 0.5 * way.gap; k++) {
+        const double chord = low + (high - low) * at_low / (at_low - at_high);
+        const double at_chord = left_at(chord);
+        if (at_chord <= 0) break;  // rounding
+        low = chord;
+        at_low = at_chord;
+        const double middle = 0.5 * (low + high), at_middle = left_at(middle);
+        (at_middle > 0 ? low : high) = middle;
+        (at_middle > 0 ? at_low : at_high) = at_middle;
+    }
+    return low;
+}
+
+// gap_at(t, exact): what is not exact may say less than the distance. step_from(normal, t, least):
+// safe_step() from the last gap on.
+template <class GapAt, class StepFrom>
+Impact advance(const SweptShape& a, const SweptShape& b, const Search& way, GapAt&& gap_at,
+               StepFrom&& step_from) {
     constexpr int rounds_max = 400;
     double t = way.from;
     for (int round = 0; round < rounds_max; round++) {
@@ -66,7 +105,9 @@ Impact advance(const SweptShape& a, const SweptShape& b, const Search& way, GapA
         const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
         // All points move apart along a direction that separates: they never meet.
         if (speed <= 0) return {};
-        t += (now.distance - way.gap) / speed;
+        const double step = (now.distance - way.gap) / speed;
+        if (t + step > way.until) return {};
+        t += step_from(now.normal, t, step);
         if (t > way.until) return {};
     }
     // Met, or creeping towards each other: what is left is shorter than rounding can tell.
@@ -89,29 +130,45 @@ Convex convex_at(const SweptShape& shape, const Placed& placed, Vec3 origin) {
     return c;
 }
 
+// The support function of a shape that stands at `arm` from its body's centre.
+auto extent_of(const Convex& c, Vec3 arm) {
+    return [&c, arm](Vec3 direction) {
+        return dot(support(c, direction) + arm, direction) + c.radius * length(direction);
+    };
+}
+
 Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const Search& way) {
-    return advance(plane, shape, way, [&](double t, bool) {
+    const auto gap_at = [&](double t, bool) {
         const Placed pp = placed_at(plane, t), ps = placed_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
         const Convex c = convex_at(shape, ps, pp.position);
         const Vec3 lowest = support(c, -n) - n * c.radius;
         const double distance = dot(lowest, n);
         return Gap{distance, n, pp.position + lowest - n * (0.5 * distance)};
-    });
+    };
+    return advance(plane, shape, way, gap_at, [](Vec3, double, double least) { return least; });
 }
 
 Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
     Vec3 hint;
+    Convex ca, cb;
+    Vec3 origin;
     const double most = closing_at_most(a, b);
-    return advance(a, b, way, [&](double t, bool exact) {
+    const auto gap_at = [&](double t, bool exact) {
         const Placed pa = placed_at(a, t), pb = placed_at(b, t);
-        const Convex ca = convex_at(a, pa, pa.position), cb = convex_at(b, pb, pa.position);
+        origin = pa.position;
+        ca = convex_at(a, pa, origin);
+        cb = convex_at(b, pb, origin);
         const double radii = ca.radius + cb.radius;
         const GjkGoal early{
             .beyond = radii + way.gap + most * (way.until - t), .loose = loose, .radii = radii};
         const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
         hint = g.normal;
-        return gap_of(g, ca.radius, cb.radius, pa.position);
+        return gap_of(g, ca.radius, cb.radius, origin);
+    };
+    return advance(a, b, way, gap_at, [&](Vec3 n, double t, double least) {
+        return safe_step(a, b, n, t, way, least, extent_of(ca, origin - center_at(a.sweep, t)),
+                         extent_of(cb, origin - center_at(b.sweep, t)));
     });
 }
 
@@ -139,9 +196,18 @@ Rod rod_at(const SweptShape& shape, double t) {
             capsule.half_length * shape.scale, capsule.radius * shape.scale};
 }
 
+auto extent_of(const Rod& rod, Vec3 center) {
+    return [&rod, arm = rod.middle - center](Vec3 direction) {
+        return dot(arm, direction) + rod.half * absolute(dot(rod.direction, direction)) +
+               rod.radius * length(direction);
+    };
+}
+
 Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
-    return advance(a, b, way, [&](double t, bool) {
-        const Rod ra = rod_at(a, t), rb = rod_at(b, t);
+    Rod ra, rb;
+    const auto gap_at = [&](double t, bool) {
+        ra = rod_at(a, t);
+        rb = rod_at(b, t);
         const SegmentPair at =
             closest_on_segments(ra.middle, ra.direction, ra.half, rb.middle, rb.direction, rb.half);
         const Vec3 on_a = ra.middle + ra.direction * at.s, on_b = rb.middle + rb.direction * at.t;
@@ -149,6 +215,10 @@ Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
         const Vec3 normal = normalized(on_b - on_a);
         return Gap{apart - ra.radius - rb.radius, normal,
                    (on_a + normal * ra.radius + on_b - normal * rb.radius) * 0.5};
+    };
+    return advance(a, b, way, gap_at, [&](Vec3 n, double t, double least) {
+        return safe_step(a, b, n, t, way, least, extent_of(ra, center_at(a.sweep, t)),
+                         extent_of(rb, center_at(b.sweep, t)));
     });
 }
 
@@ -188,20 +258,26 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
     for_each_triangle(
         *surface.geometry, grow(way_in(surface, shape, way), 2 * way.gap),
         [&](const SurfaceTriangle& t) {
-            Vec3 hint;
-            const Impact impact = advance(surface, shape, way, [&](double at, bool exact) {
+            Vec3 hint, origin;
+            Convex triangle, c;
+            const auto gap_at = [&](double at, bool exact) {
                 const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
-                const Convex triangle =
-                    triangle_convex(t.corner, ps.position - pc.position, ps.axes);
-                const Convex c = convex_at(shape, pc, pc.position);
+                origin = pc.position;
+                triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
+                c = convex_at(shape, pc, origin);
                 const GjkGoal early{.beyond = c.radius + way.gap + most * (way.until - at),
                                     .loose = loose,
                                     .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
                 hint = g.normal;
-                return gap_of(g, 0, c.radius, pc.position);
-            });
-            keep_first(best, impact);
+                return gap_of(g, 0, c.radius, origin);
+            };
+            const auto step_from = [&](Vec3 n, double at, double least) {
+                return safe_step(surface, shape, n, at, way, least,
+                                 extent_of(triangle, origin - center_at(surface.sweep, at)),
+                                 extent_of(c, origin - center_at(shape.sweep, at)));
+            };
+            keep_first(best, advance(surface, shape, way, gap_at, step_from));
         });
     return best;
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// The moment of an impact against the slab oracle (support/convex_oracle.h): up to it the shapes
+// are apart wherever one looks, then they are within the gap; who never meets is apart throughout.
+#include "collision/narrowphase/time_of_impact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/convex_oracle.h"
+#include "support/random_shapes.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+constexpr double gap = 1e-3;  // m
+
+struct Mover {
+    Geometry geometry;
+    SweptShape swept;
+
+    Transform pose(double fraction) const {
+        const Vec3 center = center_at(swept.sweep, fraction);
+        const Quat rotation = rotation_at(swept.sweep, fraction);
+        return {center + rotate(rotation, swept.offset), rotation};
+    }
+};
+
+// A shape off its body's centre, which goes and turns at random: up to `turn` rad in the step.
+Mover random_mover(ShapeKind kind, Vec3 center, Vec3 motion, double turn, Random& random) {
+    Mover m{random_geometry(kind, random), {}};
+    m.swept.offset = random.vector(0.3);
+    m.swept.axes = to_matrix(Quat{});
+    double furthest = 0;
+    for (int k = 0; k < 600; k++)
+        furthest = std::max(furthest, support(m.geometry, {}, random.direction()));
+    m.swept.radius = 1.05 * furthest + length(m.swept.offset);
+    m.swept.sweep = {0, center, random_rotation(random), motion, random.direction() * turn};
+    return m;
+}
+
+TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
+    Random random(11);
+    const ShapeKind kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, ShapeKind::box,
+                               ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};
+    int met = 0, passed = 0;
+    double worst_early = 0;  // m
+    for (int round = 0; round < 72; round++) {
+        const double turns[] = {0, 0.3, 3, 12};
+        const Vec3 place = random.direction() * random.in(3, 6);
+        Mover a = random_mover(kinds[round % 6], {}, random.vector(1), turns[random.below(4)],
+                               random),
+              b = random_mover(kinds[round / 6 % 6], place, place * -1.5 + random.vector(2),
+                               turns[random.below(4)], random);
+        a.swept.geometry = &a.geometry;
+        b.swept.geometry = &b.geometry;
+        const auto distance_at = [&](double fraction) {
+            return separation(a.geometry, a.pose(fraction), b.geometry, b.pose(fraction)).distance;
+        };
+        const Impact hit = time_of_impact(a.swept, b.swept, 0, gap);
+        if (hit.at_start) continue;
+        const bool meets = hit.fraction <= 1;
+        (meets ? met : passed)++;
+        const int samples = 24;
+        for (int k = 0; k < samples; k++) {
+            const double fraction = (meets ? hit.fraction : 1.0) * k / samples;
+            ASSERT_GT(distance_at(fraction), 0.9 * gap) << "round " << round << ", at " << fraction;
+        }
+        if (!meets) continue;
+        const double there = distance_at(hit.fraction);
+        EXPECT_GT(there, 0.9 * gap) << "round " << round;
+        worst_early = std::max(worst_early, there);
+    }
+    RecordProperty("met", met);
+    RecordProperty("passed", passed);
+    EXPECT_GT(met, 20);
+    EXPECT_GT(passed, 20);
+    EXPECT_LT(worst_early, 2.2 * gap);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -28,7 +28,7 @@ const std::map<std::string, Moving> moving_names = {
 
 constexpr const char* footer = R"(
 A broad phase finds the boxes that overlap. A world keeps a fat box for each body and tells the broad phase only when a
-body has left its own. One step here: move() for each fat box that was left, settle(), and query() for each that moved;
+body has left its own. One step here: move_all() of the fat boxes that were left, settle(), query() for each that moved;
 every pair found is counted once. Bodies fly straight at 0.5 to 3 m/s, 60 steps a second. All kinds replay the same
 recorded moves, turn by turn, from a copy of the same start.
 
@@ -114,12 +114,15 @@ Answers replay_steps(BroadPhaseIndex& index, const Contender& contender, const W
                      std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
     Answers answers;
     std::uint32_t step = 0;
+    std::vector<BroadPhaseIndex::Move> left;
     for (const auto& moves : work.steps) {
         step++;
+        left.clear();
         for (const Move& move : moves) {
-            index.move(contender.handles[move.body], move.fat);
+            left.push_back({contender.handles[move.body], move.fat});
             moved_in[move.body] = step;
         }
+        index.move_all(left);
         index.settle();
         for (const Move& move : moves) {
             found.clear();

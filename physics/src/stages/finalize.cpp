@@ -46,12 +46,15 @@ Skipped finalize(StepContext& step) {
             ask_for_pairs(world, s);
         }
     }
-    // Nobody asks the trees before the sweeps do.
-    if (!moves.empty())
-        step.team.start([&shapes = world.shapes, &moves] {
-            shapes.moving->move_all(moves);
-            shapes.moving->settle();
-        });
+    const auto tell_trees = [&shapes = world.shapes, &moves] {
+        shapes.moving->move_all(moves);
+        shapes.moving->settle();
+    };
+    // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
+    if (moves.size() >= 64)
+        step.team.start(tell_trees);
+    else if (!moves.empty())
+        tell_trees();
     return ran;
 }
 

@@ -116,7 +116,8 @@ TEST(Sleeping, taking_a_fixed_support_away_wakes_too) {
 }
 
 // In a heap overlaps give way for a while, and what lies on them goes along. Of 40 such silos 35
-// slept after 10 s; in the others something still rolled, or had just slipped: which ones is chance.
+// slept after 10 s; in the others something still rolled, or had just slipped: which ones is
+// chance.
 TEST(Sleeping, silos_of_balls_boxes_and_capsules_fall_asleep_within_10_s) {
     int asleep = 0;
     for (std::uint64_t seed = 1; seed <= 5; seed++) {

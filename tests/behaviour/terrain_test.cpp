@@ -179,8 +179,8 @@ TEST(Terrain, rubble_comes_to_rest_on_crumpled_ground) {
     }
     run(world, 15);
     EXPECT_LT(world.summary().max_penetration, 0.004);
-    // A cone may roll for long and keep awake whom it touches: of eight such grounds one had stones,
-    // two, that still moved with it at 2 to 7 cm/s. All others rest.
+    // A cone may roll for long and keep awake whom it touches: of eight such grounds one had
+    // stones, two, that still moved with it at 2 to 7 cm/s. All others rest.
     int awake = 0;
     for (const BodyId stone : stones) {
         awake += state_of(world, stone).awake ? 1 : 0;

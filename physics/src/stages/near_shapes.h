@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which shapes a body under way may meet: those in the trees, the planes, and all bodies that were
-// fast in this step, by their ways. Only reading; one thread.
+// fast in this step, by their ways. Reads the world; for one thread.
 #pragma once
 
 #include <cstdint>

@@ -206,8 +206,7 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            if (courses_.may_meet(world_, course, cold, met, other) && visit(other))
-                return;
+            if (courses_.may_meet(world_, course, cold, met, other) && visit(other)) return;
         }
     }
 
@@ -575,11 +574,11 @@ private:
 
     StepContext& step_;
     WorldState& world_;
-    std::vector<std::uint32_t> fast_;   // awake indices, rising
-    Courses courses_;                   // in the whole step
+    std::vector<std::uint32_t> fast_;  // awake indices, rising
+    Courses courses_;                  // in the whole step
     NearShapes near_{world_, fast_};
-    Expectations expectations_;         // of travellers, by whom they meet next
-    std::vector<std::size_t> met_;      // scratch
+    Expectations expectations_;     // of travellers, by whom they meet next
+    std::vector<std::size_t> met_;  // scratch
     std::vector<Traveller> travellers_;
     std::vector<double> next_;  // by traveller: when something next happens to it
     std::vector<std::size_t> to_look_;

@@ -136,6 +136,12 @@ TEST(DynamicTree, is_made_anew_of_anything) {
     EXPECT_EQ(asked(same, {{2, 3, 4}, {9, 9, 9}}).size(), 1000u);
     EXPECT_EQ(asked(far, {{0, 0, 0}, {1e30, 1, 1}}).size(), 1000u);
     EXPECT_LE(far.height(), 400);
+    // What is in no category is found by nobody, and stays.
+    const std::int32_t nobody = same.insert({{1, 2, 3}, {2, 3, 4}}, 1000, 0);
+    same.rebuild();
+    EXPECT_EQ(same.leaf_count(), 1001);
+    EXPECT_EQ(asked(same, {{2, 3, 4}, {9, 9, 9}}).size(), 1000u);
+    same.remove(nobody);
     DynamicTree empty;
     empty.rebuild();
     EXPECT_TRUE(asked(empty, {{0, 0, 0}, {1, 1, 1}}).empty());

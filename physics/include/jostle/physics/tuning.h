@@ -106,9 +106,9 @@ inline constexpr double freeze_time = 0.5;  // s
 inline constexpr int freeze_least = 16;
 inline constexpr double freeze_share = 0.8;  // of the island's bodies, at least
 inline constexpr int freeze_interval = 8;
-// A frozen body thaws when the force at a contact changes by more than this share of what it was and
-// this share of the body's weight. Forces within a heap shift all the time by less: a micrometre of
-// overlap bears half a weight.
+// A frozen body thaws when the force at a contact changes by more than this share of what it was
+// and this share of the body's weight. Forces within a heap shift all the time by less: a
+// micrometre of overlap bears half a weight.
 inline constexpr double thaw_share = 0.5;
 inline constexpr double thaw_weight = 0.5;
 // What is hit thaws with so much around it that all of that together would take over the momentum

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "foundation/check.h"
-
 namespace jostle::physics {
 
 DynamicTree::Box DynamicTree::bounds_of(Child child) const {
@@ -29,6 +27,7 @@ std::int32_t DynamicTree::take_node() {
     }
     const std::int32_t i = free_node_;
     free_node_ = above(i).parent;
+    above(i) = {};
     return i;
 }
 
@@ -38,7 +37,6 @@ void DynamicTree::give_back_node(std::int32_t i) {
 }
 
 std::int32_t DynamicTree::add(const Aabb& box, std::uint32_t item, std::uint32_t category) {
-    ASSERT(category != 0);
     std::int32_t leaf = free_leaf_;
     if (leaf == null_node) {
         leaves_.emplace_back();
@@ -46,7 +44,7 @@ std::int32_t DynamicTree::add(const Aabb& box, std::uint32_t item, std::uint32_t
     } else {
         free_leaf_ = at(leaf).parent;
     }
-    at(leaf) = {box, item, category, null_node};
+    at(leaf) = {box, item, category, null_node, true};
     leaf_count_++;
     return leaf;
 }
@@ -59,7 +57,7 @@ std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item, std::uint3
 
 void DynamicTree::remove(std::int32_t leaf) {
     unlink(leaf);
-    at(leaf).category = 0;
+    at(leaf).used = false;
     at(leaf).parent = free_leaf_;
     free_leaf_ = leaf;
     leaf_count_--;
@@ -208,7 +206,7 @@ void DynamicTree::rebuild() {
     free_node_ = null_node;
     sorted_.clear();
     for (std::size_t k = 0; k < leaves_.size(); k++)
-        if (leaves_[k].category != 0)
+        if (leaves_[k].used)
             sorted_.push_back({rounded_out(leaves_[k].box), static_cast<std::int32_t>(k)});
     if (sorted_.empty()) {
         root_ = none;
@@ -217,6 +215,7 @@ void DynamicTree::rebuild() {
     nodes_.reserve(sorted_.size() - 1);
     above_.reserve(sorted_.size() - 1);
     root_ = build(sorted_, null_node);
+    sorted_.clear();  // copies of the tree need none of it
 }
 
 // Nodes come in the order in which a query walks down.

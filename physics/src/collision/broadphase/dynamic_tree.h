@@ -32,7 +32,7 @@ public:
     void move(std::int32_t leaf, const Aabb& box);  // handle stays
     void clear();
 
-    // Changes the box of a leaf, or adds a leaf, that nobody finds until rebuild().
+    // Changes the box of a leaf, or adds a leaf. The tree is not to be used before rebuild().
     void change(std::int32_t leaf, const Aabb& box) { at(leaf).box = box; }
     std::int32_t add(const Aabb& box, std::uint32_t item, std::uint32_t category = 1);
     // Makes a new tree of all leaves: about 0.2 microseconds each.
@@ -130,8 +130,9 @@ private:
     struct Leaf {
         Aabb box;
         std::uint32_t item = 0;
-        std::uint32_t category = 0;  // 0: on the free list
+        std::uint32_t category = 0;
         std::int32_t parent = null_node;  // next free leaf when on the free list
+        bool used = false;
     };
 
     // A branch that a ray is still to look into, and where along the ray it begins.
@@ -188,7 +189,8 @@ private:
     static Box rounded_out(const Aabb& box) {
         Box out;
         for (int k = 0; k < 3; k++) {
-            const float low = static_cast<float>(box.low[k]), high = static_cast<float>(box.high[k]);
+            const float low = static_cast<float>(box.low[k]),
+                        high = static_cast<float>(box.high[k]);
             out.low[k] = low - (1.2e-7f * (low < 0 ? -low : low) + 1e-30f);
             out.high[k] = high + (1.2e-7f * (high < 0 ? -high : high) + 1e-30f);
         }

@@ -67,8 +67,8 @@ double safe_step(const SweptShape& a, const SweptShape& b, Vec3 n, double t, con
     const Vec3 apart = center_at(b.sweep, t) - center_at(a.sweep, t);
     const Vec3 motion = b.sweep.motion - a.sweep.motion;
     const Vec3 turn_a = cross(n, a.sweep.turn), turn_b = cross(n, b.sweep.turn);
-    const double bend = 0.5 * (length_squared(a.sweep.turn) * a.radius +
-                               length_squared(b.sweep.turn) * b.radius);
+    const double bend =
+        0.5 * (length_squared(a.sweep.turn) * a.radius + length_squared(b.sweep.turn) * b.radius);
     const auto left_at = [&](double d) {
         return dot(n, apart + motion * d) - extent_a(n + turn_a * d) - extent_b(-(n + turn_b * d)) -
                bend * d * d - way.gap;

@@ -168,6 +168,32 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
     EXPECT_GT(touching, 0);
 }
 
+// An edge of a box that lies in the plane of a triangle, or nearly so, across one of its edges: out
+// of the triangle is either way, and only the box tells which of them is meant.
+TEST(CompositeOracle, boxes_that_lie_along_a_flat_field_are_not_missed) {
+    const HeightGrid grid{
+        .columns = 2, .rows = 2, .spacing_x = 1.5, .spacing_z = 1.2, .heights = {0, 0, 0, 0}};
+    const Geometry field = HeightField{must(build_height_field(grid))};
+    Random random(1294);
+    int touching = 0;
+    for (int round = 0; round < 2000; round++) {
+        const Geometry box = Box{{random.in(0.1, 1), random.in(0.1, 1), random.in(0.1, 1)}};
+        // Turned about the upright and then about one of its own level edges.
+        const double tilts[] = {0, 1e-12, 1e-9, 1e-6};
+        const Quat yaw = from_rotation_vector({0, random.in(-3, 3), 0});
+        const Quat roll = from_rotation_vector({random.in(-3, 3), 0, tilts[random.below(4)]});
+        const Transform pose{{random.in(-1, 1), random.in(-0.5, 0.5), random.in(-1, 1)},
+                             yaw * roll};
+        const Placed ground = placed(field, {}), lying = placed(box, pose);
+        if (!shapes_overlap(ground, lying)) continue;
+        touching++;
+        std::vector<PartManifold> manifolds;
+        collide_composite(ground, lying, margin, manifolds);
+        EXPECT_FALSE(manifolds.empty()) << "round " << round;
+    }
+    EXPECT_GT(touching, 500);
+}
+
 std::vector<std::pair<ShapeKind, ShapeKind>> every_pair() {
     std::vector<std::pair<ShapeKind, ShapeKind>> pairs;
     for (const ShapeKind a : {ShapeKind::mesh, ShapeKind::height_field, ShapeKind::compound})

@@ -22,6 +22,7 @@ constexpr std::uint32_t second_of(AxisCode code) {
 struct Pair {
     Polyhedron a, b;
     Vec3 vertices_b[max_hull_vertices];
+    Vec3 middle_b;
     Vec3 position;  // of b's frame in a's
     Mat3 axes;      // b's axes in a's
 
@@ -98,7 +99,8 @@ Best edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     const double l2 = length_squared(n), uu = length_squared(u), vv = length_squared(v);
     if (l2 < 1e-10 * uu * vv) return {};  // parallel: a face says it better
     n = n * (1 / square_root(l2));
-    if (dot(n, pa - p.a.middle) < 0) n = -n;
+    // Out of a and into b: of a triangle's edge with one that lies in its plane only b can tell.
+    if (dot(n, pa - p.a.middle) < dot(n, pb - p.middle_b)) n = -n;
     const Vec3 r = pb - pa;
     const Nearest at = nearest_on_edges(r, u, v, 0);
     return {dot(n, r), n, edge_pair | ea << 14 | eb, pa + u * at.s, pb + v * at.t};
@@ -128,6 +130,7 @@ void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts
     p.b = polyhedron_of(b, parts_b);
     p.position = transposed_times(a.axes, b.position - a.position);
     p.axes = transpose(a.axes) * b.axes;
+    p.middle_b = p.position + p.axes * p.b.middle;
     for (std::size_t k = 0; k < p.b.vertices.size(); k++)
         p.vertices_b[k] = p.position + p.axes * p.b.vertices[k];
 }

@@ -221,6 +221,7 @@ TEST(Continuous, what_a_bullet_throws_stops_at_the_wall_behind) {
             add(world, {.geometry = Box{{0.005, 5, 5}}, .type = BodyType::fixed});
             const BodyId ball = add(world, {.geometry = Sphere{0.1}, .position = {-1, 0, 0}});
             if (asleep) run(world, 1);
+            ASSERT_EQ(state_of(world, ball).awake, !asleep);
             const BodyId bullet = add(world, {.geometry = Sphere{0.1},
                                               .position = {-3 - phase * 200.0 / 60 / 16, 0, 0},
                                               .velocity = {200, 0, 0}});

@@ -69,10 +69,6 @@ void DynamicTree::move(std::int32_t leaf, const Aabb& box) {
     link(leaf);
 }
 
-void DynamicTree::clear() {
-    *this = DynamicTree{};
-}
-
 // Walks down while a child can take the leaf for less added surface than making a sibling here.
 void DynamicTree::link(std::int32_t leaf) {
     const Child child = ~leaf;

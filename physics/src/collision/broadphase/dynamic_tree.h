@@ -30,7 +30,6 @@ public:
     std::int32_t insert(const Aabb& box, std::uint32_t item, std::uint32_t category = 1);
     void remove(std::int32_t leaf);
     void move(std::int32_t leaf, const Aabb& box);  // handle stays
-    void clear();
 
     // Changes the box of a leaf, or adds a leaf. The tree is not to be used before rebuild().
     void change(std::int32_t leaf, const Aabb& box) { at(leaf).box = box; }

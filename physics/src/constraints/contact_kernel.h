@@ -364,11 +364,13 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         // age the manifold. So does a turn about its only point: a long body may come down beside
         // it.
         const Wide lever = max(load(m.lever), splat(0.3f));
-        const Wide age = load(side.moved) + root(dot(motion.moved, motion.moved)) +
+        const Wide way = root(dot(motion.moved, motion.moved)) +
                          lever * root(dot(motion.turned, motion.turned)) +
                          splat(0.3f) * root(dot(motion.turned_a, motion.turned_a));
+        const Wide age = load(side.moved) + way;
         store(side.moved, age);
-        report.aged = lane_bits(age > splat(set.reuse));
+        report.aged = lane_bits(age > splat(set.reuse)) |
+                      lane_bits(way > splat(kPoints == 1 ? set.single_pace : set.pace));
         // Presses now, or pressed a step ago and has hardly parted.
         report.touching =
             lane_bits(total > zero) | (side.touching & lane_bits(nearest < splat(set.touch_gap)));

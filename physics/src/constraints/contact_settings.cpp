@@ -37,6 +37,8 @@ ContactSettings contact_settings(double dt, const WorldDef& world, Effort effort
             .forget = f(minimum(1, dt / steady_time)),
             .uneven = low ? 1.0f : 0.0f,
             .reuse = f(tuning::reuse_distance),
+            .pace = f(tuning::reuse_speed * dt),
+            .single_pace = f(tuning::single_reuse_speed * dt),
             .touch_gap = f(tuning::touch_gap),
             .restitution_speed = f(tuning::restitution_speed)};
 }

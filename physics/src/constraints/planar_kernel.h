@@ -210,10 +210,11 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
             store(m.steady[i], steady + splat(set.forget) * (aim - steady));
         }
         const Wide size = root(turned * turned);
-        const Wide age = load(side.moved) + root(mx * mx + my * my) + load(m.lever) * size +
-                         splat(0.3f) * root(dar * dar);
+        const Wide way =
+            root(mx * mx + my * my) + load(m.lever) * size + splat(0.3f) * root(dar * dar);
+        const Wide age = load(side.moved) + way;
         store(side.moved, age);
-        report.aged = lane_bits(age > splat(set.reuse));
+        report.aged = lane_bits(age > splat(set.reuse)) | lane_bits(way > splat(set.pace));
         report.touching = lane_bits(sum > zero) |
                           (side.touching & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
     }

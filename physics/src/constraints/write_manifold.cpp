@@ -66,20 +66,6 @@ int match(const Carried& old, bool taken[4], Vec3 point, double reach) {
     return best;
 }
 
-// The point of contact goes along with a round body that rolls on a flat one; of two alike it stays
-// between them. What is not pushed need not be thought of.
-float share_of(const WorldState& world, const Contact& contact, const BodyCold& b) {
-    if (b.type != BodyType::dynamic) return 0;
-    const auto is_round = [&](std::uint32_t shape) {
-        const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
-        return kind == ShapeKind::sphere || kind == ShapeKind::capsule ||
-               kind == ShapeKind::cylinder || kind == ShapeKind::cone;
-    };
-    const bool round_a = is_round(contact.shape_a), round_b = is_round(contact.shape_b);
-    if (round_a == round_b) return 0.5f;
-    return round_a ? 0.0f : 1.0f;
-}
-
 // The radius of the small disc in which round bodies touch in truth: what lets a ball that spins on
 // the spot come to rest.
 double patch_of(const WorldState& world, const Contact& contact) {
@@ -118,6 +104,18 @@ bool is_rough(const BlockRough& rough, int lane) {
 }
 
 }  // namespace
+
+double share_of(const WorldState& world, const Contact& contact) {
+    if (world.bodies.cold[contact.body_b].type != BodyType::dynamic) return 0;
+    const auto is_round = [&](std::uint32_t shape) {
+        const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
+        return kind == ShapeKind::sphere || kind == ShapeKind::capsule ||
+               kind == ShapeKind::cylinder || kind == ShapeKind::cone;
+    };
+    const bool round_a = is_round(contact.shape_a), round_b = is_round(contact.shape_b);
+    if (round_a == round_b) return 0.5;
+    return round_a ? 0 : 1;
+}
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
     const LanePlace place = place_of(world, contact);
@@ -159,7 +157,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         if (used) lever += square_root(x * x + y * y) / m.count;
     }
     block.lever[lane] = as_float(maximum(lever, patch_of(world, contact)));
-    block.share[lane] = share_of(world, contact, cb);
+    block.share[lane] = as_float(share_of(world, contact));
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
     if (fresh) block.twist[lane] = 0;

@@ -18,4 +18,9 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 // The bits that lanes of one block share in a byte; serially, after write_manifold.
 void finish_manifold(WorldState& world, const Contact& contact);
 
+// Which body the point of contact travels with: 0 is a, 1 is b, between them both. It goes along
+// with a round body that rolls on a flat one; of two alike it stays between them. What is not
+// pushed need not be thought of.
+double share_of(const WorldState& world, const Contact& contact);
+
 }  // namespace jostle::physics

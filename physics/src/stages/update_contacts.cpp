@@ -10,6 +10,7 @@
 #include "constraints/write_manifold.h"
 #include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
+#include "stages/mid_step_pair.h"
 #include "stages/sweep_rule.h"
 #include "stages/waiting_rule.h"
 #include "state/frozen.h"
@@ -188,13 +189,16 @@ void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>&
     }
 }
 
-void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, const Placed& b,
-                       double dt) {
+void look_at_composite(WorldState& world, ContactCheck& check, double dt) {
     const Contact& c = world.contacts.contacts[check.contact];
     const double way = closing_way(world, c, dt);
     check.near = closing_reach(world, c, way) + composite_slack;
     std::vector<PartManifold> parts;
-    collide_composite(a, b, tuning::speculative_margin + check.near, parts);
+    const MidStepPair pair(world, c, way, dt);
+    collide_composite(pair.shape_a(), pair.shape_b(), tuning::speculative_margin + check.near,
+                      parts);
+    for (PartManifold& part : parts) pair.count_back(part.manifold);
+    check.near -= pair.way_ahead();
     std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
@@ -205,12 +209,6 @@ void look_at_composite(WorldState& world, ContactCheck& check, const Placed& a, 
         check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
     }
     match_parts(world, c, found);
-}
-
-double smallest_gap(const Manifold& m) {
-    double gap = m.distance;
-    for (int i = 0; i < m.count; i++) gap = i == 0 ? m.gap[0] : minimum(gap, m.gap[i]);
-    return gap;
 }
 
 // Contacts, their bodies and shapes lie anywhere: asked for in the order in which one leads to the
@@ -234,13 +232,16 @@ void fetch_ahead(const WorldState& world, int k, int end) {
 }
 
 // The points where a pair may touch in this step.
-Manifold manifold_ahead(const WorldState& world, Contact& c, const Placed& a, const Placed& b,
-                        double dt) {
-    const auto within = [&](double margin) {
-        return world.def.planar ? collide_planar(a, b, margin, c.cache)
-                                : collide(a, b, margin, c.cache);
-    };
+Manifold manifold_ahead(const WorldState& world, Contact& c, double dt) {
     const double way = closing_way(world, c, dt);
+    const MidStepPair pair(world, c, way, dt);
+    const auto within = [&](double margin) {
+        const Placed &a = pair.shape_a(), &b = pair.shape_b();
+        Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
+                                      : collide(a, b, margin, c.cache);
+        pair.count_back(m);
+        return m;
+    };
     if (will_be_swept(world, c, way, dt)) return within(tuning::touch_gap);
     // Most of what moves much against each other flies past: that is cheaper to see than points.
     if (c.colour < 0) {
@@ -254,11 +255,8 @@ Manifold manifold_ahead(const WorldState& world, Contact& c, const Placed& a, co
 
 void look(WorldState& world, ContactCheck& check, double dt) {
     Contact& c = world.contacts.contacts[check.contact];
-    const ShapeRecord& sa = world.shapes.shapes[c.shape_a];
-    const ShapeRecord& sb = world.shapes.shapes[c.shape_b];
-    const Placed a = placed(sa, warm_of(world, c.body_a)), b = placed(sb, warm_of(world, c.body_b));
-    if (c.composite) return look_at_composite(world, check, a, b, dt);
-    const Manifold manifold = manifold_ahead(world, c, a, b, dt);
+    if (c.composite) return look_at_composite(world, check, dt);
+    const Manifold manifold = manifold_ahead(world, c, dt);
     if (manifold.count == 0)
         for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
     check.near = smallest_gap(manifold);

@@ -147,6 +147,17 @@ TEST(DynamicTree, is_made_anew_of_anything) {
     EXPECT_TRUE(asked(empty, {{0, 0, 0}, {1, 1, 1}}).empty());
 }
 
+// What a forged state holds: boxes that no float reaches, to one side and to both.
+TEST(DynamicTree, is_made_anew_of_boxes_beyond_floats) {
+    DynamicTree tree;
+    for (std::uint32_t i = 0; i < 100; i++) {
+        const double x = std::pow(10, 3.0 * i);
+        tree.add({{i % 2 == 0 ? 0 : -x, 0, 0}, {x, 1, 1}}, i);
+    }
+    tree.rebuild();
+    EXPECT_EQ(asked(tree, {{0, 0, 0}, {1, 1, 1}}).size(), 100u);
+}
+
 // At a thousand kilometres a float is off by 6 cm; what is answered is exact.
 TEST(DynamicTree, answers_by_the_exact_boxes) {
     DynamicTree tree;

@@ -24,6 +24,10 @@ inline constexpr double match_distance = 0.05;  // m
 // A manifold is rebuilt after this much relative motion; until then its gaps are moved with the
 // bodies. Reuse saves the narrow phase and is part of the stability of tall stacks.
 inline constexpr double reuse_distance = 0.004;  // m
+// ... and in every step in which they move faster than this against each other; those of one point,
+// where round bodies roll and are cheap to look at, sooner.
+inline constexpr double reuse_speed = 0.05;          // m/s
+inline constexpr double single_reuse_speed = 0.015;  // m/s
 
 // --- contact solver (soft contacts after Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024)
 // Contact frequency as a fraction of the sub-step rate. 0.125 is the quietest, 0.25 makes brick

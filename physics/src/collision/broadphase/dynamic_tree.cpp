@@ -239,8 +239,9 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
     const float scale = static_cast<float>(bins) / width;
     if (leaves.size() > 2 && width > 0 && scale < 1e30f) {
         const auto bin_of = [&](const Sorted& leaf) {
-            return std::min(bins - 1,
-                            static_cast<int>((middle(leaf.box, axis) - low[axis]) * scale));
+            // Of boxes that no float reaches it is infinite or no number.
+            const float at = (middle(leaf.box, axis) - low[axis]) * scale;
+            return at < static_cast<float>(bins) ? static_cast<int>(at) : bins - 1;
         };
         std::size_t count[bins] = {};
         Box box[bins];

@@ -76,6 +76,31 @@ Feature feature_of_polyhedron(const Convex& shape, Vec3 d) {
     return f;
 }
 
+// The edge of a polyhedron that looks along d and runs along u, within six degrees: two corners, or
+// none.
+Feature edge_of_polyhedron(const Convex& shape, Vec3 d, Vec3 u) {
+    PolyhedronParts parts;
+    const Polyhedron p = polyhedron_of(shape, parts);
+    const auto height = [&](std::uint16_t v) { return dot(p.vertices[v], d); };
+    double top = -1e300, most = -1e300;
+    Feature f;
+    for (const HullEdge& e : p.edges) {
+        const double from = height(e.from), to = height(e.to);
+        top = maximum(top, maximum(from, to));
+        const Vec3 along = p.vertices[e.to] - p.vertices[e.from];
+        const double uv = dot(u, along);
+        if (uv * uv < 0.99 * length_squared(along) * length_squared(u) || from + to <= most)
+            continue;
+        most = from + to;
+        f.count = 2;
+        f.corner[0] = p.vertices[e.from];
+        f.corner[1] = p.vertices[e.to];
+    }
+    const auto reached = [&](Vec3 corner) { return dot(corner, d) >= top - 1e-9; };
+    if (f.count == 2 && !reached(f.corner[0]) && !reached(f.corner[1])) f.count = 0;
+    return f;
+}
+
 Feature local_feature(const Convex& shape, Vec3 d) {
     switch (shape.core) {
         case Core::point: {
@@ -129,9 +154,10 @@ struct Sink {
     double margin;
 
     // Cores' points `pa` and `pb`, of which one was found on the other's face along the normal.
-    void add(Vec3 pa, Vec3 pb) {
+    void add(Vec3 pa, Vec3 pb) { add(pa, pb, dot(pb - pa, normal)); }
+    void add(Vec3 pa, Vec3 pb, double distance) {
         if (out.count == ContactPoints::capacity) return;
-        const double gap = dot(pb - pa, normal) - radius_a - radius_b;
+        const double gap = distance - radius_a - radius_b;
         if (gap > margin) return;
         out.gap[out.count] = gap;
         out.point[out.count] = (pa + normal * radius_a + pb - normal * radius_b) * 0.5;
@@ -154,9 +180,33 @@ bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) 
     for (const double s : {low, high}) {
         const Vec3 pa = fa.corner[0] + u * s;
         const double t = clamp(dot(pa - fb.corner[0], v) / vv, 0, 1);
-        sink.add(pa, fb.corner[0] + v * t);
+        const Vec3 pb = fb.corner[0] + v * t;
+        // At its ends the distance of round edges is not quite along the normal of the middle.
+        const double along = dot(pb - pa, n);
+        const bool round = along > 0 && sink.radius_a + sink.radius_b > 0;
+        sink.add(pa, pb, round ? length(pb - pa) : along);
     }
     return true;
+}
+
+// A capsule that lies along an edge of a polyhedron: on one point it would rock from end to end.
+bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature& fa,
+                    const Feature& fb, Vec3 n) {
+    const auto edge = [](const Convex& shape, Vec3 d, Vec3 u) {
+        Feature f = edge_of_polyhedron(shape, transposed_times(shape.axes, d),
+                                       transposed_times(shape.axes, u));
+        for (int k = 0; k < f.count; k++) f.corner[k] = shape.position + shape.axes * f.corner[k];
+        return f;
+    };
+    if (a.core == Core::segment && is_polyhedron(b)) {
+        const Feature eb = edge(b, -n, fa.corner[1] - fa.corner[0]);
+        return eb.count == 2 && add_side_by_side(sink, fa, eb, n);
+    }
+    if (b.core == Core::segment && is_polyhedron(a)) {
+        const Feature ea = edge(a, n, fb.corner[1] - fb.corner[0]);
+        return ea.count == 2 && add_side_by_side(sink, ea, fb, n);
+    }
+    return false;
 }
 
 // The incident feature cut to the outline of the reference face, and how far its corners are from
@@ -208,12 +258,15 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
         // A face serves as reference while the normal is near its own. An edge that lies on it is
         // only there when the face is what touches.
         const double least = fa.count == 2 || fb.count == 2 ? 0.995 : 0.5;
-        if (maximum(look_a, look_b) >= least) {
+        const bool on_face = maximum(look_a, look_b) > 1 - 1e-9;
+        const bool along_edge =
+            !on_face && witness.distance > 0 && add_along_edge(sink, a, b, fa, fb, n);
+        if (!along_edge && maximum(look_a, look_b) >= least) {
             if (look_a >= look_b - 1e-9)
                 add_clipped(sink, fa, fb, n, true);
             else
                 add_clipped(sink, fb, fa, n, false);
-        } else if (fa.count == 2 && fb.count == 2) {
+        } else if (!along_edge && fa.count == 2 && fb.count == 2) {
             add_side_by_side(sink, fa, fb, n);
         }
     }

@@ -79,21 +79,24 @@ struct Span {
     double low, high;
 };
 
+// The part of a span of the segment that is between the box's two faces of one axis.
+Span between_faces(Span s, Vec3 p, Vec3 d, Vec3 h, int axis) {
+    if (absolute(d[axis]) < 1e-12) return absolute(p[axis]) > h[axis] ? Span{1, -1} : s;
+    const double t1 = (-h[axis] - p[axis]) / d[axis], t2 = (h[axis] - p[axis]) / d[axis];
+    return {maximum(s.low, minimum(t1, t2)), minimum(s.high, maximum(t1, t2))};
+}
+
 // The part of the segment over the face `axis` of the box, grown by nothing: where it can rest on
 // that face.
 Span over_face(Vec3 p, Vec3 d, double half, Vec3 h, int axis) {
     Span s{-half, half};
-    for (int k = 0; k < 3; k++) {
-        if (k == axis) continue;
-        if (absolute(d[k]) < 1e-12) {
-            if (absolute(p[k]) > h[k]) return {1, -1};
-            continue;
-        }
-        const double t1 = (-h[k] - p[k]) / d[k], t2 = (h[k] - p[k]) / d[k];
-        s.low = maximum(s.low, minimum(t1, t2));
-        s.high = minimum(s.high, maximum(t1, t2));
-    }
+    for (int k = 0; k < 3; k++)
+        if (k != axis) s = between_faces(s, p, d, h, k);
     return s;
+}
+
+Vec3 outside(Vec3 q, Vec3 h) {
+    return {outside(q.x, h.x), outside(q.y, h.y), outside(q.z, h.z)};
 }
 
 }  // namespace
@@ -144,7 +147,7 @@ Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {
     const Vec3 h = std::get<Box>(*a.geometry).half_extents;
     const double r = std::get<Sphere>(*b.geometry).radius;
     const Vec3 l = transposed_times(a.axes, b.position - a.position);
-    const Vec3 out{outside(l.x, h.x), outside(l.y, h.y), outside(l.z, h.z)};
+    const Vec3 out = outside(l, h);
     const double out2 = length_squared(out);
     Vec3 n;
     double distance;
@@ -176,8 +179,7 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
 
     const BoxSegment near = closest_on_segment_to_box(p, d, half, h);
     if (near.distance2 <= 1e-20) return std::nullopt;
-    const Vec3 q = p + d * near.t;
-    const Vec3 out{outside(q.x, h.x), outside(q.y, h.y), outside(q.z, h.z)};
+    const Vec3 out = outside(p + d * near.t, h);
     const double distance = square_root(near.distance2), gap = distance - r;
     const Vec3 n = out * (1 / distance);
     Manifold m{.normal = a.axes * n, .distance = gap};
@@ -188,6 +190,19 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
         m.point[m.count] = b.position + b.axes.y * at - m.normal * (r + 0.5 * point_gap);
         m.count++;
     };
+    // Lying along an edge, on either side of it: two points, at the ends of what they have in
+    // common, with their own distances from the box. On one alone the capsule would rock from end
+    // to end.
+    for (int k = 0; k < 3; k++) {
+        if (absolute(d[k]) < 0.995 || absolute(n[k]) > 0.1) continue;
+        const Span along = between_faces({-half, half}, p, d, h, k);
+        if (along.high - along.low < 0.1 * r) break;
+        for (const double at : {along.low, along.high}) {
+            const double point_gap = length(outside(p + d * at, h)) - r;
+            if (point_gap <= margin) add(at, point_gap);
+        }
+        return m;
+    }
     // Lying on a face: two points, at the ends of what is over it. Over its rim the normal leans
     // and heights above the face are no longer gaps.
     for (int k = 0; k < 3; k++) {

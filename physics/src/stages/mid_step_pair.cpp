@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "stages/mid_step_pair.h"
+
+#include "constraints/write_manifold.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr double noticed = 1e-4;  // m of motion in a step
+
+// s. The forces of n sub-steps fall on their beginnings, in the mean (n - 1) / 2n of a step after
+// its start. No further than to half of what is thin: a body may be stopped before it gets there.
+double time_to_middle(const WorldState& world, const Contact& c, double way, double dt) {
+    const bool touching = c.composite ? c.parts_touching > 0 : c.touching;
+    if (!touching || way < noticed) return 0;
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const double thin =
+        b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
+    const int n = substeps_of(world.islands.islands[a.island].effort, world.def);
+    return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / way);
+}
+
+}  // namespace
+
+MidStepPair::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t shape_index,
+                        double time) {
+    const BodyWarm& warm = warm_of(world, body);
+    const ShapeRecord& record = world.shapes.shapes[shape_index];
+    v = warm.v;
+    w = warm.w;
+    center = warm.center;
+    if (time == 0 || (v == Vec3{} && w == Vec3{})) {
+        shape = placed(record, warm);
+        return;
+    }
+    BodyWarm later = warm;
+    later.center += v * time;
+    later.rotation = normalized(from_rotation_vector(w * time) * warm.rotation);
+    later.axes = to_matrix(later.rotation);
+    center = later.center;
+    shape = placed(record, later);
+}
+
+Vec3 MidStepPair::Side::velocity_at(Vec3 point) const {
+    return v + cross(w, point - center);
+}
+
+MidStepPair::MidStepPair(const WorldState& world, const Contact& contact, double way, double dt)
+    : time_(time_to_middle(world, contact, way, dt)),
+      way_ahead_(way * time_ / dt),
+      share_(time_ == 0 ? 0 : share_of(world, contact)),
+      a_(world, contact.body_a, contact.shape_a, time_),
+      b_(world, contact.body_b, contact.shape_b, time_) {}
+
+void MidStepPair::count_back(Manifold& m) const {
+    if (time_ == 0) return;
+    const Vec3 carried = (a_.v + (b_.v - a_.v) * share_) * time_;
+    for (int i = 0; i < m.count; i++) {
+        const Vec3 apart = b_.velocity_at(m.point[i]) - a_.velocity_at(m.point[i]);
+        m.gap[i] -= dot(m.normal, apart) * time_;
+        m.point[i] -= carried;
+    }
+    m.distance = m.count > 0 ? smallest_gap(m) : m.distance - way_ahead_;
+}
+
+double smallest_gap(const Manifold& m) {
+    double gap = m.distance;
+    for (int i = 0; i < m.count; i++) gap = i == 0 ? m.gap[0] : minimum(gap, m.gap[i]);
+    return gap;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// A capsule that lies along an edge touches it at both ends of what they have in common.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/narrowphase/collide.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+constexpr Vec3 half{0.3, 0.25, 0.35};
+constexpr double r = 0.2, length_of_half = 0.25;
+
+Geometry same_as_hull() {
+    std::vector<Vec3> corners;
+    for (int k = 0; k < 8; k++)
+        corners.push_back({(k & 1) != 0 ? half.x : -half.x, (k & 2) != 0 ? half.y : -half.y,
+                           (k & 4) != 0 ? half.z : -half.z});
+    return Hull{must(build_hull(corners))};
+}
+
+// The capsule's axis runs along the upper edge at +x of a box, turned by `turn` about the direction
+// that leans by `lean` from the upper face's normal; `gap` at its middle.
+Manifold beside_edge(const Geometry& box, double lean, double turn, double gap) {
+    const Vec3 out{std::sin(lean), std::cos(lean), 0}, side{std::cos(lean), -std::sin(lean), 0};
+    const Geometry capsule = Capsule{r, length_of_half};
+    const Vec3 axis = Vec3{0, 0, 1} * std::cos(turn) + side * std::sin(turn);
+    const Placed a{&box, {}, diagonal({1, 1, 1})};
+    const Placed b{
+        &capsule, Vec3{half.x, half.y, 0} + out * (r + gap), {cross(axis, out), axis, out}};
+    PairCache cache;
+    return collide(a, b, 0.02, cache);
+}
+
+TEST(CollideCapsule, lies_along_an_edge_on_two_points) {
+    for (const Geometry& box : {Geometry{Box{half}}, same_as_hull()})
+        for (const double lean : {0.05, 0.1, 0.3, 0.8})
+            for (const double turn : {0.0, 0.01, 0.05}) {
+                const Manifold m = beside_edge(box, lean, turn, 0);
+                SCOPED_TRACE(testing::Message() << "lean " << lean << ", turn " << turn);
+                ASSERT_GE(m.count, 2);
+                const auto [first, last] = std::minmax_element(
+                    m.point, m.point + m.count, [](Vec3 p, Vec3 q) { return p.z < q.z; });
+                EXPECT_NEAR(last->z - first->z, 2 * length_of_half, 1e-2);
+                // An end is as far away as the edge, or nearer where it reaches over the face.
+                const double aside = length_of_half * std::sin(turn);
+                const double height = r * std::cos(lean) - aside * std::sin(lean);
+                for (int k = 0; k < m.count; k++) {
+                    EXPECT_GT(m.gap[k], height - r - 1e-9);
+                    EXPECT_LT(m.gap[k], std::hypot(r, aside) - r + 1e-9);
+                }
+            }
+}
+
+// An edge crossed at 45 degrees is met in one point.
+TEST(CollideCapsule, crosses_an_edge_in_one_point) {
+    for (const Geometry& box : {Geometry{Box{half}}, same_as_hull()})
+        EXPECT_EQ(beside_edge(box, 0.6, 0.8, 0).count, 1);
+}
+
+}  // namespace
+}  // namespace jostle::test

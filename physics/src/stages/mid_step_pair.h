@@ -3,9 +3,9 @@
 // Contacts centred in time. Where bodies roll or rock on each other the normal and the point of
 // contact go along. Those of the start of the step lag behind the motion by half a step, and a
 // force that lags behind the way which it opposes feeds it: what swings with an angular frequency
-// of w gains w^2 dt / 4 of its amplitude in a second (a plank on a ball would double its swing in 20 s).
-// So what is in touch is looked at where it will be in the middle of the step, which makes contacts
-// of second order in dt, as the midpoint rule is.
+// of w gains w^2 dt / 4 of its amplitude in a second (a plank on a ball would double its swing in
+// 20 s). So what is in touch is looked at where it will be in the middle of the step, which makes
+// contacts of second order in dt, as the midpoint rule is.
 #pragma once
 
 #include "collision/narrowphase/manifold.h"

@@ -21,6 +21,8 @@ Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double 
 
 // ---- box against segment, in the box's frame ----
 
+constexpr double same_gap = 1e-4;  // of the radius: points that much deeper are points of their own
+
 struct BoxSegment {
     double t;          // where on the segment, -half..half
     double distance2;  // from the box, 0: inside or touching
@@ -191,16 +193,19 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
         m.count++;
     };
     // Lying along an edge, on either side of it: two points, at the ends of what they have in
-    // common, with their own distances from the box. On one alone the capsule would rock from end
-    // to end.
+    // common, with their own distances from the box, and the nearest where they cross. On one alone
+    // the capsule would rock from end to end.
     for (int k = 0; k < 3; k++) {
         if (absolute(d[k]) < 0.995 || absolute(n[k]) > 0.1) continue;
         const Span along = between_faces({-half, half}, p, d, h, k);
         if (along.high - along.low < 0.1 * r) break;
+        double nearer = margin;
         for (const double at : {along.low, along.high}) {
             const double point_gap = length(outside(p + d * at, h)) - r;
+            nearer = minimum(nearer, point_gap);
             if (point_gap <= margin) add(at, point_gap);
         }
+        if (m.count == 0 || gap < nearer - same_gap * r) add(near.t, gap);
         return m;
     }
     // Lying on a face: two points, at the ends of what is over it. Over its rim the normal leans

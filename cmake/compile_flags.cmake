@@ -39,6 +39,7 @@ endif()
 if(JOSTLE_SANITIZE)
     set(sanitize -fsanitize=${JOSTLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_compile_options(${sanitize})
+    target_compile_options(jostle_flags INTERFACE -Wno-error)  # see precompiled.cmake
     add_link_options(${sanitize})
     if(JOSTLE_SANITIZE MATCHES thread)
         # The thread sanitizer does not understand fences; Asio's locks order everything we hand over without them.

@@ -1,9 +1,9 @@
 # Headers that most sources read are compiled once: a quarter to a half of the time of a small source. Our own headers
-# are not among them, so an edit rebuilds what includes them and no more. Release builds and those with a
-# sanitizer go without, and so find a source that forgot an include: of what GCC 12 inlines from a precompiled header it warns
-# as if it were our own code.
+# are not among them, so an edit rebuilds what includes them and no more. Release builds go without, and so find a source that
+# forgot an include. Of what GCC 12 inlines from a precompiled header it warns as if it were our own code, with a sanitizer
+# without reason: warnings are for the other builds.
 option(JOSTLE_PRECOMPILE "Compile the standard headers once for all sources of a debug build" ON)
-if(NOT JOSTLE_PRECOMPILE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug" OR JOSTLE_SANITIZE)
+if(NOT JOSTLE_PRECOMPILE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     function(jostle_precompiled)
     endfunction()
     return()

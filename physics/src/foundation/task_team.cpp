@@ -98,8 +98,11 @@ void TaskTeam::work(int self) {
     const FpModeScope fp_mode;
     std::uint64_t seen = 0;  // the range that it was last in, or found closed
     int spins = 0;
-    while (!quit_.load(std::memory_order_relaxed)) {
+    for (;;) {
+        // The gate first: who sees the change that comes with a job or the end sees these, too. The
+        // other way round a worker could miss the end and wait for a change after the last one.
         std::uint64_t gate = gate_.load(std::memory_order_acquire);
+        if (quit_.load(std::memory_order_relaxed)) return;
         if (job_state_.load(std::memory_order_relaxed) == Job::waiting && take_job()) spins = 0;
         if (gate / one_range == seen || (gate & open) == 0) {
             relax_cpu();

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 namespace jostle::test {
@@ -39,6 +41,18 @@ TEST(TaskTeam, a_job_is_done_once_beside_ranges) {
         }
         team.finish();  // of nothing
     }
+}
+
+// A worker that is woken for a range may come when the team is already being let go: it must see
+// that, and not go back to sleep for good.
+TEST(TaskTeam, ends_while_its_workers_wake) {
+    std::atomic<int> done = 0;
+    for (int round = 0; round < 1500; round++) {
+        TaskTeam team(4);
+        std::this_thread::sleep_for(std::chrono::microseconds(100 + round % 400));
+        team.run(8, 1, [&](int begin, int end) { done += end - begin; });
+    }
+    EXPECT_EQ(done, 1500 * 8);
 }
 
 }  // namespace

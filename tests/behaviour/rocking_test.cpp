@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What rocks without slipping neither gains nor loses: contacts are centred in time
-// (stages/update_contacts.cpp).
+// (stages/mid_step_pair.h).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "support/near.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {

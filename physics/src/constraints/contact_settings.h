@@ -16,14 +16,15 @@ struct ContactSettings {
     float mass_scale = 0;                   // 1 is rigid
     float leak = 0;  // fraction of its deviation from the steady impulse that a soft contact gives
                      // up per sub-step
-    float push_speed = 0;  // m/s
-    float slop = 0;        // m of overlap aimed at
-    float forget = 0;      // share of the steady impulse that follows the present one per step
-    float uneven = 0;      // 1: that of each point; 0: their mean
-    float reuse = 0;       // m of relative motion after which a manifold is rebuilt
-    float pace = 0, single_pace = 0;  // m of it in one step after which it is, too; of one point
-    float touch_gap = 0;              // m
-    float restitution_speed = 0;      // m/s
+    float push_speed = 0;   // m/s
+    float slop = 0;         // m of overlap aimed at
+    float forget = 0;       // share of the steady impulse that follows the present one per step
+    float uneven = 0;       // 1: that of each point; 0: their mean
+    float reuse = 0;        // m of relative motion after which a manifold is rebuilt
+    float pace = 0;         // m in one step after which it is rebuilt, too
+    float single_pace = 0;  // ... of one point
+    float touch_gap = 0;    // m
+    float restitution_speed = 0;  // m/s
 };
 
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step

@@ -3,13 +3,17 @@
 // Bodies put into each other come apart calmly.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "support/random.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(DeepOverlap, five_boxes_at_half_pitch_part_below_five_metres_a_second) {
+TEST(DeepOverlap, five_boxes_at_half_pitch_part_below_two_metres_a_second) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> boxes;
@@ -24,9 +28,34 @@ TEST(DeepOverlap, five_boxes_at_half_pitch_part_below_five_metres_a_second) {
     }
     RecordProperty("max_speed", std::to_string(fastest));
     RecordProperty("highest_m", std::to_string(highest));
-    EXPECT_LT(fastest, 5);
+    EXPECT_LT(fastest, 2);
     EXPECT_LT(highest, 5.0);  // the fifth belongs at 4.5
     EXPECT_LT(world.summary().max_penetration, 0.01);
+}
+
+// 1000 bodies on a lattice that is a quarter too narrow for them, turned at random, without
+// gravity: what pushes them apart is not to stay with them. Of 1.5 m/s 0.23 did, of 0.8 m/s 0.14.
+TEST(DeepOverlap, a_crowd_parts_without_flying_apart) {
+    World world = make_world({.gravity = {}, .sleeping = false});
+    Random random(3);
+    std::vector<BodyId> crowd;
+    for (int i = 0; i < 1000; i++) {
+        const Geometry kinds[] = {Sphere{0.3}, Box{{0.3, 0.25, 0.35}}, Capsule{0.2, 0.25}};
+        const Vec3 place = Vec3{i % 10 * 1.0, i / 10 % 10 * 1.0, i / 100 * 1.0} * 0.75;
+        crowd.push_back(add(world, {.geometry = kinds[i % 3],
+                                    .position = place + random.vector(0.03),
+                                    .rotation = random.rotation()}));
+    }
+    double fastest = 0;
+    for (int k = 0; k < 60; k++) {
+        must(world.step(1.0 / 60));
+        double sum = 0;
+        for (const BodyId body : crowd) sum += length_squared(velocity_of(world, body));
+        fastest = maximum(fastest, std::sqrt(sum / 1000));
+    }
+    RecordProperty("rms_speed", std::to_string(fastest));
+    EXPECT_LT(fastest, 0.2);
+    EXPECT_LT(world.summary().max_penetration, 0.02);
 }
 
 TEST(DeepOverlap, bodies_at_the_very_same_place_come_apart) {

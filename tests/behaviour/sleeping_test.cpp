@@ -139,6 +139,42 @@ TEST(Sleeping, silos_of_balls_boxes_and_capsules_fall_asleep_within_10_s) {
     EXPECT_GE(asleep, 4);
 }
 
+// Its furthest point, the tip, would move at 10 cm/s about an axis at right angles to that about
+// which it turns.
+TEST(Sleeping, a_capsule_that_rolls_at_4_cm_a_second_rests) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId capsule = add(world, {.geometry = Capsule{0.2, 0.25},
+                                       .position = {0, 0.2, 0},
+                                       .rotation = {0.70710678, 0, 0, 0.70710678},
+                                       .velocity = {0.04, 0, 0},
+                                       .spin = {0, 0, -0.2}});
+    run(world, 1);
+    EXPECT_FALSE(state_of(world, capsule).awake);
+}
+
+// On a spring of 10 Hz one swings by 1.5 mm, on one of 1.5 Hz by 10 mm: both at 9 cm/s.
+TEST(Sleeping, what_swings_by_a_millimetre_rests_and_what_swings_by_ten_does_not) {
+    const auto awake_after = [](double hertz, double amplitude) {
+        World world = make_world({.gravity = {}});
+        const BodyId wall = add(world, {.type = BodyType::fixed});
+        const BodyId body = add(world, {.geometry = Sphere{0.2},
+                                        .position = {2, 0, 0},
+                                        .velocity = {2 * pi * hertz * amplitude, 0, 0}});
+        must(world.create_joint(
+            {.body_a = wall,
+             .body_b = body,
+             .kind = DistanceJoint{.min_length = 0,
+                                   .max_length = 4,
+                                   .spring = {.hertz = hertz, .damping_ratio = 0},
+                                   .rest_length = 2}}));
+        run(world, 1);
+        return state_of(world, body).awake;
+    };
+    EXPECT_FALSE(awake_after(10, 0.0015));
+    EXPECT_TRUE(awake_after(1.5, 0.01));
+}
+
 TEST(Sleeping, pushing_wakes) {
     const auto woken_by = [](auto&& push) {
         World world = make_world();

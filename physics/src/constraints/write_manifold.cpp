@@ -28,12 +28,6 @@ struct Carried {
     Vec3 point[4];  // from a's centre of mass
     double lambda[4] = {}, steady[4] = {};
     Vec3 friction, roll;
-
-    double mean_steady() const {
-        double sum = 0;
-        for (int i = 0; i < count; i++) sum += steady[i] / count;
-        return sum;
-    }
 };
 
 Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
@@ -51,19 +45,43 @@ Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
     return c;
 }
 
-// The nearest old point that nobody has claimed yet; -1 when none is near.
-int match(const Carried& old, bool taken[4], Vec3 point, double reach) {
-    double nearest = reach * reach;
-    int best = -1;
-    for (int j = 0; j < old.count; j++) {
-        const double d2 = length_squared(old.point[j] - point);
-        if (!taken[j] && d2 < nearest) {
-            nearest = d2;
-            best = j;
-        }
+// What the points of a manifold carry after a rebuild.
+struct Loads {
+    double lambda[4] = {}, steady[4] = {};
+};
+
+// Each point takes what the nearest old one within reach carried. What no point continues (a face
+// that tilts rests on other corners) goes to the nearest of the points that continue none, or else
+// to the nearest of all: the load has not changed because other points were chosen to bear it.
+Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach) {
+    Loads loads;
+    bool taken[4] = {}, given[4] = {};
+    const auto way2 = [&](int i, int j) {
+        return length_squared(old.point[j] - (m.point[i] - center));
+    };
+    const auto give = [&](int i, int j) {
+        loads.lambda[i] += old.lambda[j];
+        loads.steady[i] += old.steady[j];
+        taken[j] = given[i] = true;
+    };
+    for (int i = 0; i < m.count; i++) {
+        double nearest = reach * reach;
+        int best = -1;
+        for (int j = 0; j < old.count; j++)
+            if (!taken[j] && way2(i, j) < nearest) {
+                nearest = way2(i, j);
+                best = j;
+            }
+        if (best >= 0) give(i, best);
     }
-    if (best >= 0) taken[best] = true;
-    return best;
+    for (int j = 0; j < old.count; j++) {
+        if (taken[j] || (old.lambda[j] == 0 && old.steady[j] == 0)) continue;
+        int best = 0;
+        for (int i = 1; i < m.count; i++)
+            if (given[i] == given[best] ? way2(i, j) < way2(best, j) : given[best]) best = i;
+        give(best, j);
+    }
+    return loads;
 }
 
 // The radius of the small disc in which round bodies touch in truth: what lets a ball that spins on
@@ -140,8 +158,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
     const double smaller = cb.type == BodyType::dynamic ? minimum(ca.radius, cb.radius) : ca.radius;
     const double reach = minimum(tuning::match_distance, tuning::match_fraction * smaller);
+    const Loads loads = handed_on(old, m, center_a, reach);
     double lever = 0;
-    bool taken[4] = {};
     for (int i = 0; i < 4; i++) {
         const bool used = i < m.count;
         const Vec3 r = used ? m.point[i] - centre : Vec3{};
@@ -149,11 +167,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.x[i][lane] = as_float(x);
         block.y[i][lane] = as_float(y);
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
-        const int same = used ? match(old, taken, m.point[i] - center_a, reach) : -1;
-        block.lambda[i][lane] = same < 0 ? 0 : as_float(old.lambda[same]);
-        // A new point bears its share, as the load has not changed.
-        block.steady[i][lane] =
-            !used ? 0 : as_float(same < 0 ? old.mean_steady() : old.steady[same]);
+        block.lambda[i][lane] = as_float(loads.lambda[i]);
+        block.steady[i][lane] = as_float(loads.steady[i]);
         if (used) lever += square_root(x * x + y * y) / m.count;
     }
     block.lever[lane] = as_float(maximum(lever, patch_of(world, contact)));

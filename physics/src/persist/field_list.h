@@ -122,6 +122,8 @@ void visit_fields(V& v, BodyWarm& b) {
     visit(v, "force", b.force);
     visit(v, "torque", b.torque);
     v.field("quiet", b.quiet);
+    visit(v, "swayed", b.swayed);
+    visit(v, "swung", b.swung);
 }
 
 template <class V>

@@ -18,7 +18,7 @@ namespace jostle::physics {
 namespace {
 
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
-constexpr std::uint32_t version = 6;  // docs/format_changes.md has one line for each
+constexpr std::uint32_t version = 7;  // docs/format_changes.md has one line for each
 constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
 
 struct Saver {

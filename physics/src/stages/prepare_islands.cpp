@@ -123,10 +123,14 @@ void settle_effort(WorldState& world, std::uint32_t index, Vec3 up) {
     if (need < island.effort && island.calm < tuning::effort_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
     const Effort common = common_need(world, tied, up);
-    const bool calm = std::all_of(tied.begin(), tied.end(), [&](std::uint32_t i) {
-        return world.islands.islands[i].calm >= tuning::effort_patience;
-    });
-    if (common > island.effort || calm) set_effort(world, tied, common);
+    // By bodies: what falls upon a heap has not been looked at for long, time and again.
+    std::uint32_t calm = 0, all = 0;
+    for (const std::uint32_t i : tied) {
+        const Island& other = world.islands.islands[i];
+        all += other.bodies;
+        if (other.calm >= tuning::effort_patience) calm += other.bodies;
+    }
+    if (common > island.effort || 2 * calm > all) set_effort(world, tied, common);
 }
 
 void choose_efforts(WorldState& world) {

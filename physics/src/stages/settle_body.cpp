@@ -35,6 +35,30 @@ bool strayed(const WorldState& world, const BodyWarm& warm, const BodyCold& cold
     return false;
 }
 
+// How far a turn carries the surface about the centre, m: as that of a ball with the same energy.
+// The furthest point of a capsule that rolls is far from the axis that it turns about.
+double swing(const BodyWarm& warm, const BodyCold& cold, Vec3 turn) {
+    constexpr double inertia_of_ball = 0.4;  // m r^2
+    if (cold.mass == 0) return 0;            // it has no shape that weighs
+    const Vec3 own = transposed_times(warm.axes, turn);
+    return square_root(maximum(dot(own, cold.inertia * own), 0) / (inertia_of_ball * cold.mass));
+}
+
+// How long the body has rested.
+void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Quat turn,
+               double dt) {
+    if (warm.quiet == 0) warm.swayed = warm.swung = {};
+    const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2.0 : 2.0);
+    const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
+    const double way = maximum(length(motion.displacement), maximum(now, next));
+    warm.swayed += motion.displacement;
+    warm.swung += turned;
+    const bool still = way < tuning::sleep_speed * dt;
+    const bool sways = way < tuning::sway_speed * dt &&
+                       length(warm.swayed) + swing(warm, cold, warm.swung) < tuning::sway;
+    warm.quiet = cold.may_sleep && (still || sways) ? warm.quiet + dt : 0;
+}
+
 }  // namespace
 
 void begin_settling(WorldState& world) {
@@ -82,9 +106,8 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     world.bodies.reach[warm.body].travel += way;
     world.bodies.reach[warm.body].turned += turned;
     look_ahead(world, warm.body, step.dt);
-    const double fastest = maximum(length(motion.displacement), turned);
-    const bool rests = cold.may_sleep && fastest < tuning::sleep_speed * step.dt;
-    warm.quiet = rests ? warm.quiet + step.dt : 0;
+    if (world.def.sleeping && cold.type == BodyType::dynamic)
+        note_rest(warm, cold, motion, turn, step.dt);
     if (!left_fat_box(world, warm, cold, step.dt)) return;
     world.scratch.left_fat_box[awake_index] = 1;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)

@@ -326,8 +326,9 @@ double mass_as_mover(const WorldState& world, std::uint32_t mover, std::uint32_t
 // and wakes it and as much around it as the impact will stir.
 bool begins(WorldState& world, const Contact& c, double gap_ahead) {
     if (!has_still(world, c)) return gap_ahead < tuning::speculative_margin;
-    if (gap_ahead >= tuning::wake_gap) return false;
     const double speed = closing_way(world, c, 1);
+    // What comes to rest beside a sleeper, however near, does not wake it.
+    if (gap_ahead >= (speed < tuning::sleep_speed ? 0 : tuning::wake_gap)) return false;
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
         const BodyCold& cold = world.bodies.cold[body];
         if (!is_still(cold)) return;

@@ -65,7 +65,8 @@ struct BodyWarm {
     Quat rotation;
     Vec3 v, w;           // m/s, rad/s, world
     Vec3 force, torque;  // N, N m: for the next step, then zero
-    double quiet = 0;    // s below the sleep speed
+    double quiet = 0;    // s at rest
+    Vec3 swayed, swung;  // m and rad, world, since then
     Mat3 axes;           // to_matrix(rotation): derived, not saved
 };
 

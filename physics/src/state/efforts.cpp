@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "state/efforts.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -163,9 +164,14 @@ void scale_loads(WorldState& world, const Island& island, float scale) {
 void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     if (ia.effort == ib.effort) return;
-    // What touches a heap does not make it slender, nor the other way round.
-    const bool alike = is_usual(ia.effort) && is_usual(ib.effort);
-    const bool a_yields = alike ? ia.bodies < ib.bodies : ia.effort < ib.effort;
+    // What touches a heap does not make it slender, nor the other way round; nor tall, when it was
+    // content with less at the last look: a ball that left a tall heap and comes back.
+    const auto asks = [](const Island& island) {
+        return island.calm > 0 ? std::min(island.effort, Effort::slender) : island.effort;
+    };
+    const Effort a_asks = asks(ia), b_asks = asks(ib);
+    const bool alike = a_asks == b_asks || (is_usual(a_asks) && is_usual(b_asks));
+    const bool a_yields = alike ? ia.bodies < ib.bodies : a_asks < b_asks;
     if (a_yields)
         set_effort(world, tied_islands(world, a), ib.effort);
     else

@@ -332,7 +332,6 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.last = from.last;
     into.bodies += from.bodies;
     into.may_be_split = into.may_be_split || from.may_be_split;
-    into.calm = std::min(into.calm, from.calm);
     into.uneven = into.uneven || from.uneven;
     into.split_at = std::max(into.split_at, from.split_at);
     into.mass += from.mass;

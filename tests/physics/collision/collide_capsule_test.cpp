@@ -62,5 +62,36 @@ TEST(CollideCapsule, crosses_an_edge_in_one_point) {
         EXPECT_EQ(beside_edge(box, 0.6, 0.8).count, 1);
 }
 
+// Two capsules, one above the other and turned against it, that overlap by `depth` in the middle.
+Manifold crossed(double turn, double depth) {
+    const Geometry capsule = Capsule{r, length_of_half};
+    const Vec3 axis{std::sin(turn), 0, std::cos(turn)}, up{0, 1, 0};
+    const Placed a{&capsule, {}, {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    const Placed b{&capsule, up * (2 * r - depth), {cross(axis, up), axis, up}};
+    PairCache cache;
+    return collide(a, b, 0.02, cache);
+}
+
+// Where they cross and at both ends, as far apart as they are there. On the crossing alone, which
+// runs along them with every turn, a capsule in a heap rocked at 1.7 rad/s for seconds.
+TEST(CollideCapsule, crosses_another_at_a_small_angle_in_three_points) {
+    for (const double turn : {0.05, 0.12, 0.25})
+        for (const double depth : {0.0, 0.001, 0.05}) {
+            const Manifold m = crossed(turn, depth);
+            SCOPED_TRACE(testing::Message() << "turn " << turn << ", depth " << depth);
+            ASSERT_EQ(m.count, 3);
+            double reach = 0;
+            for (int k = 0; k < m.count; k++) {
+                const bool middle = std::abs(m.point[k].z) < 0.01;
+                const double end = middle ? 0 : length_of_half * std::cos(turn);
+                const double aside = end * std::sin(turn);
+                reach = std::max(reach, std::abs(m.point[k].z));
+                EXPECT_NEAR(m.gap[k], std::hypot(2 * r - depth, aside) - 2 * r, 1e-9);
+            }
+            EXPECT_NEAR(reach, length_of_half, 0.02);
+        }
+    EXPECT_EQ(crossed(0.8, 0.001).count, 1);
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -107,6 +107,24 @@ TEST(Efforts, when_the_upper_half_is_gone_the_rest_goes_back_within_a_second_and
     EXPECT_NEAR(highest, 29.5, 0.01);
 }
 
+// Each of them joins the tower as an island that has not been looked at for long.
+TEST(Efforts, what_falls_upon_it_does_not_keep_it_tall) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    const std::vector<BodyId> tower = add_tower(world, 60, 0);
+    run(world, 5);
+    ASSERT_EQ(world.profile().bodies_tall, 60);
+    for (int k = 59; k >= 20; k--) must(world.destroy_body(tower[static_cast<std::size_t>(k)]));
+    int steps = 0;
+    for (; world.profile().bodies_tall != 0 && steps < 120; steps++) {
+        if (steps % 10 == 0)
+            add(world, {.geometry = Box{{0.05, 0.05, 0.05}},
+                        .position = {-0.4 + 0.08 * (steps / 10), 20.1, 0}});
+        must(world.step(1.0 / 60));
+    }
+    EXPECT_LT(steps, 60);
+}
+
 TEST(Efforts, five_boxes_under_five_of_a_hundred_times_their_mass_stand_for_20_seconds) {
     World world = make_world({.sleeping = false});
     add_floor(world);

@@ -46,5 +46,23 @@ TEST(UpdateContacts, columns_that_pass_each_other_are_looked_at_a_few_times) {
     EXPECT_LE(checks_of(world), 600);
 }
 
+// Half a millimetre beside a sleeper lies what never sleeps. It woke it in every step.
+TEST(UpdateContacts, what_rests_beside_a_sleeper_lets_it_sleep) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId sleeper = add(world, {.position = {0, 0.5, 0}});
+    run(world, 2);
+    ASSERT_FALSE(state_of(world, sleeper).awake);
+    add(world, {.position = {1.0005, 0.5, 0}, .may_sleep = false});
+    run(world, 1);
+    std::size_t woken = 0;
+    for (int k = 0; k < 60; k++) {
+        must(world.step(1.0 / 60));
+        woken += world.events().woke.size();
+    }
+    EXPECT_EQ(woken, 0u);
+    EXPECT_FALSE(state_of(world, sleeper).awake);
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -125,24 +125,33 @@ Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
     const Vec3 across = normalized(cross(u, v), a.axes.x);
     Manifold m = collide_balls(a.position + u * at.s, ca.radius, b.position + v * at.t, cb.radius,
                                margin, across);
-    // Nearly parallel capsules that lie side by side touch along a line: two points at its ends.
+    // Side by side at a small angle: the ends of what they have in common, with their own
+    // distances, and the nearest point where they cross. On that alone, which runs along them with
+    // every turn, they would rock.
     const double c = dot(u, v);
-    if (m.count == 0 || c * c < 0.99 || absolute(dot(m.normal, u)) > 0.1) return m;
-    const double sign = c < 0 ? -1 : 1, r = dot(b.position - a.position, u);
-    const double low = maximum(-ca.half_length, r - cb.half_length);
-    const double high = minimum(ca.half_length, r + cb.half_length);
-    if (high - low < 0.1 * minimum(ca.radius, cb.radius)) return m;
+    if (m.count == 0 || c * c < 0.75 || absolute(dot(m.normal, u)) > 0.1) return m;
+    const double r = dot(b.position - a.position, u), reach = cb.half_length * absolute(c);
+    const double low = maximum(-ca.half_length, r - reach);
+    const double high = minimum(ca.half_length, r + reach);
+    const double thin = minimum(ca.radius, cb.radius);
+    if (high - low < 0.1 * thin) return m;
     Manifold line{.normal = m.normal, .distance = m.distance};
+    const auto add = [&](const Manifold& balls) {
+        line.gap[line.count] = balls.gap[0];
+        line.point[line.count++] = balls.point[0];
+    };
+    double nearer = margin;
     for (const double s : {low, high}) {
-        const double t = clamp(sign * (s - r), -cb.half_length, cb.half_length);
-        const Vec3 pa = a.position + u * s, pb = b.position + v * t;
-        const double gap = dot(pb - pa, m.normal) - ca.radius - cb.radius;
-        if (gap > margin) continue;
-        line.gap[line.count] = gap;
-        line.point[line.count] = pa + m.normal * (ca.radius + 0.5 * gap);
-        line.count++;
+        const Vec3 pa = a.position + u * s;
+        const double t = clamp(dot(pa - b.position, v), -cb.half_length, cb.half_length);
+        const Manifold end =
+            collide_balls(pa, ca.radius, b.position + v * t, cb.radius, margin, across);
+        if (end.count == 0) continue;
+        nearer = minimum(nearer, end.gap[0]);
+        add(end);
     }
-    return line.count == 2 ? line : m;
+    if (line.count == 0 || m.distance < nearer - same_gap * thin) add(m);
+    return line;
 }
 
 Manifold collide_box_sphere(const Placed& a, const Placed& b, double margin) {

@@ -6,9 +6,15 @@
 
 #include <algorithm>
 
+#include "jostle/physics/scalar.h"
+#include "jostle/physics/tuning.h"
+
 namespace jostle::physics {
 
-int reduce_to_four(FacePoint* points, int count) {
+namespace {
+
+// As below, of any number.
+int best_four(FacePoint* points, int count) {
     if (count <= 4) return count;
     int deepest = 0;
     for (int k = 1; k < count; k++)
@@ -47,6 +53,45 @@ int reduce_to_four(FacePoint* points, int count) {
     if (left >= 0) kept[made++] = points[left];
     if (right >= 0) kept[made++] = points[right];
     std::copy(kept, kept + made, points);
+    return made;
+}
+
+}  // namespace
+
+int reduce_to_four(FacePoint* points, int count) {
+    if (count <= 4) return count;
+    // What overlaps bears; what nearly touches will when the body rocks; the rest may.
+    const auto nearer = [&](int from, double gap) {
+        int end = from;
+        for (int k = from; k < count; k++)
+            if (points[k].gap < gap)
+                std::rotate(points + end++, points + k, points + k + 1);  // in their order
+        return end;
+    };
+    const int pressed = nearer(0, 0);
+    if (pressed >= 4) return best_four(points, pressed);
+    const int close = nearer(pressed, tuning::touch_gap);
+    if (close == 0) return best_four(points, count);
+    if (pressed == 0 && close >= 4) return best_four(points, close);
+    // The furthest from those that there are, of the nearest kind first.
+    int made = std::max(pressed, 1);
+    while (made < 4) {
+        const int end = made < close ? close : count;
+        int best = made;
+        double most = -1;
+        for (int k = made; k < end; k++) {
+            double nearest = 1e300;
+            for (int j = 0; j < made; j++) {
+                const double u = points[k].u - points[j].u, v = points[k].v - points[j].v;
+                nearest = minimum(nearest, u * u + v * v);
+            }
+            if (nearest > most + 1e-6) {
+                most = nearest;
+                best = k;
+            }
+        }
+        std::swap(points[made++], points[best]);
+    }
     return made;
 }
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// A manifold that is rebuilt from other points bears what it bore.
+#include "constraints/write_manifold.h"
+
+#include <gtest/gtest.h>
+
+#include "state/lanes.h"
+#include "state/world_state.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+struct Borne {
+    double total = 0, steady = 0;
+};
+
+// A box of 1 m that lies on another, and the contact between them.
+struct TwoBoxes {
+    World world = make_world({.sleeping = false});
+    std::uint32_t contact = 0;
+
+    TwoBoxes() {
+        add_floor(world);
+        add(world, {.position = {0, 0.5, 0}});
+        const BodyId upper = add(world, {.position = {0, 1.5, 0}});
+        run(world, 5);
+        for_each_contact(state().contacts, state().bodies.cold[upper.index],
+                         [&](std::uint32_t index) { contact = index; });
+    }
+    WorldState& state() { return world.state(); }
+    LanePlace place() { return place_of(state(), state().contacts.contacts[contact]); }
+    Borne borne() {
+        Borne sum;
+        for (int k = 0; k < 4; k++) {
+            sum.total += double{place().block->lambda[k][place().lane]};
+            sum.steady += double{place().block->steady[k][place().lane]};
+        }
+        return sum;
+    }
+    void rebuild(std::initializer_list<Vec3> points) {
+        Manifold m{.normal = normal_of(place())};
+        for (const Vec3 point : points) m.point[m.count++] = point;
+        write_manifold(state(), state().contacts.contacts[contact], m, false);
+    }
+};
+
+TEST(WriteManifold, hands_the_load_on_to_points_elsewhere) {
+    TwoBoxes boxes;
+    const Borne before = boxes.borne();
+    const double weight = 1000 * 9.81 / (60 * 4);  // N s per sub-step: it is flat
+    ASSERT_NEAR(before.total / weight, 1, 0.01);
+    // Turned by half a right angle: no new point is near an old one.
+    boxes.rebuild({{0.7, 1, 0}, {0, 1, 0.7}, {-0.7, 1, 0}, {0, 1, -0.7}});
+    EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
+    EXPECT_NEAR(boxes.borne().steady, before.steady, 1e-5 * before.steady);
+    // It stands on two corners, then on one.
+    boxes.rebuild({{0.7, 1, 0}, {0, 1, 0.7}});
+    EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
+    boxes.rebuild({{0.7, 1, 0}});
+    EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
+    EXPECT_NEAR(boxes.borne().steady, before.steady, 1e-5 * before.steady);
+    // New points bear nothing until they press.
+    boxes.rebuild({{0.7, 1, 0}, {0, 1, 0.7}, {-0.7, 1, 0}});
+    EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
+    EXPECT_NEAR(boxes.borne().steady, before.steady, 1e-5 * before.steady);
+}
+
+// A point within reach goes on with its own.
+TEST(WriteManifold, keeps_the_load_of_a_point_that_moves_a_little) {
+    TwoBoxes boxes;
+    const float before = boxes.place().block->lambda[0][boxes.place().lane];
+    ASSERT_GT(before, 0);
+    std::vector<Vec3> corners;
+    for (const ContactInfo& c : boxes.world.contacts())
+        if (c.point[0].y > 0.9)
+            for (int k = 0; k < c.count; k++) corners.push_back(c.point[k] + Vec3{0.01, 0, 0});
+    ASSERT_EQ(corners.size(), 4u);
+    boxes.rebuild({corners[3], corners[2], corners[1], corners[0]});
+    EXPECT_EQ(boxes.place().block->lambda[3][boxes.place().lane], before);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -53,9 +53,15 @@ public:
     }
     void step() { engine_->step(); }
     void look_for_sleep(int steps_done) {
-        // Who is driven does not sleep.
-        const int driven = scene_.player ? 1 : 0;
-        if (sleep_ && !asleep_at_ && engine_->awake() <= driven) asleep_at_ = steps_done;
+        if (sleep_ && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
+    }
+    // Who is driven does not sleep: after so many steps it is let go.
+    void let_player_go(int steps_done) {
+        if (!sleep_ || !scene_.player) return;
+        for (int k = 1; k <= most_steps_to_sleep && !asleep_at_; k++) {
+            step();
+            look_for_sleep(steps_done + k);
+        }
     }
 
     bool may_sleep() const { return sleep_; }
@@ -176,14 +182,16 @@ physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowReques
     row.ms_p99 = rounded(percentile_99(ms));
     row.clock = clock.name();
     row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
-    row.asleep_at_step = run.asleep_at();
     if (run.may_sleep()) {
         row.awake_at_end = run.awake();
         row.moving_at_end = run.moving();
     }
     row.top_m = highest(scene, run.poses());
-    row.tunnelled = count_tunnelled(scene, run.poses());
-    return run.poses();
+    const std::vector<Transform> poses = run.poses();
+    row.tunnelled = count_tunnelled(scene, poses);
+    run.let_player_go(row.steps);
+    row.asleep_at_step = run.asleep_at();
+    return poses;
 }
 
 }  // namespace

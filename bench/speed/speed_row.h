@@ -28,7 +28,8 @@ struct SpeedRow {
     std::optional<int> bodies_lost;  // whose pose is not a number any more
     std::optional<bool> repeats;     // the referee's run ended in the same poses as the timed one
 
-    std::optional<int> asleep_at_step;  // null: never, or not allowed to
+    // Null: never, or not allowed to. A player who was driven is let go after the last step.
+    std::optional<int> asleep_at_step;
     // Null where nobody may sleep: who is not asleep at the end, and who is faster than 5 cm/s.
     std::optional<int> awake_at_end, moving_at_end;
     double top_m = 0;  // of the highest centre of a body that moves, at the end

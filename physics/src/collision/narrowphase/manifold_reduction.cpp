@@ -13,6 +13,8 @@ namespace jostle::physics {
 
 namespace {
 
+constexpr double bears_much = 0.001;  // m
+
 // As below, of any number.
 int best_four(FacePoint* points, int count) {
     if (count <= 4) return count;
@@ -60,21 +62,21 @@ int best_four(FacePoint* points, int count) {
 
 int reduce_to_four(FacePoint* points, int count) {
     if (count <= 4) return count;
-    // What overlaps bears; what nearly touches will when the body rocks; the rest may.
+    // In their order: how many from there on are nearer than that.
     const auto nearer = [&](int from, double gap) {
         int end = from;
         for (int k = from; k < count; k++)
-            if (points[k].gap < gap)
-                std::rotate(points + end++, points + k, points + k + 1);  // in their order
+            if (points[k].gap < gap) std::rotate(points + end++, points + k, points + k + 1);
         return end;
     };
-    const int pressed = nearer(0, 0);
-    if (pressed >= 4) return best_four(points, pressed);
-    const int close = nearer(pressed, tuning::touch_gap);
+    // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
+    // which the body rocks: the wider, the better. The rest comes last.
+    const int deep = nearer(0, -bears_much), close = nearer(deep, tuning::reuse_distance);
+    if (deep >= 4) return best_four(points, deep);
+    if (deep == 0 && close >= 4) return best_four(points, close);
     if (close == 0) return best_four(points, count);
-    if (pressed == 0 && close >= 4) return best_four(points, close);
-    // The furthest from those that there are, of the nearest kind first.
-    int made = std::max(pressed, 1);
+    // All of the nearest kind, and what is furthest from it.
+    int made = deep > 0 ? deep : close;
     while (made < 4) {
         const int end = made < close ? close : count;
         int best = made;

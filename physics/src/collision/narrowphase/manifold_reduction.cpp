@@ -5,6 +5,7 @@
 #include "collision/narrowphase/manifold_reduction.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "jostle/physics/scalar.h"
 #include "jostle/physics/tuning.h"

@@ -30,8 +30,8 @@ Columns: ms_mean and ms_p99 of a step; deep_mm, mean_mm and >1cm: deepest overla
 pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
 two ends of a joint are apart, at the end and at worst; asleep: the step by which all slept; the
 player of scene e is let go after the last one, so its step comes later; awake and moving: bodies
-that do not sleep at the end, and those faster than 5 cm/s; top_m: highest centre at the end; tunnel: bodies behind the wall of scene i; MiB: peak of
-the process.
+that do not sleep at the end, and those faster than 5 cm/s; top_m: highest centre at the end; tunnel:
+bodies behind the wall of scene i; MiB: peak of the process.
 
 --growth pours scene d with other counts over a floor that grows with the count (0.02 m^2 a body),
 so that the pile stays as deep: 300 steps, then the mean of 60, and the memory a body takes.

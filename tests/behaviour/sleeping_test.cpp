@@ -139,7 +139,7 @@ TEST(Sleeping, silos_of_balls_boxes_and_capsules_fall_asleep_within_10_s) {
     EXPECT_GE(asleep, 4);
 }
 
-// Its furthest point, the tip, would move at 10 cm/s about an axis at right angles to that about
+// Its furthest point, the tip, would move at 9 cm/s about an axis at right angles to that about
 // which it turns.
 TEST(Sleeping, a_capsule_that_rolls_at_4_cm_a_second_rests) {
     World world = make_world();

@@ -4,23 +4,11 @@
 #include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
 #include "state/lane_masses.h"
+#include "state/lane_rows.h"
 #include "state/lanes.h"
 
 namespace jostle::physics {
 namespace {
-
-float as_float(double x) {
-    return static_cast<float>(x);
-}
-
-void put(float (*rows)[8], int lane, Vec3 v) {
-    rows[0][lane] = as_float(v.x);
-    rows[1][lane] = as_float(v.y);
-    rows[2][lane] = as_float(v.z);
-}
-Vec3 get(const float (*rows)[8], int lane) {
-    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
-}
 
 // What a manifold carried before it was rebuilt, in world axes.
 struct Carried {
@@ -32,8 +20,9 @@ struct Carried {
 
 Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
     Carried c;
-    const Vec3 n = get(block.normal, lane), t1 = get(block.tangent, lane), t2 = cross(n, t1);
-    const Vec3 arm = get(block.arm_a, lane);
+    const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
+               t2 = cross(n, t1);
+    const Vec3 arm = get_lane(block.arm_a, lane);
     c.roll = t1 * double{rough.roll[0][lane]} + t2 * double{rough.roll[1][lane]};
     c.friction = t1 * double{block.friction[0][lane]} + t2 * double{block.friction[1][lane]};
     for (int i = 0; i < 4; i++) {
@@ -108,7 +97,7 @@ void write_rough(const WorldState& world, const Contact& contact, const LanePlac
                  const Material& ma, const Material& mb, Vec3 roll) {
     BlockRough& rough = *place.rough;
     const int lane = place.lane;
-    const Vec3 n = get(place.block->normal, lane), t1 = get(place.block->tangent, lane);
+    const Vec3 n = get_lane(place.block->normal, lane), t1 = get_lane(place.block->tangent, lane);
     const Vec3 t2 = cross(n, t1);
     Vec3 surface;
     if (ma.surface_velocity != Vec3{} || mb.surface_velocity != Vec3{})
@@ -156,10 +145,10 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
                         ? Vec3{-n.y, n.x, 0}
                         : normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 t2 = cross(n, t1), arm_a = centre - center_a, arm_b = centre - center_b;
-    put(block.normal, lane, n);
-    put(block.tangent, lane, t1);
-    put(block.arm_a, lane, arm_a);
-    put(block.arm_b, lane, arm_b);
+    put_lane(block.normal, lane, n);
+    put_lane(block.tangent, lane, t1);
+    put_lane(block.arm_a, lane, arm_a);
+    put_lane(block.arm_b, lane, arm_b);
 
     const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
     const double smaller = cb.type == BodyType::dynamic ? minimum(ca.radius, cb.radius) : ca.radius;

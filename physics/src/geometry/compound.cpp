@@ -3,6 +3,7 @@
 
 #include "foundation/byte_stream.h"
 #include "foundation/hash.h"
+#include "foundation/messages.h"
 #include "geometry/bounds.h"
 #include "geometry/bvh.h"
 #include "geometry/geometry_checks.h"
@@ -12,8 +13,8 @@
 namespace jostle::physics {
 namespace {
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, "compound: " + std::move(message)};
+Error compound_error(std::string message) {
+    return invalid("compound: " + std::move(message));
 }
 
 void add_to(Hasher& hasher, const Geometry& geometry) {
@@ -31,10 +32,10 @@ void add_to(Hasher& hasher, const Geometry& geometry) {
 }  // namespace
 
 Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<CompoundChild> children) {
-    if (children.empty()) return invalid("it has no children");
+    if (children.empty()) return compound_error("it has no children");
     if (children.size() > max_compound_children)
-        return invalid("it has " + std::to_string(children.size()) + " children; at most " +
-                       std::to_string(max_compound_children) + " are taken");
+        return compound_error("it has " + std::to_string(children.size()) + " children; at most " +
+                              std::to_string(max_compound_children) + " are taken");
     auto compound = std::make_shared<CompoundShape>();
     Hasher hasher;
     std::vector<Aabb> boxes;
@@ -43,14 +44,15 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
         CompoundChild& child = children[i];
         const std::string name = "children[" + std::to_string(i) + "]";
         if (!is_convex(kind_of(child.geometry)))
-            return invalid(name + " is a " + kind_name(kind_of(child.geometry)) +
-                           "; children are spheres, capsules, boxes, cylinders, cones or hulls");
+            return compound_error(
+                name + " is a " + kind_name(kind_of(child.geometry)) +
+                "; children are spheres, capsules, boxes, cylinders, cones or hulls");
         if (Status s = check_geometry(name.c_str(), child.geometry); !s.ok()) return s.error();
         const double norm = norm_squared(child.pose.rotation);
         const Vec3 reach = abs(child.pose.position);
         if (!is_finite(child.pose) || norm < 1e-6 ||
             maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
-            return invalid(name + ".pose is not finite, too far away or no rotation");
+            return compound_error(name + ".pose is not finite, too far away or no rotation");
         child.pose.rotation = unit(child.pose.rotation);
         boxes.push_back(bounds_of(placed(child.geometry, child.pose)));
         compound->bounds = i == 0 ? boxes[0] : unite(compound->bounds, boxes[i]);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/geometry_checks.h"
 
-#include <cstdio>
-
+#include "foundation/messages.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
@@ -10,16 +9,6 @@
 
 namespace jostle::physics {
 namespace {
-
-std::string text(double x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", x);
-    return buffer;
-}
-
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
 
 Status check_size(const char* name, const char* field, double size) {
     return check_range((std::string(name) + "." + field).c_str(), size, min_shape_size,

@@ -9,6 +9,7 @@
 
 #include "foundation/byte_stream.h"
 #include "foundation/hash.h"
+#include "foundation/messages.h"
 #include "geometry/hull_topology.h"
 #include "geometry/polyhedron_mass.h"
 
@@ -17,14 +18,8 @@ namespace {
 
 constexpr double merge_fraction = 1e-6;  // of the size: how far a vertex may lie off its face
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, "hull: " + std::move(message)};
-}
-
-std::string text(double x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", x);
-    return buffer;
+Error hull_error(std::string message) {
+    return invalid("hull: " + std::move(message));
 }
 
 Vec3 normal_of(std::span<const Vec3> points, const HullTriangle& t) {
@@ -158,7 +153,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
         Vec3 sum;
         for (std::size_t k = 0; k < loop.size(); k++)
             sum += cross(v[loop[k]] - middle, v[loop[(k + 1) % loop.size()]] - middle);
-        if (!(length(sum) > 0)) return invalid("a face has no area");
+        if (!(length(sum) > 0)) return hull_error("a face has no area");
         face.normal = sum / length(sum);
         face.offset = -1e300;
         for (const Vec3 p : v) face.offset = maximum(face.offset, dot(face.normal, p));
@@ -173,18 +168,18 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
                      .emplace(std::pair(faces[f][k], faces[f][(k + 1) % faces[f].size()]),
                               static_cast<std::uint16_t>(f))
                      .second)
-                return invalid("an edge is used twice in one direction");
+                return hull_error("an edge is used twice in one direction");
     for (const auto& [edge, left] : face_of) {
         const auto right = face_of.find({edge.second, edge.first});
-        if (right == face_of.end()) return invalid("its faces do not close");
+        if (right == face_of.end()) return hull_error("its faces do not close");
         if (edge.first < edge.second)
             hull->edges.push_back({edge.first, edge.second, left, right->second});
     }
     if (v.size() + hull->faces.size() != hull->edges.size() + 2)
-        return invalid("its faces are not those of one solid");
+        return hull_error("its faces are not those of one solid");
 
     const PolyhedronMass mass = polyhedron_mass(*hull);
-    if (!(mass.volume > 0)) return invalid("it has no volume");
+    if (!(mass.volume > 0)) return hull_error("it has no volume");
     hull->volume = mass.volume;
     hull->center = mass.center;
     hull->unit_inertia = mass.inertia;
@@ -206,15 +201,16 @@ Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     if (used.size() > max_hull_vertices)
-        return invalid("it has " + std::to_string(used.size()) + " vertices; at most " +
-                       std::to_string(max_hull_vertices) + " are allowed: simplify the shape");
+        return hull_error("it has " + std::to_string(used.size()) + " vertices; at most " +
+                          std::to_string(max_hull_vertices) + " are allowed: simplify the shape");
     std::vector<Vec3> vertices;
     for (const std::uint32_t p : used) vertices.push_back(kept[p]);
     std::vector<std::vector<std::uint16_t>> faces;
     for (const auto& loop : loops) {
         if (loop.size() > max_face_vertices)
-            return invalid("a face has " + std::to_string(loop.size()) + " corners; at most " +
-                           std::to_string(max_face_vertices) + " are allowed: simplify the shape");
+            return hull_error("a face has " + std::to_string(loop.size()) + " corners; at most " +
+                              std::to_string(max_face_vertices) +
+                              " are allowed: simplify the shape");
         std::vector<std::uint16_t> face;
         for (const std::uint32_t p : loop)
             face.push_back(static_cast<std::uint16_t>(
@@ -237,25 +233,25 @@ bool is_flat_and_convex(const ConvexHull& hull, double size) {
 
 Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> points) {
     if (points.size() < 4)
-        return invalid("it has " + std::to_string(points.size()) + " points; give at least 4");
+        return hull_error("it has " + std::to_string(points.size()) + " points; give at least 4");
     if (points.size() > max_hull_points)
-        return invalid("it has " + std::to_string(points.size()) + " points; at most " +
-                       std::to_string(max_hull_points) + " are taken");
+        return hull_error("it has " + std::to_string(points.size()) + " points; at most " +
+                          std::to_string(max_hull_points) + " are taken");
     Aabb box{points[0], points[0]};
     for (std::size_t i = 0; i < points.size(); i++) {
         const Vec3 reach = abs(points[i]);
         if (!is_finite(points[i]) || maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
-            return invalid("points[" + std::to_string(i) + "] is (" + text(points[i].x) + ", " +
-                           text(points[i].y) + ", " + text(points[i].z) +
-                           "); coordinates must be finite and within " + text(max_shape_size) +
-                           " m");
+            return hull_error("points[" + std::to_string(i) + "] is (" + text(points[i].x) + ", " +
+                              text(points[i].y) + ", " + text(points[i].z) +
+                              "); coordinates must be finite and within " + text(max_shape_size) +
+                              " m");
         box = unite(box, {points[i], points[i]});
     }
     const Vec3 extent = box.high - box.low;
     const double size = maximum(extent.x, maximum(extent.y, extent.z));
     if (size < min_shape_size)
-        return invalid("its points lie within " + text(size) + " m; it must be at least " +
-                       text(min_shape_size) + " m long");
+        return hull_error("its points lie within " + text(size) + " m; it must be at least " +
+                          text(min_shape_size) + " m long");
 
     // Round to the grid, one point per place.
     const Vec3 center = (box.low + box.high) * 0.5;
@@ -273,7 +269,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
         kept.push_back(points[index]);
     }
     const auto triangles = hull_triangles(grid);
-    if (!triangles) return invalid("its points lie in one plane; it has no volume");
+    if (!triangles) return hull_error("its points lie in one plane; it has no volume");
     auto loops = FaceMerger(kept, *triangles, merge_fraction * size).run();
     if (loops) drop_edge_vertices(*loops, kept.size());
     // A region whose border is not simple, or a face with nothing left: keep the triangles.
@@ -293,7 +289,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     for (const HullTriangle& t : *triangles) loops->push_back({t.begin(), t.end()});
     auto hull = hull_of_loops(kept, *loops);
     if (hull.ok() && ((*hull)->inner_radius < 1e-6 * size || !is_flat_and_convex(**hull, size)))
-        return invalid(
+        return hull_error(
             "it is so thin, or its points so nearly in line, that its faces are not "
             "known; make it thicker or give fewer points");
     return hull;

@@ -6,16 +6,16 @@
 
 #include "foundation/byte_stream.h"
 #include "foundation/hash.h"
+#include "foundation/messages.h"
 #include "geometry/bvh.h"
+#include "geometry/surface.h"
 #include "jostle/physics/mesh.h"
 
 namespace jostle::physics {
 namespace {
 
-constexpr std::uint32_t nobody = 0xffffffff;
-
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, "mesh: " + std::move(message)};
+Error mesh_error(std::string message) {
+    return invalid("mesh: " + std::move(message));
 }
 
 // For each vertex the lowest one at the same place.
@@ -54,7 +54,7 @@ void find_neighbours(TriangleMesh& mesh) {
         return std::tie(x.low, x.high, x.triangle, x.edge) <
                std::tie(y.low, y.high, y.triangle, y.edge);
     });
-    mesh.neighbours.assign(mesh.triangles.size(), {nobody, nobody, nobody});
+    mesh.neighbours.assign(mesh.triangles.size(), {no_triangle, no_triangle, no_triangle});
     for (std::size_t k = 0; k < sides.size();) {
         std::size_t end = k + 1;
         while (end < sides.size() && sides[end].low == sides[k].low &&
@@ -83,19 +83,20 @@ std::uint64_t hash_of(const TriangleMesh& mesh) {
 Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles) {
     if (vertices.size() < 3)
-        return invalid("it has " + std::to_string(vertices.size()) + " vertices; give at least 3");
-    if (triangles.empty()) return invalid("it has no triangles");
+        return mesh_error("it has " + std::to_string(vertices.size()) +
+                          " vertices; give at least 3");
+    if (triangles.empty()) return mesh_error("it has no triangles");
     if (triangles.size() > max_mesh_triangles || vertices.size() > 3 * max_mesh_triangles)
-        return invalid("it has " + std::to_string(triangles.size()) + " triangles; at most " +
-                       std::to_string(max_mesh_triangles) + " are taken");
+        return mesh_error("it has " + std::to_string(triangles.size()) + " triangles; at most " +
+                          std::to_string(max_mesh_triangles) + " are taken");
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->vertices.assign(vertices.begin(), vertices.end());
     mesh->bounds = {vertices[0], vertices[0]};
     for (std::size_t i = 0; i < vertices.size(); i++) {
         const Vec3 reach = abs(vertices[i]);
         if (!is_finite(vertices[i]) || maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
-            return invalid("vertices[" + std::to_string(i) +
-                           "] is not finite or further than 10000 m from the origin");
+            return mesh_error("vertices[" + std::to_string(i) +
+                              "] is not finite or further than 10000 m from the origin");
         mesh->bounds = unite(mesh->bounds, {vertices[i], vertices[i]});
     }
     const double size = length(mesh->bounds.high - mesh->bounds.low);
@@ -103,9 +104,9 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     for (std::size_t t = 0; t < triangles.size(); t++) {
         for (const std::uint32_t corner : triangles[t])
             if (corner >= vertices.size())
-                return invalid("triangles[" + std::to_string(t) + "] names vertex " +
-                               std::to_string(corner) + "; there are " +
-                               std::to_string(vertices.size()));
+                return mesh_error("triangles[" + std::to_string(t) + "] names vertex " +
+                                  std::to_string(corner) + "; there are " +
+                                  std::to_string(vertices.size()));
         const Vec3 a = vertices[triangles[t][0]], b = vertices[triangles[t][1]],
                    c = vertices[triangles[t][2]];
         const double longest = maximum(length(b - a), maximum(length(c - b), length(a - c)));
@@ -113,7 +114,7 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
         mesh->triangles.push_back(triangles[t]);
         boxes.push_back({min(a, min(b, c)), max(a, max(b, c))});
     }
-    if (mesh->triangles.empty()) return invalid("none of its triangles has an area");
+    if (mesh->triangles.empty()) return mesh_error("none of its triangles has an area");
     find_neighbours(*mesh);
     mesh->tree = std::make_shared<const Bvh>(boxes);
     mesh->content_hash = hash_of(*mesh);

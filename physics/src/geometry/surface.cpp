@@ -4,8 +4,6 @@
 namespace jostle::physics {
 namespace {
 
-constexpr std::uint32_t nobody = 0xffffffff;
-
 Vec3 sample(const HeightGrid& grid, std::uint32_t column, std::uint32_t row) {
     return {(column - 0.5 * (grid.columns - 1)) * grid.spacing_x,
             grid.heights[std::size_t{row} * grid.columns + column],
@@ -20,12 +18,12 @@ std::uint32_t across(const HeightGrid& grid, std::uint32_t index, int k) {
     const std::uint32_t cell = index / 2, c = cell % columns, r = cell / columns;
     if (index % 2 == 0) {
         if (k == 0) return index + 1;
-        if (k == 1) return c + 1 < columns ? (cell + 1) * 2 + 1 : nobody;
-        return r > 0 ? (cell - columns) * 2 + 1 : nobody;
+        if (k == 1) return c + 1 < columns ? (cell + 1) * 2 + 1 : no_triangle;
+        return r > 0 ? (cell - columns) * 2 + 1 : no_triangle;
     }
     if (k == 2) return index - 1;
-    if (k == 0) return c > 0 ? (cell - 1) * 2 : nobody;
-    return r + 1 < rows ? (cell + columns) * 2 : nobody;
+    if (k == 0) return c > 0 ? (cell - 1) * 2 : no_triangle;
+    return r + 1 < rows ? (cell + columns) * 2 : no_triangle;
 }
 
 std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k) {
@@ -33,7 +31,7 @@ std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k) 
         return mesh->data->neighbours[index][static_cast<std::size_t>(k)];
     const HeightGrid& grid = *std::get<HeightField>(surface).data;
     const std::uint32_t other = across(grid, index, k);
-    return other != nobody && is_hole(grid, other / 2) ? nobody : other;
+    return other != no_triangle && is_hole(grid, other / 2) ? no_triangle : other;
 }
 
 }  // namespace
@@ -58,7 +56,7 @@ SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index) {
 
 SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
     const std::uint32_t other = neighbour_of(surface, t.index, k);
-    if (other == nobody) return {};
+    if (other == no_triangle) return {};
     const SurfaceTriangle n = triangle_of(surface, other);
     const Vec3 from = t.corner[k], along = normalized(t.corner[(k + 1) % 3] - from);
     // The neighbour's far corner is the one furthest from the common edge.

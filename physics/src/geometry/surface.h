@@ -13,6 +13,8 @@
 
 namespace jostle::physics {
 
+inline constexpr std::uint32_t no_triangle = 0xffffffff;  // as an index
+
 struct SurfaceTriangle {
     Vec3 corner[3];  // local, counter-clockwise seen from the front
     std::uint32_t index = 0;

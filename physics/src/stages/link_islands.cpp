@@ -3,22 +3,19 @@
 
 #include <algorithm>
 
+#include "state/lane_rows.h"
 #include "state/lanes.h"
 #include "state/links.h"
 
 namespace jostle::physics {
 namespace {
 
-Vec3 row3(const float (*rows)[8], int lane) {
-    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
-}
-
 // The warm records still hold the velocities from before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
     const LanePlace place = place_of(world, c);
     const Vec3 normal = normal_of(place);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
-    const Vec3 point = a.center + row3(place.block->arm_a, place.lane);
+    const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
     return {.shape_a = shape_id(world, c.shape_a),
             .shape_b = shape_id(world, c.shape_b),

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "state/lane_rows.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -20,10 +22,6 @@ void sort_by_trigger(std::vector<Event>& events) {
     });
 }
 
-Vec3 row3(const float (*rows)[8], int lane) {
-    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
-}
-
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
                     int lane) {
@@ -38,8 +36,8 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlo
             .shape_b = shape_id(world, c.shape_b),
             .body_a = body_id(world, c.body_a),
             .body_b = body_id(world, c.body_b),
-            .point = warm_of(world, c.body_a).center + row3(block.arm_a, lane),
-            .normal = row3(block.normal, lane),
+            .point = warm_of(world, c.body_a).center + get_lane(block.arm_a, lane),
+            .normal = get_lane(block.normal, lane),
             .normal_impulse = normal * substeps,
             .friction_impulse = square_root(f1 * f1 + f2 * f2) * substeps,
             .penetration = -deepest};

@@ -6,13 +6,10 @@
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
 #include "stages/solve_joints.h"
+#include "state/lane_rows.h"
 
 namespace jostle::physics {
 namespace {
-
-float as_float(double x) {
-    return static_cast<float>(x);
-}
 
 void put(float* row, Vec3 linear, Vec3 angular) {
     row[0] = as_float(linear.x), row[1] = as_float(linear.y), row[2] = as_float(linear.z);

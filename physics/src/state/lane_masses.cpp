@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "state/lane_masses.h"
 
+#include "state/lane_rows.h"
 #include "state/lanes.h"
 
 namespace jostle::physics {
@@ -17,14 +18,6 @@ Side side_of(const WorldState& world, std::uint32_t body) {
     if (cold.inverse_mass == 0) return {};
     return {free_directions(cold) * cold.inverse_mass,
             world_inverse_inertia(warm_of(world, body), cold)};
-}
-
-float as_float(double x) {
-    return static_cast<float>(x);
-}
-
-Vec3 get(const float (*rows)[8], int lane) {
-    return {double{rows[0][lane]}, double{rows[1][lane]}, double{rows[2][lane]}};
 }
 
 }  // namespace
@@ -75,8 +68,8 @@ void write_masses_anew(WorldState& world, const Contact& contact) {
     const int lane = place.lane;
     const float before = block.g[0][lane];
     write_masses(world, contact,
-                 {get(block.normal, lane), get(block.tangent, lane), get(block.arm_a, lane),
-                  get(block.arm_b, lane)});
+                 {get_lane(block.normal, lane), get_lane(block.tangent, lane),
+                  get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)});
     // A contact is as stiff as its bodies are heavy: what it gives beyond its steady impulse would
     // jump, so the steady impulse makes up for the difference and the load stays what it is.
     const float stiffer = before / block.g[0][lane];

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "world/checks.h"
 
-#include <cstdio>
-
+#include "foundation/messages.h"
 #include "geometry/outline.h"
 #include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
 namespace {
 
-std::string text(double x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", x);
-    return buffer;
-}
-std::string text(Vec3 v) {
+std::string vector_text(Vec3 v) {
     return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")";
-}
-
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
 }
 
 }  // namespace
@@ -27,7 +17,7 @@ Error invalid(std::string message) {
 Status check_vector(const char* name, Vec3 value, double limit) {
     const Vec3 size = abs(value);
     if (size.x <= limit && size.y <= limit && size.z <= limit) return {};
-    return invalid(std::string(name) + " is " + text(value) +
+    return invalid(std::string(name) + " is " + vector_text(value) +
                    "; each component must be finite and at most " + text(limit) + " in size");
 }
 

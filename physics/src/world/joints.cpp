@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "constraints/joints/angles.h"
+#include "foundation/messages.h"
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/world.h"
 #include "state/links.h"
@@ -11,10 +12,6 @@
 
 namespace jostle::physics {
 namespace {
-
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
 
 Status check_spring(const char* name, const JointSpring& spring) {
     const std::string prefix = name;

@@ -77,8 +77,8 @@ Carrier closest_on_tetrahedron(const Simplex& s) {
         const Vec3 n = cross(b - a, c - a);
         // Six times its volume, and behind this face, as seen from outside.
         const double other = dot(n, s.point[f[3]].w - a), origin = -dot(n, a);
-        const bool flat = other * other <= 1e-22 * longest2 * longest2 * longest2;
-        if (!flat && origin * other > 0) continue;
+        const bool thin = other * other <= 1e-22 * longest2 * longest2 * longest2;
+        if (!thin && origin * other > 0) continue;
         const Carrier part = closest_on_triangle(s, f[0], f[1], f[2]);
         if (best.count == 0 || part.distance2 < best.distance2) best = part;
     }

@@ -11,10 +11,10 @@ constexpr AxisCode face_of_a = 1u << 28, face_of_b = 2u << 28, edge_pair = 3u <<
 constexpr AxisCode kind_of(AxisCode code) {
     return code & (3u << 28);
 }
-constexpr std::uint32_t first_of(AxisCode code) {
+constexpr std::uint32_t first_edge(AxisCode code) {
     return code >> 14 & 0x3fff;
 }
-constexpr std::uint32_t second_of(AxisCode code) {
+constexpr std::uint32_t second_edge(AxisCode code) {
     return code & 0x3fff;
 }
 
@@ -136,18 +136,18 @@ void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts
 }
 
 Best axis_of(const Pair& p, AxisCode code) {
-    if (kind_of(code) == face_of_a && first_of(code) < p.a.faces.size())
-        return face_axis_a(p, first_of(code));
-    if (kind_of(code) == face_of_b && first_of(code) < p.b.faces.size())
-        return face_axis_b(p, first_of(code));
-    if (kind_of(code) == edge_pair && first_of(code) < p.a.edges.size() &&
-        second_of(code) < p.b.edges.size()) {
+    if (kind_of(code) == face_of_a && first_edge(code) < p.a.faces.size())
+        return face_axis_a(p, first_edge(code));
+    if (kind_of(code) == face_of_b && first_edge(code) < p.b.faces.size())
+        return face_axis_b(p, first_edge(code));
+    if (kind_of(code) == edge_pair && first_edge(code) < p.a.edges.size() &&
+        second_edge(code) < p.b.edges.size()) {
         // Only a real face of the difference bounds the distance; others may lie.
-        const HullEdge &x = p.a.edges[first_of(code)], &y = p.b.edges[second_of(code)];
+        const HullEdge &x = p.a.edges[first_edge(code)], &y = p.b.edges[second_edge(code)];
         if (arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal,
                        p.a.vertices[x.to] - p.a.vertices[x.from], -p.normal_b(y.left),
                        -p.normal_b(y.right), p.vertices_b[y.to] - p.vertices_b[y.from]))
-            return edge_axis(p, first_of(code), second_of(code));
+            return edge_axis(p, first_edge(code), second_edge(code));
     }
     return {};
 }

@@ -5,15 +5,12 @@
 
 #include "constraints/softness.h"
 #include "jostle/physics/tuning.h"
+#include "state/lane_rows.h"
 
 namespace jostle::physics {
 namespace {
 
 constexpr float never = 1e30f;  // a limit that nothing reaches
-
-float as_float(double x) {
-    return static_cast<float>(x);
-}
 
 struct Lane {
     int at;

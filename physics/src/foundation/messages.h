@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// What errors are put together from.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "jostle/physics/result.h"
+
+namespace jostle::physics {
+
+inline Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+inline std::string text(double x) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", x);
+    return buffer;
+}
+
+}  // namespace jostle::physics

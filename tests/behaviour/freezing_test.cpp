@@ -105,6 +105,41 @@ TEST(Freezing, a_weight_is_felt_through_a_frozen_stack) {
     EXPECT_LT(position_of(world, plank).y, 2.0);  // it has tipped
 }
 
+// Bricks in pairs, each welded to its neighbour; a kinematic arm that stands still holds the last.
+TEST(Freezing, what_joints_tie_together_freezes_and_thaws_as_one) {
+    GuardedWall wall(10, 6);
+    std::vector<std::pair<BodyId, BodyId>> pairs;
+    const auto weld = [&](BodyId a, BodyId b) {
+        must(wall.world.create_joint({.body_a = a,
+                                      .body_b = b,
+                                      .frame_a = {.position = {0.5, 0, 0}},
+                                      .frame_b = {.position = {-0.5, 0, 0}},
+                                      .kind = FixedJoint{}}));
+    };
+    for (std::size_t k = 0; k < wall.bricks.size(); k += 2) {
+        pairs.emplace_back(wall.bricks[k], wall.bricks[k + 1]);
+        weld(wall.bricks[k], wall.bricks[k + 1]);
+    }
+    const BodyId last = wall.bricks.back();
+    weld(last, add(wall.world, {.geometry = Box{{0.1, 0.1, 0.1}},
+                                .position = position_of(wall.world, last) + Vec3{1, 0, 0},
+                                .type = BodyType::kinematic}));
+    run(wall.world, 5);
+    EXPECT_GE(wall.frozen(), 50);
+    EXPECT_TRUE(wall.awake(last)) << "what a kinematic body leads must follow it at once";
+    const BodyId hit = wall.brick(10, 3, 5), mate = wall.brick(10, 3, 4);
+    ASSERT_FALSE(wall.awake(hit));
+    const Vec3 before = position_of(wall.world, mate);
+    must(wall.world.apply_impulse(hit, {0, 0, 2500}, position_of(wall.world, hit)));
+    EXPECT_TRUE(wall.awake(mate));
+    for (int step = 0; step < 300; step++) {
+        must(wall.world.step(1.0 / 60));
+        for (const auto& [a, b] : pairs) ASSERT_EQ(wall.awake(a), wall.awake(b)) << "step " << step;
+    }
+    EXPECT_GT(length(position_of(wall.world, mate) - before), 0.1);
+    EXPECT_GE(wall.frozen(), 30) << "and rests again";
+}
+
 // 64 boxes of a metre, four layers.
 World block_of_boxes(bool sleeping) {
     World world = make_world({.sleeping = sleeping});

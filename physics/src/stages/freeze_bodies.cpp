@@ -51,8 +51,21 @@ void thaw_hit(WorldState& world, std::vector<Disturbance>& hits) {
 
 bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
     if (cold.frozen) return false;
-    return cold.type != BodyType::dynamic || cold.first_joint != none ||
-           warm.quiet < tuning::freeze_time;
+    return cold.type != BodyType::dynamic || warm.quiet < tuning::freeze_time;
+}
+
+// What is jointed together freezes as one, or not: if one of them has a mark, all get it. And what
+// a kinematic body leads goes with it.
+void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
+    if (world.joints.ids.alive_count() == 0) return;
+    const auto mark = [&](std::uint32_t body) -> std::uint8_t& {
+        return marks[world.bodies.cold[body].at + 1];
+    };
+    for_each_jointed(world, world.bodies.awake, [&](const JointedBodies& jointed) {
+        std::uint8_t any = jointed.to_driver ? 1 : 0;
+        for (const std::uint32_t body : jointed.bodies) any |= mark(body);
+        for (const std::uint32_t body : jointed.bodies) mark(body) = any;
+    });
 }
 
 // By hot index: who does not rest, and who touches such a one.
@@ -116,12 +129,13 @@ void freeze_bodies(StepContext& step) {
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
     const auto rests = [&](std::size_t i, const BodyCold& cold) {
-        return scratch.beside[i + 1] == 0 && cold.lanes > 0;
+        return scratch.beside[i + 1] == 0 && (cold.lanes > 0 || cold.first_joint != none);
     };
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
         if (rests(i, cold)) count[cold.island]++;
     }
+    share_among_jointed(world, scratch.beside);
     // Freezing what lies in a turmoil would hold up loads that are about to shift.
     const auto calm = [&](std::uint32_t island) {
         return count[island] >= tuning::freeze_least &&

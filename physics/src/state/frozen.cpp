@@ -34,6 +34,29 @@ void settle_store(WorldState& world, std::uint32_t contact) {
 
 }  // namespace
 
+JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
+    std::vector<std::uint32_t>& found = world.scratch.jointed;
+    found.assign(1, body);
+    if (world.bodies.cold[body].first_joint == none) return {found, false};
+    std::vector<std::uint8_t>& seen = world.scratch.seen_jointed;
+    seen.resize(world.bodies.cold.size(), 0);
+    seen[body] = 1;
+    bool to_driver = false;
+    for (std::size_t k = 0; k < found.size(); k++)
+        for_each_joint(world.joints, world.bodies.cold[found[k]], [&](std::uint32_t joint) {
+            const Joint& j = world.joints.joints[joint];
+            const std::uint32_t other = j.body_a == found[k] ? j.body_b : j.body_a;
+            const BodyType type = world.bodies.cold[other].type;
+            to_driver = to_driver || type == BodyType::kinematic;
+            if (type != BodyType::dynamic || seen[other] != 0) return;
+            seen[other] = 1;
+            found.push_back(other);
+        });
+    for (const std::uint32_t part : found) seen[part] = 0;
+    std::sort(found.begin(), found.end());
+    return {found, to_driver};
+}
+
 Vec3 load_of(WorldState& world, const Contact& contact) {
     const LanePlace place = place_of(world, contact);
     const ManifoldBlock& block = *place.block;
@@ -60,7 +83,7 @@ double mass_borne_by(const WorldState& world, const Contact& contact) {
 
 void hold_still(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
-    ASSERT(cold.set == BodySet::awake && !cold.frozen && cold.first_joint == none);
+    ASSERT(cold.set == BodySet::awake && !cold.frozen);
     cold.frozen = true;
     cold.inverse_mass = 0;
     cold.inverse_inertia = diagonal({0, 0, 0});
@@ -93,19 +116,27 @@ void unfreeze(WorldState& world, std::uint32_t body) {
     for_each_lane(world, body, [&](std::uint32_t contact) { settle_store(world, contact); });
 }
 
-void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+namespace {
+
+// Rest times are at most `quiet` from then on.
+void thaw_jointed(WorldState& world, std::uint32_t body, double quiet, std::vector<BodyId>& woke) {
     if (!world.bodies.cold[body].frozen) return;
-    unfreeze(world, body);
-    warm_of(world, body).quiet = 0;
-    woke.push_back(body_id(world, body));
+    for (const std::uint32_t part : jointed_with(world, body).bodies) {
+        unfreeze(world, part);
+        BodyWarm& warm = warm_of(world, part);
+        warm.quiet = minimum(warm.quiet, quiet);
+        woke.push_back(body_id(world, part));
+    }
+}
+
+}  // namespace
+
+void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+    thaw_jointed(world, body, 0, woke);
 }
 
 void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
-    if (!world.bodies.cold[body].frozen) return;
-    const double quiet = warm_of(world, body).quiet;
-    const double soon = tuning::freeze_time - tuning::freeze_interval * world.last_dt;
-    thaw(world, body, woke);
-    warm_of(world, body).quiet = minimum(quiet, soon);
+    thaw_jointed(world, body, tuning::freeze_time - tuning::freeze_interval * world.last_dt, woke);
 }
 
 void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {

@@ -3,6 +3,8 @@
 // Bodies that rest in an island that moves elsewhere. A frozen body stays in the awake set, but
 // nobody solves it: for its neighbours that move it is as good as fixed, and manifolds between
 // frozen bodies lie in a store of their own. What would move it thaws it (stages/freeze_bodies.h).
+// Bodies that joints tie together are frozen and thaw as one, so no joint has one that moves and
+// one that does not.
 #pragma once
 
 #include <cstdint>
@@ -22,21 +24,42 @@ Vec3 load_before(const Contact& contact);
 // What that was the weight of, kg; 0 without gravity.
 double mass_borne_by(const WorldState& world, const Contact& contact);
 
-// Freezes dynamic bodies of the awake set that have no joints, and keeps the forces at their
-// contacts.
+// The body and all that joints tie to it, in order; `to_driver`: one of them is tied to a kinematic
+// body, which they follow. Until the next call.
+struct JointedBodies {
+    std::span<const std::uint32_t> bodies;
+    bool to_driver = false;
+};
+JointedBodies jointed_with(WorldState& world, std::uint32_t body);
+
+// Calls visit(JointedBodies) once for each that `bodies` are of, alone or with others.
+template <class Bodies, class Visit>
+void for_each_jointed(WorldState& world, const Bodies& bodies, Visit&& visit) {
+    std::vector<std::uint8_t>& visited = world.scratch.visited_jointed;
+    visited.assign(world.bodies.cold.size(), 0);
+    for (const BodyWarm& warm : bodies) {
+        if (visited[warm.body] != 0) continue;
+        const JointedBodies jointed = jointed_with(world, warm.body);
+        for (const std::uint32_t body : jointed.bodies) visited[body] = 1;
+        visit(jointed);
+    }
+}
+
+// Freezes dynamic bodies of the awake set, all of those that are jointed together and to no
+// driver, and keeps the forces at their contacts.
 void freeze(WorldState& world, std::span<const std::uint32_t> bodies);
 
 // The two halves of that, for a caller who moves the manifolds himself: all bodies first.
 void hold_still(WorldState& world, std::uint32_t body);
 void keep_load(WorldState& world, std::uint32_t contact);
 
-// The body moves again. Its rest time goes on.
+// The body moves again, it alone. Its rest time goes on.
 void unfreeze(WorldState& world, std::uint32_t body);
-// ... and begins anew.
+// With all that is jointed to it, and rest times begin anew.
 void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
 
-// ... and goes on, but for the last steps before it would freeze: if it still rests, it soon
-// freezes again, with what presses on it now.
+// ... and go on, but for the last steps before it would freeze: what still rests
+// soon freezes again, with what presses on it now.
 void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
 
 // Thaws the body, and briefly so much of what manifolds lead to from it, kg: an impact is felt by

@@ -411,12 +411,17 @@ void leave_set(WorldState& world, std::uint32_t body) {
 
 namespace {
 
-// Whether a touch leaves most of an island as it lies.
-bool wakes_frozen(const WorldState& world, const std::vector<BodyWarm>& sleepers) {
-    int free = 0;
-    for (const BodyWarm& warm : sleepers)
-        free += world.bodies.cold[warm.body].first_joint == none ? 1 : 0;
-    return world.def.sleeping && free >= tuning::freeze_least;
+// Those of an island that a touch leaves as they lie: all but what a kinematic body leads.
+std::vector<std::uint32_t> who_wakes_frozen(WorldState& world,
+                                            const std::vector<BodyWarm>& sleepers) {
+    std::vector<std::uint32_t> still;
+    if (!world.def.sleeping || sleepers.size() < tuning::freeze_least) return still;
+    for_each_jointed(world, sleepers, [&](const JointedBodies& jointed) {
+        if (!jointed.to_driver)
+            still.insert(still.end(), jointed.bodies.begin(), jointed.bodies.end());
+    });
+    if (still.size() < tuning::freeze_least) still.clear();
+    return still;
 }
 
 }  // namespace
@@ -429,17 +434,14 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     const std::vector<SavedManifold> manifolds = std::move(island.manifolds);
     island.sleepers = {};
     island.manifolds = {};
-    const bool still = wakes_frozen(world, sleepers);
-    for (const BodyWarm& warm : sleepers) {
-        enter_awake(world, warm);
-        if (still && world.bodies.cold[warm.body].first_joint == none)
-            hold_still(world, warm.body);
-        else
-            woke.push_back(body_id(world, warm.body));
-    }
+    for (const BodyWarm& warm : sleepers) enter_awake(world, warm);
+    const std::vector<std::uint32_t> still = who_wakes_frozen(world, sleepers);
+    for (const std::uint32_t body : still) hold_still(world, body);
+    for (const BodyWarm& warm : sleepers)
+        if (!world.bodies.cold[warm.body].frozen) woke.push_back(body_id(world, warm.body));
     for (const SavedManifold& saved : manifolds) {
         restore_lane(world, saved);
-        if (still) keep_load(world, saved.contact);
+        if (!still.empty()) keep_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
     // What has no manifold waits as before. A contact with another island that still sleeps is

@@ -62,8 +62,8 @@ void enter_awake(WorldState& world, const BodyWarm& warm);
 // The last body of the set moves into the hole.
 void leave_set(WorldState& world, std::uint32_t body);
 
-// Bodies without joints wake frozen if there are enough of them, with what presses on them: who
-// disturbs the island thaws what that stirs.
+// If there are enough of them, bodies wake frozen, with what presses on them: who disturbs the
+// island thaws what that stirs. Not what joints tie to a kinematic body.
 void wake_island(WorldState& world, std::uint32_t island, std::vector<BodyId>& woke);
 void put_island_to_sleep(WorldState& world, std::uint32_t island);
 // Wakes a dynamic body's island if it sleeps, and starts its rest time anew.

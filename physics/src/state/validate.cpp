@@ -68,9 +68,8 @@ Fault check_bodies(const WorldState& world) {
             return at("bodies", i, "is in a set that its type does not belong to");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
-        if (b.frozen &&
-            (!dynamic || b.set != BodySet::awake || b.first_joint != none || b.inverse_mass != 0))
-            return at("bodies", i, "is frozen but asleep, jointed or free to move");
+        if (b.frozen && (!dynamic || b.set != BodySet::awake || b.inverse_mass != 0))
+            return at("bodies", i, "is frozen but asleep or free to move");
         if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
         if (dynamic && !world.islands.ids.alive(b.island))
             return at("bodies", i, "is in an island that does not exist");
@@ -168,6 +167,9 @@ Fault check_joints(const WorldState& world) {
             return at("joints", i, "joins no dynamic body");
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
             return at("joints", i, "joins two islands");
+        const auto moves = [](const BodyCold& c) { return c.type != BodyType::fixed && !c.frozen; };
+        if ((a.frozen && moves(b)) || (b.frozen && moves(a)))
+            return at("joints", i, "ties a frozen body to one that moves");
     }
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
         if (!world.bodies.ids.alive(i)) continue;

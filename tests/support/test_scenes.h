@@ -266,8 +266,8 @@ inline physics::World chains_scene(int threads = 1) {
     return world;
 }
 
-// A block of bodies of three kinds with a small one on it that never sleeps: most of it is frozen,
-// and what is done to it thaws some.
+// A block of bodies of three kinds, some jointed to their neighbours, with a small one on it that
+// never sleeps: most of it is frozen, and what is done to it thaws some.
 inline physics::World guarded_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
@@ -282,6 +282,14 @@ inline physics::World guarded_scene(int threads = 1) {
                                                            .material = {.rolling_friction = 0.1}}));
         else
             add(world, {.position = place});
+        if (i % 6 != 3 || i % 4 == 0) continue;
+        const std::vector<BodyId> bodies = world.bodies();
+        const JointKind kinds[] = {FixedJoint{}, BallJoint{}, HingeJoint{}};
+        must(world.create_joint({.body_a = bodies[bodies.size() - 2],
+                                 .body_b = bodies.back(),
+                                 .frame_a = {{0.5, 0, 0}, {}},
+                                 .frame_b = {{-0.5, 0, 0}, {}},
+                                 .kind = kinds[i / 6 % 3]}));
     }
     add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {2.4, 3.2, 2.5}, .may_sleep = false});
     return world;

@@ -6,6 +6,7 @@
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
 #include "state/lane_masses.h"
+#include "state/lane_rows.h"
 #include "state/lanes.h"
 #include "state/links.h"
 
@@ -64,8 +65,7 @@ Vec3 load_of(WorldState& world, const Contact& contact) {
     double pressed = 0;
     for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};
     const Vec3 normal = normal_of(place);
-    const Vec3 t1{double{block.tangent[0][lane]}, double{block.tangent[1][lane]},
-                  double{block.tangent[2][lane]}};
+    const Vec3 t1 = get_lane(block.tangent, lane);
     const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
     const Effort effort = world.islands.islands[world.bodies.cold[contact.body_a].island].effort;

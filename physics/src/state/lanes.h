@@ -5,6 +5,7 @@
 // decides the bits of a solve.
 #pragma once
 
+#include "state/lane_rows.h"
 #include "state/world_state.h"
 
 namespace jostle::physics {
@@ -47,8 +48,7 @@ inline bool reports_stays(const WorldState& world, const Contact& contact) {
            world.shapes.shapes[contact.shape_b].report_stays;
 }
 inline Vec3 normal_of(const LanePlace& place) {
-    const auto& n = place.block->normal;
-    return {double{n[0][place.lane]}, double{n[1][place.lane]}, double{n[2][place.lane]}};
+    return get_lane(place.block->normal, place.lane);
 }
 
 // Row `row` of a block's lane as one float; rows 0 and 1 hold the body indices.

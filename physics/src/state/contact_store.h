@@ -18,32 +18,34 @@
 
 namespace jostle::physics {
 
-struct Contact {
+struct alignas(64) Contact {
+    // What every step reads.
     std::uint32_t shape_a = none, shape_b = none;
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
-    std::int32_t colour = -1;                    // of its lane; -1: no lane
-    Effort effort = Effort::low;                 // of its lane; which store that is in
-    std::int32_t slot = 0;                       // in that colour
     PairCache cache;
-    bool touching = false;  // pressed in the last step; binds the two bodies into one island
-    bool waiting = false;   // has an entry on the waiting list
+    std::int32_t colour = -1;     // of its lane; -1: no lane
+    std::int32_t slot = 0;        // in that colour
+    Effort effort = Effort::low;  // of its lane; which store that is in
+    bool touching = false;        // pressed in the last step; binds the two bodies into one island
+    bool waiting = false;         // has an entry on the waiting list
     bool dormant = false;
-    double limit = -1;   // m: to be looked at when reach_a + reach_b exceeds it
+    bool composite = false;  // has parts, below
+    bool queued = false;     // within a step: already among the pairs to look at
+
+    double limit = -1;  // m: to be looked at when reach_a + reach_b exceeds it
+    // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
+    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
     float load[3] = {};  // N, on b, when one of its bodies was frozen
 
     // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
     // of its own, a part, that names it as parent.
-    bool composite = false;
     std::uint32_t parent = none;
     std::uint32_t first_part = none;   // of a composite
     std::uint32_t next_part = none;    // of the same parent
     std::uint64_t key = 0;             // which part: PartManifold::key
     std::uint32_t parts_touching = 0;  // of a composite; `touching` is what was last reported
-    bool queued = false;               // within a step: already among the pairs to look at
-
-    // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
-    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
 };
+static_assert(sizeof(Contact) == 128);  // two cache lines
 
 // A pair that cannot touch yet. It is due when its bodies may have come nearer to each other than
 // its slack since the moment it was put here. The sum of both bodies' travels says at once that

@@ -124,8 +124,9 @@ struct StepScratch {
     std::vector<std::uint8_t> not_finite;      // by awake body
     std::vector<IslandExtent> extents;         // by island
     std::vector<double> island_quiet, island_most_quiet;
-    std::vector<std::uint8_t> restless, beside;  // by hot index: moves; or is by one that does
-    std::vector<std::uint32_t> resting;          // by island: bodies that could be frozen, or are
+    // By hot index: moves; or touches one that does, or is jointed to one of either.
+    std::vector<std::uint8_t> restless, beside;
+    std::vector<std::uint32_t> resting;     // by island: bodies that could be frozen, or are
     std::vector<Disturbance> hits, let_go;  // of frozen bodies: from outside; by touches that ended
     std::vector<std::uint32_t> loads_changed, freezing;  // bodies
     std::vector<std::uint8_t> met, seen_jointed;         // by body; zero between uses

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "collision/broadphase/fat_box.h"
 #include "jostle/physics/tuning.h"
 
 namespace jostle::bench {
@@ -46,11 +47,8 @@ struct Body {
     Aabb tight() const { return {at - half, at + half}; }
 };
 
-// As the world does it: a margin all round, and room for the next steps ahead.
 Aabb fatten(const Body& body) {
-    const Aabb box = grow(body.tight(), tuning::fat_margin);
-    const Vec3 ahead = body.velocity * (dt * tuning::fat_steps_ahead);
-    return {box.low + min(ahead, Vec3{}), box.high + max(ahead, Vec3{})};
+    return fat_box(body.tight(), body.velocity * dt, length(body.half));
 }
 
 bool left_fat_box(const Body& body) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How bodies moved in a step, as far as it takes to tell whether two may have met: for each fast
-// body once, because each is asked for by all its neighbours.
+// How bodies moved in a step, as far as it takes to tell whether two may have met: for those whose
+// ways are known once, because each is asked for by all its neighbours.
 #pragma once
 
 #include <cstdint>
@@ -21,30 +21,33 @@ struct Course {
 
 class Courses {
 public:
-    // `fast`: awake indices. way_of(awake index): its sweep from the start of the step to its end.
+    // `known`: awake indices. way_of(awake index): its sweep from the start of the step to its end.
     template <class WayOf>
-    void note(StepContext& step, const std::vector<std::uint32_t>& fast, WayOf&& way_of) {
+    void note(StepContext& step, const std::vector<std::uint32_t>& known, WayOf&& way_of) {
         const BodyStore& bodies = step.world.bodies;
-        courses_.resize(fast.size());
-        place_.assign(step.world.scratch.fast.size(), not_fast);
-        for (std::size_t k = 0; k < fast.size(); k++)
-            place_[fast[k]] = static_cast<std::uint32_t>(k);
-        step.team.run(static_cast<int>(fast.size()), 64, [&](int begin, int end) {
+        courses_.resize(known.size());
+        place_.assign(step.world.scratch.fast.size(), not_known);
+        for (std::size_t k = 0; k < known.size(); k++)
+            place_[known[k]] = static_cast<std::uint32_t>(k);
+        step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
-                const Sweep sweep = way_of(fast[k]);
-                const double radius = bodies.cold[bodies.awake[fast[k]].body].radius;
+                const Sweep sweep = way_of(known[k]);
+                const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
                 courses_[k] = {sweep.center, sweep.motion, length(sweep.turn) * radius};
             }
         });
         dt_ = step.dt;
     }
 
-    // Of any body; one that was not fast comes from where its velocity leads back to.
+    // Whether an awake body's way is among those.
+    bool knows(std::uint32_t awake) const {
+        return awake < place_.size() && place_[awake] != not_known;
+    }
+    // Of any body; one whose way is not known comes from where its velocity leads back to.
     Course of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
         const bool awake = cold.set == BodySet::awake;
-        if (awake && cold.at < place_.size() && place_[cold.at] != not_fast)
-            return courses_[place_[cold.at]];
+        if (awake && knows(cold.at)) return courses_[place_[cold.at]];
         const BodyWarm& warm = warm_of(world, body);
         if (!awake) return {warm.center, {}, 0};
         const Vec3 motion = warm.v * dt_;
@@ -81,7 +84,7 @@ private:
         return is_plane(shape) ? reaches_plane(world, shape, way) : overlap(way, shape.fat);
     }
 
-    static constexpr std::uint32_t not_fast = 0xffffffff;
+    static constexpr std::uint32_t not_known = 0xffffffff;
 
     std::vector<Course> courses_;
     std::vector<std::uint32_t> place_;  // by awake index: among courses_

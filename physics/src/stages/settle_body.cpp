@@ -59,12 +59,22 @@ void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Q
     warm.quiet = cold.may_sleep && (still || sways) ? warm.quiet + dt : 0;
 }
 
+// Whether a body's velocity does not lead back to where it came from, by more than a part of what
+// it may move without a sweep.
+bool was_thrown(const FreeMotion& motion, Quat turn, const BodyCold& cold, double dt) {
+    const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2 : 2);
+    const double missed =
+        length(motion.v * dt - motion.displacement) + length(motion.w * dt - turned) * cold.radius;
+    return missed > 0.5 * tuning::sweep_fraction * cold.inner_radius;
+}
+
 }  // namespace
 
 void begin_settling(WorldState& world) {
     world.scratch.left_fat_box.assign(world.bodies.awake.size(), 0);
     world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
     world.scratch.fast.assign(world.bodies.awake.size(), 0);
+    world.scratch.thrown.assign(world.bodies.awake.size(), 0);
     world.scratch.strayed.assign(world.bodies.awake.size(), 0);
     world.scratch.any_fast = 0;
     if (world.scratch.before.size() < world.bodies.awake.size())
@@ -95,6 +105,9 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
         world.scratch.before[awake_index] = warm;
         world.scratch.fast[awake_index] = 1;
         world.scratch.any_fast = 1;
+    } else if (was_thrown(motion, turn, cold, step.dt)) {
+        world.scratch.before[awake_index] = warm;
+        world.scratch.thrown[awake_index] = 1;
     }
     warm.center = center;
     warm.rotation = motion.rotation;

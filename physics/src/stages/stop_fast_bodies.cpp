@@ -32,9 +32,12 @@ public:
     explicit Sweeper(StepContext& step) : step_(step), world_(step.world) {}
 
     void run() {
-        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++)
+        std::vector<std::uint32_t> known;
+        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++) {
             if (is_fast(i)) fast_.push_back(i);
-        courses_.note(step_, fast_, [&](std::uint32_t awake) { return way_of_fast(awake); });
+            if (is_fast(i) || world_.scratch.thrown[i] != 0) known.push_back(i);
+        }
+        courses_.note(step_, known, [&](std::uint32_t awake) { return known_way(awake); });
         start_those_that_may_meet();
         if (travellers_.empty()) return;
         // Every impact uses up one of somebody's, and between two there are so many legs: this
@@ -97,6 +100,10 @@ private:
         const Traveller& t = travellers_[k];
         return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
     }
+    // Whether it has used up its impacts and is where it will be when the step ends.
+    static bool stays(const Traveller& t) { return t.impacts >= tuning::sweep_impacts; }
+    // Whether it looks for impacts itself, whenever it goes another way.
+    bool searches(std::size_t k) const { return travellers_[k].fast && !stays(travellers_[k]); }
     void look_again(std::size_t k) {
         travellers_[k].looked = false;
         enlist(k);
@@ -157,7 +164,7 @@ private:
         return world_.scratch.fast[awake] != 0 && world_.scratch.not_finite[awake] == 0;
     }
     // From where it was before the step to where the step took it.
-    Sweep way_of_fast(std::uint32_t awake) const {
+    Sweep known_way(std::uint32_t awake) const {
         const BodyWarm& now = world_.bodies.awake[awake];
         const BodyWarm& before = world_.scratch.before[awake];
         const Vec3 turn = way_round(before.rotation, now.rotation, now.w * step_.dt);
@@ -220,7 +227,7 @@ private:
 
     void start(Traveller& t) {
         const std::uint32_t awake = world_.bodies.cold[t.body].at;
-        t.sweep = way_of_fast(awake);
+        t.sweep = known_way(awake);
         aim_first(t, awake);
         t.way = bounds_of_way(t);
         if (has_strayed(t)) return;
@@ -276,14 +283,14 @@ private:
         const std::uint32_t known = traveller_of(body);
         return known != nobody ? travellers_[known].sweep : way_of(body);
     }
-    // How a body moved in this step: as it did if it was fast, else back from where it is, by its
+    // How a body moved in this step: as it did if that is known, else back from where it is, by its
     // velocity.
     Sweep way_of(std::uint32_t body) const {
         const BodyCold& cold = world_.bodies.cold[body];
         const BodyWarm& warm = warm_of(world_, body);
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
             return {0, warm.center, warm.rotation, {}, {}};
-        if (cold.at < world_.scratch.fast.size() && is_fast(cold.at)) return way_of_fast(cold.at);
+        if (courses_.knows(cold.at)) return known_way(cold.at);
         const Vec3 motion = warm.v * step_.dt, turn = warm.w * step_.dt;
         return {0, warm.center - motion, normalized(from_rotation_vector(-turn) * warm.rotation),
                 motion, turn};
@@ -332,6 +339,9 @@ private:
 
     // Looking reads how the others go and writes down what one meets.
     void look_all() {
+        round_++;
+        for (const std::size_t k : to_look_)
+            if (!travellers_[k].looked) travellers_[k].anew_in = round_;
         step_.team.run(static_cast<int>(to_look_.size()), 1, [&](int begin, int end) {
             for (int k = begin; k < end; k++) look(to_look_[static_cast<std::size_t>(k)]);
         });
@@ -344,8 +354,9 @@ private:
         Traveller& t = travellers_[k];
         if (!t.looked) {
             t.fraction = Impact::never;
-            if (t.impacts < tuning::sweep_impacts)
-                for (const std::uint32_t other : t.near) look_at(t, other);
+            if (searches(k))
+                for (const std::uint32_t other : t.near)
+                    if (!is_looked_at_by(k, world_.shapes.shapes[other].body)) look_at(t, other);
         } else {
             for (const std::uint32_t body : t.turned)
                 for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
@@ -358,6 +369,19 @@ private:
         note_next(k);
     }
 
+    // Whether the other one looks at this traveller in the same round: once is enough.
+    bool is_looked_at_by(std::size_t k, std::uint32_t other) const {
+        const std::uint32_t known = traveller_of(other);
+        if (known == nobody || known >= k || travellers_[known].anew_in != round_) return false;
+        const std::vector<std::uint32_t>& near = travellers_[known].near;
+        for (std::uint32_t s = world_.bodies.cold[travellers_[k].body].first_shape; s != none;
+             s = world_.shapes.shapes[s].next)
+            if (!world_.shapes.shapes[s].trigger &&
+                !std::binary_search(near.begin(), near.end(), s))
+                return false;
+        return searches(known);
+    }
+
     // What hardly moves against the other is the contact solver's. After an impact less is left to
     // it: its contacts did not foresee the new way.
     bool moves_enough(const Traveller& t, std::uint32_t other) const {
@@ -365,7 +389,11 @@ private:
         const std::uint32_t known = traveller_of(other);
         const bool changed = t.changed || (known != nobody && travellers_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
-        const double least = (changed ? 0.4 : 0.8) * way_without_sweep(world_, cold, cold_other);
+        double least = way_without_sweep(world_, cold, cold_other);
+        // Of two that search one looks, for both.
+        if (known != nobody && searches(known))
+            least = minimum(least, way_without_sweep(world_, cold_other, cold));
+        least *= changed ? 0.4 : 0.8;
         const Course course = course_now(other);
         const double way = length(t.sweep.motion - course.motion) +
                            length(t.sweep.turn) * cold.radius + course.turning;
@@ -377,6 +405,9 @@ private:
         const std::uint32_t body = world_.shapes.shapes[other].body;
         if (!moves_enough(t, body)) return;
         const Sweep motion = sweep_of(body);
+        const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[body];
+        const bool of_other =
+            cold_other.type == BodyType::dynamic && cold_other.inner_radius < cold.inner_radius;
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
@@ -400,11 +431,12 @@ private:
             // one end may rest while the other comes down, or solver and impact have left it going
             // inwards: then smaller and smaller parts of the shape, about its middle, stop where
             // the whole is in by what they lack.
-            SweptShape core = a;
+            SweptShape core_a = a, core_b = b;
             for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
                 if (!touches) break;
-                core.scale = scale;
-                const Impact later = time_of_impact(core, b, from, tuning::sweep_gap, t.fraction);
+                (of_other ? core_b : core_a).scale = scale;
+                const Impact later =
+                    time_of_impact(core_a, core_b, from, tuning::sweep_gap, t.fraction);
                 touches = later.at_start;
                 if (later.fraction < t.fraction)
                     touches |= !meet(later.fraction, points_along(a, b, later));
@@ -469,31 +501,52 @@ private:
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         const Material &ma = world_.shapes.shapes[own].material,
                        &mb = world_.shapes.shapes[other].material;
-        report(own, other,
-               resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb)));
-        travellers_[index].impacts++;
+        const HardestPoint hit =
+            resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb));
+        report(own, other, hit);
+        // What stays does not go where its velocity points: nobody may follow it there.
+        const std::uint32_t met = traveller_of(body_b);
+        if (hit.approach <= 0 && met != nobody && stays(travellers_[met]))
+            travellers_[index].impacts = tuning::sweep_impacts;
+        else
+            travellers_[index].impacts++;
         look_again(index);
         if (go_on(body_a, a, sweep_a, at)) look_out_for(where_[body_a]);
         if (go_on(body_b, b, sweep_b, at)) look_out_for(where_[body_b]);
     }
 
-    // Whoever might meet a body that goes another way now looks anew: at that body or, if it would
-    // have met it next, at everything.
+    // Who would have met a body that goes another way now looks anew, at everything. That body
+    // looks at all the others itself, if it still does: of two the one that turned last knows when
+    // they meet, or of something that comes before and makes it turn again. Else they look at it.
     void look_out_for(std::size_t index) {
         find_near_anew(index);
         const std::uint32_t body = travellers_[index].body;
+        if (!searches(index)) start_those_on(travellers_[index].way);
         for (const std::size_t k : fast_travellers_met(body, travellers_[index].way)) {
             Traveller& t = travellers_[k];
-            if (!t.looked || t.impacts >= tuning::sweep_impacts) continue;
+            if (!t.looked || stays(t)) continue;
             if (expects(k, body))
                 look_again(k);
-            else
+            else if (!searches(index))
                 look_also(k, body);
         }
         // Those that would have met it where it no longer goes.
         expectations_.take(body, [&](std::size_t k) {
             if (next_[k] <= 1 && expects(k, body)) look_again(k);
         });
+    }
+    // Fast bodies that had nobody to meet so far, and whose way crosses a box.
+    void start_those_on(const Aabb way) {
+        std::vector<std::uint32_t> bodies;
+        near_.each_way(way, [&](std::uint32_t body) {
+            if (traveller_of(body) == nobody) bodies.push_back(body);
+        });
+        std::sort(bodies.begin(), bodies.end());
+        for (const std::uint32_t body : bodies) {
+            Traveller& t = travellers_[add(body, true)];
+            start(t);
+            if (has_strayed(t)) near_.find(t.body, t.way, t.near);
+        }
     }
     // The other fast travellers whose way crosses a box, in order. They know the body from now on.
     const std::vector<std::size_t>& fast_travellers_met(std::uint32_t body, const Aabb& way) {
@@ -539,7 +592,7 @@ private:
         const Vec3 mean = end.v + t.gain * (0.5 * left);
         t.sweep = {at, end.center, there.rotation, mean * step_.dt, {}};
         t.changed = true;
-        if (t.impacts >= tuning::sweep_impacts) {  // stays here until the next step
+        if (stays(t)) {
             t.sweep.motion = {};
             return true;
         }
@@ -551,8 +604,8 @@ private:
     }
 
     void arrive(Traveller& t) {
-        const bool stays = t.impacts >= tuning::sweep_impacts;
-        const double until = stays ? t.sweep.from : 1;
+        const bool stayed = stays(t);
+        const double until = stayed ? t.sweep.from : 1;
         BodyWarm& warm = warm_of(world_, t.body);
         const Vec3 center = center_at(t.sweep, until);
         BodyReach& reach = world_.bodies.reach[t.body];
@@ -560,10 +613,10 @@ private:
         reach.travel += length(center - warm.center) + turned;
         reach.turned += turned;
         warm.center = center;
-        warm.rotation = stays ? rotation_at(t.sweep, until) : t.end_rotation;
+        warm.rotation = stayed ? rotation_at(t.sweep, until) : t.end_rotation;
         warm.axes = to_matrix(warm.rotation);
         warm.v = t.velocity + t.gain * (until - t.sweep.from);
-        warm.w = stays ? t.spin : t.end_spin;
+        warm.w = stayed ? t.spin : t.end_spin;
         warm.quiet = 0;
         look_ahead(world_, t.body, step_.dt);
         for (std::uint32_t s = world_.bodies.cold[t.body].first_shape; s != none;
@@ -582,6 +635,7 @@ private:
     std::vector<Traveller> travellers_;
     std::vector<double> next_;  // by traveller: when something next happens to it
     std::vector<std::size_t> to_look_;
+    std::uint32_t round_ = 0;                            // of looking
     std::vector<std::pair<double, std::size_t>> queue_;  // heap of travellers by what comes next
     std::vector<std::uint32_t> where_;  // by body: its traveller; empty before the first
 };

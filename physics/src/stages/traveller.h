@@ -32,6 +32,7 @@ struct Traveller {
     int impacts = 0;
     // The first impact that is known, if any.
     bool looked = false, to_look = false;
+    std::uint32_t anew_in = 0;          // the round in which it last looked at everything
     std::vector<std::uint32_t> turned;  // bodies that go another way since then
     double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "collision/broadphase/fat_box.h"
 #include "geometry/bounds.h"
 #include "jostle/physics/tuning.h"
 
@@ -80,9 +81,8 @@ void fatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double
     if (is_plane(shape)) return;
     shape.fat = bounds_of(placed(shape, warm));
     if (world.bodies.cold[shape.body].type != BodyType::fixed) {
-        const Aabb wide = grow(shape.fat, tuning::fat_margin);
-        const Vec3 ahead = warm.v * (dt * tuning::fat_steps_ahead);
-        shape.fat = {wide.low + min(ahead, Vec3{}), wide.high + max(ahead, Vec3{})};
+        const double radius = world.bodies.cold[shape.body].radius;
+        shape.fat = fat_box(shape.fat, warm.v * dt, radius);
     }
     world.bodies.reach[shape.body].roomy_until = 0;
 }

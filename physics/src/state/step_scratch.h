@@ -116,7 +116,9 @@ struct StepScratch {
     std::vector<std::uint8_t> strayed;   // by awake body: fast, and not on the way that its fat
                                          // boxes foresaw
     std::vector<std::uint8_t> starts;    // by fast body: may meet something
-    std::vector<BodyWarm> before;  // by awake body: as it was before the step, of the fast ones
+    std::vector<std::uint8_t> thrown;    // by awake body: not fast, and did not go as its velocity
+                                         // says: contacts turned it round in the step
+    std::vector<BodyWarm> before;  // by awake body: before the step, of what is fast or was thrown
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     std::vector<std::uint8_t> left_fat_box;    // by awake body: some shape of it did

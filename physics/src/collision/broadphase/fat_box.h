@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// The box by which the pairs of a moving shape are found: larger than the shape, so that small
+// motion needs no new one, and stretched ahead.
+#pragma once
+
+#include "jostle/physics/aabb.h"
+#include "jostle/physics/scalar.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+
+// `step`: m, what it moves in one step. `radius`: m, of the ball around its body.
+inline Aabb fat_box(const Aabb& shape, Vec3 step, double radius) {
+    const Aabb wide = grow(shape, tuning::fat_margin);
+    const double way = length(step), most = tuning::fat_radii_ahead * radius;
+    const bool far = way * tuning::fat_steps_ahead > most;
+    const Vec3 ahead = step * (far ? maximum(1, most / way) : tuning::fat_steps_ahead);
+    return {wide.low + min(ahead, Vec3{}), wide.high + max(ahead, Vec3{})};
+}
+
+}  // namespace jostle::physics

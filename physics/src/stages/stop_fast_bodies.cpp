@@ -2,7 +2,6 @@
 #include "stages/stop_fast_bodies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "collision/narrowphase/impact_points.h"
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
-#include "constraints/free_motion.h"
 #include "constraints/impact.h"
 #include "jostle/physics/tuning.h"
 #include "stages/courses.h"
@@ -24,8 +22,6 @@
 
 namespace jostle::physics {
 namespace {
-
-constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a tumbling body's
 
 class Sweeper {
 public:
@@ -52,7 +48,7 @@ public:
                 begin_leg(first);
         }
         for (Traveller& t : travellers_)
-            if (t.changed) arrive(t);
+            if (t.changed) arrive(world_, t, step_.dt);
     }
 
 private:
@@ -100,8 +96,6 @@ private:
         const Traveller& t = travellers_[k];
         return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
     }
-    // Whether it has used up its impacts and is where it will be when the step ends.
-    static bool stays(const Traveller& t) { return t.impacts >= tuning::sweep_impacts; }
     // Whether it looks for impacts itself, whenever it goes another way.
     bool searches(std::size_t k) const { return travellers_[k].fast && !stays(travellers_[k]); }
     void look_again(std::size_t k) {
@@ -118,57 +112,16 @@ private:
         t.to_look = t.fast;
     }
 
-    // The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
-    void aim(Traveller& t) {
-        const BodyCold& cold = world_.bodies.cold[t.body];
-        const double from = t.sweep.from, left = 1 - from;
-        const bool even =
-            !t.fast || cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0;
-        t.sweep.until = 1;
-        if (!even && t.spin != Vec3{}) {
-            // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
-            const Mat3 axes = to_matrix(t.spin_rotation);
-            const Vec3 w = transposed_times(axes, t.spin);
-            const double bend = length(cold.inverse_inertia * cross(w, cold.inertia * w));
-            const double legs = left * step_.dt * square_root(bend / (8 * leg_error));
-            if (legs > 1) t.sweep.until = from + left / std::ceil(legs);
-        }
-        const Quat to = t.sweep.until < 1 ? free_from(t, t.sweep.until).rotation : t.end_rotation;
-        const double part = t.sweep.until - from;
-        t.sweep.turn =
-            part > 0 ? way_round(t.sweep.rotation, to, t.spin * (part * step_.dt)) * (1 / part)
-                     : Vec3{};
-    }
     void begin_leg(std::size_t index) {
-        Traveller& t = travellers_[index];
-        const double at = t.sweep.until;
-        const FreeSpin free = free_from(t, at);
-        t.velocity += t.gain * (at - t.sweep.from);
-        t.sweep.center = center_at(t.sweep, at);
-        t.sweep.rotation = t.spin_rotation = free.rotation;
-        t.sweep.from = t.spin_at = at;
-        t.spin = free.w;
-        aim(t);
+        next_leg(world_, travellers_[index], step_.dt);
         look_out_for(index);
-    }
-    FreeSpin free_from(const Traveller& t, double fraction) const {
-        BodyWarm warm = warm_of(world_, t.body);
-        warm.rotation = t.spin_rotation;
-        warm.axes = to_matrix(warm.rotation);
-        warm.w = t.spin;
-        warm.torque = {};
-        return free_spin(warm, world_.bodies.cold[t.body], (fraction - t.spin_at) * step_.dt);
     }
 
     bool is_fast(std::uint32_t awake) const {
         return world_.scratch.fast[awake] != 0 && world_.scratch.not_finite[awake] == 0;
     }
-    // From where it was before the step to where the step took it.
     Sweep known_way(std::uint32_t awake) const {
-        const BodyWarm& now = world_.bodies.awake[awake];
-        const BodyWarm& before = world_.scratch.before[awake];
-        const Vec3 turn = way_round(before.rotation, now.rotation, now.w * step_.dt);
-        return {0, before.center, before.rotation, now.center - before.center, turn};
+        return even_sweep(world_.scratch.before[awake], world_.bodies.awake[awake], step_.dt);
     }
 
     // Most fast bodies fly through nothing, or along with others that fall beside them: those need
@@ -227,8 +180,7 @@ private:
 
     void start(Traveller& t) {
         const std::uint32_t awake = world_.bodies.cold[t.body].at;
-        t.sweep = known_way(awake);
-        aim_first(t, awake);
+        set_out(world_, t, awake, step_.dt);
         t.way = bounds_of_way(t);
         if (has_strayed(t)) return;
         each_met(awake, [&](std::uint32_t shape) {
@@ -237,48 +189,12 @@ private:
         });
         near_.tidy(t.body, t.near);
     }
-    void aim_first(Traveller& t, std::uint32_t awake) {
-        const BodyWarm& now = world_.bodies.awake[awake];
-        const BodyWarm& before = world_.scratch.before[awake];
-        const BodyCold& cold = world_.bodies.cold[now.body];
-        t.end_rotation = now.rotation;
-        t.end_spin = now.w;
-        t.velocity = now.v;
-        t.spin = now.w;
-        t.spin_rotation = now.rotation;
-        const bool flies =
-            cold.type == BodyType::dynamic && cold.lanes == 0 && cold.first_joint == none;
-        if (!flies) return;
-        t.velocity = before.v;
-        t.gain = now.v - before.v;
-        t.spin_at = 0;
-        t.spin = before.w;
-        t.spin_rotation = before.rotation;
-        aim(t);
-    }
-
-    // The velocities of a body at a fraction of the step.
-    struct Speed {
-        Vec3 v, w;
-    };
-    Speed speed_at(std::uint32_t body, const Sweep& sweep, double fraction) const {
+    Speed speed_of(std::uint32_t body, double fraction) const {
         const std::uint32_t known = traveller_of(body);
-        if (known == nobody) {
-            const BodyWarm& warm = warm_of(world_, body);
-            return {warm.v, warm.w};
-        }
-        const Traveller& t = travellers_[known];
-        Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
-        const BodyCold& cold = world_.bodies.cold[body];
-        if (cold.type != BodyType::dynamic || cold.isotropic || cold.locks != 0) return s;
-        // The sweep turns evenly, a tumbling body does not. Its spin is taken over in the body's
-        // own axes: seen from a slightly wrong attitude the same angular momentum would be a
-        // thousandfold spin about the thin axis of a rod.
-        const FreeSpin free = free_from(t, fraction);
-        s.w = rotate(rotation_at(sweep, fraction) * conjugate(free.rotation), free.w);
-        return s;
+        if (known != nobody) return speed_at(world_, travellers_[known], fraction, step_.dt);
+        const BodyWarm& warm = warm_of(world_, body);
+        return {warm.v, warm.w};
     }
-
     Sweep sweep_of(std::uint32_t body) const {
         const std::uint32_t known = traveller_of(body);
         return known != nobody ? travellers_[known].sweep : way_of(body);
@@ -453,8 +369,7 @@ private:
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
         const Vec3 ca = center_at(t.sweep, fraction), cb = center_at(motion, fraction);
-        const Speed sa = speed_at(body_a, t.sweep, fraction),
-                    sb = speed_at(body_b, motion, fraction);
+        const Speed sa = speed_of(body_a, fraction), sb = speed_of(body_b, fraction);
         const double least = 1e-3;  // m/s
         for (const ImpactPoint& p : points) {
             const Vec3 ra = p.position - ca, rb = p.position - cb;
@@ -474,7 +389,7 @@ private:
         BodyWarm there = warm_of(world_, body);
         there.rotation = rotation_at(sweep, fraction);
         there.axes = to_matrix(there.rotation);
-        const Speed speed = speed_at(body, sweep, fraction);
+        const Speed speed = speed_of(body, fraction);
         ImpactBody e{
             .center = center_at(sweep, fraction), .inverse_mass = {}, .v = speed.v, .w = speed.w};
         if (cold.inverse_mass == 0) return e;
@@ -572,57 +487,10 @@ private:
     // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.
     bool go_on(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at) {
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
-        const BodyCold& cold = world_.bodies.cold[body];
-        const double left = 1 - at, dt = left * step_.dt;
         const std::uint32_t known = traveller_of(body);
         Traveller& t = travellers_[known == nobody ? add(body, false) : known];
-        // From here on it flies, whatever held it before: the next step's contacts will see.
-        BodyWarm there = warm_of(world_, body);
-        there.rotation = rotation_at(old, at);
-        there.axes = to_matrix(there.rotation);
-        there.w = end.w;
-        there.torque = {};
-        const FreeSpin free = dt > 0 ? free_spin(there, cold, dt) : FreeSpin{there.rotation, end.w};
-        t.end_rotation = free.rotation;
-        t.end_spin = free.w;
-        t.spin_at = at;
-        t.spin = end.w;
-        t.spin_rotation = there.rotation;
-        t.velocity = end.v;
-        const Vec3 mean = end.v + t.gain * (0.5 * left);
-        t.sweep = {at, end.center, there.rotation, mean * step_.dt, {}};
-        t.changed = true;
-        if (stays(t)) {
-            t.sweep.motion = {};
-            return true;
-        }
-        // What was hit may now be fast itself.
-        const double way = (length(end.v) + length(end.w) * cold.radius) * dt;
-        t.fast |= cold.continuous && way > tuning::sweep_fraction * cold.inner_radius;
-        aim(t);
+        turn_off(world_, t, at, {end.center, rotation_at(old, at), end.v, end.w}, step_.dt);
         return true;
-    }
-
-    void arrive(Traveller& t) {
-        const bool stayed = stays(t);
-        const double until = stayed ? t.sweep.from : 1;
-        BodyWarm& warm = warm_of(world_, t.body);
-        const Vec3 center = center_at(t.sweep, until);
-        BodyReach& reach = world_.bodies.reach[t.body];
-        const double turned = 3.2 * world_.bodies.cold[t.body].radius;  // half a turn at most
-        reach.travel += length(center - warm.center) + turned;
-        reach.turned += turned;
-        warm.center = center;
-        warm.rotation = stayed ? rotation_at(t.sweep, until) : t.end_rotation;
-        warm.axes = to_matrix(warm.rotation);
-        warm.v = t.velocity + t.gain * (until - t.sweep.from);
-        warm.w = stayed ? t.spin : t.end_spin;
-        warm.quiet = 0;
-        look_ahead(world_, t.body, step_.dt);
-        for (std::uint32_t s = world_.bodies.cold[t.body].first_shape; s != none;
-             s = world_.shapes.shapes[s].next)
-            if (!fits_fat_box(world_.shapes.shapes[s], warm, step_.dt))
-                refatten(world_, s, warm, step_.dt);
     }
 
     StepContext& step_;

@@ -3,13 +3,11 @@
 // A body under way between two steps, as stop_fast_bodies follows it from impact to impact.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "collision/narrowphase/impact_points.h"
 #include "collision/narrowphase/time_of_impact.h"
-#include "jostle/physics/scalar.h"
 #include "state/world_state.h"
 
 namespace jostle::physics {
@@ -41,15 +39,30 @@ struct Traveller {
     std::vector<std::uint32_t> near;  // shapes that may be in it, in order and once each
 };
 
-// An even turn from one attitude to the other, rad, of all that end there the one most like
-// `wished`: so that the way ends where the body does, however often it went round.
-inline Vec3 way_round(Quat from, Quat to, Vec3 wished) {
-    const Quat turn = to * conjugate(from);
-    const Vec3 v{turn.x, turn.y, turn.z};
-    const double l = length(v);
-    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
-    const double angle = 2 * arc_tangent(l, turn.w), round = 2 * pi;
-    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
-}
+// From where a step found a body to where it took it.
+Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt);
+
+struct Speed {
+    Vec3 v, w;  // m/s, rad/s
+};
+// At a fraction of the step, from the sweep's beginning on.
+Speed speed_at(const WorldState& world, const Traveller& t, double fraction, double dt);
+
+// A fast body, by its index among the awake, from the beginning of the step: as the step took it.
+void set_out(const WorldState& world, Traveller& t, std::uint32_t awake, double dt);
+// From the end of a leg on.
+void next_leg(const WorldState& world, Traveller& t, double dt);
+
+struct Turn {
+    Vec3 center;  // m
+    Quat rotation;
+    Vec3 v, w;  // m/s, rad/s: from here on
+};
+// From an impact on, with another velocity. It may be fast now.
+void turn_off(const WorldState& world, Traveller& t, double fraction, const Turn& turn, double dt);
+// Whether it has used up its impacts and is where it will be when the step ends.
+bool stays(const Traveller& t);
+// Its body is where the way ends, and moves as it did there.
+void arrive(WorldState& world, const Traveller& t, double dt);
 
 }  // namespace jostle::physics

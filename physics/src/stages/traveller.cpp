@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "stages/traveller.h"
+
+#include <cmath>
+
+#include "constraints/free_motion.h"
+#include "jostle/physics/tuning.h"
+#include "state/links.h"
+#include "state/reach.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a tumbling body's
+
+// An even turn from one attitude to the other, rad, of all that end there the one most like
+// `wished`: so that the way ends where the body does, however often it went round.
+Vec3 way_round(Quat from, Quat to, Vec3 wished) {
+    const Quat turn = to * conjugate(from);
+    const Vec3 v{turn.x, turn.y, turn.z};
+    const double l = length(v);
+    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
+    const double angle = 2 * arc_tangent(l, turn.w), round = 2 * pi;
+    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
+}
+
+// A body in another attitude and with another spin, which nothing turns.
+FreeSpin spin_of(const WorldState& world, std::uint32_t body, Quat rotation, Vec3 w, double dt) {
+    BodyWarm there = warm_of(world, body);
+    there.rotation = rotation;
+    there.axes = to_matrix(rotation);
+    there.w = w;
+    there.torque = {};
+    return free_spin(there, world.bodies.cold[body], dt);
+}
+FreeSpin spin_at(const WorldState& world, const Traveller& t, double fraction, double dt) {
+    return spin_of(world, t.body, t.spin_rotation, t.spin, (fraction - t.spin_at) * dt);
+}
+
+bool tumbles(const BodyCold& cold) {
+    return cold.type == BodyType::dynamic && !cold.isotropic && cold.locks == 0;
+}
+
+// The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
+void aim(const WorldState& world, Traveller& t, double dt) {
+    const BodyCold& cold = world.bodies.cold[t.body];
+    const double from = t.sweep.from, left = 1 - from;
+    t.sweep.until = 1;
+    if (t.fast && tumbles(cold) && t.spin != Vec3{}) {
+        // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
+        const Mat3 axes = to_matrix(t.spin_rotation);
+        const Vec3 w = transposed_times(axes, t.spin);
+        const double bend = length(cold.inverse_inertia * cross(w, cold.inertia * w));
+        const double legs = left * dt * square_root(bend / (8 * leg_error));
+        if (legs > 1) t.sweep.until = from + left / std::ceil(legs);
+    }
+    const bool last = t.sweep.until == 1;
+    const Quat to = last ? t.end_rotation : spin_at(world, t, t.sweep.until, dt).rotation;
+    const double part = t.sweep.until - from;
+    t.sweep.turn =
+        part > 0 ? way_round(t.sweep.rotation, to, t.spin * (part * dt)) * (1 / part) : Vec3{};
+}
+
+}  // namespace
+
+Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt) {
+    const Vec3 turn = way_round(before.rotation, now.rotation, now.w * dt);
+    return {0, before.center, before.rotation, now.center - before.center, turn};
+}
+
+Speed speed_at(const WorldState& world, const Traveller& t, double fraction, double dt) {
+    Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
+    if (!tumbles(world.bodies.cold[t.body])) return s;
+    // The sweep turns evenly, a tumbling body does not. Its spin is taken over in the body's own
+    // axes: seen from a slightly wrong attitude the same angular momentum would be a thousandfold
+    // spin about the thin axis of a rod.
+    const FreeSpin free = spin_at(world, t, fraction, dt);
+    s.w = rotate(rotation_at(t.sweep, fraction) * conjugate(free.rotation), free.w);
+    return s;
+}
+
+void set_out(const WorldState& world, Traveller& t, std::uint32_t awake, double dt) {
+    const BodyWarm &now = world.bodies.awake[awake], &before = world.scratch.before[awake];
+    const BodyCold& cold = world.bodies.cold[now.body];
+    t.sweep = even_sweep(before, now, dt);
+    t.end_rotation = now.rotation;
+    t.end_spin = now.w;
+    t.velocity = now.v;
+    t.spin = now.w;
+    t.spin_rotation = now.rotation;
+    const bool flies =
+        cold.type == BodyType::dynamic && cold.lanes == 0 && cold.first_joint == none;
+    if (!flies) return;
+    t.velocity = before.v;
+    t.gain = now.v - before.v;
+    t.spin_at = 0;
+    t.spin = before.w;
+    t.spin_rotation = before.rotation;
+    aim(world, t, dt);
+}
+
+void next_leg(const WorldState& world, Traveller& t, double dt) {
+    const double at = t.sweep.until;
+    const FreeSpin free = spin_at(world, t, at, dt);
+    t.velocity += t.gain * (at - t.sweep.from);
+    t.sweep.center = center_at(t.sweep, at);
+    t.sweep.rotation = t.spin_rotation = free.rotation;
+    t.sweep.from = t.spin_at = at;
+    t.spin = free.w;
+    aim(world, t, dt);
+}
+
+void turn_off(const WorldState& world, Traveller& t, double fraction, const Turn& turn, double dt) {
+    const BodyCold& cold = world.bodies.cold[t.body];
+    const double left = 1 - fraction, time = left * dt;
+    // From here on it flies, whatever held it before: the next step's contacts will see.
+    const FreeSpin free = time > 0 ? spin_of(world, t.body, turn.rotation, turn.w, time)
+                                   : FreeSpin{turn.rotation, turn.w};
+    t.end_rotation = free.rotation;
+    t.end_spin = free.w;
+    t.spin_at = fraction;
+    t.spin = turn.w;
+    t.spin_rotation = turn.rotation;
+    t.velocity = turn.v;
+    const Vec3 mean = turn.v + t.gain * (0.5 * left);
+    t.sweep = {fraction, turn.center, turn.rotation, mean * dt, {}};
+    t.changed = true;
+    if (stays(t)) {
+        t.sweep.motion = {};
+        return;
+    }
+    const double way = (length(turn.v) + length(turn.w) * cold.radius) * time;
+    t.fast |= cold.continuous && way > tuning::sweep_fraction * cold.inner_radius;
+    aim(world, t, dt);
+}
+
+bool stays(const Traveller& t) {
+    return t.impacts >= tuning::sweep_impacts;
+}
+
+void arrive(WorldState& world, const Traveller& t, double dt) {
+    const bool stayed = stays(t);
+    const double until = stayed ? t.sweep.from : 1;
+    const BodyCold& cold = world.bodies.cold[t.body];
+    BodyWarm& warm = warm_of(world, t.body);
+    const Vec3 center = center_at(t.sweep, until);
+    BodyReach& reach = world.bodies.reach[t.body];
+    const double turned = 3.2 * cold.radius;  // half a turn at most
+    reach.travel += length(center - warm.center) + turned;
+    reach.turned += turned;
+    warm.center = center;
+    warm.rotation = stayed ? rotation_at(t.sweep, until) : t.end_rotation;
+    warm.axes = to_matrix(warm.rotation);
+    warm.v = t.velocity + t.gain * (until - t.sweep.from);
+    warm.w = stayed ? t.spin : t.end_spin;
+    warm.quiet = 0;
+    look_ahead(world, t.body, dt);
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
+        if (!fits_fat_box(world.shapes.shapes[s], warm, dt)) refatten(world, s, warm, dt);
+}
+
+}  // namespace jostle::physics

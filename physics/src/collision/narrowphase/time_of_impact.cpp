@@ -213,6 +213,28 @@ Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const Sear
                    [](const Gap&, double, double least) { return least; });
 }
 
+Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
+    Vec3 hint, origin;
+    Convex ca, cb;
+    const double most = closing_at_most(a, b);
+    const auto gap_at = [&](double t, bool exact) {
+        const Placed pa = placed_at(a, t), pb = placed_at(b, t);
+        origin = pa.position;
+        ca = convex_at(a, pa, origin);
+        cb = convex_at(b, pb, origin);
+        const double radii = ca.radius + cb.radius;
+        const GjkGoal early{
+            .beyond = radii + way.gap + most * (way.until - t), .loose = loose, .radii = radii};
+        const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
+        hint = g.normal;
+        return gap_of(g, a, b, ca.radius, cb.radius, origin);
+    };
+    return advance(a, b, way, gap_at, [&](const Gap& now, double t, double least) {
+        return safe_step(a, b, now, t, way, least, extent_of(ca, origin - center_at(a.sweep, t)),
+                         extent_of(cb, origin - center_at(b.sweep, t)));
+    });
+}
+
 // ---- spheres and capsules: balls around a segment, whose distance needs no search ----
 
 bool is_rod(ShapeKind kind) {
@@ -268,36 +290,6 @@ Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
         return safe_step(a, b, now, t, way, least, extent_of(ra, center_at(a.sweep, t)),
                          extent_of(rb, center_at(b.sweep, t)));
     });
-}
-
-Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
-    Vec3 origin;
-    Convex ca, cb;
-    const auto place = [&](double t) {
-        const Placed pa = placed_at(a, t), pb = placed_at(b, t);
-        origin = pa.position;
-        ca = convex_at(a, pa, origin);
-        cb = convex_at(b, pb, origin);
-    };
-    const auto step_from = [&](const Gap& now, double t, double least) {
-        return safe_step(a, b, now, t, way, least, extent_of(ca, origin - center_at(a.sweep, t)),
-                         extent_of(cb, origin - center_at(b.sweep, t)));
-    };
-    place(way.from);
-    // Most pairs never meet, and most of those are told by rods around them or by the direction in
-    // which those are apart.
-    Vec3 hint;
-    const double most = closing_at_most(a, b);
-    const auto gap_at = [&](double t, bool exact) {
-        if (t != way.from) place(t);
-        const double radii = ca.radius + cb.radius;
-        const GjkGoal early{
-            .beyond = radii + way.gap + most * (way.until - t), .loose = loose, .radii = radii};
-        const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
-        hint = g.normal;
-        return gap_of(g, a, b, ca.radius, cb.radius, origin);
-    };
-    return advance(a, b, way, gap_at, step_from);
 }
 
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in

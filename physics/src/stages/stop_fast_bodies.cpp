@@ -329,7 +329,9 @@ private:
             if (!may_hit(own, other)) continue;
             const double from = std::max(t.sweep.from, motion.from);
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
-            const Impact hit = time_of_impact(a, b, from, tuning::sweep_gap, t.fraction);
+            const bool held = is_held(own, other);
+            const Impact hit = held ? Impact{.at_start = true}
+                                    : time_of_impact(a, b, from, tuning::sweep_gap, t.fraction);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
                                   bool at_start = false) {
                 if (fraction >= t.fraction) return true;
@@ -350,6 +352,7 @@ private:
             SweptShape core_a = a, core_b = b;
             for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
                 if (!touches) break;
+                if (held && scale > 0.7) continue;
                 (of_other ? core_b : core_a).scale = scale;
                 const Impact later =
                     time_of_impact(core_a, core_b, from, tuning::sweep_gap, t.fraction);
@@ -359,6 +362,22 @@ private:
             }
             if (touches) meet(from, points_touching(a, b, from), true);
         }
+    }
+
+    // Whether the contact solver has resolved the impact of two shapes, which update_contacts
+    // foresaw.
+    bool is_held(std::uint32_t own, std::uint32_t other) const {
+        const BodyCold& cold = world_.bodies.cold[world_.shapes.shapes[own].body];
+        if (cold.lanes == 0 || !is_foreseen(world_, own, other)) return false;
+        for (std::uint32_t edge = cold.first_edge; edge != none;) {
+            const Contact& c = world_.contacts.contacts[edge / 2];
+            const bool is_a = edge % 2 == 0;
+            edge = c.next[edge % 2];
+            if (c.colour >= 0 && (is_a ? c.shape_a == own && c.shape_b == other
+                                       : c.shape_b == own && c.shape_a == other))
+                return true;
+        }
+        return false;
     }
 
     // Whether they go on inwards there: by their velocities or, after the start, by their sweeps.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pairs are swept. Two stages must agree: update_contacts leaves the impact of such a pair to
-// stop_fast_bodies.
+// Which pairs are swept, and who resolves their impacts. Two stages must agree on both: what
+// update_contacts foresees the contact solver resolves, all else stop_fast_bodies.
 #pragma once
 
+#include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
 #include "state/world_state.h"
 
@@ -24,6 +25,20 @@ inline double way_without_sweep(const WorldState& world, const BodyCold& mover,
     if (other.type == BodyType::dynamic && (was_held(world, mover) || was_held(world, other)))
         size += other.inner_radius;
     return tuning::sweep_fraction * size;
+}
+
+// Whether the contact solver resolves the impact of two shapes that are swept, along with what
+// holds their bodies: from a sweep they would go on without it. What hangs on joints would leave
+// them, and what leans on others would hit them in turn. Of bodies without joints only what does
+// not bounce: what does has the rest of the step to go back, which the solver does not give it.
+inline bool is_foreseen(const WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+    const ShapeRecord &sa = world.shapes.shapes[shape_a], &sb = world.shapes.shapes[shape_b];
+    const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
+    if (a.first_joint != none || b.first_joint != none) return true;
+    const auto leans = [&](const BodyCold& cold) {
+        return cold.type == BodyType::dynamic && was_held(world, cold);
+    };
+    return (leans(a) || leans(b)) && pair_restitution(sa.material, sb.material) == 0;
 }
 
 }  // namespace jostle::physics

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 
 #include "collision/narrowphase/collide.h"
@@ -10,7 +11,7 @@
 #include "constraints/write_manifold.h"
 #include "foundation/fetch.h"
 #include "jostle/physics/tuning.h"
-#include "stages/mid_step_pair.h"
+#include "stages/pair_ahead.h"
 #include "stages/sweep_rule.h"
 #include "stages/waiting_rule.h"
 #include "state/frozen.h"
@@ -115,9 +116,8 @@ double closing_way(const WorldState& world, const Contact& c, double dt) {
     return (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
 }
 
-// Whether the pair will be swept (stages/stop_fast_bodies.h): then its impact happens there, in its
-// own time, and not here at the start of the step. That takes a body that is fast, and fast against
-// the other.
+// Whether the pair will be swept (stages/stop_fast_bodies.h). That takes a body that is fast, and
+// fast against the other.
 bool will_be_swept(const WorldState& world, const Contact& c, double way, double dt) {
     if (!world.def.continuous) return false;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
@@ -193,18 +193,22 @@ void look_at_composite(WorldState& world, ContactCheck& check, double dt) {
     const Contact& c = world.contacts.contacts[check.contact];
     const double way = closing_way(world, c, dt);
     check.near = closing_reach(world, c, way) + composite_slack;
+    const bool swept = will_be_swept(world, c, way, dt);
+    std::optional<double> meeting;
+    if (swept && is_foreseen(world, c.shape_a, c.shape_b)) meeting = time_to_meeting(world, c, dt);
+    const double time = meeting && *meeting > 0 ? *meeting : time_to_middle(world, c, way, dt);
+    const double way_ahead = way * time / dt;
     std::vector<PartManifold> parts;
-    const MidStepPair pair(world, c, way, dt);
+    const PairAhead pair(world, c, time);
     collide_composite(pair.shape_a(), pair.shape_b(), tuning::speculative_margin + check.near,
                       parts);
-    for (PartManifold& part : parts) pair.count_back(part.manifold);
-    check.near -= pair.way_ahead();
+    for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
+    check.near -= way_ahead;
     std::vector<FoundPart>& found = world.scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
-    const bool swept = will_be_swept(world, c, way, dt);
     for (const PartManifold& part : parts) {
-        if (swept && part.manifold.distance > tuning::touch_gap) continue;
+        if (swept && !meeting && part.manifold.distance > tuning::touch_gap) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
         check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
     }
@@ -234,23 +238,32 @@ void fetch_ahead(const WorldState& world, int k, int end) {
 // The points where a pair may touch in this step.
 Manifold manifold_ahead(const WorldState& world, Contact& c, double dt) {
     const double way = closing_way(world, c, dt);
-    const MidStepPair pair(world, c, way, dt);
-    const auto within = [&](double margin) {
+    const auto within = [&](double margin, const PairAhead& pair, double time) {
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
-        pair.count_back(m);
+        pair.count_back(m, way * time / dt);
         return m;
     };
-    if (will_be_swept(world, c, way, dt)) return within(tuning::touch_gap);
+    const double middle = time_to_middle(world, c, way, dt);
+    const PairAhead pair(world, c, middle);
+    const bool swept = will_be_swept(world, c, way, dt);
+    if (swept && !is_foreseen(world, c.shape_a, c.shape_b))
+        return within(tuning::touch_gap, pair, middle);
     // Most of what moves much against each other flies past: that is cheaper to see than points.
-    if (c.colour < 0) {
-        const Manifold near = within(tuning::speculative_margin);
+    if (c.colour < 0 || swept) {
+        const Manifold near = within(tuning::speculative_margin, pair, middle);
         if (near.count == 0 && near.normal != Vec3{} &&
             near.distance - closing_along(world, c, near.normal) * dt >= tuning::speculative_margin)
             return near;
+        if (swept) {
+            const std::optional<double> meeting = time_to_meeting(world, c, dt);
+            if (!meeting) return near;
+            if (*meeting > 0)
+                return within(tuning::speculative_margin, PairAhead(world, c, *meeting), *meeting);
+        }
     }
-    return within(tuning::speculative_margin + closing_reach(world, c, way));
+    return within(tuning::speculative_margin + closing_reach(world, c, way), pair, middle);
 }
 
 void look(WorldState& world, ContactCheck& check, double dt) {

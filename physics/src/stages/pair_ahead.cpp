@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "stages/pair_ahead.h"
+
+#include "collision/narrowphase/time_of_impact.h"
+#include "constraints/write_manifold.h"
+#include "jostle/physics/tuning.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr double noticed = 1e-4;  // m of motion in a step
+
+SweptShape swept(const WorldState& world, std::uint32_t body, std::uint32_t shape, double dt) {
+    const ShapeRecord& s = world.shapes.shapes[shape];
+    const BodyWarm& warm = warm_of(world, body);
+    return {&s.geometry,
+            s.offset,
+            s.axes,
+            world.bodies.cold[body].radius,
+            {0, warm.center, warm.rotation, warm.v * dt, warm.w * dt}};
+}
+
+}  // namespace
+
+PairAhead::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t shape_index,
+                      double time) {
+    const BodyWarm& warm = warm_of(world, body);
+    const ShapeRecord& record = world.shapes.shapes[shape_index];
+    v = warm.v;
+    w = warm.w;
+    center = warm.center;
+    if (time == 0 || (v == Vec3{} && w == Vec3{})) {
+        shape = placed(record, warm);
+        return;
+    }
+    BodyWarm later = warm;
+    later.center += v * time;
+    later.rotation = normalized(from_rotation_vector(w * time) * warm.rotation);
+    later.axes = to_matrix(later.rotation);
+    center = later.center;
+    shape = placed(record, later);
+}
+
+Vec3 PairAhead::Side::velocity_at(Vec3 point) const {
+    return v + cross(w, point - center);
+}
+
+PairAhead::PairAhead(const WorldState& world, const Contact& contact, double time)
+    : time_(time),
+      share_(time == 0 ? 0 : share_of(world, contact)),
+      a_(world, contact.body_a, contact.shape_a, time),
+      b_(world, contact.body_b, contact.shape_b, time) {}
+
+void PairAhead::count_back(Manifold& m, double way) const {
+    if (time_ == 0) return;
+    const Vec3 carried = (a_.v + (b_.v - a_.v) * share_) * time_;
+    for (int i = 0; i < m.count; i++) {
+        const Vec3 apart = b_.velocity_at(m.point[i]) - a_.velocity_at(m.point[i]);
+        m.gap[i] -= dot(m.normal, apart) * time_;
+        m.point[i] -= carried;
+    }
+    m.distance = m.count > 0 ? smallest_gap(m) : m.distance - way;
+}
+
+// The forces of n sub-steps fall on their beginnings, in the mean (n - 1) / 2n of a step after its
+// start. No further than to half of what is thin: a body may be stopped before it gets there.
+double time_to_middle(const WorldState& world, const Contact& c, double way, double dt) {
+    const bool touching = c.composite ? c.parts_touching > 0 : c.touching;
+    if (!touching || way < noticed) return 0;
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const double thin =
+        b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
+    const int n = substeps_of(world.islands.islands[a.island].effort, world.def);
+    return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / way);
+}
+
+std::optional<double> time_to_meeting(const WorldState& world, const Contact& c, double dt) {
+    const Impact impact =
+        time_of_impact(swept(world, c.body_a, c.shape_a, dt), swept(world, c.body_b, c.shape_b, dt),
+                       0, tuning::sweep_gap);
+    if (impact.at_start) return 0;
+    if (impact.fraction > 1) return std::nullopt;
+    return impact.fraction * dt;
+}
+
+double smallest_gap(const Manifold& m) {
+    double gap = m.distance;
+    for (int i = 0; i < m.count; i++) gap = i == 0 ? m.gap[0] : minimum(gap, m.gap[i]);
+    return gap;
+}
+
+}  // namespace jostle::physics

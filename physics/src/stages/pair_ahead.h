@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// A pair as it will be later in the step, if both go on as they move now. Contacts hold for a whole
+// step, and those of its start are old when they are needed:
+//
+// - Where bodies roll or rock on each other, normal and point of contact go along. A force that
+//   lags half a step behind the way which it opposes feeds it: what swings with an angular
+//   frequency of w gains w^2 dt / 4 of its amplitude in a second (a plank on a ball would double
+//   its swing in 20 s). What is in touch is looked at in the middle of the step, which makes
+//   contacts of second order in dt, as the midpoint rule is.
+// - What comes from afar touches elsewhere than where it is nearest now. It is looked at where it
+//   meets.
+#pragma once
+
+#include <optional>
+
+#include "collision/narrowphase/manifold.h"
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+class PairAhead {
+public:
+    // `time`: s from the start of the step.
+    PairAhead(const WorldState& world, const Contact& contact, double time);
+
+    const Placed& shape_a() const { return a_.shape; }
+    const Placed& shape_b() const { return b_.shape; }
+
+    // From a manifold as it will be to its gaps at the start of the step, and to points from which
+    // the solver gets to where they will be (BlockBodies::follow). `way`, m: how far the two may
+    // move against each other until then, at most; two that do not touch may be nearer by it.
+    void count_back(Manifold& manifold, double way) const;
+
+private:
+    struct Side {
+        Side(const WorldState& world, std::uint32_t body, std::uint32_t shape, double time);
+        Vec3 velocity_at(Vec3 point) const;
+
+        Vec3 v, w, center;
+        Placed shape;
+    };
+
+    double time_;
+    double share_;
+    Side a_, b_;
+};
+
+// s: the middle of the forces of a step, for two that touch and move by `way` against each other,
+// m; else 0.
+double time_to_middle(const WorldState& world, const Contact& contact, double way, double dt);
+
+// s: when two meet in this step; 0 if they touch now.
+std::optional<double> time_to_meeting(const WorldState& world, const Contact& contact, double dt);
+
+double smallest_gap(const Manifold& manifold);  // m
+
+}  // namespace jostle::physics

@@ -13,21 +13,32 @@ double damping_factor(double damping, double dt) {
     return c < 1 ? (1 - 0.5 * c) / (1 + 0.5 * c) : 1 / (1 + c);
 }
 
-// In the frame of the start, which turns with the body, the inertia is constant: the midpoint rule
-// keeps energy and |L|, and with the Cayley map for the turn L itself. In that frame each round
-// gains a factor of about h |w|, however thin the body is, because no principal moment is less than
-// the difference of the other two.
-EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, double dt) {
+namespace {
+
+// I^-1 (w x I w), by which Euler's equations bend the spin of a free body, in its axes.
+struct BendOfAny {
+    const Mat3 &inertia, &inverse_inertia;
+    Vec3 operator()(Vec3 w) const { return inverse_inertia * cross(w, inertia * w); }
+};
+struct BendOfPrincipal {
+    const Vec3& factors;
+    Vec3 operator()(Vec3 w) const { return scaled(factors, {w.y * w.z, w.z * w.x, w.x * w.y}); }
+};
+
+// The inertia is constant in the body's axes: the midpoint rule keeps energy and |L|, and with the
+// Cayley map for the turn L itself. Each round gains a factor of about h |w|, however thin the body
+// is, because no principal moment is less than the difference of the other two.
+template <class Bend>
+EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
     const double wished = length(w) * absolute(dt) * 4;
     const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
     const double h = dt / parts;
     EulerStep result{.turn = {}, .w = w};
     for (int part = 0; part < parts; part++) {
         const Vec3 begin = result.w;
-        Vec3 end = begin, middle;
+        Vec3 end = begin;
         for (int round = 0; round < 30; round++) {
-            middle = (begin + end) * 0.5;
-            const Vec3 next = begin - inverse_inertia * cross(middle, inertia * middle) * h;
+            const Vec3 next = begin - bend((begin + end) * 0.5) * h;
             const bool settled = length_squared(next - end) <= 1e-30 * length_squared(next);
             end = next;
             if (settled) break;
@@ -37,6 +48,27 @@ EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, d
         result.w = end;
     }
     return result;
+}
+
+}  // namespace
+
+std::optional<PrincipalBend> principal_bend(const BodyCold& cold) {
+    const Mat3 &i = cold.inertia, &inverse = cold.inverse_inertia;
+    const bool diagonal =
+        i.x.y == 0 && i.x.z == 0 && i.y.x == 0 && i.y.z == 0 && i.z.x == 0 && i.z.y == 0;
+    if (!diagonal) return std::nullopt;
+    return PrincipalBend{{(i.z.z - i.y.y) * inverse.x.x, (i.x.x - i.z.z) * inverse.y.y,
+                          (i.y.y - i.x.x) * inverse.z.z}};
+}
+
+EulerStep euler_step(const PrincipalBend& bend, Vec3 w, double dt) {
+    return euler_step(BendOfPrincipal{bend.factors}, w, dt);
+}
+
+EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
+    if (const std::optional<PrincipalBend> bend = principal_bend(cold))
+        return euler_step(*bend, w, dt);
+    return euler_step(BendOfAny{cold.inertia, cold.inverse_inertia}, w, dt);
 }
 
 bool tumbles(const BodyWarm& warm, const BodyCold& cold, double dt) {
@@ -70,15 +102,15 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     }
     if (warm.w == Vec3{} && warm.torque == Vec3{}) return {warm.rotation, {}};
     // Torque in two halves round the free turn.
-    const Mat3 inertia = warm.axes * cold.inertia * transpose(warm.axes);
-    const Mat3 inverse = warm.axes * cold.inverse_inertia * transpose(warm.axes);
-    const EulerStep turned =
-        euler_step(inertia, inverse, warm.w + inverse * warm.torque * (0.5 * dt), dt);
-    const Quat rotation = normalized(turned.turn * warm.rotation);
-    Vec3 w = rotate(turned.turn, turned.w);
+    const double half = 0.5 * dt;
+    const Vec3 start = transposed_times(warm.axes, warm.w) +
+                       cold.inverse_inertia * transposed_times(warm.axes, warm.torque) * half;
+    const EulerStep turned = euler_step(cold, start, dt);
+    const Quat rotation = normalized(warm.rotation * turned.turn);
+    Vec3 w = rotate(rotation, turned.w);
     if (warm.torque != Vec3{}) {
         const Mat3 axes = to_matrix(rotation);
-        w += axes * (cold.inverse_inertia * transposed_times(axes, warm.torque)) * (0.5 * dt);
+        w += axes * (cold.inverse_inertia * transposed_times(axes, warm.torque)) * half;
     }
     return {rotation, w};
 }

@@ -3,6 +3,8 @@
 // Motion of one body that touches nothing, in double.
 #pragma once
 
+#include <optional>
+
 #include "state/body_store.h"
 
 namespace jostle::physics {
@@ -21,13 +23,20 @@ FreeMotion free_motion(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity,
 // Acceleration by gravity and the user's force, m/s^2.
 Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity);
 
-// Euler's equations over dt.
+// Euler's equations over dt, in the body's axes.
 struct EulerStep {
-    Quat turn;  // since the start, in world axes
-    Vec3 w;     // rad/s, in the frame of the start: to be turned by `turn`
+    Quat turn;  // since the start: rotation * turn is where it ends
+    Vec3 w;     // rad/s, in the body's axes as they end up
 };
-// `inertia` in world axes as the body stands at the start.
-EulerStep euler_step(const Mat3& inertia, const Mat3& inverse_inertia, Vec3 w, double dt);
+EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt);
+
+// All that they need to know of a body whose axes are the principal ones of its inertia, which
+// takes a third of the time: the ratios (I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3.
+struct PrincipalBend {
+    Vec3 factors;
+};
+std::optional<PrincipalBend> principal_bend(const BodyCold& cold);
+EulerStep euler_step(const PrincipalBend& bend, Vec3 w, double dt);
 
 // Whether the body turns so far in dt, with an inertia so uneven, that its axes may not be taken as
 // they stood at the start.

@@ -57,7 +57,13 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     BodyDrive& drive = world.scratch.drive[index + 1];
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
-    world.scratch.tumbling[index + 1] = tumbles(warm, cold, step.dt) ? 1 : 0;
+    const bool tumbling = tumbles(warm, cold, step.dt);
+    world.scratch.tumbling[index + 1] = tumbling ? 1 : 0;
+    if (tumbling) {
+        const std::optional<PrincipalBend> bend = principal_bend(cold);
+        world.scratch.tumblers[index + 1] = {warm.axes, bend ? bend->factors : Vec3{},
+                                             bend.has_value()};
+    }
     hot = {};
     drive = {};
     for (float& keep : drive.keep) keep = 1;
@@ -87,8 +93,7 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
     // does. Bodies that turn far in a step take it sub-step by sub-step: tumble(). Isotropic ones
     // have none.
-    const bool torque_alone =
-        (cold.isotropic && cold.locks == 0) || world.scratch.tumbling[index + 1] != 0;
+    const bool torque_alone = (cold.isotropic && cold.locks == 0) || tumbling;
     const Vec3 spin_up = torque_alone ? inertia * warm.torque
                                       : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
     put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
@@ -97,18 +102,20 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
 // Euler's equations for one sub-step. Within a step the spin of a tumbling body is that in the
 // frame in which it stood at the start and turns with it since; finalize() turns it back into the
 // world.
-void tumble(HotBody& hot, double h) {
-    const float* i = hot.inertia;
-    const Mat3 inverse_inertia{{double{i[0]}, double{i[3]}, double{i[4]}},
-                               {double{i[3]}, double{i[1]}, double{i[5]}},
-                               {double{i[4]}, double{i[5]}, double{i[2]}}};
-    const Vec3 start{double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}};
-    const Vec3 w = euler_step(inverse(inverse_inertia), inverse_inertia, start, h).w;
+void tumble(WorldState& world, std::uint32_t index, double h) {
+    HotBody& hot = world.scratch.hot[index + 1];
+    const Tumbler& tumbler = world.scratch.tumblers[index + 1];
+    const Vec3 start =
+        transposed_times(tumbler.axes, {double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}});
+    const Vec3 end =
+        tumbler.principal
+            ? euler_step(PrincipalBend{tumbler.bend}, start, h).w
+            : euler_step(world.bodies.cold[world.bodies.awake[index].body], start, h).w;
+    const Vec3 change = tumbler.axes * (end - start);
     // Not an impulse: it counts among what acts without contacts.
     for (int k = 0; k < 3; k++) {
-        const float change = as_float(w[k] - start[k]);
-        hot.w[k] += change;
-        hot.free[3 + k] += change;
+        hot.w[k] += as_float(change[k]);
+        hot.free[3 + k] += as_float(change[k]);
     }
 }
 
@@ -158,7 +165,7 @@ void solve_effort(StepContext& step, Effort effort) {
         solve(manifolds, bodies, set, step.team);
         each_body(step, effort, [&](std::span<const std::uint32_t> part) {
             for (const std::uint32_t hot : part)
-                if (scratch.tumbling[hot] != 0) tumble(scratch.hot[hot], h);
+                if (scratch.tumbling[hot] != 0) tumble(world, hot - 1, h);
             kernel.advance(range_of(scratch, part), set.h);
         });
         kernel.advance(range_of(scratch, scratch.drivers), set.h);
@@ -181,6 +188,7 @@ Skipped solve_constraints(StepContext& step) {
     if (!any) return "nothing touches and nothing is jointed";
     scratch.hot.resize(step.world.bodies.awake.size() + 1);
     scratch.drive.resize(step.world.bodies.awake.size() + 1);
+    scratch.tumblers.resize(step.world.bodies.awake.size() + 1);
     scratch.tumbling.assign(step.world.bodies.awake.size() + 1, 0);
     scratch.hot[0] = {};
     // What is frozen stands still and cannot be pushed.

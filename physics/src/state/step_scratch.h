@@ -93,6 +93,13 @@ struct JointScratch {
     std::vector<JointBlockSide> sides;  // by block
 };
 
+// A body that turns far in a step, and not evenly: what each sub-step needs of it.
+struct Tumbler {
+    Mat3 axes;  // of the body at the start of the step
+    Vec3 bend;  // PrincipalBend, if its axes are the principal ones
+    bool principal = false;
+};
+
 struct StepScratch {
     std::vector<HotBody> hot;      // [0] is the null body, awake body i is [i + 1]
     std::vector<BodyDrive> drive;  // as hot
@@ -110,7 +117,8 @@ struct StepScratch {
     std::vector<NewLane> new_lanes;
     std::vector<std::uint32_t> to_wake, pairs_changed, found;
     JointScratch joints;
-    std::vector<std::uint8_t> tumbling;  // by hot index: turns far, and not evenly
+    std::vector<std::uint8_t> tumbling;  // by hot index: whether it has a tumbler
+    std::vector<Tumbler> tumblers;       // by hot index, of those
     std::vector<std::uint8_t> held;      // by awake body: had a manifold when the step began
     std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
     std::vector<std::uint8_t> strayed;   // by awake body: fast, and not on the way that its fat

@@ -69,5 +69,44 @@ TEST(Friction, spinning_box_stops_on_the_spot) {
     EXPECT_LT(length(state_of(world, box).angular_velocity), 1e-3);
 }
 
+// A floor of separate tiles that lie flush: a crate does not catch on their seams, but on a tile
+// that stands one centimetre higher.
+TEST(Friction, crate_slides_over_seams_and_not_over_a_kerb) {
+    for (const bool planar : {false, true})
+        for (const double speed : {0.5, 3.0, 10.0, 30.0})
+            for (const double kerb : {0.0, 0.01}) {
+                World world = make_world({.planar = planar});
+                const auto tile = [&](double at, double height) {
+                    add(world, {.geometry = Box{{0.5, 0.5, 2}},
+                                .position = {at, height - 0.5, 0},
+                                .friction = 0.2,
+                                .type = BodyType::fixed});
+                };
+                // The kerb is the tile that the crate comes to after half of the way.
+                const int steps = speed < 1 ? 12 : 60;
+                const double time = steps / 60.0;
+                const double way = speed * time - 0.1 * 9.81 * time * time;
+                for (int i = -2; i < way + 2; i++) tile(i + 0.73, i > 0.4 * way - 0.5 ? kerb : 0);
+                const BodyId crate = add(
+                    world,
+                    {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {0, 0.2, 0}, .friction = 0.2});
+                run(world, 0.1);
+                must(world.set_velocity(crate, {speed, 0, 0}, {}));
+                double top = 0;
+                for (int i = 0; i < steps; i++) {
+                    must(world.step(1.0 / 60));
+                    top = maximum(top, position_of(world, crate).y);
+                }
+                const double left = velocity_of(world, crate).x, wished = speed - 0.2 * 9.81 * time;
+                const auto where = std::to_string(speed) + (planar ? " m/s, planar" : " m/s");
+                if (kerb == 0) {
+                    EXPECT_NEAR(left, wished, 0.01 * speed) << where;
+                    EXPECT_NEAR(top, 0.2, 1e-3) << where;
+                } else {
+                    EXPECT_LT(left, wished - 0.1 * speed) << where;
+                }
+            }
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -235,10 +235,29 @@ void fetch_ahead(const WorldState& world, int k, int end) {
     }
 }
 
+// How two that do not touch are nearest.
+struct Approach {
+    Vec3 normal;
+    double gap = 0;  // m
+};
+// By the manifold that they have.
+Approach approach_of(WorldState& world, const Contact& c) {
+    const LanePlace place = place_of(world, c);
+    double gap = no_point;
+    for (const auto& row : place.block->gap) gap = minimum(gap, double{row[place.lane]});
+    return {normal_of(place), gap};
+}
+
+// m. What two will touch with is plain once they are this far in each other. A crate slides towards
+// a tile that lies flush with the one under it: before they meet the side of the tile is what parts
+// them most, and would stop it; past that it is the top. More than contacts overlap at rest.
+constexpr double just_past = 1e-3;
+
 // The points where a pair may touch in this step.
-Manifold manifold_ahead(const WorldState& world, Contact& c, double dt) {
+Manifold manifold_ahead(WorldState& world, Contact& c, double dt) {
     const double way = closing_way(world, c, dt);
-    const auto within = [&](double margin, const PairAhead& pair, double time) {
+    const auto within = [&](double margin, double time) {
+        const PairAhead pair(world, c, time);
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
@@ -246,24 +265,31 @@ Manifold manifold_ahead(const WorldState& world, Contact& c, double dt) {
         return m;
     };
     const double middle = time_to_middle(world, c, way, dt);
-    const PairAhead pair(world, c, middle);
     const bool swept = will_be_swept(world, c, way, dt);
     if (swept && !is_foreseen(world, c.shape_a, c.shape_b))
-        return within(tuning::touch_gap, pair, middle);
-    // Most of what moves much against each other flies past: that is cheaper to see than points.
+        return within(tuning::touch_gap, middle);
+    Approach near;
     if (c.colour < 0 || swept) {
-        const Manifold near = within(tuning::speculative_margin, pair, middle);
-        if (near.count == 0 && near.normal != Vec3{} &&
-            near.distance - closing_along(world, c, near.normal) * dt >= tuning::speculative_margin)
-            return near;
-        if (swept) {
-            const std::optional<double> meeting = time_to_meeting(world, c, dt);
-            if (!meeting) return near;
-            if (*meeting > 0)
-                return within(tuning::speculative_margin, PairAhead(world, c, *meeting), *meeting);
-        }
+        // Most of what moves much against each other flies past: that is cheaper to see than
+        // points.
+        const Manifold now = within(tuning::speculative_margin, middle);
+        near = {now.normal, smallest_gap(now)};
+        const double closing = closing_along(world, c, near.normal);
+        if (now.count == 0 && near.normal != Vec3{} &&
+            near.gap - closing * dt >= tuning::speculative_margin)
+            return now;
+        const std::optional<double> meeting =
+            swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
+        if (!meeting) return now;
+        if (*meeting > 0)
+            return within(tuning::speculative_margin, minimum(dt, *meeting + just_past / closing));
+    } else if (!c.touching) {
+        near = approach_of(world, c);
     }
-    return within(tuning::speculative_margin + closing_reach(world, c, way), pair, middle);
+    const double closing = closing_along(world, c, near.normal);
+    const bool meets = !c.touching && near.gap > 0 && near.gap < closing * dt;
+    return within(tuning::speculative_margin + closing_reach(world, c, way),
+                  meets ? minimum(dt, (near.gap + just_past) / closing) : middle);
 }
 
 void look(WorldState& world, ContactCheck& check, double dt) {

@@ -142,12 +142,15 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
     const Axis on_b = best_side(b, a, cached(side_of_b), tie);
     const double radii = a.radius + b.radius;
     const double core = maximum(on_a.separation, on_b.separation);
-    if (core - radii > margin) return {.distance = core - radii};
+    if (core - radii > margin)
+        return {.normal = on_a.separation >= on_b.separation ? on_a.normal : -on_b.normal,
+                .distance = core - radii};
     if (core > 0 || core < -1e299) {
         // Apart: corners may be nearer to each other than any side says.
         const Nearest near = nearest(a, b);
         const double d = square_root(near.distance2);
-        if (d - radii > margin) return {.distance = d - radii};
+        if (d - radii > margin)
+            return {.normal = (near.on_b - near.on_a) / d, .distance = d - radii};
         if (d > core + tie || core < -1e299) {
             Manifold m{.count = 1, .distance = d - radii};
             m.normal = d > 1e-12 ? (near.on_b - near.on_a) / d : Vec3{0, 1, 0};

@@ -24,6 +24,7 @@ public:
     // `time`: s from the start of the step.
     PairAhead(const WorldState& world, const Contact& contact, double time);
 
+    double time() const { return time_; }
     const Placed& shape_a() const { return a_.shape; }
     const Placed& shape_b() const { return b_.shape; }
 

@@ -322,6 +322,8 @@ private:
         if (!moves_enough(t, body)) return;
         const Sweep motion = sweep_of(body);
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[body];
+        const std::uint32_t known = traveller_of(body);
+        const bool turned = t.changed || (known != nobody && travellers_[known].changed);
         const bool of_other =
             cold_other.type == BodyType::dynamic && cold_other.inner_radius < cold.inner_radius;
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
@@ -329,7 +331,7 @@ private:
             if (!may_hit(own, other)) continue;
             const double from = std::max(t.sweep.from, motion.from);
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
-            const bool held = is_held(own, other);
+            const bool held = !turned && is_held(own, other);
             const Impact hit = held ? Impact{.at_start = true}
                                     : time_of_impact(a, b, from, tuning::sweep_gap, t.fraction);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
@@ -348,7 +350,8 @@ private:
             // What touches without going in is the contact solver's, or was resolved just now. But
             // one end may rest while the other comes down, or solver and impact have left it going
             // inwards: then smaller and smaller parts of the shape, about its middle, stop where
-            // the whole is in by what they lack.
+            // the whole is in by what they lack. Of what it held only those by which it may yet go
+            // through: a limb that is stopped here leaves its joints.
             SweptShape core_a = a, core_b = b;
             for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
                 if (!touches) break;

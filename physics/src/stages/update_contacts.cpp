@@ -131,13 +131,15 @@ bool will_be_swept(const WorldState& world, const Contact& c, double way, double
     return sweeps(a, b) || sweeps(b, a);
 }
 
-// How fast any two points of two bodies come nearer to each other along a direction from a to b, at
-// most, m/s.
+// How fast two bodies come nearer to each other along a direction from a to b, m/s: their centres.
 double closing_along(const WorldState& world, const Contact& c, Vec3 direction) {
+    return dot(direction, motion_of(world, c.body_a).v - motion_of(world, c.body_b).v);
+}
+// ... and how much faster any two of their points may.
+double closing_by_turning(const WorldState& world, const Contact& c) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
-    const Motion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
-    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
-    return length(ma.w) * a.radius + turning_b - dot(direction, mb.v - ma.v);
+    const Vec3 wa = motion_of(world, c.body_a).w, wb = motion_of(world, c.body_b).w;
+    return length(wa) * a.radius + (b.type == BodyType::fixed ? 0 : length(wb) * b.radius);
 }
 
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
@@ -256,40 +258,40 @@ constexpr double just_past = 1e-3;
 // The points where a pair may touch in this step.
 Manifold manifold_ahead(WorldState& world, Contact& c, double dt) {
     const double way = closing_way(world, c, dt);
-    const auto within = [&](double margin, double time) {
-        const PairAhead pair(world, c, time);
+    const auto within = [&](double margin, const PairAhead& pair) {
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
-        pair.count_back(m, way * time / dt);
+        pair.count_back(m, way * pair.time() / dt);
         return m;
     };
-    const double middle = time_to_middle(world, c, way, dt);
+    const PairAhead pair(world, c, time_to_middle(world, c, way, dt));
     const bool swept = will_be_swept(world, c, way, dt);
-    if (swept && !is_foreseen(world, c.shape_a, c.shape_b))
-        return within(tuning::touch_gap, middle);
+    if (swept && !is_foreseen(world, c.shape_a, c.shape_b)) return within(tuning::touch_gap, pair);
     Approach near;
     if (c.colour < 0 || swept) {
         // Most of what moves much against each other flies past: that is cheaper to see than
         // points.
-        const Manifold now = within(tuning::speculative_margin, middle);
+        const Manifold now = within(tuning::speculative_margin, pair);
         near = {now.normal, smallest_gap(now)};
-        const double closing = closing_along(world, c, near.normal);
+        const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
         if (now.count == 0 && near.normal != Vec3{} &&
-            near.gap - closing * dt >= tuning::speculative_margin)
+            near.gap - most * dt >= tuning::speculative_margin)
             return now;
         const std::optional<double> meeting =
             swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
         if (!meeting) return now;
         if (*meeting > 0)
-            return within(tuning::speculative_margin, minimum(dt, *meeting + just_past / closing));
+            return within(tuning::speculative_margin,
+                          PairAhead(world, c, minimum(dt, *meeting + just_past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
+    const double margin = tuning::speculative_margin + closing_reach(world, c, way);
     const double closing = closing_along(world, c, near.normal);
-    const bool meets = !c.touching && near.gap > 0 && near.gap < closing * dt;
-    return within(tuning::speculative_margin + closing_reach(world, c, way),
-                  meets ? minimum(dt, (near.gap + just_past) / closing) : middle);
+    if (!c.touching && near.gap > 0 && near.gap < closing * dt)
+        return within(margin, PairAhead(world, c, minimum(dt, (near.gap + just_past) / closing)));
+    return within(margin, pair);
 }
 
 void look(WorldState& world, ContactCheck& check, double dt) {

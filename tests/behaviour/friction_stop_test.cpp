@@ -82,7 +82,7 @@ TEST(Friction, crate_slides_over_seams_and_not_over_a_kerb) {
                                 .friction = 0.2,
                                 .type = BodyType::fixed});
                 };
-                // The kerb is the tile that the crate comes to after half of the way.
+                // The kerb begins with a tile that the crate comes to before half of the way.
                 const int steps = speed < 1 ? 12 : 60;
                 const double time = steps / 60.0;
                 const double way = speed * time - 0.1 * 9.81 * time * time;

@@ -31,7 +31,7 @@ struct EulerStep {
 EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt);
 
 // All that they need to know of a body whose axes are the principal ones of its inertia, which
-// takes a third of the time: the ratios (I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3.
+// takes less than half the time: the ratios (I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3.
 struct PrincipalBend {
     Vec3 factors;
 };

@@ -47,11 +47,10 @@ void PlayShard::wake() {
 }
 
 void PlayShard::stop() {
-    if (stopping_) return;
     {
         const std::lock_guard lock(wake_mutex_);
+        if (stopping_) return;
         stopping_ = true;
-        queue_->Shutdown();
     }
     if (thread_.joinable()) {
         thread_.join();
@@ -62,7 +61,15 @@ void PlayShard::stop() {
 
 void PlayShard::run() {
     Clock::time_point housekeeping = Clock::now() + housekeeping_period;
+    bool shut_down = false;
     for (;;) {
+        // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
+        // begun on a queue that shuts down.
+        if (stopping_ && !shut_down) {
+            const std::lock_guard lock(wake_mutex_);
+            queue_->Shutdown();
+            shut_down = true;
+        }
         void* tag = nullptr;
         bool ok = false;
         // gRPC takes its deadlines on the system clock; the distance is what counts.

@@ -3,6 +3,7 @@
 // Planar worlds: three degrees of freedom a body, two points a manifold.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/near.h"
@@ -90,6 +91,31 @@ TEST(Planar, nothing_ever_leaves_the_plane) {
         }
     }
     EXPECT_LT(world.summary().max_penetration, 0.01);
+}
+
+// A plank falls over on a plate, about the corner that it stands on: looked at only where that
+// slips, its far end came down 20 cm deep in the plate.
+TEST(Planar, plank_that_falls_over_comes_down_on_the_plate_below) {
+    for (const bool plate_first : {true, false}) {
+        World world = flat_world();
+        add_floor(world);
+        const double thin = 0.05, tall = 0.4, lean = 0.3;
+        const Part plate{.geometry = Box{{1, 0.2, 1}}, .position = {0, 0.2, 0}, .friction = 1};
+        const Part plank{.geometry = Box{{thin, tall, 1}},
+                         .position = {-0.3, 0.4 + tall * std::cos(lean) + thin * std::sin(lean), 0},
+                         .rotation = from_rotation_vector({0, 0, -lean}),
+                         .friction = 1};
+        if (plate_first) add(world, plate);
+        const BodyId falling = add(world, plank);
+        if (!plate_first) add(world, plate);
+        double deepest = 0;
+        for (int i = 0; i < 90; i++) {
+            must(world.step(1.0 / 60));
+            deepest = std::max(deepest, world.summary().max_penetration);
+        }
+        EXPECT_LT(deepest, 0.01) << (plate_first ? "plate first" : "plank first");
+        EXPECT_NEAR(position_of(world, falling).y, 0.4 + thin, 0.01);
+    }
 }
 
 TEST(Planar, box_slides_as_far_as_coulomb_says) {

@@ -209,9 +209,10 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
             const Wide aim = mean + splat(set.uneven) * (lambda[i] - mean);
             store(m.steady[i], steady + splat(set.forget) * (aim - steady));
         }
-        const Wide size = root(turned * turned);
+        // As in contact_kernel.h, a turn about its only point ages it, too.
+        const Wide lever = max(load(m.lever), splat(0.3f));
         const Wide way =
-            root(mx * mx + my * my) + load(m.lever) * size + splat(0.3f) * root(dar * dar);
+            root(mx * mx + my * my) + lever * root(turned * turned) + splat(0.3f) * root(dar * dar);
         const Wide age = load(side.moved) + way;
         store(side.moved, age);
         report.aged = lane_bits(age > splat(set.reuse)) | lane_bits(way > splat(set.pace));

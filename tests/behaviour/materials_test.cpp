@@ -101,15 +101,15 @@ TEST(Materials, torsional_friction_stops_a_spinning_ball_in_time) {
     EXPECT_NEAR(state_of(world, ball).angular_velocity.y, 0, 0.01);
 }
 
-// Without it the disc in which a ball touches, a hundredth of its radius, holds mu times that per
-// unit of force.
+// Without it the disc in which a ball touches holds mu times a twenty-fifth of the radius per unit
+// of force.
 TEST(Materials, patch_of_contact_stops_a_spinning_ball_in_time) {
     const double mu = 0.5, r = 0.3, w = 1, inertia_per_mass = 0.4 * r * r;
     World world = make_world();
     add_floor(world, mu);
     const BodyId ball = add_with(
         world, {.geometry = Sphere{r}, .position = {0, r, 0}, .spin = {0, w, 0}}, {.friction = mu});
-    const double stop = inertia_per_mass * w / (mu * 0.01 * r * 9.81);  // 2.4 s
+    const double stop = inertia_per_mass * w / (mu * 0.04 * r * 9.81);  // 0.6 s
     run(world, 0.5 * stop);
     EXPECT_NEAR(state_of(world, ball).angular_velocity.y, 0.5 * w, 0.05 * w);
     run(world, 0.5 * stop + 0.8);

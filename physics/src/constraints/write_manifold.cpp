@@ -79,8 +79,7 @@ Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach
     return loads;
 }
 
-// The radius of the small disc in which round bodies touch in truth: what lets a ball that spins on
-// the spot come to rest.
+// The lever of the small disc in which round bodies touch in truth.
 double patch_of(const WorldState& world, const Contact& contact) {
     const auto rounding = [&](std::uint32_t shape) {
         const Geometry& g = world.shapes.shapes[shape].geometry;

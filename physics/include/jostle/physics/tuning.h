@@ -83,10 +83,13 @@ inline constexpr double heavy_ratio = 100;
 inline constexpr double lies_on = 0.3;  // cosine: a normal this near to upright bears
 // Impulses of an island are scaled down when it keeps less than this share of its mass in a step.
 inline constexpr double noticed_load = 0.95;
-// Balls and capsules touch in a disc of this part of their radius, as elastic bodies do (Hertz): it
-// resists turning about the normal, so that a ball that spins on the spot comes to rest. A ball of
-// 0.3 m on a floor of friction 0.5 loses 0.4 rad/s in a second.
-inline constexpr double contact_patch = 0.01;
+// Balls and capsules touch in a small disc, as elastic bodies do: it resists turning about the
+// normal with this part of their radius as lever, so that a ball that spins on the spot comes to
+// rest, and one that rolls in a trough. Hertz: 3 pi / 16 of the disc's radius, which is (pi density
+// g radius load / E)^(1/3) of the ball's; here as of firm rubber (E = 30 MPa) under its own weight,
+// or of wood (1 GPa) under 34 times that. A ball of 0.3 m on a floor of friction 0.5 loses 1.6
+// rad/s in a second.
+inline constexpr double contact_patch = 0.04;
 // Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it
 // a bounce is noise.
 inline constexpr double restitution_speed = 0.3;  // m/s

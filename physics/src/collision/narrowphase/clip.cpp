@@ -3,6 +3,7 @@
 
 #include "collision/narrowphase/manifold_reduction.h"
 #include "collision/narrowphase/polyhedron.h"
+#include "collision/narrowphase/segments.h"
 
 namespace jostle::physics {
 namespace {
@@ -165,27 +166,36 @@ struct Sink {
     }
 };
 
-// Two edges side by side: the ends of what they have in common. False when they cross.
+// Two edges side by side: the ends of what they have in common, and of round ones two about the
+// nearest point if they cross. False when they cross at a large angle.
 bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) {
-    const Vec3 u = fa.corner[1] - fa.corner[0], v = fb.corner[1] - fb.corner[0];
-    const double uu = length_squared(u), vv = length_squared(v), uv = dot(u, v);
-    if (uu == 0 || vv == 0 || uv * uv < 0.99 * uu * vv) return false;
-    if (absolute(dot(n, u)) > 0.1 * square_root(uu)) return false;
-    // Where b's ends are along a, 0..1.
-    double s0 = dot(fb.corner[0] - fa.corner[0], u) / uu;
-    double s1 = dot(fb.corner[1] - fa.corner[0], u) / uu;
-    if (s0 > s1) std::swap(s0, s1);
-    const double low = maximum(0, s0), high = minimum(1, s1);
-    if (high - low < 0.02) return false;
-    for (const double s : {low, high}) {
-        const Vec3 pa = fa.corner[0] + u * s;
-        const double t = clamp(dot(pa - fb.corner[0], v) / vv, 0, 1);
-        const Vec3 pb = fb.corner[0] + v * t;
+    const double half_a = 0.5 * length(fa.corner[1] - fa.corner[0]);
+    const double half_b = 0.5 * length(fb.corner[1] - fb.corner[0]);
+    if (half_a == 0 || half_b == 0) return false;
+    const Vec3 a = (fa.corner[0] + fa.corner[1]) * 0.5, b = (fb.corner[0] + fb.corner[1]) * 0.5;
+    const Vec3 u = (fa.corner[1] - fa.corner[0]) * (0.5 / half_a);
+    const Vec3 v = (fb.corner[1] - fb.corner[0]) * (0.5 / half_b);
+    const double cosine = dot(u, v);
+    if (cosine * cosine < 0.99 || absolute(dot(n, u)) > 0.1) return false;
+    // Where b's ends are along a.
+    const double middle = dot(b - a, u), reach = half_b * absolute(cosine);
+    const double low = maximum(-half_a, middle - reach), high = minimum(half_a, middle + reach);
+    if (high - low < 0.04 * half_a) return false;
+    const double radius = sink.radius_a + sink.radius_b;
+    const auto add_at = [&](double s) {
+        const Vec3 pa = a + u * s;
+        const Vec3 pb = b + v * clamp(dot(pa - b, v), -half_b, half_b);
         // At its ends the distance of round edges is not quite along the normal of the middle.
         const double along = dot(pb - pa, n);
-        const bool round = along > 0 && sink.radius_a + sink.radius_b > 0;
-        sink.add(pa, pb, round ? length(pb - pa) : along);
-    }
+        sink.add(pa, pb, along > 0 && radius > 0 ? length(pb - pa) : along);
+    };
+    add_at(low);
+    add_at(high);
+    if (radius == 0) return true;
+    const double nearest = closest_on_segments(a, u, half_a, b, v, half_b).s;
+    const double aside = half_of_crossing(radius, radius, cosine);
+    for (const double s : {nearest - aside, nearest + aside})
+        if (low < s && s < high) add_at(s);
     return true;
 }
 
@@ -251,6 +261,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
     const Vec3 n = witness.normal;
     const double deepest = witness.distance - a.radius - b.radius;
     Sink sink{out, n, a.radius, b.radius, margin};
+    double lost = 5e-5 * minimum(size_of(a), size_of(b));
     if (a.core != Core::point && b.core != Core::point) {
         const Feature fa = feature_along(a, n), fb = feature_along(b, -n);
         const double look_a = fa.count >= 3 ? dot(fa.normal, n) : -1;
@@ -259,21 +270,22 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
         // only there when the face is what touches.
         const double least = fa.count == 2 || fb.count == 2 ? 0.995 : 0.5;
         const bool on_face = maximum(look_a, look_b) > 1 - 1e-9;
-        const bool along_edge =
+        bool side_by_side =
             !on_face && witness.distance > 0 && add_along_edge(sink, a, b, fa, fb, n);
-        if (!along_edge && maximum(look_a, look_b) >= least) {
+        if (!side_by_side && maximum(look_a, look_b) >= least) {
             if (look_a >= look_b - 1e-9)
                 add_clipped(sink, fa, fb, n, true);
             else
                 add_clipped(sink, fb, fa, n, false);
-        } else if (!along_edge && fa.count == 2 && fb.count == 2) {
-            add_side_by_side(sink, fa, fb, n);
+        } else if (!side_by_side && fa.count == 2 && fb.count == 2) {
+            side_by_side = add_side_by_side(sink, fa, fb, n);
         }
+        if (side_by_side) lost = maximum(lost, crossing_gap * (a.radius + b.radius));
     }
     // What cutting lost: the point that the normal came from.
     double lowest = 1e300;
     for (int k = 0; k < out.count; k++) lowest = minimum(lowest, out.gap[k]);
-    if (lowest > deepest + 5e-5 * minimum(size_of(a), size_of(b)) && deepest <= margin) {
+    if (lowest > deepest + lost * (1 + 1e-6) && deepest <= margin) {
         if (out.count == ContactPoints::capacity) out.count--;
         out.gap[out.count] = deepest;
         out.point[out.count] = (witness.on_a + n * a.radius + witness.on_b - n * b.radius) * 0.5;

@@ -126,8 +126,7 @@ Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
     Manifold m = collide_balls(a.position + u * at.s, ca.radius, b.position + v * at.t, cb.radius,
                                margin, across);
     // Side by side at a small angle: the ends of what they have in common, with their own
-    // distances, and the nearest point where they cross. On that alone, which runs along them with
-    // every turn, they would rock.
+    // distances, and two about the nearest point where they cross. On that alone they would rock.
     const double c = dot(u, v);
     if (m.count == 0 || c * c < 0.75 || absolute(dot(m.normal, u)) > 0.1) return m;
     const double r = dot(b.position - a.position, u), reach = cb.half_length * absolute(c);
@@ -136,21 +135,25 @@ Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
     const double thin = minimum(ca.radius, cb.radius);
     if (high - low < 0.1 * thin) return m;
     Manifold line{.normal = m.normal, .distance = m.distance};
+    double nearer = margin;
     const auto add = [&](const Manifold& balls) {
+        if (balls.count == 0) return;
+        nearer = minimum(nearer, balls.gap[0]);
         line.gap[line.count] = balls.gap[0];
         line.point[line.count++] = balls.point[0];
     };
-    double nearer = margin;
-    for (const double s : {low, high}) {
+    const auto add_at = [&](double s) {
         const Vec3 pa = a.position + u * s;
         const double t = clamp(dot(pa - b.position, v), -cb.half_length, cb.half_length);
-        const Manifold end =
-            collide_balls(pa, ca.radius, b.position + v * t, cb.radius, margin, across);
-        if (end.count == 0) continue;
-        nearer = minimum(nearer, end.gap[0]);
-        add(end);
-    }
-    if (line.count == 0 || m.distance < nearer - same_gap * thin) add(m);
+        add(collide_balls(pa, ca.radius, b.position + v * t, cb.radius, margin, across));
+    };
+    add_at(low);
+    add_at(high);
+    if (line.count > 0 && m.distance >= nearer - same_gap * thin) return line;
+    const double aside = half_of_crossing(ca.radius + cb.radius, thin, c);
+    for (const double s : {at.s - aside, at.s + aside})
+        if (low < s && s < high) add_at(s);
+    if (line.count == 0) add(m);
     return line;
 }
 
@@ -202,19 +205,25 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
         m.count++;
     };
     // Lying along an edge, on either side of it: two points, at the ends of what they have in
-    // common, with their own distances from the box, and the nearest where they cross. On one alone
-    // the capsule would rock from end to end.
+    // common, with their own distances from the box, and two about the nearest where they cross. On
+    // that alone the capsule would rock from end to end.
     for (int k = 0; k < 3; k++) {
         if (absolute(d[k]) < 0.995 || absolute(n[k]) > 0.1) continue;
         const Span along = between_faces({-half, half}, p, d, h, k);
         if (along.high - along.low < 0.1 * r) break;
         double nearer = margin;
-        for (const double at : {along.low, along.high}) {
+        const auto add_at = [&](double at) {
             const double point_gap = length(outside(p + d * at, h)) - r;
             nearer = minimum(nearer, point_gap);
             if (point_gap <= margin) add(at, point_gap);
-        }
-        if (m.count == 0 || gap < nearer - same_gap * r) add(near.t, gap);
+        };
+        add_at(along.low);
+        add_at(along.high);
+        if (m.count > 0 && gap >= nearer - same_gap * r) return m;
+        const double aside = half_of_crossing(r, r, d[k]);
+        for (const double at : {near.t - aside, near.t + aside})
+            if (along.low < at && at < along.high) add_at(at);
+        if (m.count == 0) add(near.t, gap);
         return m;
     }
     // Lying on a face: two points, at the ends of what is over it. Over its rim the normal leans

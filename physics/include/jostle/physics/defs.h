@@ -32,7 +32,7 @@ struct Material {
     double restitution = 0.0;  // 0 (no bounce) to 1 (keeps all speed)
     // Resistance against rolling and against turning on the spot: the torque that a normal force of
     // 1 N holds, N m / N = m. A pair uses the larger. Balls and capsules always hold friction times
-    // a hundredth of their radius against turning: the disc in which elastic bodies touch.
+    // a twenty-fifth of their radius against turning: the disc in which elastic bodies touch.
     double rolling_friction = 0;
     double torsional_friction = 0;
     // Of the surface against its body, m/s in the body's axes: a conveyor belt. Contacts drive

@@ -26,21 +26,14 @@ endfunction()
 set(standard_headers <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <functional> <limits> <memory> <optional>
     <span> <sstream> <string> <string_view> <unordered_map> <vector>)
 jostle_precompile(jostle_precompiled_libraries HEADERS ${standard_headers})
-
-# Libraries are compiled with -fPIC, programs and tests are not, and the compiler takes no header that was made otherwise.
-function(jostle_precompile_executables name)
-    jostle_precompile(${name} ${ARGN})
-    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(${name} PRIVATE -fPIE)
-endfunction()
-if(JOSTLE_RPC)
-    jostle_precompile_executables(jostle_precompiled_programs LINK CLI11::CLI11 HEADERS ${standard_headers} <CLI/CLI.hpp>)
-endif()
 if(JOSTLE_TESTS)
-    jostle_precompile_executables(jostle_precompiled_tests LINK GTest::gtest HEADERS ${standard_headers} <gtest/gtest.h>)
+    jostle_precompile(jostle_precompiled_tests LINK GTest::gtest HEADERS ${standard_headers} <gtest/gtest.h>)
+    # As programs are compiled; libraries are compiled with -fPIC, and the compiler takes no header that was not.
+    set_target_properties(jostle_precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(jostle_precompiled_tests PRIVATE -fPIE)
 endif()
 
-# jostle_precompiled(TARGET libraries|programs|tests)
+# jostle_precompiled(TARGET libraries|tests)
 function(jostle_precompiled target which)
     target_precompile_headers(${target} REUSE_FROM jostle_precompiled_${which})
 endfunction()

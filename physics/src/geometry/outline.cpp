@@ -83,7 +83,7 @@ Outline outline_of(const Placed& shape, Vec3 origin) {
                 p.z = 0;
                 points.push_back(p);
             }
-            out.count = hull_of(points, out.corner);
+            out.count = hull_of(points, out.corner.data());
             break;
         }
         default:

@@ -6,8 +6,9 @@
 namespace jostle::physics {
 namespace {
 
+// d < 0 ? -h : h without a branch, which nobody could predict; h is not negative.
 double signed_size(double d, double h) {
-    return d < 0 ? -h : h;
+    return __builtin_copysign(h, d + 0.0);  // -0 + 0 is 0
 }
 
 // The point of the disc |p| = r in the xz plane along d; its centre when d has no part in it.

@@ -128,7 +128,7 @@ Feature local_feature(const Convex& shape, Vec3 d) {
 
 // The part of a polygon (or segment, or point) on the inner side of a plane.
 int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
-    Vec3 kept[ContactPoints::capacity];
+    Room<Vec3, ContactPoints::capacity> kept;
     int made = 0;
     const double slack = 1e-12;
     const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
@@ -138,7 +138,7 @@ int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
         const double hp = height(p);
         if (hp <= slack) kept[made++] = p;
         if (count == 1 || (open && k == 1)) continue;
-        const Vec3 q = polygon[(k + 1) % count];
+        const Vec3 q = polygon[k + 1 < count ? k + 1 : 0];
         const double hq = height(q);
         if ((hp < -slack && hq > slack) || (hp > slack && hq < -slack))
             kept[made++] = p + (q - p) * (hp / (hp - hq));
@@ -223,7 +223,7 @@ bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature&
 // that face along the normal.
 void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, Vec3 n,
                  bool reference_is_a) {
-    Vec3 polygon[ContactPoints::capacity];
+    Room<Vec3, ContactPoints::capacity> polygon;
     int count = incident.count;
     for (int k = 0; k < count; k++) polygon[k] = incident.corner[k];
     for (int k = 0; k < reference.count && count > 0; k++) {
@@ -233,7 +233,7 @@ void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, 
         const Vec3 side = reference_is_a ? cross(q - p, n) : cross(n, q - p);
         const double l = length(side);
         if (l < 1e-300) continue;
-        count = cut(polygon, count, side * (1 / l), dot(side, p) / l);
+        count = cut(polygon.data(), count, side * (1 / l), dot(side, p) / l);
     }
     const double slope = dot(reference.normal, n);
     for (int k = 0; k < count; k++) {
@@ -303,13 +303,13 @@ ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double 
 
 Manifold manifold_of(const ContactPoints& points, Vec3 normal) {
     Manifold m{.normal = normal};
-    FacePoint flat[ContactPoints::capacity];
+    Room<FacePoint, ContactPoints::capacity> flat;
     const Vec3 u =
         normalized(cross(normal, absolute(normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 v = cross(normal, u);
     for (int k = 0; k < points.count; k++)
         flat[k] = {dot(points.point[k], u), dot(points.point[k], v), points.gap[k], k};
-    m.count = reduce_to_four(flat, points.count);
+    m.count = reduce_to_four(flat.data(), points.count);
     for (int k = 0; k < m.count; k++) {
         m.point[k] = points.point[flat[k].index];
         m.gap[k] = points.gap[flat[k].index];

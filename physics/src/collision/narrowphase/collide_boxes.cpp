@@ -6,6 +6,7 @@
 #include "collision/narrowphase/clip.h"
 #include "collision/narrowphase/manifold_reduction.h"
 #include "collision/narrowphase/segments.h"
+#include "foundation/room.h"
 
 namespace jostle::physics {
 namespace {
@@ -46,18 +47,18 @@ struct FaceAxis {
 FaceAxis best_face(const BoxPair& p, double size, int cached) {
     const double preference = minimum(0.0005, 1e-3 * size);  // m
     constexpr double tie = 1e-6;                             // m: of equal axes the first wins
+    double separation[6];
+    for (int i = 0; i < 3; i++) {
+        separation[i] = absolute(p.along_a[i]) - p.half_a[i] -
+                        (absolute(p.r[i][0]) * p.half_b.x + absolute(p.r[i][1]) * p.half_b.y +
+                         absolute(p.r[i][2]) * p.half_b.z);
+        separation[3 + i] = absolute(p.along_b[i]) - p.half_b[i] -
+                            (absolute(p.r[0][i]) * p.half_a.x + absolute(p.r[1][i]) * p.half_a.y +
+                             absolute(p.r[2][i]) * p.half_a.z);
+    }
     FaceAxis best;
     for (int k = 0; k < 6; k++) {
-        const int i = k % 3;
-        double s;
-        if (k < 3)
-            s = absolute(p.along_a[i]) - p.half_a[i] -
-                (absolute(p.r[i][0]) * p.half_b.x + absolute(p.r[i][1]) * p.half_b.y +
-                 absolute(p.r[i][2]) * p.half_b.z);
-        else
-            s = absolute(p.along_b[i]) - p.half_b[i] -
-                (absolute(p.r[0][i]) * p.half_a.x + absolute(p.r[1][i]) * p.half_a.y +
-                 absolute(p.r[2][i]) * p.half_a.z);
+        double s = separation[k];
         if (s > best.separation) {
             best.separation = s;
             best.widest = k;
@@ -78,22 +79,26 @@ struct EdgeAxis {
 };
 
 // All by the matrix of one box in the other: e_i x v has the components -v[i2] and v[i1] along the
-// axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996).
-EdgeAxis best_edge(const BoxPair& p) {
-    EdgeAxis best;
+// axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). What separates by less than
+// the faces does not matter, and most of that shows before the square root.
+EdgeAxis best_edge(const BoxPair& p, double faces) {
+    constexpr double tie = 1e-6;  // m: of equal axes the first wins
+    EdgeAxis best{.separation = faces - 20 * tie};
     double sign = 0, scale = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
-            const double l2 = 1 - p.r[i][j] * p.r[i][j];
-            if (l2 < 1e-4) continue;  // parallel edges: a face axis says it better
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             const double c = p.r[i1][j] * p.along_a[i2] - p.r[i2][j] * p.along_a[i1];
             const double reach =
                 absolute(p.r[i2][j]) * p.half_a[i1] + absolute(p.r[i1][j]) * p.half_a[i2] +
                 absolute(p.r[i][j2]) * p.half_b[j1] + absolute(p.r[i][j1]) * p.half_b[j2];
+            const double apart = absolute(c) - reach;  // times the length of the axis, 1 at most
+            if (apart <= minimum(0, best.separation + tie)) continue;
+            const double l2 = 1 - p.r[i][j] * p.r[i][j];
+            if (l2 < 1e-4) continue;  // parallel edges: a face axis says it better
             const double per_length = 1 / square_root(l2);
-            const double s = (absolute(c) - reach) * per_length;
-            if (s > best.separation + 1e-6) {
+            const double s = apart * per_length;
+            if (s > best.separation + tie) {
                 best.i = i, best.j = j, best.separation = s;
                 sign = c < 0 ? -1 : 1;
                 scale = per_length;
@@ -113,11 +118,11 @@ Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
 
 // Cuts the polygon to one side of the reference face: sign * coordinate <= limit.
 int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit) {
-    FacePoint kept[16];
+    Room<FacePoint, 16> kept;
     int made = 0;
     const auto outside = [&](const FacePoint& p) { return sign * (along_v ? p.v : p.u) - limit; };
     for (int k = 0; k < count; k++) {
-        const FacePoint &p = polygon[k], &q = polygon[(k + 1) % count];
+        const FacePoint &p = polygon[k], &q = polygon[k + 1 < count ? k + 1 : 0];
         const double op = outside(p), oq = outside(q);
         if (op <= 0) kept[made++] = p;
         if ((op < 0 && oq > 0) || (op > 0 && oq < 0)) {
@@ -126,7 +131,7 @@ int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit)
                             p.gap + t * (q.gap - p.gap)};
         }
     }
-    std::copy(kept, kept + made, polygon);
+    std::copy(kept.data(), kept.data() + made, polygon);
     return made;
 }
 
@@ -157,7 +162,7 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
     const int iu = (incident + 1) % 3, iv = (incident + 2) % 3;
     const Vec3 middle = center_inc - center_ref +
                         inc[incident] * (most > 0 ? -half_inc[incident] : half_inc[incident]);
-    FacePoint polygon[16];
+    Room<FacePoint, 16> polygon;
     static constexpr int sign_u[4] = {1, -1, -1, 1}, sign_v[4] = {1, 1, -1, -1};
     for (int k = 0; k < 4; k++) {
         const Vec3 corner =
@@ -167,13 +172,13 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
     int count = 4;
     for (int cut = 0; cut < 4 && count > 0; cut++) {
         const bool along_v = (cut & 1) != 0;
-        count =
-            clip(polygon, count, along_v, cut < 2 ? 1 : -1, along_v ? half_ref[v] : half_ref[u]);
+        count = clip(polygon.data(), count, along_v, cut < 2 ? 1 : -1,
+                     along_v ? half_ref[v] : half_ref[u]);
     }
     int near = 0;
     for (int k = 0; k < count; k++)
         if (polygon[k].gap <= margin) polygon[near++] = polygon[k];
-    count = reduce_to_four(polygon, near);
+    count = reduce_to_four(polygon.data(), near);
 
     Manifold m{.count = count, .normal = b_is_reference ? -n : n};
     for (int k = 0; k < count; k++) {
@@ -223,7 +228,7 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin)
         return {.normal = normal_of_widest(pair, face), .distance = face.separation};
-    const EdgeAxis edge = best_edge(pair);
+    const EdgeAxis edge = best_edge(pair, face.separation);
     const double separation = maximum(face.separation, edge.separation);
     if (separation > margin) return {.normal = edge.normal, .distance = separation};
 

@@ -9,24 +9,18 @@ struct Carrier {
     int count = 0;
     int which[3] = {};
     double weight[3] = {};
+    Vec3 closest{};
     double distance2 = 1e300;  // m2, of that point from the origin
 };
 
-Vec3 point_of(const Simplex& s) {
-    Vec3 v;
-    for (int k = 0; k < s.count; k++) v += s.point[k].w * s.weight[k];
-    return v;
-}
-
 Carrier measured(const Simplex& s, Carrier c) {
-    Vec3 v;
-    for (int k = 0; k < c.count; k++) v += s.point[c.which[k]].w * c.weight[k];
-    c.distance2 = length_squared(v);
+    for (int k = 0; k < c.count; k++) c.closest += s.point[c.which[k]].w * c.weight[k];
+    c.distance2 = length_squared(c.closest);
     return c;
 }
 
 void keep(Simplex& s, const Carrier& c) {
-    SimplexPoint point[3];
+    Room<SimplexPoint, 3> point;
     for (int k = 0; k < c.count; k++) point[k] = s.point[c.which[k]];
     for (int k = 0; k < c.count; k++) {
         s.point[k] = point[k];
@@ -92,7 +86,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
     const double size = size_of(a) + size_of(b);
     const double overlap2 = 1e-26 * size * size;
     GjkResult result;
-    Simplex s;
+    Simplex& s = result.simplex;
     const auto add = [&](Vec3 toward) {
         SimplexPoint p{.a = support(a, toward), .b = support(b, -toward), .w = {}};
         p.w = p.a - p.b;
@@ -107,10 +101,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
     Vec3 v = s.point[0].w;
     for (result.rounds = 1; result.rounds < rounds_max; result.rounds++) {
         const double v2 = length_squared(v);
-        if (v2 <= overlap2) {
-            result.simplex = s;
-            return result;
-        }
+        if (v2 <= overlap2) return result;
         const Vec3 w = add(-v);
         // No point of the difference lies nearer than `along` in the direction of v: the lower
         // bound of the distance, as |v| is the upper.
@@ -133,22 +124,18 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
             carrier = closest_on_triangle(s, 0, 1, 2);
         else
             carrier = closest_on_tetrahedron(s);
-        if (carrier.count == 0) {
-            result.simplex = s;
-            return result;
-        }
+        if (carrier.count == 0) return result;
         if (carrier.distance2 >= v2) {  // rounding: no progress any more
             s.count--;
             break;
         }
         keep(s, carrier);
-        v = point_of(s);
+        v = carrier.closest;
     }
     for (int k = 0; k < s.count; k++) {
         result.on_a += s.point[k].a * s.weight[k];
         result.on_b += s.point[k].b * s.weight[k];
     }
-    result.simplex = s;
     const double size_of_v = length(v);
     if (result.distance == 0) result.distance = size_of_v;
     if (size_of_v > 0) result.normal = v * (-1 / size_of_v);

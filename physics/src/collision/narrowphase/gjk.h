@@ -5,6 +5,7 @@
 // the step before, pairs that hardly moved take one or two rounds.
 #pragma once
 
+#include "foundation/room.h"
 #include "geometry/support.h"
 
 namespace jostle::physics {
@@ -15,7 +16,7 @@ struct SimplexPoint {
 };
 
 struct Simplex {
-    SimplexPoint point[4];
+    Room<SimplexPoint, 4> point;
     double weight[4] = {};
     int count = 0;
 };

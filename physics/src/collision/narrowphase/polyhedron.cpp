@@ -28,7 +28,7 @@ Polyhedron box_of(Vec3 h, PolyhedronParts& parts) {
         n[f / 2] = f % 2 == 0 ? -1 : 1;
         parts.faces[f] = {n, h[f / 2], static_cast<std::uint32_t>(4 * f), 4};
     }
-    return {{parts.vertices, 8}, {parts.faces, 6}, box_loops, box_edges, {}};
+    return {{parts.vertices.data(), 8}, {parts.faces.data(), 6}, box_loops, box_edges, {}};
 }
 
 Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
@@ -40,8 +40,8 @@ Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
         const Vec3 side = normalized(cross(corner[(k + 1) % 3] - corner[k], n));
         parts.faces[2 + k] = {side, dot(side, corner[k]), 6 + 2 * k, 2};
     }
-    return {{parts.vertices, 3},
-            {parts.faces, 5},
+    return {{parts.vertices.data(), 3},
+            {parts.faces.data(), 5},
             triangle_loops,
             triangle_edges,
             (corner[0] + corner[1] + corner[2]) * (1.0 / 3)};

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "foundation/room.h"
 #include "geometry/support.h"
 
 namespace jostle::physics {
@@ -26,8 +27,8 @@ struct Polyhedron {
 
 // Room for the parts that a box or a triangle does not keep itself.
 struct PolyhedronParts {
-    Vec3 vertices[8];
-    HullFace faces[6];
+    Room<Vec3, 8> vertices;
+    Room<HullFace, 6> faces;
 };
 
 // `shape` is a polyhedron; the answer points into `parts` and the shape.

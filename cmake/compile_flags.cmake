@@ -16,6 +16,11 @@ add_library(jostle_flags INTERFACE)
 # Floating point: the same bits from every compiler, optimisation level and CPU. Contraction would fuse a*b+c on some
 # targets only; fast-math would reorder sums. errno from sqrt is never read, and leaving it out lets sqrt be one instruction.
 target_compile_options(jostle_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno)
+# GCC 12 fuses alternating sums and differences (vfmaddsub) whatever -ffp-contract says, if CMAKE_CXX_FLAGS has -march=native or so. What
+# the solver fuses is written out, in sources with flags of their own (physics/CMakeLists.txt).
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(jostle_flags INTERFACE -mno-fma -mno-fma4 -mno-avx512f)
+endif()
 
 target_compile_options(jostle_flags INTERFACE
     -Wall -Wextra -Werror -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast

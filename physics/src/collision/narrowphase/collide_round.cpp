@@ -29,7 +29,7 @@ struct BoxSegment {
 };
 
 double outside(double x, double h) {
-    return x > h ? x - h : (x < -h ? x + h : 0);
+    return x - minimum(maximum(x, -h), h);
 }
 
 // Closest point of the segment p + t d, |t| <= half, to the box. The squared distance is convex and
@@ -49,6 +49,8 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
         }
         return sum;
     };
+    if (slope(-half) >= 0) return {-half, distance2(-half)};
+    if (slope(half) <= 0) return {half, distance2(half)};
     // The breaks in rising order, by insertion: there are at most six between the ends.
     double breaks[8];
     int count = 0;
@@ -64,8 +66,6 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
         }
     }
     breaks[count++] = half;
-    if (slope(-half) >= 0) return {-half, distance2(-half)};
-    if (slope(half) <= 0) return {half, distance2(half)};
     for (int k = 1; k < count; k++) {
         const double right = slope(breaks[k]);
         if (right < 0) continue;

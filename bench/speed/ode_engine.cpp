@@ -104,6 +104,7 @@ public:
     }
 
     Vec3 velocity(std::uint32_t body) const override {
+        if (bodies_[body] == nullptr) return {};
         const dReal* v = dBodyGetLinearVel(bodies_[body]);
         return {v[0], v[1], v[2]};
     }

@@ -136,6 +136,15 @@ TEST_P(EveryEngine, bodies_that_collide_with_nothing_fall_through) {
     EXPECT_LT(engine_->pose(1).position.y, -1);
 }
 
+// In ODE a fixed body is none at all, and asking one for its velocity ended the program.
+TEST_P(EveryEngine, fixed_bodies_stand_still) {
+    add_floor();
+    start(true);
+    run(1);
+    EXPECT_EQ(length(engine_->velocity(0)), 0);
+    EXPECT_TRUE(near(engine_->pose(0).position, {0, -1, 0}, 0));
+}
+
 TEST_P(EveryEngine, sleeps_when_it_may_and_wakes_when_it_is_driven) {
     add_floor();
     scene_.bodies.push_back({.form = Box{}, .pose = {.position = {0, 0.5, 0}}});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/write_manifold.h"
 
+#include <atomic>
+
 #include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
 #include "state/lane_masses.h"
@@ -115,6 +117,17 @@ bool is_rough(const BlockRough& rough, int lane) {
            rough.torsion[lane] != 0;
 }
 
+// The lanes of a block share a byte, and other threads may write theirs.
+void put_bit(std::uint8_t& bits, int lane, bool on) {
+    const std::atomic_ref shared(bits);
+    const auto bit = static_cast<std::uint8_t>(1u << lane);
+    if (((shared.load(std::memory_order_relaxed) & bit) != 0) == on) return;
+    if (on)
+        shared.fetch_or(bit, std::memory_order_relaxed);
+    else
+        shared.fetch_and(static_cast<std::uint8_t>(~bit), std::memory_order_relaxed);
+}
+
 }  // namespace
 
 double share_of(const WorldState& world, const Contact& contact) {
@@ -176,22 +189,12 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
     block.mu[lane] = as_float(pair_friction(ma, mb));
     write_rough(world, contact, place, ma, mb, old.roll);
-    place.side->restitution[lane] = as_float(pair_restitution(ma, mb));
-    place.side->moved[lane] = 0;
-}
-
-void finish_manifold(WorldState& world, const Contact& contact) {
-    const LanePlace place = place_of(world, contact);
-    const auto bit = static_cast<std::uint8_t>(1u << place.lane);
-    if (place.side->restitution[place.lane] > 0)
-        place.side->bouncy |= bit;
-    else
-        place.side->bouncy &= static_cast<std::uint8_t>(~bit);
-    place.side->aged &= static_cast<std::uint8_t>(~bit);
-    if (is_rough(*place.rough, place.lane))
-        place.side->rough |= bit;
-    else
-        place.side->rough &= static_cast<std::uint8_t>(~bit);
+    BlockSide& side = *place.side;
+    side.restitution[lane] = as_float(pair_restitution(ma, mb));
+    side.moved[lane] = 0;
+    put_bit(side.bouncy, lane, side.restitution[lane] > 0);
+    put_bit(side.rough, lane, is_rough(*place.rough, lane));
+    put_bit(side.aged, lane, false);
 }
 
 }  // namespace jostle::physics

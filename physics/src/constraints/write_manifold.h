@@ -10,13 +10,9 @@
 namespace jostle::physics {
 
 // The contact has a lane. `fresh`: it was just taken and holds nothing to keep. May run on many
-// threads for different contacts at once: it writes floats of its own lane only (see
-// finish_manifold).
+// threads for different contacts at once.
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& manifold,
                     bool fresh);
-
-// The bits that lanes of one block share in a byte; serially, after write_manifold.
-void finish_manifold(WorldState& world, const Contact& contact);
 
 // Which body the point of contact travels with: 0 is a, 1 is b, between them both. It goes along
 // with a round body that rolls on a flat one; of two alike it stays between them. What is not

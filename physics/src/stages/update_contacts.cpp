@@ -78,8 +78,15 @@ void take_due_pairs(StepContext& step) {
 
 // A composite pair is looked at as a whole when any of its parts has aged.
 void take_aged_manifolds(WorldState& world) {
+    const auto fetch_contacts_of = [&](const BlockSide& side) {
+        for (int lane = 0; lane < 8; lane++)
+            if ((side.aged >> lane & 1) != 0 && side.contact[lane] != none)
+                fetch(world.contacts.contacts[side.contact[lane]]);
+    };
     for_each_colour(world.manifolds, [&](const Colour& colour) {
-        for (const BlockSide& side : colour.sides) {
+        for (std::size_t k = 0; k < colour.sides.size(); k++) {
+            if (k + 3 < colour.sides.size()) fetch_contacts_of(colour.sides[k + 3]);
+            const BlockSide& side = colour.sides[k];
             if (side.aged == 0) continue;
             for (int lane = 0; lane < 8; lane++) {
                 if ((side.aged >> lane & 1) == 0 || side.contact[lane] == none) continue;
@@ -296,6 +303,7 @@ Manifold manifold_ahead(WorldState& world, Contact& c, double dt) {
 
 void look(WorldState& world, ContactCheck& check, double dt) {
     Contact& c = world.contacts.contacts[check.contact];
+    c.queued = false;
     if (c.composite) return look_at_composite(world, check, dt);
     const Manifold manifold = manifold_ahead(world, c, dt);
     if (manifold.count == 0)
@@ -305,6 +313,7 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     if (manifold.count > 0 && c.colour >= 0) {
         check.goes_on = true;
         write_manifold(world, c, manifold, false);
+        check.settled = is_settled(world, c);
     } else if (check.gap_ahead < tuning::speculative_margin) {
         check.list = world.scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
         world.scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
@@ -340,11 +349,6 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
 
 std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
     return static_cast<std::uint32_t>(&check - world.scratch.checks.data());
-}
-
-void continue_manifold(WorldState& world, std::uint32_t contact) {
-    finish_manifold(world, world.contacts.contacts[contact]);
-    settle_lane(world, contact);
 }
 
 // Whether a body sleeps or is frozen.
@@ -397,7 +401,7 @@ void decide_composite(WorldState& world, ContactCheck& check) {
         const bool goes_on = std::any_of(found.begin(), found.end(),
                                          [&](const FoundPart& f) { return f.contact == p; });
         if (goes_on)
-            continue_manifold(world, p);
+            settle_lane(world, p);
         else
             destroy_contact(world, p, world.events.contacts_ended);
         p = next;
@@ -419,12 +423,11 @@ void decide_composite(WorldState& world, ContactCheck& check) {
 }
 
 void decide(WorldState& world, ContactCheck& check) {
-    Contact& c = world.contacts.contacts[check.contact];
-    c.queued = false;
+    const Contact& c = world.contacts.contacts[check.contact];
     if (c.composite) return decide_composite(world, check);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
-    if (check.goes_on) return continue_manifold(world, check.contact);
+    if (check.goes_on) return settle_lane(world, check.contact);
     if (check.list >= 0 && begins(world, c, check.gap_ahead)) {
         world.scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
@@ -467,9 +470,7 @@ void begin_manifolds(WorldState& world) {
             manifold = &world.scratch.fresh[list];
         }
         take_lane(world, contact, manifold->count == 1);
-        const Contact& c = world.contacts.contacts[contact];
-        write_manifold(world, c, *manifold, true);
-        finish_manifold(world, c);
+        write_manifold(world, world.contacts.contacts[contact], *manifold, true);
     }
 }
 
@@ -496,8 +497,9 @@ Skipped update_contacts(StepContext& step) {
         }
     });
     for (std::size_t k = 0; k < checks.size(); k++) {
-        if (k + 8 < checks.size()) fetch(world.contacts.contacts[checks[k + 8].contact]);
-        decide(world, checks[k]);
+        if (k + 8 < checks.size() && !checks[k + 8].settled)
+            fetch(world.contacts.contacts[checks[k + 8].contact]);
+        if (!checks[k].settled) decide(world, checks[k]);
     }
     wake_islands(world);
     begin_manifolds(world);

@@ -221,11 +221,14 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     contact.slot = 0;
 }
 
+bool is_settled(const WorldState& world, const Contact& contact) {
+    if (is_overflow(contact.colour)) return true;
+    const LanePlace place = place_of(const_cast<WorldState&>(world), contact);
+    return is_single_point(place.block->gap[1][place.lane]) == is_single(contact.colour);
+}
+
 void settle_lane(WorldState& world, std::uint32_t contact_index) {
-    const Contact& contact = world.contacts.contacts[contact_index];
-    const LanePlace place = place_of(world, contact);
-    const bool single = is_single_point(place.block->gap[1][place.lane]);
-    if (is_overflow(contact.colour) || single == is_single(contact.colour)) return;
+    if (is_settled(world, world.contacts.contacts[contact_index])) return;
     const SavedManifold saved = save_lane(world, contact_index);
     release_lane(world, contact_index);
     restore_lane(world, saved);

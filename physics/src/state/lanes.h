@@ -18,7 +18,9 @@ Effort effort_of_lane(const WorldState& world, const Contact& contact);
 // with one point if `single`.
 void take_lane(WorldState& world, std::uint32_t contact, bool single);
 
-// After a manifold was rebuilt: to the blocks of its number of points.
+// After a manifold was rebuilt: whether it is among the blocks of its number of points, ...
+bool is_settled(const WorldState& world, const Contact& contact);
+// ... and goes there.
 void settle_lane(WorldState& world, std::uint32_t contact);
 
 // The last lane of the colour moves into the hole.

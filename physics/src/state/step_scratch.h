@@ -26,7 +26,8 @@ struct ContactCheck {
     // Of a composite pair: its parts are in StepScratch::parts[list]. Else: the manifold that may
     // begin is StepScratch::fresh[list].
     std::int32_t list = -1;
-    bool goes_on = false;     // has points, and a lane that they were written to
+    bool goes_on = false;     // has points, and a lane that they were written to ...
+    bool settled = false;     // ... and stays in: nothing is left to decide
     float direction[3] = {};  // along which they are apart by `near`; zero: not known
     double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
                               // move now

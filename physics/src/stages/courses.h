@@ -26,12 +26,13 @@ public:
     void note(StepContext& step, const std::vector<std::uint32_t>& known, WayOf&& way_of) {
         const BodyStore& bodies = step.world.bodies;
         courses_.resize(known.size());
+        sweeps_.resize(known.size());
         place_.assign(step.world.scratch.fast.size(), not_known);
         for (std::size_t k = 0; k < known.size(); k++)
             place_[known[k]] = static_cast<std::uint32_t>(k);
         step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
-                const Sweep sweep = way_of(known[k]);
+                const Sweep& sweep = sweeps_[k] = way_of(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
                 courses_[k] = {sweep.center, sweep.motion, length(sweep.turn) * radius};
             }
@@ -43,6 +44,8 @@ public:
     bool knows(std::uint32_t awake) const {
         return awake < place_.size() && place_[awake] != not_known;
     }
+    // Its way, if it is.
+    const Sweep& sweep_of(std::uint32_t awake) const { return sweeps_[place_[awake]]; }
     // Of any body; one whose way is not known comes from where its velocity leads back to.
     Course of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
@@ -87,6 +90,7 @@ private:
     static constexpr std::uint32_t not_known = 0xffffffff;
 
     std::vector<Course> courses_;
+    std::vector<Sweep> sweeps_;         // of the same
     std::vector<std::uint32_t> place_;  // by awake index: among courses_
     double dt_ = 0;
 };

@@ -53,6 +53,7 @@ public:
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr std::size_t crowd = 16;  // shapes near a body
 
     // Index of the traveller that a body is, or nobody.
     std::uint32_t traveller_of(std::uint32_t body) const {
@@ -128,22 +129,27 @@ private:
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
     void start_those_that_may_meet() {
-        std::vector<std::uint8_t>& starts = world_.scratch.starts;
-        starts.assign(fast_.size(), 0);
+        std::vector<std::vector<std::uint32_t>>& ahead = world_.scratch.ahead;
+        if (ahead.size() < fast_.size()) ahead.resize(fast_.size());
         step_.team.run(static_cast<int>(fast_.size()), 32, [&](int begin, int end) {
-            for (int k = begin; k < end; k++) {
-                const std::uint32_t awake = fast_[static_cast<std::size_t>(k)];
-                bool any = world_.scratch.strayed[awake] != 0;
-                each_met(awake, [&](std::uint32_t) { return any = true; });
-                starts[static_cast<std::size_t>(k)] = any ? 1 : 0;
-            }
+            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
+                find_met(fast_[k], ahead[k]);
         });
+        std::vector<std::size_t> starting;  // by traveller: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
-            if (starts[k] != 0) add(world_.bodies.awake[fast_[k]].body, true);
-        step_.team.run(static_cast<int>(travellers_.size()), 8, [&](int begin, int end) {
-            for (int k = begin; k < end; k++) start(travellers_[static_cast<std::size_t>(k)]);
+            if (!ahead[k].empty() || world_.scratch.strayed[fast_[k]] != 0) starting.push_back(k);
+        if (starting.empty()) return;
+        travellers_.reserve(starting.size() + starting.size() / 4);
+        for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
+        step_.team.run(static_cast<int>(starting.size()), 8, [&](int begin, int end) {
+            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
+                start(travellers_[k], ahead[starting[k]]);
         });
-        if (travellers_.empty()) return;
+        // All of them have set out, so it shows who passes whom by.
+        step_.team.run(static_cast<int>(travellers_.size()), 8, [&](int begin, int end) {
+            for (int k = begin; k < end; k++)
+                drop_those_passed_by(travellers_[static_cast<std::size_t>(k)]);
+        });
         step_.team.finish();  // the trees: finalize.cpp
         world_.shapes.fixed->settle();
         for (Traveller& t : travellers_)
@@ -152,21 +158,21 @@ private:
     bool has_strayed(const Traveller& t) const {
         return world_.scratch.strayed[world_.bodies.cold[t.body].at] != 0;
     }
-    // Calls visit(shape) for those among a fast body's contacts that it may meet, until that
-    // returns true.
-    template <class Visit>
-    void each_met(std::uint32_t awake, Visit&& visit) const {
+    // The shapes among a fast body's contacts that it may meet.
+    void find_met(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
+        found.clear();
         const std::uint32_t body = world_.bodies.awake[awake].body;
         const BodyCold& cold = world_.bodies.cold[body];
         const Course course = courses_.of(world_, body);
+        const auto& contacts = world_.contacts.contacts;
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
-            const Contact& c = world_.contacts.contacts[edge / 2];
+            const Contact& c = contacts[edge / 2];
             edge = c.next[edge % 2];
             if (c.parent != none) continue;
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            if (courses_.may_meet(world_, course, cold, met, other) && visit(other)) return;
+            if (courses_.may_meet(world_, course, cold, met, other)) found.push_back(other);
         }
     }
 
@@ -178,16 +184,25 @@ private:
         return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
     }
 
-    void start(Traveller& t) {
-        const std::uint32_t awake = world_.bodies.cold[t.body].at;
-        set_out(world_, t, awake, step_.dt);
+    void start(Traveller& t, const std::vector<std::uint32_t>& met) {
+        set_out(world_, t, world_.bodies.cold[t.body].at, step_.dt);
         t.way = bounds_of_way(t);
         if (has_strayed(t)) return;
-        each_met(awake, [&](std::uint32_t shape) {
-            t.near.push_back(shape);
-            return false;
-        });
+        t.near = met;
         near_.tidy(t.body, t.near);
+    }
+    // What it surely does not meet while neither goes another way; who does is put back in. Of few
+    // it costs as much to ask as it saves.
+    void drop_those_passed_by(Traveller& t) const {
+        if (has_strayed(t) || t.near.size() < crowd) return;
+        std::erase_if(t.near, [&](std::uint32_t other) {
+            const SweptShape met = swept(other, sweep_of(world_.shapes.shapes[other].body));
+            for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
+                 own = world_.shapes.shapes[own].next)
+                if (!pass_by(swept(own, t.sweep), met, t.sweep.from, tuning::sweep_gap))
+                    return false;
+            return true;
+        });
     }
     Speed speed_of(std::uint32_t body, double fraction) const {
         const std::uint32_t known = traveller_of(body);
@@ -206,7 +221,7 @@ private:
         const BodyWarm& warm = warm_of(world_, body);
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
             return {0, warm.center, warm.rotation, {}, {}};
-        if (courses_.knows(cold.at)) return known_way(cold.at);
+        if (courses_.knows(cold.at)) return courses_.sweep_of(cold.at);
         const Vec3 motion = warm.v * step_.dt, turn = warm.w * step_.dt;
         return {0, warm.center - motion, normalized(from_rotation_vector(-turn) * warm.rotation),
                 motion, turn};
@@ -479,9 +494,11 @@ private:
             if (traveller_of(body) == nobody) bodies.push_back(body);
         });
         std::sort(bodies.begin(), bodies.end());
+        std::vector<std::uint32_t> met;
         for (const std::uint32_t body : bodies) {
             Traveller& t = travellers_[add(body, true)];
-            start(t);
+            find_met(world_.bodies.cold[body].at, met);
+            start(t, met);
             if (has_strayed(t)) near_.find(t.body, t.way, t.near);
         }
     }

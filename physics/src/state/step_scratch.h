@@ -124,9 +124,9 @@ struct StepScratch {
     std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
     std::vector<std::uint8_t> strayed;   // by awake body: fast, and not on the way that its fat
                                          // boxes foresaw
-    std::vector<std::uint8_t> starts;    // by fast body: may meet something
-    std::vector<std::uint8_t> thrown;    // by awake body: not fast, and did not go as its velocity
-                                         // says: contacts turned it round in the step
+    std::vector<std::vector<std::uint32_t>> ahead;  // by fast body: shapes it may meet
+    std::vector<std::uint8_t> thrown;  // by awake body: not fast, and did not go as its velocity
+                                       // says: contacts turned it round in the step
     std::vector<BodyWarm> before;  // by awake body: before the step, of what is fast or was thrown
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes

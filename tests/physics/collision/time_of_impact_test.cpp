@@ -80,5 +80,54 @@ TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
     EXPECT_LT(worst_early, 2.2 * gap);
 }
 
+// Thin things that tumble past each other near by. What is said to pass by at once keeps its
+// distance wherever one looks, and the full search agrees.
+TEST(TimeOfImpact, what_passes_by_at_once_never_meets) {
+    Random random(12);
+    const auto thin = [&](int kind) -> Geometry {
+        const double length = random.in(0.3, 0.6), width = random.in(0.03, 0.06);
+        if (kind == 0) return Box{{width, length, random.in(0.03, 0.06)}};
+        if (kind == 1) return Cylinder{width, length};
+        if (kind == 2) return Capsule{width, length};
+        return random_geometry(ShapeKind::hull, random);
+    };
+    int passed = 0, never = 0;
+    for (int round = 0; round < 400; round++) {
+        const double turns[] = {0, 0.1, 0.5, 2};
+        Mover a = random_mover(ShapeKind::sphere, {}, {}, 0, random), b = a;
+        const Vec3 place = random.direction() * random.in(0.3, 0.9);
+        const auto set_out = [&](Mover& m, int kind, Vec3 center) {
+            m.geometry = thin(kind);
+            m.swept.geometry = &m.geometry;
+            m.swept.offset = random.vector(0.1);
+            double furthest = 0;
+            for (int k = 0; k < 200; k++)
+                furthest = std::max(furthest, support(m.geometry, {}, random.direction()));
+            m.swept.radius = 1.05 * furthest + length(m.swept.offset);
+            m.swept.sweep = {0, center, random_rotation(random), random.vector(0.4),
+                             random.direction() * turns[random.below(4)]};
+        };
+        set_out(a, round % 4, {});
+        set_out(b, round / 4 % 3, place);
+        const Impact hit = time_of_impact(a.swept, b.swept, 0, gap);
+        never += !hit.at_start && hit.fraction > 1 ? 1 : 0;
+        if (!pass_by(a.swept, b.swept, 0, gap)) continue;
+        passed++;
+        EXPECT_FALSE(hit.at_start) << "round " << round;
+        EXPECT_GT(hit.fraction, 1) << "round " << round;
+        for (int k = 0; k <= 12; k++) {
+            const double fraction = k / 12.0;
+            ASSERT_GT(
+                separation(a.geometry, a.pose(fraction), b.geometry, b.pose(fraction)).distance,
+                gap)
+                << "round " << round << ", at " << fraction;
+        }
+    }
+    RecordProperty("passed", passed);
+    RecordProperty("never", never);
+    EXPECT_GT(passed, never / 3);
+    EXPECT_LT(never, 400);
+}
+
 }  // namespace
 }  // namespace jostle::test

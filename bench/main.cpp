@@ -8,6 +8,7 @@
 #include "feature_cost.h"
 #include "rollback.h"
 #include "speed/speed.h"
+#include "thread_scaling.h"
 
 namespace {
 
@@ -19,6 +20,7 @@ Examples:
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
+  jostle-bench threads --at-most 1.01
 
 Measure a release build (cmake --preset release): the others are several times slower.
 Exit status: 0 done, 1 a measurement failed or contradicts another, 2 wrong flags.)";
@@ -33,6 +35,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_features(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
+    jostle::bench::add_threads(app, status);
     app.footer(footer);
     try {
         app.parse(argc, argv);

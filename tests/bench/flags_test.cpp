@@ -56,6 +56,19 @@ TEST_F(SpeedFlags, writes_table_json_and_plot) {
     EXPECT_THAT(read("r.svg"), HasSubstr("a pyramid-465"));
 }
 
+TEST_F(SpeedFlags, threads_compares_worlds_that_end_alike) {
+    const std::string what = "--scene a,h --threads 1,2 --steps 5 --rounds 1 --json ";
+    ASSERT_EQ(run(what + file("t.json"), "threads"), 0) << output();
+    const auto json = nlohmann::json::parse(read("t.json"));
+    ASSERT_EQ(json["rows"].size(), 4u);
+    EXPECT_EQ(json["rows"][0]["share"], 1);
+    EXPECT_EQ(json["rows"][3]["threads"], 2);
+    EXPECT_EQ(run("--scene a --steps 5 --at-most 0.0001", "threads"), 1);
+    EXPECT_THAT(output(), HasSubstr("with 2 threads a step takes"));
+    EXPECT_EQ(run("--scene nosuch", "threads"), 2);
+    EXPECT_THAT(output(), HasSubstr("there is no scene nosuch"));
+}
+
 TEST_F(SpeedFlags, growth_writes_its_own_rows) {
     ASSERT_EQ(run("--growth 20,40 --peers none --json " + file("g.json")), 0) << output();
     const auto json = nlohmann::json::parse(read("g.json"));

@@ -6,86 +6,97 @@
 namespace jostle::physics {
 namespace {
 
-// So many blocks are taken at once. With fewer manifolds in all, colours are so short that waking
-// another thread again and again costs more than it does.
+// So many blocks are taken at once. With fewer manifolds in a store, its colours are so short that
+// handing them over again and again costs more than they do.
 constexpr int grain = 8, shared_manifolds = 2000;
 
 // The blocks [begin, end) of a colour.
-void run_part(BlockPass pass, ManifoldStore& store, int c, int begin, int end,
-              std::span<HotBody> bodies, const ContactSettings& set) {
+void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const ContactPart& part) {
     if (begin >= end) return;
-    Colour& colour = store.colours[static_cast<std::size_t>(c)];
     pass({colour.blocks.data(), colour.sides.data(), colour.bounces.data(), colour.roughs.data(),
           begin, end, second_of(c), is_single(c)},
-         bodies.data(), set);
+         part.bodies.data(), part.set);
 }
 
-void run(BlockPass pass, ManifoldStore& store, std::span<HotBody> bodies,
-         const ContactSettings& set, TaskTeam& team) {
-    const auto count = [&](int c) {
-        return static_cast<int>(store.colours[static_cast<std::size_t>(c)].blocks.size());
-    };
-    const bool shared = store.lanes >= shared_manifolds;
-    for (const int c : solve_order) {
-        if (is_single(c)) continue;  // with the other list of its colour: their bodies are distinct
-        const int blocks = count(c);
-        if (is_overflow(c)) {
-            run_part(pass, store, c, 0, blocks, bodies, set);  // these share bodies: one by one
-            continue;
-        }
-        const int single = single_colours + c;
-        const int total = blocks + count(single);
-        team.run(total, shared ? grain : total, [&](int begin, int end) {
-            run_part(pass, store, c, begin, std::min(end, blocks), bodies, set);
-            run_part(pass, store, single, std::max(begin - blocks, 0), end - blocks, bodies, set);
-        });
+void run(BlockPass pass, const ContactPart& part) {
+    for (const ColourRun& run : part.runs) {
+        const auto work = [&](int begin, int end) {
+            run_part(pass, *run.colour, run.number, begin, std::min(end, run.blocks), part);
+            if (run.singles > 0)
+                run_part(pass, *run.single, single_colours + run.number,
+                         std::max(begin - run.blocks, 0), end - run.blocks, part);
+        };
+        const int total = run.blocks + run.singles;
+        if (run.shared)
+            part.team.run(total, grain, work);
+        else
+            work(0, total);
     }
 }
 
-bool any_bouncy(const ManifoldStore& store) {
-    for (const Colour& colour : store.colours)
-        for (const BlockSide& side : colour.sides)
-            if (side.bouncy != 0) return true;
-    return false;
+bool any_bouncy(const ContactPart& part) {
+    const auto bouncy = [](const Colour* colour) {
+        return colour != nullptr &&
+               std::any_of(colour->sides.begin(), colour->sides.end(),
+                           [](const BlockSide& side) { return side.bouncy != 0; });
+    };
+    return std::any_of(part.runs.begin(), part.runs.end(), [&](const ColourRun& run) {
+        return bouncy(run.colour) || bouncy(run.single);
+    });
 }
 
 }  // namespace
 
-void warm_start(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                TaskTeam& team) {
-    run(kernels().warm_start, store, bodies, set, team);
+void list_runs(std::span<ManifoldStore> stores, std::vector<ColourRun>& runs) {
+    runs.clear();
+    for (ManifoldStore& store : stores) {
+        if (store.lanes == 0) continue;
+        for (const int c : solve_order) {
+            if (is_single(c)) continue;
+            Colour& colour = store.colours[static_cast<std::size_t>(c)];
+            ColourRun run{.colour = &colour,
+                          .number = c,
+                          .blocks = static_cast<int>(colour.blocks.size()),
+                          .shared = store.lanes >= shared_manifolds};
+            if (is_overflow(c)) {
+                run.shared = false;  // these share bodies: one by one
+            } else {
+                run.single = &store.colours[static_cast<std::size_t>(single_colours + c)];
+                run.singles = static_cast<int>(run.single->blocks.size());
+            }
+            if (run.blocks + run.singles > 0) runs.push_back(run);
+        }
+    }
 }
 
-void solve(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-           TaskTeam& team) {
-    run(kernels().solve, store, bodies, set, team);
+void warm_start(const ContactPart& part) {
+    run(kernels().warm_start, part);
 }
 
-void relax(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set, bool last,
-           TaskTeam& team) {
-    run(last ? kernels().relax_last : kernels().relax, store, bodies, set, team);
+void solve(const ContactPart& part) {
+    run(kernels().solve, part);
 }
 
-bool begin_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                   TaskTeam& team) {
-    if (!any_bouncy(store)) return false;
-    run(kernels().begin_bounce, store, bodies, set, team);
+void relax(const ContactPart& part, bool last) {
+    run(last ? kernels().relax_last : kernels().relax, part);
+}
+
+bool begin_bounces(const ContactPart& part) {
+    if (!any_bouncy(part)) return false;
+    run(kernels().begin_bounce, part);
     return true;
 }
 
-void foresee_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                     TaskTeam& team) {
-    run(kernels().foresee_bounce, store, bodies, set, team);
+void foresee_bounces(const ContactPart& part) {
+    run(kernels().foresee_bounce, part);
 }
 
-void note_bounce_peaks(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                       TaskTeam& team) {
-    run(kernels().note_peaks, store, bodies, set, team);
+void note_bounce_peaks(const ContactPart& part) {
+    run(kernels().note_peaks, part);
 }
 
-void end_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                 TaskTeam& team) {
-    run(kernels().end_bounce, store, bodies, set, team);
+void end_bounces(const ContactPart& part) {
+    run(kernels().end_bounce, part);
 }
 
 }  // namespace jostle::physics

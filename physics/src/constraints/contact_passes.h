@@ -1,33 +1,39 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over all blocks of all colours, in solve order; each colour's blocks are shared among
-// the threads.
+// The passes over all blocks of all colours of some stores, in solve order; the blocks of each
+// colour of a large store are shared among the threads.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "constraints/kernels.h"
 #include "foundation/task_team.h"
+#include "state/step_scratch.h"
 
 namespace jostle::physics {
 
-void warm_start(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                TaskTeam& team);
-void solve(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-           TaskTeam& team);
+// The colours in use of the stores, in solve order, store after store.
+void list_runs(std::span<ManifoldStore> stores, std::vector<ColourRun>& runs);
+
+// What every pass needs.
+struct ContactPart {
+    std::span<const ColourRun> runs;
+    std::span<HotBody> bodies;
+    const ContactSettings& set;
+    TaskTeam& team;
+};
+
+void warm_start(const ContactPart& part);
+void solve(const ContactPart& part);
 // `last`: ends the step; sets `aged` and `pressing` of every block.
-void relax(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set, bool last,
-           TaskTeam& team);
+void relax(const ContactPart& part, bool last);
 
 // Restitution. begin_bounces says whether any block is bouncy; if none is, the others need not
 // be called.
-bool begin_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                   TaskTeam& team);
-void foresee_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                     TaskTeam& team);
-void note_bounce_peaks(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                       TaskTeam& team);
-void end_bounces(ManifoldStore& store, std::span<HotBody> bodies, const ContactSettings& set,
-                 TaskTeam& team);
+bool begin_bounces(const ContactPart& part);
+void foresee_bounces(const ContactPart& part);
+void note_bounce_peaks(const ContactPart& part);
+void end_bounces(const ContactPart& part);
 
 }  // namespace jostle::physics

@@ -27,6 +27,7 @@ TaskTeam::TaskTeam(int threads) : count_(threads), cursors_(static_cast<std::siz
 }
 
 TaskTeam::~TaskTeam() {
+    if (workers_.empty()) return;
     quit_.store(true, std::memory_order_relaxed);
     gate_.fetch_add(one_range, std::memory_order_release);
     gate_.notify_all();
@@ -36,12 +37,15 @@ TaskTeam::~TaskTeam() {
 void TaskTeam::share_out(int total, int grain, Call call, void* context) {
     call_ = call;
     context_ = context;
-    grain_ = grain;
+    grain_ = grain > 0 ? grain : 1;
+    const auto begin_of = [&](int t) {
+        if (grain == 0) return t == 0 ? 0 : total;
+        return static_cast<int>(static_cast<std::int64_t>(total) * t / count_);
+    };
     for (int t = 0; t < count_; t++) {
         Cursor& cursor = cursors_[static_cast<std::size_t>(t)];
-        cursor.next.store(static_cast<int>(static_cast<std::int64_t>(total) * t / count_),
-                          std::memory_order_relaxed);
-        cursor.end = static_cast<int>(static_cast<std::int64_t>(total) * (t + 1) / count_);
+        cursor.next.store(begin_of(t), std::memory_order_relaxed);
+        cursor.end = begin_of(t + 1);
     }
     gate_.fetch_add(one_range | open, std::memory_order_release);
     gate_.notify_all();
@@ -65,6 +69,12 @@ void TaskTeam::take_grains(int self) {
             call_(context_, begin, end);
         }
     }
+}
+
+void TaskTeam::wake() {
+    if (count_ == 1) return;
+    gate_.fetch_add(one_range, std::memory_order_release);
+    gate_.notify_all();
 }
 
 void TaskTeam::start(std::function<void()> job) {
@@ -106,7 +116,10 @@ void TaskTeam::work(int self) {
         if (job_state_.load(std::memory_order_relaxed) == Job::waiting && take_job()) spins = 0;
         if (gate / one_range == seen || (gate & open) == 0) {
             relax_cpu();
-            if (++spins > spins_before_sleep) gate_.wait(gate, std::memory_order_acquire);
+            if (++spins > spins_before_sleep) {
+                gate_.wait(gate, std::memory_order_acquire);
+                spins = 0;
+            }
             continue;
         }
         spins = 0;

@@ -42,6 +42,26 @@ public:
             const_cast<void*>(static_cast<const void*>(&fn)));
     }
 
+    // Calls fn(k) for each of [0, count), one at a time on each thread, in their order: the largest
+    // first leaves no thread waiting for long.
+    template <class F>
+    void run_tasks(int count, F&& fn) {
+        const auto each = [&fn](int begin, int end) {
+            for (int k = begin; k < end; k++) fn(k);
+        };
+        if (count_ == 1 || count < 2) return each(0, count);
+        share_out(
+            count, 0,
+            [](void* context, int begin, int end) {
+                (*static_cast<decltype(&each)>(context))(begin, end);
+            },
+            const_cast<void*>(static_cast<const void*>(&each)));
+    }
+
+    // Tells the workers that there will be ranges soon: to wake takes as long as a small scene's
+    // step.
+    void wake();
+
     // Has a free worker do a job while this thread goes on, also through ranges; without workers it
     // is done at once. One at a time: finish() comes before the next.
     void start(std::function<void()> job);
@@ -55,6 +75,7 @@ private:
         int end = 0;
     };
 
+    // In grains, each thread its own part of the range first; grain 0: one by one, in order.
     void share_out(int total, int grain, Call call, void* context);
     void take_grains(int self);
     void work(int self);

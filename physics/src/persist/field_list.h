@@ -283,7 +283,8 @@ void visit_fields(V& v, Contact& c) {
     v.field("body_a", c.body_a);
     v.field("body_b", c.body_b);
     v.field("colour", c.colour);
-    v.field("effort", c.effort);
+    v.field("effort", c.store.effort);
+    v.field("batch", c.store.batch);
     v.field("slot", c.slot);
     v.field("axis", c.cache.axis);
     visit(v, "direction", c.cache.direction);
@@ -350,6 +351,8 @@ void visit_fields(V& v, Colour& colour, int index) {
 
 template <class V>
 void visit_fields(V& v, ManifoldStore& store) {
+    const std::size_t lanes = v.count("lanes", static_cast<std::size_t>(store.lanes));
+    if (lanes == 0) return;
     if constexpr (V::kLoading) store.lanes = 0;
     for (int c = 0; c < colour_count; c++) {
         v.enter(static_cast<std::size_t>(c));
@@ -357,6 +360,9 @@ void visit_fields(V& v, ManifoldStore& store) {
         v.leave();
         if constexpr (V::kLoading) store.lanes += store.colours[static_cast<std::size_t>(c)].lanes;
     }
+    if constexpr (V::kLoading)
+        if (static_cast<std::size_t>(store.lanes) != lanes)
+            v.fail("lanes", "is not what its colours have");
 }
 
 template <class V>
@@ -367,7 +373,8 @@ void visit_fields(V& v, Island& island) {
     v.field("may_be_split", island.may_be_split);
     v.field("split_at", island.split_at);
     v.field("asleep", island.asleep);
-    v.field("effort", island.effort);
+    v.field("effort", island.store.effort);
+    v.field("batch", island.store.batch);
     v.field("calm", island.calm);
     v.field("uneven", island.uneven);
     v.field("mass", island.mass);

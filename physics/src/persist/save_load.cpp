@@ -18,7 +18,7 @@ namespace jostle::physics {
 namespace {
 
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
-constexpr std::uint32_t version = 7;  // docs/format_changes.md has one line for each
+constexpr std::uint32_t version = 8;  // docs/format_changes.md has one line for each
 constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
 
 struct Saver {
@@ -46,8 +46,8 @@ struct Saver {
 template <class T>
 constexpr std::uint64_t largest_value() {
     if constexpr (std::is_same_v<T, Combine>) return 4;
-    if constexpr (std::is_same_v<T, Effort>) return store_count - 1;
-    return 2;  // BodyType, BodySet
+    if constexpr (std::is_same_v<T, Effort>) return effort_count;  // frozen
+    return 2;                                                      // BodyType, BodySet
 }
 
 struct Loader {

@@ -24,15 +24,14 @@ Skipped finalize(StepContext& step) {
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
     // Kinematic bodies were settled with the free ones: contacts do not move them.
-    for (const auto& solved : scratch.in_solver)
-        step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
-            for (int k = begin; k < end; k++) {
-                const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
-                const bool tumbling = scratch.tumbling[i + 1] != 0;
-                settle_body(step, i,
-                            motion_of(scratch.hot[i + 1], world.bodies.awake[i], tumbling));
-            }
-        });
+    const std::vector<std::uint32_t>& solved = scratch.in_solver.all;
+    step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
+        for (int k = begin; k < end; k++) {
+            const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
+            const bool tumbling = scratch.tumbling[i + 1] != 0;
+            settle_body(step, i, motion_of(scratch.hot[i + 1], world.bodies.awake[i], tumbling));
+        }
+    });
     // In order of the awake set.
     auto& moves = scratch.moves;
     moves.clear();
@@ -51,7 +50,7 @@ Skipped finalize(StepContext& step) {
         shapes.moving->settle();
     };
     // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
-    if (moves.size() >= 64)
+    if (moves.size() >= 256)
         step.team.start(tell_trees);
     else if (!moves.empty())
         tell_trees();

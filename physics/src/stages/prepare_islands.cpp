@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
+#include "stages/deal_batches.h"
 #include "stages/freeze_bodies.h"
 #include "state/efforts.h"
 #include "state/lanes.h"
@@ -93,7 +94,7 @@ Effort need_of(WorldState& world, std::uint32_t index, Vec3 up) {
         return 2 * extent.bodies > bodies ? Effort::heap : Effort::low;
     }
     const double limit =
-        island.effort < Effort::tall ? tuning::tall_layers : tuning::tall_layers_end;
+        island.store.effort < Effort::tall ? tuning::tall_layers : tuning::tall_layers_end;
     return layers_of(extent) > limit ? Effort::tall : Effort::slender;
 }
 
@@ -117,10 +118,11 @@ Effort common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Ve
 void settle_effort(WorldState& world, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const Effort need = need_of(world, index, up);
-    island.calm =
-        need < island.effort ? std::min<std::uint8_t>(island.calm + 1, tuning::effort_patience) : 0;
-    if (need == island.effort || world.scratch.extents[index].settled) return;
-    if (need < island.effort && island.calm < tuning::effort_patience) return;
+    island.calm = need < island.store.effort
+                      ? std::min<std::uint8_t>(island.calm + 1, tuning::effort_patience)
+                      : 0;
+    if (need == island.store.effort || world.scratch.extents[index].settled) return;
+    if (need < island.store.effort && island.calm < tuning::effort_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
     const Effort common = common_need(world, tied, up);
     // By bodies: what falls upon a heap has not been looked at for long, time and again.
@@ -130,7 +132,8 @@ void settle_effort(WorldState& world, std::uint32_t index, Vec3 up) {
         all += other.bodies;
         if (other.calm >= tuning::effort_patience) calm += other.bodies;
     }
-    if (common > island.effort || 2 * calm > all) set_effort(world, tied, common);
+    if (common > island.store.effort || 2 * calm > all)
+        set_store(world, tied, {common, island.store.batch});
 }
 
 void choose_efforts(WorldState& world) {
@@ -160,11 +163,12 @@ Skipped prepare_islands(StepContext& step) {
     const bool any_frozen = world.bodies.frozen > 0;
     thaw_bodies(step);
     // The second step is the first that knows what hangs together.
-    const bool look = world.steps % tuning::effort_interval == 1 && world.def.gravity != Vec3{};
+    const bool look = world.steps % tuning::effort_interval == 1;
     if (!look && !world.islands.some_lost)
         return any_frozen ? ran : "islands are looked at in every eighth step";
     if (world.islands.some_lost) forget_lost_loads(world);
-    if (look) choose_efforts(world);
+    if (look && world.def.gravity != Vec3{}) choose_efforts(world);
+    if (world.steps % tuning::batch_interval == 1) deal_batches(world);
     return ran;
 }
 

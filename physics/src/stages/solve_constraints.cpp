@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stages/solve_constraints.h"
 
+#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
@@ -16,14 +18,39 @@ void put(float* row, Vec3 linear, Vec3 angular) {
     row[3] = as_float(angular.x), row[4] = as_float(angular.y), row[5] = as_float(angular.z);
 }
 
+constexpr std::uint8_t no_store = 255;
+static_assert(solved_store_count < no_store);
+
+// The bodies of each store, one after the other.
+template <class Takes>
+void collect(const WorldState& world, ByStore& list, Takes&& takes) {
+    const std::vector<std::uint8_t>& store_of = world.scratch.store_of;
+    std::array<std::uint32_t, solved_store_count> next{};
+    for (std::uint32_t i = 0; i < store_of.size(); i++)
+        if (store_of[i] != no_store && takes(i)) next[store_of[i]]++;
+    std::uint32_t all = 0;
+    for (std::size_t k = 0; k < next.size(); k++) {
+        list.begin[k] = all;
+        all += next[k];
+        next[k] = list.begin[k];
+    }
+    list.begin.back() = all;
+    list.all.resize(all);
+    for (std::uint32_t i = 0; i < store_of.size(); i++)
+        if (store_of[i] != no_store && takes(i)) list.all[next[store_of[i]]++] = i + 1;
+}
+
 void sort_out_bodies(WorldState& world) {
     StepScratch& scratch = world.scratch;
-    for (auto& solved : scratch.in_solver) solved.clear();
-    for (auto& jointed : scratch.joints.bodies) jointed.clear();
     scratch.drivers.clear();
     scratch.free.clear();
+    scratch.store_of.assign(world.bodies.awake.size(), no_store);
+    const auto cold_of = [&](std::uint32_t i) -> const BodyCold& {
+        return world.bodies.cold[world.bodies.awake[i].body];
+    };
+    bool any_jointed = false;
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
-        const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
+        const BodyCold& cold = cold_of(i);
         const bool held = cold.lanes > 0 || cold.first_joint != none;
         if (cold.frozen) continue;
         if (cold.type == BodyType::kinematic) {
@@ -31,19 +58,23 @@ void sort_out_bodies(WorldState& world) {
             scratch.free.push_back(i);
             if (held || cold.first_edge != none) scratch.drivers.push_back(i + 1);
         } else if (held) {
-            const Effort effort = world.islands.islands[cold.island].effort;
-            scratch.in_solver[index_of(effort)].push_back(i + 1);
-            if (cold.first_joint != none) scratch.joints.bodies[index_of(effort)].push_back(i + 1);
+            const StoreKey store = world.islands.islands[cold.island].store;
+            scratch.store_of[i] = static_cast<std::uint8_t>(index_of(store));
+            any_jointed = any_jointed || cold.first_joint != none;
         } else {
             scratch.free.push_back(i);
         }
     }
+    collect(world, scratch.in_solver, [](std::uint32_t) { return true; });
+    collect(world, scratch.jointed_in_solver,
+            [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
     world.profile.bodies_frozen = static_cast<int>(world.bodies.frozen);
     world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size() - world.bodies.frozen);
     world.profile.bodies_in_solver =
         world.profile.bodies_awake - static_cast<int>(scratch.free.size());
     const auto bodies_of = [&](Effort effort) {
-        return static_cast<int>(scratch.in_solver[index_of(effort)].size());
+        const std::size_t first = index_of(StoreKey{effort, 0});
+        return static_cast<int>(scratch.in_solver.of(first, first + batch_count).size());
     };
     world.profile.bodies_flat = bodies_of(Effort::flat);
     world.profile.bodies_tall = bodies_of(Effort::tall);
@@ -119,13 +150,64 @@ void tumble(WorldState& world, std::uint32_t index, double h) {
     }
 }
 
-// Splits the work on the dynamic bodies of one effort, by hot index, among the threads.
+// ---- parts ----
+
+// What is solved by itself: all that is in the stores [first, last), which are of one effort.
+struct Part {
+    Effort effort;
+    std::size_t first, last;
+    std::uint32_t weight;  // bodies and manifolds
+};
+
+Part make_part(const WorldState& world, Effort effort, std::size_t first, std::size_t last) {
+    Part part{effort, first, last, 0};
+    part.weight = static_cast<std::uint32_t>(world.scratch.in_solver.of(first, last).size());
+    for (std::size_t k = first; k < last; k++)
+        part.weight += static_cast<std::uint32_t>(world.manifolds[k].lanes);
+    return part;
+}
+
+// One thread fills the lanes of joint blocks best with all batches of an effort at once; several
+// take a batch each. That changes no result: islands know nothing of each other.
+std::vector<Part> make_parts(const StepContext& step) {
+    std::vector<Part> parts;
+    const std::size_t together = step.team.size() == 1 ? batch_count : 1;
+    for (const Effort effort : all_efforts) {
+        const std::size_t first = index_of(StoreKey{effort, 0});
+        for (std::size_t k = first; k < first + batch_count; k += together)
+            if (!step.world.scratch.in_solver.of(k, k + together).empty())
+                parts.push_back(make_part(step.world, effort, k, k + together));
+    }
+    return parts;
+}
+
+// Kinematic bodies move on in each sub-step, and whoever solves a part with one moves them.
+bool reads_drivers(const WorldState& world, const Part& part) {
+    const StepScratch& scratch = world.scratch;
+    if (scratch.drivers.empty()) return false;
+    const auto jointed = [&](std::uint32_t hot) {
+        return world.bodies.cold[world.bodies.awake[hot - 1].body].first_joint != none;
+    };
+    if (!scratch.jointed_in_solver.of(part.first, part.last).empty() &&
+        std::any_of(scratch.drivers.begin(), scratch.drivers.end(), jointed))
+        return true;
+    for (std::size_t k = part.first; k < part.last; k++)
+        for (int c = 0; c < colour_count; c++)
+            if (second_of(c) == Second::driven &&
+                world.manifolds[k].colours[static_cast<std::size_t>(c)].lanes > 0)
+                return true;
+    return false;
+}
+
+// ---- one part ----
+
+// Splits the work on the dynamic bodies of a part, by hot index, among the threads.
 template <class Work>
-void each_body(StepContext& step, Effort effort, Work&& work) {
-    const auto& solved = step.world.scratch.in_solver[index_of(effort)];
+void each_body(StepContext& step, const Part& part, Work&& work) {
+    const auto solved = step.world.scratch.in_solver.of(part.first, part.last);
     step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
-        work(std::span(solved).subspan(static_cast<std::size_t>(begin),
-                                       static_cast<std::size_t>(end - begin)));
+        work(
+            solved.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)));
     });
 }
 
@@ -134,47 +216,91 @@ BodyRange range_of(StepScratch& scratch, std::span<const std::uint32_t> indices)
             static_cast<int>(indices.size())};
 }
 
-void prepare_drivers(StepContext& step) {
-    for (const std::uint32_t hot : step.world.scratch.drivers) prepare_body(step, 0, hot - 1);
-}
-
-// The sub-steps of all islands of one effort.
-void solve_effort(StepContext& step, Effort effort) {
-    WorldState& world = step.world;
-    StepScratch& scratch = world.scratch;
-    const ContactSettings& set = step.contacts[index_of(effort)];
+void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
+                  std::span<const std::uint32_t> drivers) {
+    StepScratch& scratch = step.world.scratch;
+    const ContactSettings& set = step.contacts[index_of(part.effort)];
     const double h = step.dt / set.substeps;
-    each_body(step, effort, [&](std::span<const std::uint32_t> part) {
-        for (const std::uint32_t hot : part) prepare_body(step, h, hot - 1);
-    });
-    prepare_drivers(step);
-    prepare_joints(step, effort, h);
-    ManifoldStore& manifolds = world.manifolds[index_of(effort)];
-    const std::span<HotBody> bodies = scratch.hot;
+    const ContactPart contacts{scratch.colour_runs[part.first], scratch.hot, set, step.team};
     const Kernels& kernel = kernels();
-    const bool bouncy = begin_bounces(manifolds, bodies, set, step.team);
+    const bool bouncy = begin_bounces(contacts);
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
-        each_body(step, effort, [&](std::span<const std::uint32_t> part) {
-            (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, part));
+        each_body(step, part, [&](std::span<const std::uint32_t> some) {
+            (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
         });
-        if (first && bouncy) foresee_bounces(manifolds, bodies, set, step.team);
+        if (first && bouncy) foresee_bounces(contacts);
         // Later sub-steps are warm started by accelerate().
-        if (first) warm_start(manifolds, bodies, set, step.team);
-        solve_joints(step, h);
-        solve(manifolds, bodies, set, step.team);
-        each_body(step, effort, [&](std::span<const std::uint32_t> part) {
-            for (const std::uint32_t hot : part)
-                if (scratch.tumbling[hot] != 0) tumble(world, hot - 1, h);
-            kernel.advance(range_of(scratch, part), set.h);
+        if (first) warm_start(contacts);
+        solve_joints(step, joints, h);
+        solve(contacts);
+        each_body(step, part, [&](std::span<const std::uint32_t> some) {
+            for (const std::uint32_t hot : some)
+                if (scratch.tumbling[hot] != 0) tumble(step.world, hot - 1, h);
+            kernel.advance(range_of(scratch, some), set.h);
         });
-        kernel.advance(range_of(scratch, scratch.drivers), set.h);
-        relax_joints(step, h);
-        relax(manifolds, bodies, set, last, step.team);
-        if (bouncy) note_bounce_peaks(manifolds, bodies, set, step.team);
+        kernel.advance(range_of(scratch, drivers), set.h);
+        relax_joints(step, joints, h);
+        relax(contacts, last);
+        if (bouncy) note_bounce_peaks(contacts);
     }
-    if (bouncy) end_bounces(manifolds, bodies, set, step.team);
-    finish_joints(step);
+    if (bouncy) end_bounces(contacts);
+}
+
+void solve_part(StepContext& step, const Part& part, std::span<const std::uint32_t> drivers) {
+    WorldState& world = step.world;
+    StepScratch& scratch = world.scratch;
+    const double h = step.dt / step.contacts[index_of(part.effort)].substeps;
+    each_body(step, part, [&](std::span<const std::uint32_t> bodies) {
+        for (const std::uint32_t hot : bodies) prepare_body(step, h, hot - 1);
+    });
+    for (const std::uint32_t hot : drivers) prepare_body(step, 0, hot - 1);
+    const JointPart joints{scratch.joints[part.first],
+                           scratch.jointed_in_solver.of(part.first, part.last)};
+    prepare_joints(step, joints, h);
+    std::vector<ColourRun>& colours = scratch.colour_runs[part.first];
+    list_runs(std::span(world.manifolds).subspan(part.first, part.last - part.first), colours);
+    // Where threads share neither colours nor levels, passes over bodies would do nothing but carry
+    // them from one cache to the other and back.
+    const bool shared = shares_levels(joints) ||
+                        std::any_of(colours.begin(), colours.end(),
+                                    [](const ColourRun& run) { return run.shared; });
+    TaskTeam alone(1);
+    StepContext substeps{world, shared ? step.team : alone, step.dt, step.contacts};
+    run_substeps(substeps, part, joints, drivers);
+    finish_joints(step, joints);
+}
+
+// ---- all parts ----
+
+// A part that is so light, or so light a share of all, is one thread's: nobody waits for anybody
+// until all are done. The threads share the colours of a heavier one.
+constexpr std::uint32_t light_part = 4000;
+
+void solve_parts(StepContext& step, const std::vector<Part>& parts) {
+    std::uint32_t all = 0;
+    for (const Part& part : parts) all += part.weight;
+    const auto light_share = all / (2 * static_cast<std::uint32_t>(step.team.size()));
+    std::vector<Part> tasks, shared;
+    step.world.profile.solver_tasks = 0;
+    if (step.team.size() == 1) {
+        for (const Part& part : parts) solve_part(step, part, step.world.scratch.drivers);
+        return;
+    }
+    for (const Part& part : parts) {
+        const bool light = part.weight <= std::max(light_part, light_share);
+        (light && !reads_drivers(step.world, part) ? tasks : shared).push_back(part);
+    }
+    if (tasks.size() == 1) shared.push_back(std::exchange(tasks, {}).front());
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const Part& a, const Part& b) { return a.weight > b.weight; });
+    for (const Part& part : shared) solve_part(step, part, step.world.scratch.drivers);
+    TaskTeam alone(1);
+    step.team.run_tasks(static_cast<int>(tasks.size()), [&](int k) {
+        StepContext own{step.world, alone, step.dt, step.contacts};
+        solve_part(own, tasks[static_cast<std::size_t>(k)], {});
+    });
+    step.world.profile.solver_tasks = static_cast<int>(tasks.size());
 }
 
 }  // namespace
@@ -183,9 +309,7 @@ Skipped solve_constraints(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     StepScratch& scratch = step.world.scratch;
     sort_out_bodies(step.world);
-    bool any = false;
-    for (const auto& solved : scratch.in_solver) any = any || !solved.empty();
-    if (!any) return "nothing touches and nothing is jointed";
+    if (scratch.in_solver.all.empty()) return "nothing touches and nothing is jointed";
     scratch.hot.resize(step.world.bodies.awake.size() + 1);
     scratch.drive.resize(step.world.bodies.awake.size() + 1);
     scratch.tumblers.resize(step.world.bodies.awake.size() + 1);
@@ -196,8 +320,8 @@ Skipped solve_constraints(StepContext& step) {
         for (std::size_t i = 0; i < step.world.bodies.awake.size(); i++)
             if (step.world.bodies.cold[step.world.bodies.awake[i].body].frozen)
                 scratch.hot[i + 1] = {};
-    for (const Effort effort : all_efforts)
-        if (!scratch.in_solver[index_of(effort)].empty()) solve_effort(step, effort);
+    solve_parts(step, make_parts(step));
+    break_joints(step);
     return ran;
 }
 

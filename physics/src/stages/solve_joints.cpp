@@ -28,11 +28,11 @@ JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& fr
             .frame = warm.rotation * frame.rotation};
 }
 
-// The joints of the bodies in the solver, in order.
-void find_joints(WorldState& world, Effort effort) {
-    JointScratch& scratch = world.scratch.joints;
+// The joints of the bodies, in order.
+void find_joints(const WorldState& world, const JointPart& part) {
+    JointScratch& scratch = part.scratch;
     scratch.marks.assign((world.joints.joints.size() + 63) / 64, 0);
-    const auto& bodies = scratch.bodies[index_of(effort)];
+    const std::span<const std::uint32_t> bodies = part.bodies;
     const auto cold_of = [&](std::size_t k) -> const BodyCold& {
         return world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
     };
@@ -53,8 +53,7 @@ void find_joints(WorldState& world, Effort effort) {
 // A joint's level is above that of every joint before it that shares a body that they can push, so
 // solving level after level gives each body its joints in their order: a chain hears of its end
 // within one pass, as if they were solved one by one.
-int assign_levels(WorldState& world) {
-    JointScratch& scratch = world.scratch.joints;
+int assign_levels(const WorldState& world, JointScratch& scratch) {
     scratch.reached.assign(world.scratch.hot.size(), 0);
     std::uint32_t levels = 0;
     const auto hot_of = [&](std::uint32_t body) -> std::int32_t {
@@ -135,9 +134,9 @@ void fetch_ahead(const WorldState& world, const JointBlockSide& side) {
 
 // Calls visit(block index, side) for every block, on any thread.
 template <class Visit>
-void each_block(StepContext& step, Visit&& visit) {
+void each_block(StepContext& step, JointScratch& scratch, Visit&& visit) {
     WorldState& world = step.world;
-    std::vector<JointBlockSide>& sides = world.scratch.joints.sides;
+    std::vector<JointBlockSide>& sides = scratch.sides;
     const int count = static_cast<int>(sides.size());
     step.team.run(count, 16, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
@@ -147,9 +146,7 @@ void each_block(StepContext& step, Visit&& visit) {
     });
 }
 
-void run_pass(StepContext& step, JointPass pass, const JointStep& numbers) {
-    WorldState& world = step.world;
-    JointScratch& scratch = world.scratch.joints;
+void run_pass(StepContext& step, JointScratch& scratch, JointPass pass, const JointStep& numbers) {
     for (const JointRun& run : scratch.runs) {
         const int count = run.end - run.begin;
         const auto work = [&](int begin, int end) {
@@ -160,7 +157,7 @@ void run_pass(StepContext& step, JointPass pass, const JointStep& numbers) {
                   .first = run.begin,
                   .begin = run.begin + begin,
                   .end = run.begin + end},
-                 world.scratch.hot.data(), numbers);
+                 step.world.scratch.hot.data(), numbers);
         };
         if (count < shared_blocks)
             work(0, count);
@@ -169,29 +166,27 @@ void run_pass(StepContext& step, JointPass pass, const JointStep& numbers) {
     }
 }
 
-void each_body(StepContext& step, void (*pass)(const BodyRange&)) {
+void each_body(StepContext& step, const JointPart& part, void (*pass)(const BodyRange&)) {
     StepScratch& scratch = step.world.scratch;
-    const auto& bodies = scratch.joints.bodies[index_of(scratch.joints.effort)];
-    step.team.run(static_cast<int>(bodies.size()), 256, [&](int begin, int end) {
-        pass({scratch.hot.data(), scratch.drive.data(), bodies.data(), begin, end});
+    step.team.run(static_cast<int>(part.bodies.size()), 256, [&](int begin, int end) {
+        pass({scratch.hot.data(), scratch.drive.data(), part.bodies.data(), begin, end});
     });
 }
 
 }  // namespace
 
-void prepare_joints(StepContext& step, Effort effort, double h) {
-    WorldState& world = step.world;
-    JointScratch& scratch = world.scratch.joints;
+void prepare_joints(StepContext& step, const JointPart& part, double h) {
+    const WorldState& world = step.world;
+    JointScratch& scratch = part.scratch;
     scratch.found.clear();
     scratch.runs.clear();
-    scratch.effort = effort;
-    if (scratch.bodies[index_of(effort)].empty()) return;
-    find_joints(world, effort);
-    lay_out_runs(scratch, assign_levels(world));
-    world.profile.joints += static_cast<int>(scratch.found.size());
+    scratch.sides.clear();
+    if (part.bodies.empty()) return;
+    find_joints(world, part);
+    lay_out_runs(scratch, assign_levels(world, scratch));
     std::fill(scratch.blocks.begin(), scratch.blocks.end(), JointBlock{});
     std::fill(scratch.turns.begin(), scratch.turns.end(), JointTurns{});
-    each_block(step, [&](std::size_t block, JointBlockSide& side) {
+    each_block(step, scratch, [&](std::size_t block, JointBlockSide& side) {
         for (int lane = 0; lane < side.count; lane++) {
             const Joint& joint = world.joints.joints[side.joint[lane]];
             write_joint(joint, end_of(world, joint.body_a, joint.frame_a, side.a[lane]),
@@ -201,27 +196,35 @@ void prepare_joints(StepContext& step, Effort effort, double h) {
     });
 }
 
-void solve_joints(StepContext& step, double h) {
-    if (step.world.scratch.joints.runs.empty()) return;
+bool shares_levels(const JointPart& part) {
+    std::size_t shared = 0;
+    for (const JointRun& run : part.scratch.runs)
+        if (run.end - run.begin >= shared_blocks)
+            shared += static_cast<std::size_t>(run.end - run.begin);
+    return 2 * shared > part.scratch.sides.size();
+}
+
+void solve_joints(StepContext& step, const JointPart& part, double h) {
+    if (part.scratch.runs.empty()) return;
     const JointStep numbers = joint_step(h);
-    each_body(step, kernels().begin_joints);
-    run_pass(step, kernels().warm_start_joints, numbers);
-    run_pass(step, kernels().solve_joints, numbers);
-    each_body(step, kernels().end_joints);
+    each_body(step, part, kernels().begin_joints);
+    run_pass(step, part.scratch, kernels().warm_start_joints, numbers);
+    run_pass(step, part.scratch, kernels().solve_joints, numbers);
+    each_body(step, part, kernels().end_joints);
 }
 
-void relax_joints(StepContext& step, double h) {
-    if (step.world.scratch.joints.runs.empty()) return;
-    each_body(step, kernels().begin_joints);
-    run_pass(step, kernels().relax_joints, joint_step(h));
-    each_body(step, kernels().end_joints);
+void relax_joints(StepContext& step, const JointPart& part, double h) {
+    if (part.scratch.runs.empty()) return;
+    each_body(step, part, kernels().begin_joints);
+    run_pass(step, part.scratch, kernels().relax_joints, joint_step(h));
+    each_body(step, part, kernels().end_joints);
 }
 
-void finish_joints(StepContext& step) {
+void finish_joints(StepContext& step, const JointPart& part) {
     WorldState& world = step.world;
-    JointScratch& scratch = world.scratch.joints;
+    JointScratch& scratch = part.scratch;
     if (scratch.runs.empty()) return;
-    each_block(step, [&](std::size_t block, JointBlockSide& side) {
+    each_block(step, scratch, [&](std::size_t block, JointBlockSide& side) {
         for (int lane = 0; lane < side.count; lane++) {
             const std::int32_t carrier = carrier_of(side.a[lane], side.b[lane]);
             const Quat carried =
@@ -232,15 +235,27 @@ void finish_joints(StepContext& step) {
                 side.overloaded |= static_cast<std::uint8_t>(1u << lane);
         }
     });
-    for (const JointBlockSide& side : scratch.sides) {
-        for (unsigned bits = side.overloaded; bits != 0; bits &= bits - 1) {
-            const std::uint32_t index = side.joint[std::countr_zero(bits)];
-            const Joint& joint = world.joints.joints[index];
-            world.events.joints_broke.push_back(
-                {joint_id(world, index), body_id(world, joint.body_a), body_id(world, joint.body_b),
-                 length(joint.force), length(joint.torque)});
-            destroy_joint(world, index);
-        }
+}
+
+void break_joints(StepContext& step) {
+    WorldState& world = step.world;
+    std::vector<std::uint32_t> broken;
+    for (JointScratch& scratch : world.scratch.joints) {
+        world.profile.joints += static_cast<int>(scratch.found.size());
+        for (const JointBlockSide& side : scratch.sides)
+            for (unsigned bits = side.overloaded; bits != 0; bits &= bits - 1)
+                broken.push_back(side.joint[std::countr_zero(bits)]);
+        scratch.found.clear();
+        scratch.sides.clear();
+    }
+    // In their own order, whichever part they were in.
+    std::sort(broken.begin(), broken.end());
+    for (const std::uint32_t index : broken) {
+        const Joint& joint = world.joints.joints[index];
+        world.events.joints_broke.push_back({joint_id(world, index), body_id(world, joint.body_a),
+                                             body_id(world, joint.body_b), length(joint.force),
+                                             length(joint.torque)});
+        destroy_joint(world, index);
     }
 }
 

@@ -3,17 +3,31 @@
 // The joint passes of solve_constraints, beside the contacts.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "stages/step_context.h"
 
 namespace jostle::physics {
 
-// Finds the joints of the islands of one effort and writes what the kernels read. After the hot
-// records were made; the rest is for those joints. h: sub-step, s.
-void prepare_joints(StepContext& step, Effort effort, double h);
+// The joints of one part of the solver's work: of these bodies, by hot index. Parts may be solved
+// at the same time.
+struct JointPart {
+    JointScratch& scratch;
+    std::span<const std::uint32_t> bodies;
+};
+
+// Finds the joints and writes what the kernels read. After the hot records were made. h: sub-step,
+// s.
+void prepare_joints(StepContext& step, const JointPart& part, double h);
+// Whether threads share most of the passes below.
+bool shares_levels(const JointPart& part);
 // What joints did in the sub-step before, again, and a pass with push.
-void solve_joints(StepContext& step, double h);
-void relax_joints(StepContext& step, double h);
-// After the last sub-step: loads into the joints; what was overloaded breaks.
-void finish_joints(StepContext& step);
+void solve_joints(StepContext& step, const JointPart& part, double h);
+void relax_joints(StepContext& step, const JointPart& part, double h);
+// After the last sub-step: loads into the joints.
+void finish_joints(StepContext& step, const JointPart& part);
+// After all parts: what was overloaded breaks. Adds up the profile's joints.
+void break_joints(StepContext& step);
 
 }  // namespace jostle::physics

@@ -21,6 +21,7 @@ namespace {
 
 StepContext begin_step(WorldState& world, double dt) {
     world.events.begin_step();
+    if (world.profile.solver_tasks > 1) world.team->wake();
     world.profile = {};
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) look_ahead(world, warm.body, dt);

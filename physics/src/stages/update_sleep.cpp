@@ -11,17 +11,16 @@ namespace {
 
 // ... and what is tied to one.
 void keep_towed_awake(WorldState& world) {
-    for (const auto& jointed : world.scratch.joints.bodies)
-        for (const std::uint32_t hot : jointed) {
-            BodyWarm& warm = world.bodies.awake[hot - 1];
-            for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
-                const Joint& j = world.joints.joints[joint];
-                const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
-                if (world.bodies.cold[other].type != BodyType::kinematic) return;
-                const BodyWarm& driver = warm_of(world, other);
-                if (driver.v != Vec3{} || driver.w != Vec3{}) warm.quiet = 0;
-            });
-        }
+    for (const std::uint32_t hot : world.scratch.jointed_in_solver.all) {
+        BodyWarm& warm = world.bodies.awake[hot - 1];
+        for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
+            const Joint& j = world.joints.joints[joint];
+            const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
+            if (world.bodies.cold[other].type != BodyType::kinematic) return;
+            const BodyWarm& driver = warm_of(world, other);
+            if (driver.v != Vec3{} || driver.w != Vec3{}) warm.quiet = 0;
+        });
+    }
 }
 
 // What touches a moving kinematic body is not at rest, however slowly that moves.
@@ -86,10 +85,8 @@ void split_island(WorldState& world, std::uint32_t island) {
         bodies.push_back(b);
     // Its parts are what it was, but for their bodies.
     const Island& whole = world.islands.islands[island];
-    const Island like{.effort = whole.effort,
-                      .calm = whole.calm,
-                      .uneven = whole.uneven,
-                      .split_at = world.steps};
+    const Island like{
+        .store = whole.store, .calm = whole.calm, .uneven = whole.uneven, .split_at = world.steps};
     world.islands.islands[island] = like;
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;

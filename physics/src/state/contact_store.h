@@ -23,11 +23,11 @@ struct alignas(64) Contact {
     std::uint32_t shape_a = none, shape_b = none;
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
     PairCache cache;
-    std::int32_t colour = -1;     // of its lane; -1: no lane
-    std::int32_t slot = 0;        // in that colour
-    Effort effort = Effort::low;  // of its lane; which store that is in
-    bool touching = false;        // pressed in the last step; binds the two bodies into one island
-    bool waiting = false;         // has an entry on the waiting list
+    std::int32_t colour = -1;  // of its lane; -1: no lane
+    std::int32_t slot = 0;     // in that colour
+    StoreKey store;            // of its lane
+    bool touching = false;     // pressed in the last step; binds the two bodies into one island
+    bool waiting = false;      // has an entry on the waiting list
     bool dormant = false;
     bool composite = false;  // has parts, below
     bool queued = false;     // within a step: already among the pairs to look at

@@ -2,7 +2,7 @@
 //
 // How hard the solver works on an island: its sub-steps per step and its sweeps over the points of
 // a manifold. A rule chooses it from what the island is (stages/prepare_islands.h); manifolds lie
-// in a store per effort, so all that hangs together by manifolds or joints has the same one.
+// in stores per effort, so all that hangs together by manifolds or joints has the same one.
 #pragma once
 
 #include <array>
@@ -27,12 +27,28 @@ enum class Effort : std::uint8_t {
 inline constexpr int effort_count = 6;
 inline constexpr std::array<Effort, effort_count> all_efforts = {
     Effort::flat, Effort::low, Effort::heap, Effort::slender, Effort::tall, Effort::heavy};
-// One store of manifolds for each, and one for what is frozen.
-inline constexpr int store_count = effort_count + 1;
-
 inline constexpr std::size_t index_of(Effort effort) {
     return static_cast<std::size_t>(effort);
 }
+
+// The islands of an effort lie in so many batches, whole: threads solve batches side by side, each
+// alone, without waiting for one another. In a larger one they share the colours.
+inline constexpr int batch_count = 4;
+
+// Which store of manifolds: one per effort and batch, and one for what is frozen.
+struct StoreKey {
+    Effort effort = Effort::low;
+    std::uint8_t batch = 0;
+    bool operator==(const StoreKey&) const = default;
+};
+inline constexpr int solved_store_count = effort_count * batch_count;
+inline constexpr int store_count = solved_store_count + 1;
+
+inline constexpr std::size_t index_of(StoreKey key) {
+    return index_of(key.effort) * batch_count + key.batch;
+}
+inline constexpr StoreKey frozen_store = {Effort::frozen, 0};
+static_assert(index_of(frozen_store) == store_count - 1);
 
 // Sub-steps of an island. More of them keep a heap from slipping now and then: where bodies may
 // sleep, what then rests saves more than they cost.

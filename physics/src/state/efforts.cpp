@@ -71,23 +71,23 @@ void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
             scale_impulses(place, scale);
             stiffen(place, 1 / (scale * scale), even);
         }
-        if (c.effort != effort_of_lane(world, c)) move_lane(world, index);
+        if (c.store != store_of_lane(world, c)) move_lane(world, index);
     });
 }
 
 // Manifolds by the ten thousand, one by one, would take as long as several steps: when most of a
 // store goes to one that holds little, the two change places and what is in the wrong one moves.
-void swap_stores(WorldState& world, Effort before, Effort after) {
+void swap_stores(WorldState& world, StoreKey before, StoreKey after) {
     std::swap(world.manifolds[index_of(before)], world.manifolds[index_of(after)]);
     std::vector<std::uint32_t> others;
-    for (const Effort effort : {before, after})
-        for (const Colour& colour : world.manifolds[index_of(effort)].colours)
+    for (const StoreKey store : {before, after})
+        for (const Colour& colour : world.manifolds[index_of(store)].colours)
             for (const BlockSide& side : colour.sides)
                 for (const std::uint32_t index : side.contact) {
                     if (index == none) continue;
                     Contact& c = world.contacts.contacts[index];
-                    c.effort = effort;
-                    if (effort_of_lane(world, c) != effort) others.push_back(index);
+                    c.store = store;
+                    if (store_of_lane(world, c) != store) others.push_back(index);
                 }
     for (const std::uint32_t contact : others) move_lane(world, contact);
 }
@@ -104,8 +104,13 @@ void scale_joints(WorldState& world, std::uint32_t body, double scale) {
 }  // namespace
 
 std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island) {
-    std::vector<std::uint32_t> tied{island};
     std::vector<bool> seen(world.islands.islands.size(), false);
+    return tied_islands(world, island, seen);
+}
+
+std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island,
+                                        std::vector<bool>& seen) {
+    std::vector<std::uint32_t> tied{island};
     seen[island] = true;
     for (std::size_t k = 0; k < tied.size(); k++)
         for_each_body(world, tied[k], [&](std::uint32_t body) {
@@ -124,25 +129,26 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
     return tied;
 }
 
-void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Effort effort) {
-    const Effort before = world.islands.islands[islands.front()].effort;
-    if (before == effort) return;
-    const double scale =
-        static_cast<double>(substeps_of(before, world.def)) / substeps_of(effort, world.def);
-    // All islands first: lanes ask what effort their bodies have.
+void set_store(WorldState& world, const std::vector<std::uint32_t>& islands, StoreKey store) {
+    const StoreKey before = world.islands.islands[islands.front()].store;
+    if (before == store) return;
+    const bool other_effort = before.effort != store.effort;
+    const double scale = static_cast<double>(substeps_of(before.effort, world.def)) /
+                         substeps_of(store.effort, world.def);
+    // All islands first: lanes ask which store their bodies have.
     std::int64_t lanes = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
-        ASSERT(world.islands.islands[i].effort == before && !world.islands.islands[i].asleep);
-        world.islands.islands[i].effort = effort;
-        world.islands.islands[i].calm = 0;
+        ASSERT(world.islands.islands[i].store == before && !world.islands.islands[i].asleep);
+        world.islands.islands[i].store = store;
+        if (other_effort) world.islands.islands[i].calm = 0;
         for_each_body(world, i,
                       [&](std::uint32_t body) { lanes += world.bodies.cold[body].lanes; });
     }
     const std::int32_t in_before = world.manifolds[index_of(before)].lanes;
-    const std::int32_t in_after = world.manifolds[index_of(effort)].lanes;
-    const bool even = effort > Effort::heap;
+    const std::int32_t in_after = world.manifolds[index_of(store)].lanes;
+    const bool even = other_effort && store.effort > Effort::heap;
     if (lanes > in_before && 2 * in_after < in_before) {
-        swap_stores(world, before, effort);
+        swap_stores(world, before, store);
         if (scale == 1 && !even) return;
     }
     for (const std::uint32_t i : islands)
@@ -161,21 +167,23 @@ void scale_loads(WorldState& world, const Island& island, float scale) {
         });
 }
 
-void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b) {
+void level_stores(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
-    if (ia.effort == ib.effort) return;
+    if (ia.store == ib.store) return;
     // What touches a heap does not make it slender, nor the other way round; nor tall, when it was
     // content with less at the last look: a ball that left a tall heap and comes back.
     const auto asks = [](const Island& island) {
-        return island.calm > 0 ? std::min(island.effort, Effort::slender) : island.effort;
+        const Effort effort = island.store.effort;
+        return island.calm > 0 ? std::min(effort, Effort::slender) : effort;
     };
     const Effort a_asks = asks(ia), b_asks = asks(ib);
-    const bool alike = a_asks == b_asks || (is_usual(a_asks) && is_usual(b_asks));
+    const bool alike = ia.store.effort == ib.store.effort || a_asks == b_asks ||
+                       (is_usual(a_asks) && is_usual(b_asks));
     const bool a_yields = alike ? ia.bodies < ib.bodies : a_asks < b_asks;
     if (a_yields)
-        set_effort(world, tied_islands(world, a), ib.effort);
+        set_store(world, tied_islands(world, a), ib.store);
     else
-        set_effort(world, tied_islands(world, b), ia.effort);
+        set_store(world, tied_islands(world, b), ia.store);
 }
 
 }  // namespace jostle::physics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes of effort: manifolds move from store to store, and impulses, which are those of one
-// sub-step, follow its length.
+// Changes of effort and of batch: manifolds move from store to store, and impulses, which are those
+// of one sub-step, follow its length.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,21 @@
 
 namespace jostle::physics {
 
-// The awake islands that manifolds tie to this one, itself the first: these share one effort.
+// The awake islands that manifolds tie to this one, itself the first: these share one store.
 // Manifolds may tie islands that do not touch yet.
 std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island);
+// ... of many: none that is marked in `seen`, by island; marks what it finds.
+std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island,
+                                        std::vector<bool>& seen);
 
 // `islands` are all that tied_islands() gives for one of them.
-void set_effort(WorldState& world, const std::vector<std::uint32_t>& islands, Effort effort);
+void set_store(WorldState& world, const std::vector<std::uint32_t>& islands, StoreKey store);
 
 // Multiplies all impulses of an awake island that warm-start the next step.
 void scale_loads(WorldState& world, const Island& island, float scale);
 
-// Before something ties two awake islands: gives both one effort, the greater of the two or, when
-// they differ in nothing but what contacts learn, that of the larger island.
-void level_efforts(WorldState& world, std::uint32_t a, std::uint32_t b);
+// Before something ties two awake islands: gives both one store, that of the greater effort or,
+// when those differ in nothing but what contacts learn, of the larger island.
+void level_stores(WorldState& world, std::uint32_t a, std::uint32_t b);
 
 }  // namespace jostle::physics

@@ -10,10 +10,10 @@
 
 namespace jostle::physics {
 
-// Whose store its lane belongs to: its islands', or that of what is frozen.
-Effort effort_of_lane(const WorldState& world, const Contact& contact);
+// Which store its lane belongs to: its islands', or that of what is frozen.
+StoreKey store_of_lane(const WorldState& world, const Contact& contact);
 
-// Gives the contact a lane in the lowest colour of that effort that both moving bodies have
+// Gives the contact a lane in the lowest colour of that store that both moving bodies have
 // free. Both bodies are awake (or fixed). The lane is empty: constraints/write_manifold.h fills it,
 // with one point if `single`.
 void take_lane(WorldState& world, std::uint32_t contact, bool single);

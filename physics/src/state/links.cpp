@@ -319,7 +319,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
 
 void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
-    level_efforts(world, a, b);
+    level_stores(world, a, b);
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
     if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);

@@ -167,7 +167,7 @@ using ManifoldStores = std::array<ManifoldStore, store_count>;
 
 // The stores that the solver works on.
 inline auto solved_stores(ManifoldStores& stores) {
-    return std::span(stores).first<effort_count>();
+    return std::span(stores).first<solved_store_count>();
 }
 
 // Calls visit(colour) or visit(colour, its number) for every colour of every store in use.

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "state/body_store.h"
 #include "state/effort.h"
 #include "state/joint_block.h"
+#include "state/manifold_store.h"
 #include "state/solver_body.h"
 
 namespace jostle::physics {
@@ -79,13 +81,10 @@ struct FoundJoint {
     std::uint32_t run = 0;      // level * joint_kinds + kind
 };
 
-// The joints of the islands of one effort, for the solver.
+// The joints of one part of the solver's work.
 struct JointScratch {
-    Effort effort{};                   // whose joints the rest is about, but for `bodies`
-    std::vector<std::uint64_t> marks;  // a bit per joint
-    std::vector<FoundJoint> found;     // rising
-    // Hot indices of the dynamic bodies that have some, by their island's effort.
-    std::array<std::vector<std::uint32_t>, effort_count> bodies;
+    std::vector<std::uint64_t> marks;    // a bit per joint
+    std::vector<FoundJoint> found;       // rising
     std::vector<std::uint32_t> reached;  // by hot index: level that the body's next joint may have
     std::vector<int> places;             // by run number: lanes of all blocks before, then the next
     std::vector<JointRun> runs;
@@ -101,11 +100,32 @@ struct Tumbler {
     bool principal = false;
 };
 
+// Numbers of bodies, store after store.
+struct ByStore {
+    std::vector<std::uint32_t> all;
+    std::array<std::uint32_t, solved_store_count + 1> begin{};
+
+    std::span<const std::uint32_t> of(std::size_t first, std::size_t last) const {  // stores
+        return std::span(all).subspan(begin[first], begin[last] - begin[first]);
+    }
+};
+
+// A colour in use, with the list of its manifolds of one point: their bodies are distinct.
+struct ColourRun {
+    Colour* colour = nullptr;
+    Colour* single = nullptr;  // null of an overflow list
+    int number = 0;            // of `colour`
+    int blocks = 0, singles = 0;
+    bool shared = false;  // among threads
+};
+
 struct StepScratch {
     std::vector<HotBody> hot;      // [0] is the null body, awake body i is [i + 1]
     std::vector<BodyDrive> drive;  // as hot
-    // Hot indices of dynamic bodies with manifolds or joints, by their island's effort.
-    std::array<std::vector<std::uint32_t>, effort_count> in_solver;
+    // Hot indices of dynamic bodies with manifolds or joints, and of those of them with joints.
+    ByStore in_solver, jointed_in_solver;
+    std::vector<std::uint8_t>
+        store_of;  // by awake body: index of its store, if it is in the solver
     std::vector<std::uint32_t> drivers;  // hot indices of kinematic bodies that the solver reads
     std::vector<std::uint32_t> free;     // the other awake bodies, and all kinematic ones
     std::vector<NewPairs> new_pairs;     // of some of the shapes that moved each
@@ -117,7 +137,9 @@ struct StepScratch {
     std::vector<std::vector<FoundPart>> parts;
     std::vector<NewLane> new_lanes;
     std::vector<std::uint32_t> to_wake, pairs_changed, found;
-    JointScratch joints;
+    // Both by the first store of a part.
+    std::array<JointScratch, solved_store_count> joints;
+    std::array<std::vector<ColourRun>, solved_store_count> colour_runs;
     std::vector<std::uint8_t> tumbling;  // by hot index: whether it has a tumbler
     std::vector<Tumbler> tumblers;       // by hot index, of those
     std::vector<std::uint8_t> held;      // by awake body: had a manifold when the step began
@@ -129,11 +151,12 @@ struct StepScratch {
                                        // says: contacts turned it round in the step
     std::vector<BodyWarm> before;  // by awake body: before the step, of what is fast or was thrown
     std::atomic<int> any_fast = 0;
-    std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
-    std::vector<std::uint8_t> left_fat_box;    // by awake body: some shape of it did
-    std::vector<BroadPhaseIndex::Move> moves;  // of their boxes
-    std::vector<std::uint8_t> not_finite;      // by awake body
-    std::vector<IslandExtent> extents;         // by island
+    std::vector<std::uint32_t> touch_changes;   // contacts whose touching flag changes
+    std::vector<std::uint8_t> left_fat_box;     // by awake body: some shape of it did
+    std::vector<BroadPhaseIndex::Move> moves;   // of their boxes
+    std::vector<std::uint8_t> not_finite;       // by awake body
+    std::vector<IslandExtent> extents;          // by island
+    std::vector<std::uint32_t> island_weights;  // by island
     std::vector<double> island_quiet, island_most_quiet;
     // By hot index: moves; or touches one that does, or is jointed to one of either.
     std::vector<std::uint8_t> restless, beside;

@@ -207,6 +207,10 @@ Fault check_triggers(const WorldState& world) {
     return {};
 }
 
+bool exists(StoreKey store) {
+    return store == frozen_store || (store.effort != Effort::frozen && store.batch < batch_count);
+}
+
 Fault check_contact(const WorldState& world, std::uint32_t i) {
     const Contact& c = world.contacts.contacts[i];
     const auto& shapes = world.shapes.shapes;
@@ -219,18 +223,19 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         return at("contacts", i, "has a first body that is not dynamic");
     if (c.colour >= colour_count) return at("contacts", i, "has a colour that does not exist");
     if (c.colour >= 0) {
+        if (!exists(c.store)) return at("contacts", i, "has a batch that does not exist");
         for (const std::uint32_t body : {c.body_a, c.body_b}) {
             const std::uint32_t island = world.bodies.cold[body].island;
-            if (island < world.islands.islands.size() && c.effort != Effort::frozen &&
-                world.islands.islands[island].effort != c.effort)
-                return at("contacts", i, "has another effort than its island");
+            if (island < world.islands.islands.size() && c.store != frozen_store &&
+                world.islands.islands[island].store != c.store)
+                return at("contacts", i, "has another effort or batch than its island");
         }
         const BodyCold &own = world.bodies.cold[c.body_a], &other = world.bodies.cold[c.body_b];
-        if ((c.effort == Effort::frozen) !=
+        if ((c.store == frozen_store) !=
             (own.frozen && (other.frozen || other.type != BodyType::dynamic)))
             return at("contacts", i, "is solved though nobody of it moves, or the other way round");
         const Colour& colour =
-            world.manifolds[index_of(c.effort)].colours[static_cast<std::size_t>(c.colour)];
+            world.manifolds[index_of(c.store)].colours[static_cast<std::size_t>(c.colour)];
         if (c.slot < 0 || c.slot >= colour.lanes)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
@@ -299,24 +304,23 @@ Fault check_manifolds(const WorldState& world) {
     std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
     std::vector<std::uint32_t> lanes(world.bodies.cold.size(), 0);
     for (int k = 0; k < store_count * colour_count; k++) {
-        const auto effort = static_cast<Effort>(k / colour_count);
+        const auto store = static_cast<std::size_t>(k / colour_count);
         const int c = k % colour_count;
-        const Colour& colour =
-            world.manifolds[index_of(effort)].colours[static_cast<std::size_t>(c)];
+        const Colour& colour = world.manifolds[store].colours[static_cast<std::size_t>(c)];
         for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
             const BlockSide& side =
                 colour.sides[static_cast<std::size_t>(slot / lanes_per_block(c))];
             const std::uint32_t contact = side.contact[slot % lanes_per_block(c)];
             if (contact >= world.contacts.contacts.size() || !world.contacts.ids.alive(contact) ||
                 world.contacts.contacts[contact].colour != c ||
-                world.contacts.contacts[contact].effort != effort ||
+                index_of(world.contacts.contacts[contact].store) != store ||
                 world.contacts.contacts[contact].slot != slot)
                 return "manifolds: a lane of colour " + std::to_string(c) + " belongs to nobody";
             const Contact& owner = world.contacts.contacts[contact];
             for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;
                 lanes[body]++;
-                if (is_overflow(c) || effort == Effort::frozen) continue;
+                if (is_overflow(c) || store == index_of(frozen_store)) continue;
                 if ((colours[body] >> mask_bit(c) & 1) != 0)
                     return at("bodies", body, "has two contacts of one colour");
                 colours[body] |= 1ull << mask_bit(c);
@@ -349,7 +353,8 @@ Fault check_islands(const WorldState& world) {
         }
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
-        if (island.effort == Effort::frozen) return at("islands", i, "has an effort of none");
+        if (island.store.effort == Effort::frozen || !exists(island.store))
+            return at("islands", i, "has an effort or a batch that does not exist");
         if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::effort_patience ||
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");

@@ -25,6 +25,18 @@ TEST(TaskTeam, a_range_is_covered_once) {
     }
 }
 
+TEST(TaskTeam, tasks_are_done_once_each) {
+    for (const int threads : {1, 2, 5}) {
+        TaskTeam team(threads);
+        for (int round = 0; round < 500; round++) {
+            std::vector<int> seen(static_cast<std::size_t>(round % 9), 0);
+            if (round % 3 == 0) team.wake();
+            team.run_tasks(round % 9, [&](int k) { seen[static_cast<std::size_t>(k)]++; });
+            for (const int times : seen) ASSERT_EQ(times, 1);
+        }
+    }
+}
+
 // Whoever takes it, the job is done once, and before finish() returns; ranges go on beside it.
 TEST(TaskTeam, a_job_is_done_once_beside_ranges) {
     for (const int threads : {1, 2, 5}) {

@@ -43,7 +43,8 @@ struct StepProfile {
     int manifolds = 0;         // awake manifolds in the solver
     int touching = 0;          // of those, the ones that press
     int islands_awake = 0;
-    int joints = 0;  // of awake bodies
+    int joints = 0;        // of awake bodies
+    int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
 };
 
 }  // namespace jostle::physics

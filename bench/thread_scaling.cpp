@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "thread_scaling.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "measure.h"
+#include "result_file.h"
+#include "speed/engine.h"
+#include "speed/lab_scenes.h"
+
+namespace jostle::bench {
+namespace {
+
+constexpr const char* footer = R"(
+One world for each number of threads, and all of them step in turn, so that whatever else the machine does meets them
+alike; who goes first changes from step to step. Each round makes the worlds anew and does the same work again: the least
+time of a step over all rounds, as it passes on the clock, is what it takes when nothing disturbs it. Shown is the mean of
+those, and its share of that of the first number of threads. At the end all worlds must be the same to the last bit.
+
+Examples:
+  jostle-bench threads --scene a,c,e
+  jostle-bench threads --threads 1,2,4,8 --rounds 5 --json threads.json
+  jostle-bench threads --at-most 1.01
+
+Exit status: 0 done, 1 worlds differ, a scene takes a larger share than --at-most, or the file could not be written, 2
+wrong flags.)";
+
+struct Flags {
+    std::vector<std::string> scenes = {"all"};
+    std::vector<int> threads = {1, 2};
+    int rounds = 3, steps = 0;  // 0: the scene's own
+    double at_most = 0;         // 0: whatever it is
+    std::string json;
+};
+
+// The time of a step of a world asleep is less than what reading the clock takes.
+constexpr int steps_per_reading_asleep = 100;
+constexpr int most_steps_to_sleep = 600;
+
+// A scene's world, with so many threads.
+class Contestant {
+public:
+    Contestant(const SceneDescription& scene, int threads)
+        : scene_(scene), engine_(engine_kinds().front().make()) {
+        const auto status = engine_->init(scene, threads, scene.asleep_first);
+        if (!status) throw std::runtime_error(status.error().message);
+        if (!scene.asleep_first) return;
+        for (int k = 0; k < most_steps_to_sleep && engine_->awake() > 0; k++) engine_->step();
+    }
+
+    double time_step(int step) {
+        if (scene_.player) {
+            physics::Vec3 velocity = player_velocity(step);
+            velocity.y = engine_->velocity(*scene_.player).y;
+            engine_->set_velocity(*scene_.player, velocity);
+        }
+        const int count = scene_.asleep_first ? steps_per_reading_asleep : 1;
+        const double began = wall_seconds();
+        for (int k = 0; k < count; k++) engine_->step();
+        return (wall_seconds() - began) / count;
+    }
+
+    bool same_as(const Contestant& other) const {
+        for (std::uint32_t k = 0; k < scene_.bodies.size(); k++)
+            if (engine_->pose(k) != other.engine_->pose(k)) return false;
+        return true;
+    }
+
+private:
+    const SceneDescription& scene_;
+    std::unique_ptr<Engine> engine_;
+};
+
+struct Row {
+    const LabScene* scene;
+    int steps = 0;
+    std::vector<double> ms;  // by number of threads
+    bool same = true;
+};
+
+Row measure(const LabScene& lab_scene, const Flags& flags) {
+    const SceneDescription scene = lab_scene.build();
+    Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : scene.steps};
+    const std::size_t count = flags.threads.size();
+    std::vector<std::vector<double>> least(
+        count, std::vector<double>(static_cast<std::size_t>(row.steps), 1e300));
+    for (int round = 0; round < flags.rounds; round++) {
+        std::vector<Contestant> all;
+        for (const int threads : flags.threads) all.emplace_back(scene, threads);
+        for (int step = 0; step < row.steps; step++) {
+            if (step % 20 == 0)
+                show_progress(std::string(lab_scene.letter) + " " + lab_scene.name + ", round " +
+                              std::to_string(round + 1) + ", step " + std::to_string(step));
+            for (std::size_t k = 0; k < count; k++) {
+                const std::size_t turn = (k + static_cast<std::size_t>(step + round)) % count;
+                double& ms = least[turn][static_cast<std::size_t>(step)];
+                ms = std::min(ms, 1e3 * all[turn].time_step(step));
+            }
+        }
+        for (const Contestant& one : all) row.same = row.same && one.same_as(all.front());
+    }
+    show_progress("");
+    for (const std::vector<double>& steps : least)
+        row.ms.push_back(std::accumulate(steps.begin(), steps.end(), 0.0) / row.steps);
+    return row;
+}
+
+void print_row(const Row& row) {
+    std::printf("%s  %-10s", row.scene->letter, row.scene->name);
+    for (const double ms : row.ms) std::printf(" %10.5f (%.3f)", ms, ms / row.ms.front());
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+// Says what is wrong with it.
+bool is_right(const Row& row, const Flags& flags) {
+    const std::string name = std::string(row.scene->letter) + " " + row.scene->name;
+    if (!row.same)
+        std::fprintf(stderr, "jostle-bench: %s: the worlds differ in the end\n", name.c_str());
+    bool within = true;
+    for (std::size_t k = 1; k < row.ms.size(); k++) {
+        const double share = row.ms[k] / row.ms.front();
+        if (flags.at_most <= 0 || share <= flags.at_most) continue;
+        within = false;
+        std::fprintf(stderr, "jostle-bench: %s: with %d threads a step takes %.3f of the time\n",
+                     name.c_str(), flags.threads[k], share);
+    }
+    return row.same && within;
+}
+
+std::string check_scene(const std::string& name) {
+    if (name == "all" || find_lab_scene(name)) return "";
+    return "there is no scene " + name + "; 'jostle-bench speed --help' lists them";
+}
+
+bool is_chosen(const LabScene& scene, const Flags& flags) {
+    return std::any_of(flags.scenes.begin(), flags.scenes.end(), [&](const std::string& name) {
+        return name == "all" || find_lab_scene(name) == &scene;
+    });
+}
+
+int run(const Flags& flags) {
+    if (!flags.json.empty() && !can_write(flags.json)) return 1;
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    std::printf("%-13s", "scene");
+    for (const int threads : flags.threads)
+        std::printf(" %5d thread%s ms  ", threads, threads == 1 ? " " : "s");
+    std::printf("\n");
+    bool right = true;
+    for (const LabScene& scene : lab_scenes()) {
+        if (!is_chosen(scene, flags)) continue;
+        const Row row = measure(scene, flags);
+        print_row(row);
+        right = is_right(row, flags) && right;
+        for (std::size_t k = 0; k < row.ms.size(); k++)
+            rows.push_back({{"scene", scene.letter},
+                            {"name", scene.name},
+                            {"threads", flags.threads[k]},
+                            {"steps", row.steps},
+                            {"ms_mean", rounded(row.ms[k])},
+                            {"share", rounded(row.ms[k] / row.ms.front())}});
+    }
+    if (flags.json.empty()) return right ? 0 : 1;
+    const nlohmann::ordered_json head = {{"benchmark", "threads"},
+                                         {"cpu", cpu_model()},
+                                         {"compiler", compiler()},
+                                         {"rounds", flags.rounds}};
+    return write_result(flags.json, head, rows) && right ? 0 : 1;
+}
+
+}  // namespace
+
+void add_threads(CLI::App& app, int& status) {
+    CLI::App* command =
+        app.add_subcommand("threads", "What more threads do for a step of the scenes of 'speed'.");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("--scene", flags->scenes, "By letter or name, or all")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_scene, "SCENE"));
+    command->add_option("--threads", flags->threads, "The first is what the others are compared to")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Range(1, 64));
+    command->add_option("--rounds", flags->rounds, "Of which the least time of each step counts")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--steps", flags->steps, "Instead of the scene's own number")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--at-most", flags->at_most, "Fails when a scene takes a larger share")
+        ->check(CLI::Range(0.0, 1000.0));
+    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+    command->footer(footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

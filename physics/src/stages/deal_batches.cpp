@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "stages/deal_batches.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "jostle/physics/tuning.h"
+#include "state/efforts.h"
+
+namespace jostle::physics {
+namespace {
+
+using Loads = std::array<std::uint32_t, batch_count>;
+
+struct Work {
+    Loads loads{}, lightest{};           // by batch; the lightest island of each
+    std::uint32_t all = 0, largest = 0;  // largest: of one island
+};
+
+// What an island takes: its bodies and their manifolds, those of two bodies twice, and about its
+// joints.
+std::array<Work, effort_count> weigh_islands(WorldState& world) {
+    std::vector<std::uint32_t>& weights = world.scratch.island_weights;
+    weights.assign(world.islands.ids.size(), 0);
+    for (const BodyWarm& warm : world.bodies.awake) {
+        const BodyCold& cold = world.bodies.cold[warm.body];
+        if (cold.island == none || cold.frozen) continue;
+        const std::uint32_t jointed = cold.first_joint != none ? 2 : 0;
+        if (cold.lanes > 0 || jointed > 0) weights[cold.island] += 1 + cold.lanes + jointed;
+    }
+    std::array<Work, effort_count> works;
+    for (std::uint32_t i = 0; i < weights.size(); i++) {
+        if (weights[i] == 0) continue;
+        const StoreKey store = world.islands.islands[i].store;
+        Work& work = works[index_of(store.effort)];
+        std::uint32_t& lightest = work.lightest[store.batch];
+        lightest = work.loads[store.batch] == 0 ? weights[i] : std::min(lightest, weights[i]);
+        work.loads[store.batch] += weights[i];
+        work.all += weights[i];
+        work.largest = std::max(work.largest, weights[i]);
+    }
+    return works;
+}
+
+// As many as are worth it; as many for each of two threads.
+std::uint32_t batches_for(std::uint32_t weight) {
+    std::uint32_t batches = 1;
+    while (batches < batch_count && weight >= 2 * batches * tuning::least_batch) batches *= 2;
+    return batches;
+}
+
+// Whether the fullest batch has more than its share, and an island that would make the emptiest no
+// fuller than it is itself.
+bool is_unequal(const Work& work) {
+    const std::uint32_t batches = batches_for(work.all);
+    if (batches < 2 || 2 * work.largest > work.all) return false;
+    const auto first = work.loads.begin();
+    const auto most = std::max_element(first, work.loads.end());
+    const std::uint32_t room = *most - *std::min_element(first, first + batches);
+    return *most * batches > tuning::batch_unequal * work.all &&
+           work.lightest[static_cast<std::size_t>(most - first)] < tuning::batch_unequal * room / 2;
+}
+
+// Islands with all that manifolds tie to them.
+struct Group {
+    std::vector<std::uint32_t> islands;
+    std::uint32_t weight = 0;
+    bool stays = false;
+};
+
+std::vector<Group> find_groups(const WorldState& world, Effort effort) {
+    std::vector<Group> groups;
+    std::vector<bool> seen(world.islands.islands.size(), false);
+    const std::vector<std::uint32_t>& weights = world.scratch.island_weights;
+    for (std::uint32_t i = 0; i < weights.size(); i++) {
+        if (weights[i] == 0 || seen[i] || world.islands.islands[i].store.effort != effort) continue;
+        Group& group = groups.emplace_back(Group{tied_islands(world, i, seen)});
+        for (const std::uint32_t island : group.islands) group.weight += weights[island];
+    }
+    return groups;
+}
+
+// The heaviest stay where they are while there is room; the others fill up batch after batch:
+// neighbours in the lists of bodies stay together.
+void deal(WorldState& world, Effort effort, const Work& work) {
+    std::vector<Group> groups = find_groups(world, effort);
+    const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
+    std::vector<std::size_t> heaviest(groups.size());
+    for (std::size_t k = 0; k < groups.size(); k++) heaviest[k] = k;
+    std::stable_sort(heaviest.begin(), heaviest.end(), [&](std::size_t a, std::size_t b) {
+        return groups[a].weight > groups[b].weight;
+    });
+    Loads loads{};
+    for (const std::size_t k : heaviest) {
+        Group& group = groups[k];
+        const std::uint8_t batch = world.islands.islands[group.islands.front()].store.batch;
+        group.stays = batch < batches && (loads[batch] == 0 || loads[batch] + group.weight <= fair);
+        if (group.stays) loads[batch] += group.weight;
+    }
+    std::uint8_t to = 0;
+    for (const Group& group : groups) {
+        if (group.stays) continue;
+        while (to + 1u < batches && loads[to] + group.weight / 2 > fair) to++;
+        loads[to] += group.weight;
+        set_store(world, group.islands, {effort, to});
+    }
+}
+
+}  // namespace
+
+void deal_batches(WorldState& world) {
+    const std::array<Work, effort_count> works = weigh_islands(world);
+    for (const Effort effort : all_efforts)
+        if (is_unequal(works[index_of(effort)])) deal(world, effort, works[index_of(effort)]);
+}
+
+}  // namespace jostle::physics

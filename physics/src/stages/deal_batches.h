@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Deals the islands of an effort out among batches, so that threads find equal work: whole, with
+// all that manifolds tie to them, and never more often than the batches have become unequal. From
+// the world alone, so that every number of threads steps it alike.
+#pragma once
+
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+void deal_batches(WorldState& world);
+
+}  // namespace jostle::physics

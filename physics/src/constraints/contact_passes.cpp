@@ -2,13 +2,13 @@
 #include "constraints/contact_passes.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace jostle::physics {
 namespace {
 
-// So many blocks are taken at once. With fewer manifolds in a store, its colours are so short that
-// handing them over again and again costs more than they do.
-constexpr int grain = 8, shared_manifolds = 2000;
+// So many blocks are taken at once, and so many left to the thread whose part they are in.
+constexpr int grain = 8, kept = 32;
 
 // The blocks [begin, end) of a colour.
 void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const ContactPart& part) {
@@ -18,17 +18,22 @@ void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const C
          part.bodies.data(), part.set);
 }
 
+// Each grain has its share of both lists: a thread meets the same bodies in each.
 void run(BlockPass pass, const ContactPart& part) {
     for (const ColourRun& run : part.runs) {
-        const auto work = [&](int begin, int end) {
-            run_part(pass, *run.colour, run.number, begin, std::min(end, run.blocks), part);
-            if (run.singles > 0)
-                run_part(pass, *run.single, single_colours + run.number,
-                         std::max(begin - run.blocks, 0), end - run.blocks, part);
-        };
         const int total = run.blocks + run.singles;
+        const auto blocks_before = [&](int at) {
+            return static_cast<int>(std::int64_t{at} * run.blocks / total);
+        };
+        const auto work = [&](int begin, int end) {
+            const int from = blocks_before(begin), to = blocks_before(end);
+            run_part(pass, *run.colour, run.number, from, to, part);
+            if (run.singles > 0)
+                run_part(pass, *run.single, single_colours + run.number, begin - from, end - to,
+                         part);
+        };
         if (run.shared)
-            part.team.run(total, grain, work);
+            part.team.run(total, grain, work, kept);
         else
             work(0, total);
     }
@@ -57,7 +62,7 @@ void list_runs(std::span<ManifoldStore> stores, std::vector<ColourRun>& runs) {
             ColourRun run{.colour = &colour,
                           .number = c,
                           .blocks = static_cast<int>(colour.blocks.size()),
-                          .shared = store.lanes >= shared_manifolds};
+                          .shared = is_shared(store)};
             if (is_overflow(c)) {
                 run.shared = false;  // these share bodies: one by one
             } else {

@@ -34,10 +34,11 @@ TaskTeam::~TaskTeam() {
     for (std::thread& worker : workers_) worker.join();
 }
 
-void TaskTeam::share_out(int total, int grain, Call call, void* context) {
+void TaskTeam::share_out(int total, int grain, int kept, Call call, void* context) {
     call_ = call;
     context_ = context;
     grain_ = grain > 0 ? grain : 1;
+    kept_ = kept;
     const auto begin_of = [&](int t) {
         if (grain == 0) return t == 0 ? 0 : total;
         return static_cast<int>(static_cast<std::int64_t>(total) * t / count_);
@@ -46,6 +47,7 @@ void TaskTeam::share_out(int total, int grain, Call call, void* context) {
         Cursor& cursor = cursors_[static_cast<std::size_t>(t)];
         cursor.next.store(begin_of(t), std::memory_order_relaxed);
         cursor.end = begin_of(t + 1);
+        cursor.owned.store(false, std::memory_order_relaxed);
     }
     gate_.fetch_add(one_range | open, std::memory_order_release);
     gate_.notify_all();
@@ -60,9 +62,14 @@ void TaskTeam::share_out(int total, int grain, Call call, void* context) {
 }
 
 void TaskTeam::take_grains(int self) {
+    cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
     for (int k = 0; k < count_; k++) {
         Cursor& cursor = cursors_[static_cast<std::size_t>((self + k) % count_)];
         for (;;) {
+            // A thread that is there goes on to the end of its part.
+            if (k > 0 && cursor.owned.load(std::memory_order_relaxed) &&
+                cursor.end - cursor.next.load(std::memory_order_relaxed) <= kept_)
+                break;
             const int begin = cursor.next.fetch_add(grain_, std::memory_order_relaxed);
             if (begin >= cursor.end) break;
             const int end = begin + grain_ < cursor.end ? begin + grain_ : cursor.end;

@@ -6,6 +6,7 @@
 #include "jostle/physics/tuning.h"
 #include "stages/deal_batches.h"
 #include "stages/freeze_bodies.h"
+#include "stages/order_lanes.h"
 #include "state/efforts.h"
 #include "state/lanes.h"
 
@@ -169,6 +170,7 @@ Skipped prepare_islands(StepContext& step) {
     if (world.islands.some_lost) forget_lost_loads(world);
     if (look && world.def.gravity != Vec3{}) choose_efforts(world);
     if (world.steps % tuning::batch_interval == 1) deal_batches(world);
+    if (world.steps % tuning::order_interval == 1) order_lanes(step);
     return ran;
 }
 

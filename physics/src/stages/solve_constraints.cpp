@@ -262,9 +262,9 @@ void solve_part(StepContext& step, const Part& part, std::span<const std::uint32
     list_runs(std::span(world.manifolds).subspan(part.first, part.last - part.first), colours);
     // Where threads share neither colours nor levels, passes over bodies would do nothing but carry
     // them from one cache to the other and back.
-    const bool shared = shares_levels(joints) ||
-                        std::any_of(colours.begin(), colours.end(),
-                                    [](const ColourRun& run) { return run.shared; });
+    const bool shared =
+        shares_levels(joints) || std::any_of(colours.begin(), colours.end(),
+                                             [](const ColourRun& run) { return run.shared; });
     TaskTeam alone(1);
     StepContext substeps{world, shared ? step.team : alone, step.dt, step.contacts};
     run_substeps(substeps, part, joints, drivers);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "state/lanes.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "foundation/check.h"
 #include "state/efforts.h"
@@ -219,6 +222,45 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     }
     contact.colour = -1;
     contact.slot = 0;
+}
+
+namespace {
+
+// Twice the mean of its moving bodies' indices.
+std::int32_t place_in_bodies(const Colour& colour, int slot) {
+    const ManifoldBlock& block = colour.blocks[static_cast<std::size_t>(slot / 8)];
+    const std::int32_t a = block.a[slot % 8], b = block.b[slot % 8];
+    return b > 0 ? a + b : 2 * a;
+}
+
+}  // namespace
+
+bool in_order(const Colour& colour) {
+    int out = 0;
+    for (int slot = 1; slot < colour.lanes; slot++)
+        out += place_in_bodies(colour, slot) < place_in_bodies(colour, slot - 1) ? 1 : 0;
+    return out <= colour.lanes / 256;
+}
+
+void sort_lanes(WorldState& world, Colour& colour, int number) {
+    ASSERT(!is_overflow(number));  // those are solved in the order in which they came
+    std::vector<std::pair<std::int32_t, std::int32_t>> order;
+    for (std::int32_t slot = 0; slot < colour.lanes; slot++)
+        order.push_back({place_in_bodies(colour, slot), slot});
+    std::sort(order.begin(), order.end());
+    Colour sorted;
+    sorted.blocks.reserve(colour.blocks.size());
+    sorted.sides.reserve(colour.blocks.size());
+    sorted.bounces.reserve(colour.blocks.size());
+    sorted.roughs.reserve(colour.blocks.size());
+    for (const auto& [key, from] : order) {
+        const std::int32_t slot = sorted.lanes++;
+        if (slot % 8 == 0) add_block(sorted);
+        const LanePlace place = place_at(sorted, number, slot);
+        copy_lane(place, place_at(colour, number, from));
+        world.contacts.contacts[place.side->contact[place.lane]].slot = slot;
+    }
+    colour = std::move(sorted);
 }
 
 bool is_settled(const WorldState& world, const Contact& contact) {

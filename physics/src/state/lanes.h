@@ -26,6 +26,12 @@ void settle_lane(WorldState& world, std::uint32_t contact);
 // The last lane of the colour moves into the hole.
 void release_lane(WorldState& world, std::uint32_t contact);
 
+// Whether most lanes of the colour lie in the order of their bodies, and brings them there: each
+// thread then has the same bodies in all colours. Colours of a store at the same time, but for
+// overflow lists.
+bool in_order(const Colour& colour);
+void sort_lanes(WorldState& world, Colour& colour, int number);
+
 // A lane's content outside the solver and back again.
 SavedManifold save_lane(const WorldState& world, std::uint32_t contact);
 void restore_lane(WorldState& world, const SavedManifold& saved);  // takes a lane first

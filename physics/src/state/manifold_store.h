@@ -165,6 +165,13 @@ struct ManifoldStore {
 };
 using ManifoldStores = std::array<ManifoldStore, store_count>;
 
+// Whether threads share its colours. Those of a smaller one are so short that handing them over
+// again and again would cost more than they do.
+inline bool is_shared(const ManifoldStore& store) {
+    constexpr std::int32_t shared_manifolds = 2000;
+    return store.lanes >= shared_manifolds;
+}
+
 // The stores that the solver works on.
 inline auto solved_stores(ManifoldStores& stores) {
     return std::span(stores).first<solved_store_count>();

@@ -82,6 +82,8 @@ inline constexpr int effort_patience = 4;  // looks
 inline constexpr int least_batch = 800;
 inline constexpr double batch_unequal = 1.15;
 inline constexpr int batch_interval = 16;
+// Steps between looks at whether the lanes of a large store lie in the order of their bodies.
+inline constexpr int order_interval = 32;
 inline constexpr double standing_speed = 0.1;  // m/s: what is faster falls; one step adds 0.16
 // An island in which a body rests on nothing but bodies of so much less mass takes four times the
 // sub-steps: five boxes under five of a hundred times their mass fall on 8 and stand on 32.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "stages/order_lanes.h"
+
+#include "state/lanes.h"
+
+namespace jostle::physics {
+
+void order_lanes(StepContext& step) {
+    for (ManifoldStore& store : solved_stores(step.world.manifolds)) {
+        if (!is_shared(store)) continue;
+        step.team.run_tasks(overflow_colours, [&](int c) {
+            Colour& colour = store.colours[static_cast<std::size_t>(c)];
+            if (!in_order(colour)) sort_lanes(step.world, colour, c);
+        });
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Lanes come and go, and in time those of a colour lie in any order. Threads that share a colour
+// take each its part of the lanes, and had to fetch bodies from each other's caches in every one.
+#pragma once
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+// Brings lanes of large stores into the order of their bodies where many are out of it.
+void order_lanes(StepContext& step);
+
+}  // namespace jostle::physics

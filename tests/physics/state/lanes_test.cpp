@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Lanes in the order of their bodies.
+#include "state/lanes.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::physics {
+namespace {
+
+TEST(Lanes, are_sorted_by_their_bodies_with_all_that_is_in_them) {
+    WorldState world;
+    Colour colour;
+    constexpr int lanes = 100;
+    world.contacts.contacts.resize(lanes);
+    for (int slot = 0; slot < lanes; slot++) {
+        if (slot % 8 == 0) add_block(colour);
+        const auto block = static_cast<std::size_t>(slot / 8);
+        colour.blocks[block].a[slot % 8] = 1 + slot * 37 % lanes;
+        colour.blocks[block].b[slot % 8] = 2 + slot * 37 % lanes;
+        colour.blocks[block].mu[slot % 8] = static_cast<float>(slot);
+        colour.sides[block].contact[slot % 8] = static_cast<std::uint32_t>(slot);
+        world.contacts.contacts[static_cast<std::size_t>(slot)].slot = slot;
+        colour.lanes++;
+    }
+    EXPECT_FALSE(in_order(colour));
+    sort_lanes(world, colour, 0);
+    EXPECT_TRUE(in_order(colour));
+    ASSERT_EQ(colour.lanes, lanes);
+    ASSERT_EQ(colour.blocks.size(), 13u);
+    for (int slot = 0; slot < lanes; slot++) {
+        const auto block = static_cast<std::size_t>(slot / 8);
+        EXPECT_EQ(colour.blocks[block].a[slot % 8], 1 + slot);
+        const std::uint32_t contact = colour.sides[block].contact[slot % 8];
+        EXPECT_EQ(world.contacts.contacts[contact].slot, slot);
+        EXPECT_EQ(colour.blocks[block].mu[slot % 8], static_cast<float>(contact)) << "its own row";
+    }
+}
+
+}  // namespace
+}  // namespace jostle::physics

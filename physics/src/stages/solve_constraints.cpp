@@ -216,6 +216,7 @@ BodyRange range_of(StepScratch& scratch, std::span<const std::uint32_t> indices)
             static_cast<int>(indices.size())};
 }
 
+// Of what was prepared.
 void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
                   std::span<const std::uint32_t> drivers) {
     StepScratch& scratch = step.world.scratch;
@@ -278,15 +279,15 @@ void solve_part(StepContext& step, const Part& part, std::span<const std::uint32
 constexpr std::uint32_t light_part = 4000;
 
 void solve_parts(StepContext& step, const std::vector<Part>& parts) {
+    const std::vector<std::uint32_t>& drivers = step.world.scratch.drivers;
+    if (step.team.size() == 1) {
+        for (const Part& part : parts) solve_part(step, part, drivers);
+        return;
+    }
     std::uint32_t all = 0;
     for (const Part& part : parts) all += part.weight;
     const auto light_share = all / (2 * static_cast<std::uint32_t>(step.team.size()));
     std::vector<Part> tasks, shared;
-    step.world.profile.solver_tasks = 0;
-    if (step.team.size() == 1) {
-        for (const Part& part : parts) solve_part(step, part, step.world.scratch.drivers);
-        return;
-    }
     for (const Part& part : parts) {
         const bool light = part.weight <= std::max(light_part, light_share);
         (light && !reads_drivers(step.world, part) ? tasks : shared).push_back(part);
@@ -294,7 +295,7 @@ void solve_parts(StepContext& step, const std::vector<Part>& parts) {
     if (tasks.size() == 1) shared.push_back(std::exchange(tasks, {}).front());
     std::stable_sort(tasks.begin(), tasks.end(),
                      [](const Part& a, const Part& b) { return a.weight > b.weight; });
-    for (const Part& part : shared) solve_part(step, part, step.world.scratch.drivers);
+    for (const Part& part : shared) solve_part(step, part, drivers);
     TaskTeam alone(1);
     step.team.run_tasks(static_cast<int>(tasks.size()), [&](int k) {
         StepContext own{step.world, alone, step.dt, step.contacts};

@@ -15,7 +15,7 @@ void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const C
     if (begin >= end) return;
     pass({colour.blocks.data(), colour.sides.data(), colour.bounces.data(), colour.roughs.data(),
           begin, end, second_of(c), is_single(c)},
-         part.bodies.data(), part.set);
+         part.bodies, part.set);
 }
 
 // Each grain has its share of both lists: a thread meets the same bodies in each.
@@ -39,6 +39,18 @@ void run(BlockPass pass, const ContactPart& part) {
     }
 }
 
+// Those of the last block, or all but the first of each where a block holds one manifold.
+void point_unused_lanes(Colour& colour, int c, std::int32_t body) {
+    if (colour.blocks.empty()) return;
+    const auto point = [body](ManifoldBlock& block, int used) {
+        for (int lane = used; lane < 8; lane++) block.a[lane] = block.b[lane] = body;
+    };
+    if (is_overflow(c))
+        for (ManifoldBlock& block : colour.blocks) point(block, 1);
+    else if (colour.lanes % 8 != 0)
+        point(colour.blocks.back(), colour.lanes % 8);
+}
+
 bool any_bouncy(const ContactPart& part) {
     const auto bouncy = [](const Colour* colour) {
         return colour != nullptr &&
@@ -52,9 +64,11 @@ bool any_bouncy(const ContactPart& part) {
 
 }  // namespace
 
-void list_runs(std::span<ManifoldStore> stores, std::vector<ColourRun>& runs) {
+void list_runs(ManifoldStores& stores, std::size_t first, std::size_t last,
+               std::vector<ColourRun>& runs) {
     runs.clear();
-    for (ManifoldStore& store : stores) {
+    for (std::size_t k = first; k < last; k++) {
+        ManifoldStore& store = stores[k];
         if (store.lanes == 0) continue;
         for (const int c : solve_order) {
             if (is_single(c)) continue;
@@ -69,7 +83,12 @@ void list_runs(std::span<ManifoldStore> stores, std::vector<ColourRun>& runs) {
                 run.single = &store.colours[static_cast<std::size_t>(single_colours + c)];
                 run.singles = static_cast<int>(run.single->blocks.size());
             }
-            if (run.blocks + run.singles > 0) runs.push_back(run);
+            if (run.blocks + run.singles == 0) continue;
+            runs.push_back(run);
+            point_unused_lanes(colour, c, HotBodies::spare_index(first, false));
+            if (run.singles > 0)
+                point_unused_lanes(*run.single, single_colours + c,
+                                   HotBodies::spare_index(first, true));
         }
     }
 }

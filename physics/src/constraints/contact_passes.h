@@ -13,13 +13,15 @@
 
 namespace jostle::physics {
 
-// The colours in use of the stores, in solve order, store after store.
-void list_runs(std::span<ManifoldStore> stores, std::vector<ColourRun>& runs);
+// The colours in use of the stores [first, last), in solve order, store after store. Their unused
+// lanes get bodies of their own.
+void list_runs(ManifoldStores& stores, std::size_t first, std::size_t last,
+               std::vector<ColourRun>& runs);
 
 // What every pass needs.
 struct ContactPart {
     std::span<const ColourRun> runs;
-    std::span<HotBody> bodies;
+    HotBody* bodies;
     const ContactSettings& set;
     TaskTeam& team;
 };

@@ -222,7 +222,7 @@ void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
     StepScratch& scratch = step.world.scratch;
     const ContactSettings& set = step.contacts[index_of(part.effort)];
     const double h = step.dt / set.substeps;
-    const ContactPart contacts{scratch.colour_runs[part.first], scratch.hot, set, step.team};
+    const ContactPart contacts{scratch.colour_runs[part.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
     const bool bouncy = begin_bounces(contacts);
     for (int n = 0; n < set.substeps; n++) {
@@ -260,7 +260,7 @@ void solve_part(StepContext& step, const Part& part, std::span<const std::uint32
                            scratch.jointed_in_solver.of(part.first, part.last)};
     prepare_joints(step, joints, h);
     std::vector<ColourRun>& colours = scratch.colour_runs[part.first];
-    list_runs(std::span(world.manifolds).subspan(part.first, part.last - part.first), colours);
+    list_runs(world.manifolds, part.first, part.last, colours);
     // Where threads share neither colours nor levels, passes over bodies would do nothing but carry
     // them from one cache to the other and back.
     const bool shared =
@@ -315,7 +315,6 @@ Skipped solve_constraints(StepContext& step) {
     scratch.drive.resize(step.world.bodies.awake.size() + 1);
     scratch.tumblers.resize(step.world.bodies.awake.size() + 1);
     scratch.tumbling.assign(step.world.bodies.awake.size() + 1, 0);
-    scratch.hot[0] = {};
     // What is frozen stands still and cannot be pushed.
     if (step.world.bodies.frozen > 0)
         for (std::size_t i = 0; i < step.world.bodies.awake.size(); i++)

@@ -26,7 +26,7 @@ inline constexpr float no_point =
 
 // 200 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
 struct alignas(64) ManifoldBlock {
-    std::int32_t a[8], b[8];  // hot body indices; 0 is the null body of unused lanes
+    std::int32_t a[8], b[8];  // hot body indices; of unused lanes below 0
     float normal[3][8];       // from a to b
     float tangent[3][8];      // second tangent = normal x tangent
     float arm_a[3][8];        // centre of the manifold from each centre of mass

@@ -4,6 +4,7 @@
 // never hashed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <compare>
@@ -100,6 +101,30 @@ struct Tumbler {
     bool principal = false;
 };
 
+// Hot records by hot index. [0] is nobody, whom joints may read: it stands still and cannot be
+// pushed. Below it are bodies for unused lanes, which are read and written like all others: threads
+// that work at the same time have each their own.
+class HotBodies {
+public:
+    static constexpr std::size_t spare = 2 * solved_store_count;
+
+    // Unused lanes of the stores of one part, by its first, and of one of its two lists.
+    static constexpr std::int32_t spare_index(std::size_t first_store, bool single) {
+        return -1 - static_cast<std::int32_t>(2 * first_store + (single ? 1 : 0));
+    }
+
+    void resize(std::size_t count) {  // nobody included
+        all_.resize(spare + count);
+        std::fill(all_.begin(), all_.begin() + spare + 1, HotBody{});
+    }
+    std::size_t size() const { return all_.size() - spare; }
+    HotBody* data() { return all_.data() + spare; }
+    HotBody& operator[](std::size_t index) { return all_[spare + index]; }
+
+private:
+    std::vector<HotBody> all_;
+};
+
 // Numbers of bodies, store after store.
 struct ByStore {
     std::vector<std::uint32_t> all;
@@ -120,7 +145,7 @@ struct ColourRun {
 };
 
 struct StepScratch {
-    std::vector<HotBody> hot;      // [0] is the null body, awake body i is [i + 1]
+    HotBodies hot;                 // awake body i is [i + 1]
     std::vector<BodyDrive> drive;  // as hot
     // Hot indices of dynamic bodies with manifolds or joints, and of those of them with joints.
     ByStore in_solver, jointed_in_solver;

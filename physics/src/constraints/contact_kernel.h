@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over one block of eight manifolds. Templates, so that each combination of second body,
-// inertia and pass is straight code. Lane k of every value is manifold k; nothing crosses lanes.
-// Bodies of a block are distinct (within a colour, too), so they are loaded, changed and stored
-// without regard to other blocks.
+// The passes over one block of eight manifolds, or, where lanes are sixteen, over two that follow
+// one another. Templates, so that each combination of second body, inertia and pass is straight
+// code. Lane k of every value is manifold k; nothing crosses lanes. Bodies of a block are distinct
+// (within a colour, too), so they are loaded, changed and stored without regard to other blocks.
 #pragma once
 
 #include "constraints/contact_settings.h"
@@ -20,8 +20,30 @@ enum class Inertia : unsigned char {
     locked,     // a matrix, and a mass per axis
 };
 
+// A row of a record of each block, Record being what the row is a field of. Rows of a ManifoldBlock
+// are the usual case.
+#if defined(JOSTLE_TWO_BLOCKS)
+template <class Record = ManifoldBlock>
+JOSTLE_INLINE Wide load(const float* row) {
+    return load_two<sizeof(Record) / sizeof(float)>(row);
+}
+template <class Record = ManifoldBlock>
+JOSTLE_INLINE void store(float* row, Wide w) {
+    store_two<sizeof(Record) / sizeof(float)>(row, w);
+}
+#else
+template <class Record>
+JOSTLE_INLINE Wide load(const float* row) {
+    return load(row);
+}
+template <class Record>
+JOSTLE_INLINE void store(float* row, Wide w) {
+    store(row, w);
+}
+#endif
+
 struct WideSide {
-    const float* rows[8];
+    const float* rows[lane_count];
     Wide state[8];    // row 0
     Wide inertia[8];  // row 2
     Wide3 v, w;
@@ -35,24 +57,27 @@ JOSTLE_INLINE Wide3 load3(const float (*rows)[8]) {
 template <Inertia kInertia>
 JOSTLE_INLINE void load_inertia(WideSide& s) {
     if constexpr (kInertia == Inertia::isotropic) return;
-    const float* rows[8];
-    for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 16;
+    const float* rows[lane_count];
+    for (int k = 0; k < lane_count; k++) rows[k] = s.rows[k] + 16;
     load_rows(rows, s.inertia);
     if constexpr (kInertia == Inertia::locked)
-        for (int k = 0; k < 8; k++) s.free_z[k] = s.rows[k][8 + 6];
+        for (int k = 0; k < lane_count; k++) s.free_z[k] = s.rows[k][8 + 6];
 }
 
 JOSTLE_INLINE void load_side(WideSide& s, const HotBody* bodies, const std::int32_t* index) {
-    for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
+    for (int k = 0; k < lane_count; k++) {
+        constexpr auto next = static_cast<int>(sizeof(ManifoldBlock) / sizeof(std::int32_t));
+        s.rows[k] = bodies[index[k < 8 ? k : next + k - 8]].v;
+    }
     load_rows(s.rows, s.state);
     s.v = {s.state[0], s.state[1], s.state[2]};
     s.w = {s.state[3], s.state[4], s.state[5]};
 }
 
 JOSTLE_INLINE void load_motion(const WideSide& s, Wide3& dp, Wide3& dr) {
-    const float* rows[8];
+    const float* rows[lane_count];
     Wide t[8];
-    for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 8;
+    for (int k = 0; k < lane_count; k++) rows[k] = s.rows[k] + 8;
     load_rows(rows, t);
     dp = {t[0], t[1], t[2]};
     dr = {t[3], t[4], t[5]};
@@ -194,8 +219,8 @@ void warm_start_block(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies
     WideImpulse sum;
     for (int i = 0; i < 4; i++) sum.add(load(m.x[i]), load(m.y[i]), load(m.lambda[i]));
     if (rough != nullptr) {
-        sum.m1 += load(rough->roll[0]);
-        sum.m2 += load(rough->roll[1]);
+        sum.m1 += load<BlockRough>(rough->roll[0]);
+        sum.m2 += load<BlockRough>(rough->roll[1]);
     }
     pair.apply(
         fma(pair.t2, load(m.friction[1]), fma(pair.t1, load(m.friction[0]), pair.n * sum.total)),
@@ -213,16 +238,17 @@ JOSTLE_INLINE void solve_rolling(ManifoldBlock& m, BlockRough& rough, Wide norma
     const Wide k00 = load(m.g[3]), k01 = load(m.g[4]), k11 = load(m.g[5]);
     // Bodies that cannot turn have no such matrix.
     const Wide det = max(k00 * k11 - k01 * k01, splat(1e-30f));
-    const Wide old1 = load(rough.roll[0]), old2 = load(rough.roll[1]);
+    const Wide old1 = load<BlockRough>(rough.roll[0]), old2 = load<BlockRough>(rough.roll[1]);
     Wide r1 = old1 - (k11 * w1 - k01 * w2) / det;
     Wide r2 = old2 - (k00 * w2 - k01 * w1) / det;
-    const Wide limit = load(rough.rolling) * normal_impulse, length2 = r1 * r1 + r2 * r2;
+    const Wide limit = load<BlockRough>(rough.rolling) * normal_impulse,
+               length2 = r1 * r1 + r2 * r2;
     const Wide scale =
         select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
     r1 = r1 * scale;
     r2 = r2 * scale;
-    store(rough.roll[0], r1);
-    store(rough.roll[1], r2);
+    store<BlockRough>(rough.roll[0], r1);
+    store<BlockRough>(rough.roll[1], r2);
     const Wide zero = splat(0);
     pair.apply({zero, zero, zero}, fma(pair.t2, r2 - old2, pair.t1 * (r1 - old1)));
 }
@@ -238,9 +264,9 @@ JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
     Wide u1 = dot(pair.t1, u), u2 = dot(pair.t2, u);
     Wide twist_limit = limit * load(m.lever);
     if (rough != nullptr) {
-        u1 += load(rough->surface[0]);
-        u2 += load(rough->surface[1]);
-        twist_limit = max(twist_limit, load(rough->torsion) * normal_impulse);
+        u1 += load<BlockRough>(rough->surface[0]);
+        u2 += load<BlockRough>(rough->surface[1]);
+        twist_limit = max(twist_limit, load<BlockRough>(rough->torsion) * normal_impulse);
     }
     const Wide m00 = load(m.friction_mass[0]), m01 = load(m.friction_mass[1]),
                m11 = load(m.friction_mass[2]);
@@ -264,6 +290,11 @@ JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
 struct BlockReport {
     unsigned aged = 0, touching = 0;  // lanes
 };
+
+JOSTLE_INLINE unsigned touching_lanes(const BlockSide& side) {
+    if constexpr (lane_count == 8) return side.touching;
+    return side.touching | static_cast<unsigned>((&side)[1].touching) << 8;
+}
 
 // kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
 // moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
@@ -367,13 +398,13 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         const Wide way = root(dot(motion.moved, motion.moved)) +
                          lever * root(dot(motion.turned, motion.turned)) +
                          splat(0.3f) * root(dot(motion.turned_a, motion.turned_a));
-        const Wide age = load(side.moved) + way;
-        store(side.moved, age);
+        const Wide age = load<BlockSide>(side.moved) + way;
+        store<BlockSide>(side.moved, age);
         report.aged = lane_bits(age > splat(set.reuse)) |
                       lane_bits(way > splat(kPoints == 1 ? set.single_pace : set.pace));
         // Presses now, or pressed a step ago and has hardly parted.
-        report.touching =
-            lane_bits(total > zero) | (side.touching & lane_bits(nearest < splat(set.touch_gap)));
+        report.touching = lane_bits(total > zero) |
+                          (touching_lanes(side) & lane_bits(nearest < splat(set.touch_gap)));
     }
     return report;
 }
@@ -385,8 +416,8 @@ void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bo
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
-        store(bounce.approach[i], at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2));
-        store(bounce.peak[i], splat(0));
+        store<BlockBounce>(bounce.approach[i], at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2));
+        store<BlockBounce>(bounce.peak[i], splat(0));
     }
 }
 
@@ -400,19 +431,21 @@ void foresee_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* 
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
-        const Wide before = load(bounce.approach[i]);
+        const Wide before = load<BlockBounce>(bounce.approach[i]);
         const Wide now = at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2);
         const Wide pull = (before - now) * splat(set.inverse_h);
         const Wide gap = max(load(m.gap[i]), splat(0));
         const Wide square = before * before + (pull + pull) * gap;
         const WideMask nears = before < splat(0);
-        store(bounce.approach[i], select(nears, -root(max(square, splat(0))), before));
+        store<BlockBounce>(bounce.approach[i], select(nears, -root(max(square, splat(0))), before));
     }
 }
 
 // After each sub-step: a point that pressed in any of them was hit.
 inline void note_peaks(const ManifoldBlock& m, BlockBounce& bounce) {
-    for (int i = 0; i < 4; i++) store(bounce.peak[i], max(load(bounce.peak[i]), load(m.lambda[i])));
+    for (int i = 0; i < 4; i++)
+        store<BlockBounce>(bounce.peak[i],
+                           max(load<BlockBounce>(bounce.peak[i]), load(m.lambda[i])));
 }
 
 // At the end of the step, points that were hit leave with restitution times their approach
@@ -434,12 +467,12 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
         for (int i = 0; i < 4; i++) {
             const Wide x = load(m.x[i]), y = load(m.y[i]);
             const PointResponse r = response_of(m, x, y);
-            const Wide approach = load(bounce.approach[i]);
+            const Wide approach = load<BlockBounce>(bounce.approach[i]);
             const Wide vn = at_point(x, y, u0, u1, u2);
-            const WideMask hit = (load(bounce.peak[i]) > zero) &
+            const WideMask hit = (load<BlockBounce>(bounce.peak[i]) > zero) &
                                  (approach < splat(-set.restitution_speed)) &
-                                 (load(restitution) > zero);
-            const Wide wanted = -load(restitution) * approach;
+                                 (load<BlockSide>(restitution) > zero);
+            const Wide wanted = -load<BlockSide>(restitution) * approach;
             const Wide now = max(given[i] + (wanted - vn) / r.k, zero);
             const Wide d = select(hit, now - given[i], zero);
             given[i] = given[i] + d;

@@ -14,7 +14,7 @@ constexpr int grain = 8, kept = 32;
 void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const ContactPart& part) {
     if (begin >= end) return;
     pass({colour.blocks.data(), colour.sides.data(), colour.bounces.data(), colour.roughs.data(),
-          begin, end, second_of(c), is_single(c)},
+          begin, end, second_of(c), is_single(c), is_overflow(c)},
          part.bodies, part.set);
 }
 

@@ -20,11 +20,25 @@ const Kernels& usual_table() {
 }
 #endif
 
+#if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
+Kernels with_two_blocks(Kernels table) {
+    table.solve = avx512_two::solve;
+    table.relax = avx512_two::relax;
+    table.relax_last = avx512_two::relax_last;
+    return table;
+}
+
+const Kernels& avx512_table() {
+    static const Kernels table = with_two_blocks(avx512::table);
+    return table;
+}
+#endif
+
 const Kernels& table_of(InstructionSet set) {
     switch (set) {
 #if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
         case InstructionSet::avx512:
-            return avx512::table;
+            return avx512_table();
         case InstructionSet::avx2:
             return avx2::table;
 #endif

@@ -24,7 +24,8 @@ struct BlockRange {
     BlockRough* roughs;
     int begin, end;
     Second second;
-    bool single;  // manifolds of one point
+    bool single;      // manifolds of one point
+    bool one_by_one;  // an overflow list
 };
 
 // Some bodies by hot index.
@@ -79,6 +80,12 @@ extern const Kernels table;
 namespace avx512 {
 extern const Kernels table;
 }
+// The passes over contacts, two blocks at a time.
+namespace avx512_two {
+void solve(const BlockRange&, HotBody*, const ContactSettings&);
+void relax(const BlockRange&, HotBody*, const ContactSettings&);
+void relax_last(const BlockRange&, HotBody*, const ContactSettings&);
+}  // namespace avx512_two
 #endif
 
 }  // namespace jostle::physics

@@ -9,6 +9,8 @@
 // GCC and clang vector extensions: the compiler splits a Wide into what the target has (two SSE
 // registers, one AVX). Included by one source per instruction set (constraints/kernels_*.cpp), each
 // of which names its own namespace: code built for one CPU must not be linked into another's path.
+// One of them defines JOSTLE_TWO_BLOCKS: sixteen lanes, which are two blocks of eight side by side,
+// for the passes over contacts alone.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +33,12 @@ namespace jostle::physics::JOSTLE_ISA {
 #define JOSTLE_INLINE inline  // all in one function takes a compiler minutes
 #else
 #define JOSTLE_INLINE inline __attribute__((always_inline))
+#endif
+
+#if defined(JOSTLE_TWO_BLOCKS)
+inline constexpr int lane_count = 16;
+#else
+inline constexpr int lane_count = 8;
 #endif
 
 #if defined(JOSTLE_SCALAR)
@@ -73,13 +81,14 @@ JOSTLE_INLINE Wide select(WideMask m, Wide a, Wide b) {
     return r;
 }
 #else
-typedef float Wide __attribute__((vector_size(32)));
-typedef std::int32_t WideMask __attribute__((vector_size(32)));
+typedef float Wide __attribute__((vector_size(4 * lane_count)));
+typedef std::int32_t WideMask __attribute__((vector_size(4 * lane_count)));
 typedef float Quad __attribute__((vector_size(16)));
 
 JOSTLE_INLINE Wide select(WideMask m, Wide a, Wide b) {
     return m ? a : b;
 }
+#if !defined(JOSTLE_TWO_BLOCKS)
 JOSTLE_INLINE Quad low_half(Wide w) {
     return __builtin_shufflevector(w, w, 0, 1, 2, 3);
 }
@@ -87,7 +96,24 @@ JOSTLE_INLINE Quad high_half(Wide w) {
     return __builtin_shufflevector(w, w, 4, 5, 6, 7);
 }
 #endif
+#endif
 
+#if defined(JOSTLE_TWO_BLOCKS)
+JOSTLE_INLINE Wide splat(float f) {
+    return _mm512_set1_ps(f);
+}
+// Two rows of eight, the second one so many floats after the first. p is 32-byte aligned.
+template <int kApart>
+JOSTLE_INLINE Wide load_two(const float* p) {
+    return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(p)), _mm256_load_ps(p + kApart),
+                              1);
+}
+template <int kApart>
+JOSTLE_INLINE void store_two(float* p, Wide w) {
+    _mm256_store_ps(p, _mm512_castps512_ps256(w));
+    _mm256_store_ps(p + kApart, _mm512_extractf32x8_ps(w, 1));
+}
+#else
 JOSTLE_INLINE Wide splat(float f) {
     return Wide{f, f, f, f, f, f, f, f};
 }
@@ -98,6 +124,7 @@ JOSTLE_INLINE Wide load(const float* p) {
 JOSTLE_INLINE void store(float* p, Wide w) {
     *static_cast<Wide*>(static_cast<void*>(p)) = w;
 }
+#endif
 JOSTLE_INLINE Wide max(Wide a, Wide b) {
     return select(a > b, a, b);
 }
@@ -105,7 +132,9 @@ JOSTLE_INLINE Wide min(Wide a, Wide b) {
     return select(a < b, a, b);
 }
 JOSTLE_INLINE Wide root(Wide a) {
-#if defined(__AVX2__) && !defined(JOSTLE_SCALAR)
+#if defined(JOSTLE_TWO_BLOCKS)
+    return _mm512_sqrt_ps(a);
+#elif defined(__AVX2__) && !defined(JOSTLE_SCALAR)
     return _mm256_sqrt_ps(a);
 #else
     Wide r{};
@@ -115,7 +144,9 @@ JOSTLE_INLINE Wide root(Wide a) {
 }
 // a b + c, rounded once: on every machine, in one instruction where it has one.
 JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
-#if defined(__FMA__) && !defined(JOSTLE_SCALAR)
+#if defined(JOSTLE_TWO_BLOCKS)
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && !defined(JOSTLE_SCALAR)
     return _mm256_fmadd_ps(a, b, c);
 #elif defined(__aarch64__) && !defined(JOSTLE_SCALAR)
     const auto half = [&](Quad x, Quad y, Quad z) { return static_cast<Quad>(vfmaq_f32(z, x, y)); };
@@ -134,7 +165,9 @@ JOSTLE_INLINE Wide fnma(Wide a, Wide b, Wide c) {
 }
 // One bit per lane: lane k sets bit k.
 JOSTLE_INLINE unsigned lane_bits(WideMask m) {
-#if defined(__AVX2__)
+#if defined(JOSTLE_TWO_BLOCKS)
+    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(m));
+#elif defined(__AVX2__)
     return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<Wide>(m)));
 #else
     unsigned r = 0;
@@ -183,6 +216,50 @@ JOSTLE_INLINE void load_rows(const float* const rows[8], Wide out[8]) {
 JOSTLE_INLINE void store_rows(float* const rows[8], const Wide in[8]) {
     for (int k = 0; k < 8; k++)
         for (int lane = 0; lane < 8; lane++) rows[lane][k] = in[k][lane];
+}
+#elif defined(JOSTLE_TWO_BLOCKS)
+// Turns a 4x4 block on its side, in each quarter of the registers.
+JOSTLE_INLINE void transpose4(Wide& a, Wide& b, Wide& c, Wide& d) {
+    const Wide ab_low = _mm512_unpacklo_ps(a, b), ab_high = _mm512_unpackhi_ps(a, b);
+    const Wide cd_low = _mm512_unpacklo_ps(c, d), cd_high = _mm512_unpackhi_ps(c, d);
+    a = _mm512_shuffle_ps(ab_low, cd_low, 0x44);
+    b = _mm512_shuffle_ps(ab_low, cd_low, 0xee);
+    c = _mm512_shuffle_ps(ab_high, cd_high, 0x44);
+    d = _mm512_shuffle_ps(ab_high, cd_high, 0xee);
+}
+
+// As with eight lanes below. A register has two whole rows, low and high halves of two others side
+// by side make the columns. Lanes 4q + k of a column are the rows k, k + 4, k + 8, k + 12 of it.
+JOSTLE_INLINE void load_rows(const float* const rows[16], Wide out[8]) {
+    for (int k = 0; k < 4; k++) {
+        const Wide near = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k])),
+                                             _mm256_load_ps(rows[k + 8]), 1);
+        const Wide far = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k + 4])),
+                                            _mm256_load_ps(rows[k + 12]), 1);
+        // Quarters of near: row k low, high; row k + 8 low, high.
+        out[k] = __builtin_shufflevector(near, far, 0, 1, 2, 3, 16, 17, 18, 19, 8, 9, 10, 11, 24,
+                                         25, 26, 27);
+        out[4 + k] = __builtin_shufflevector(near, far, 4, 5, 6, 7, 20, 21, 22, 23, 12, 13, 14, 15,
+                                             28, 29, 30, 31);
+    }
+    transpose4(out[0], out[1], out[2], out[3]);
+    transpose4(out[4], out[5], out[6], out[7]);
+}
+
+JOSTLE_INLINE void store_rows(float* const rows[16], const Wide in[8]) {
+    Wide low[4] = {in[0], in[1], in[2], in[3]}, high[4] = {in[4], in[5], in[6], in[7]};
+    transpose4(low[0], low[1], low[2], low[3]);
+    transpose4(high[0], high[1], high[2], high[3]);
+    for (int k = 0; k < 4; k++) {
+        const Wide near = __builtin_shufflevector(low[k], high[k], 0, 1, 2, 3, 16, 17, 18, 19, 8, 9,
+                                                  10, 11, 24, 25, 26, 27);
+        const Wide far = __builtin_shufflevector(low[k], high[k], 4, 5, 6, 7, 20, 21, 22, 23, 12,
+                                                 13, 14, 15, 28, 29, 30, 31);
+        _mm256_store_ps(rows[k], _mm512_castps512_ps256(near));
+        _mm256_store_ps(rows[k + 4], _mm512_castps512_ps256(far));
+        _mm256_store_ps(rows[k + 8], _mm512_extractf32x8_ps(near, 1));
+        _mm256_store_ps(rows[k + 12], _mm512_extractf32x8_ps(far, 1));
+    }
 }
 #else
 // Turns a 4x4 block on its side, in each half of the registers.

@@ -16,7 +16,7 @@ enum class InstructionSet {
                // (older than x86-64-v3), on which it is the only one and many times slower
     baseline,  // what the target's compiler assumes: NEON on aarch64. Not on x86-64
     avx2,      // with FMA
-    avx512,    // AVX-512 VL on 256-bit registers
+    avx512,    // AVX-512: contacts sixteen at a time, all else on 256-bit registers
 };
 
 const char* instruction_set_name(InstructionSet set);  // "scalar", "baseline", "avx2", "avx512"

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// The passes that take most of a step, with AVX-512 registers: sixteen lanes, two blocks of eight
+// that follow one another and are of one kind. Their bodies are distinct like those of one block.
+// What is left over is solved with eight lanes; lanes know nothing of each other, so the bits are
+// the same. Built with AVX-512 (physics/CMakeLists.txt).
+#if defined(__x86_64__)
+#define JOSTLE_ISA avx512_two
+#define JOSTLE_TWO_BLOCKS
+#include "constraints/contact_kernel.h"
+#include "constraints/kernels.h"
+
+namespace jostle::physics::avx512_two {
+namespace {
+
+bool is_alike(const BlockSide& a, const BlockSide& b) {
+    return (a.locked | b.locked | a.rough | b.rough) == 0 && (a.turning != 0) == (b.turning != 0);
+}
+
+template <Second kSecond, bool kRelax, bool kLast>
+void solve_two(const BlockRange& range, int k, HotBody* bodies, const ContactSettings& set) {
+    ManifoldBlock& block = range.blocks[k];
+    BlockSide& side = range.sides[k];
+    const int sweeps = kRelax ? set.relax_sweeps : set.soft_sweeps;
+    BlockReport report;
+    if (range.single)
+        report = side.turning != 0 ? solve_block<1, kSecond, Inertia::full, kRelax, kLast>(
+                                         block, side, nullptr, bodies, set, 1)
+                                   : solve_block<1, kSecond, Inertia::isotropic, kRelax, kLast>(
+                                         block, side, nullptr, bodies, set, 1);
+    else
+        report = side.turning != 0 ? solve_block<4, kSecond, Inertia::full, kRelax, kLast>(
+                                         block, side, nullptr, bodies, set, sweeps)
+                                   : solve_block<4, kSecond, Inertia::isotropic, kRelax, kLast>(
+                                         block, side, nullptr, bodies, set, sweeps);
+    if constexpr (kLast)
+        for (int half = 0; half < 2; half++) {
+            range.sides[k + half].aged = static_cast<std::uint8_t>(report.aged >> (8 * half));
+            range.sides[k + half].pressing =
+                static_cast<std::uint8_t>(report.touching >> (8 * half));
+        }
+}
+
+// `one`: the same pass with eight lanes.
+template <bool kRelax, bool kLast>
+void solve_range(const BlockRange& range, HotBody* bodies, const ContactSettings& set,
+                 BlockPass one) {
+    if (set.planar || range.one_by_one || range.second == Second::driven)
+        return one(range, bodies, set);
+    BlockRange left = range;
+    for (int k = range.begin; k < range.end;) {
+        if (k + 1 < range.end && is_alike(range.sides[k], range.sides[k + 1])) {
+            if (range.second == Second::fixed)
+                solve_two<Second::fixed, kRelax, kLast>(range, k, bodies, set);
+            else
+                solve_two<Second::moving, kRelax, kLast>(range, k, bodies, set);
+            k += 2;
+        } else {
+            left.begin = k;
+            left.end = ++k;
+            one(left, bodies, set);
+        }
+    }
+}
+
+}  // namespace
+
+void solve(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
+    solve_range<false, false>(range, bodies, set, avx512::table.solve);
+}
+void relax(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
+    solve_range<true, false>(range, bodies, set, avx512::table.relax);
+}
+void relax_last(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
+    solve_range<true, true>(range, bodies, set, avx512::table.relax_last);
+}
+
+}  // namespace jostle::physics::avx512_two
+#endif

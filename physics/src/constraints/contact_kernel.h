@@ -57,9 +57,7 @@ JOSTLE_INLINE Wide3 load3(const float (*rows)[8]) {
 template <Inertia kInertia>
 JOSTLE_INLINE void load_inertia(WideSide& s) {
     if constexpr (kInertia == Inertia::isotropic) return;
-    const float* rows[lane_count];
-    for (int k = 0; k < lane_count; k++) rows[k] = s.rows[k] + 16;
-    load_rows(rows, s.inertia);
+    load_rows(s.rows, 16, s.inertia);
     if constexpr (kInertia == Inertia::locked)
         for (int k = 0; k < lane_count; k++) s.free_z[k] = s.rows[k][8 + 6];
 }
@@ -69,16 +67,14 @@ JOSTLE_INLINE void load_side(WideSide& s, const HotBody* bodies, const std::int3
         constexpr auto next = static_cast<int>(sizeof(ManifoldBlock) / sizeof(std::int32_t));
         s.rows[k] = bodies[index[k < 8 ? k : next + k - 8]].v;
     }
-    load_rows(s.rows, s.state);
+    load_rows(s.rows, 0, s.state);
     s.v = {s.state[0], s.state[1], s.state[2]};
     s.w = {s.state[3], s.state[4], s.state[5]};
 }
 
 JOSTLE_INLINE void load_motion(const WideSide& s, Wide3& dp, Wide3& dr) {
-    const float* rows[lane_count];
     Wide t[8];
-    for (int k = 0; k < lane_count; k++) rows[k] = s.rows[k] + 8;
-    load_rows(rows, t);
+    load_rows(s.rows, 8, t);
     dp = {t[0], t[1], t[2]};
     dr = {t[3], t[4], t[5]};
 }
@@ -274,8 +270,11 @@ JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
     Wide f1 = old1 - fma(m01, u2, m00 * u1);
     Wide f2 = old2 - fma(m11, u2, m01 * u1);
     const Wide length2 = fma(f2, f2, f1 * f1);
-    const Wide scale =
-        select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
+    // Slips, or has nothing to hold on to. Mostly nobody slips.
+    const WideMask over = length2 > limit * limit;
+    Wide scale = select(over, splat(0), splat(1));
+    if (lane_bits(over & (limit > splat(0))) != 0)
+        scale = select(over, limit / root(max(length2, splat(1e-30f))), splat(1));
     f1 = f1 * scale;
     f2 = f2 * scale;
     const Wide twist =
@@ -312,27 +311,27 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
                s2 = dot(pair.t2, motion.turned);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
-    // What the sweeps need of each point is made first, so that from one point to the next only the
-    // impulse has to be waited for: lambda' = keep lambda + base - rate vn, and what it does to the
-    // approach of every point.
-    Wide x[kPoints], y[kPoints], gap[kPoints], vn[kPoints], lambda[kPoints], keep[kPoints],
-        base[kPoints], rate[kPoints], response[kPoints][kPoints];
+    // A sweep gives each point the impulse that it wants and takes what that does to the others
+    // from theirs: lambda_i = max(wanted_i, 0), wanted_j -= share_ji (change of lambda_i). Its own
+    // wish does not change: what a soft point leaks and what it then wants anew make up for each
+    // other (contact_settings.cpp: mass_scale + leak = 1). From one point to the next only a fused
+    // multiply-add, a maximum and a difference have to be waited for.
+    Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
+        share[kPoints][kPoints];
     PointResponse r[kPoints];
+    JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
+        Wide vn = u0;
         if constexpr (kPoints == 1) {
             x[i] = y[i] = zero;
             gap[i] = load(m.gap[i]) + s0;
-            vn[i] = u0;
             r[i] = {load(m.g[0]), zero, zero, load(m.g[0])};
         } else {
             x[i] = load(m.x[i]), y[i] = load(m.y[i]);
             gap[i] = at_point(x[i], y[i], load(m.gap[i]) + s0, s1, s2);
-            vn[i] = at_point(x[i], y[i], u0, u1, u2);
+            vn = at_point(x[i], y[i], u0, u1, u2);
             r[i] = response_of(m, x[i], y[i]);
         }
-        response[i][i] = r[i].k;
-        for (int j = 0; j < i; j++)
-            response[i][j] = response[j][i] = at_point(x[i], y[i], r[j].r0, r[j].r1, r[j].r2);
         lambda[i] = load(m.lambda[i]);
         // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
         // out.
@@ -340,26 +339,35 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         const Wide meet = gap[i] * splat(set.inverse_h);
         if constexpr (kRelax) {
             rate[i] = splat(1) / r[i].k;
-            base[i] = -(rate[i] * select(apart, meet, zero));
+            wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), lambda[i]);
         } else {
             const Wide soft =
                 max((gap[i] + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
-            rate[i] = select(apart, splat(1), splat(set.mass_scale)) / r[i].k;
             const Wide leak = select(apart, zero, splat(set.leak));
-            keep[i] = splat(1) - leak;
-            base[i] = fnma(rate[i], select(apart, meet, soft), leak * load(m.steady[i]));
+            rate[i] = (splat(1) - leak) / r[i].k;
+            const Wide kept = fma(leak, load(m.steady[i]) - lambda[i], lambda[i]);
+            wanted[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
         }
     }
-    for (int sweep = 0; sweep < sweeps; sweep++)
-        for (int i = 0; i < kPoints; i++) {
-            const Wide kept = kRelax ? lambda[i] + base[i] : fma(keep[i], lambda[i], base[i]);
-            const Wide now = max(fnma(rate[i], vn[i], kept), zero);
-            const Wide change = now - lambda[i];
-            lambda[i] = now;
-            for (int j = 0; j < kPoints; j++) vn[j] = fma(response[i][j], change, vn[j]);
-        }
+    JOSTLE_UNROLL
+    for (int i = 0; i < kPoints; i++) JOSTLE_UNROLL
+    for (int j = 0; j < i; j++) {
+        const Wide response = at_point(x[i], y[i], r[j].r0, r[j].r1, r[j].r2);
+        share[i][j] = rate[i] * response;
+        share[j][i] = rate[j] * response;
+    }
+    for (int sweep = 0; sweep < sweeps; sweep++) JOSTLE_UNROLL
+    for (int i = 0; i < kPoints; i++) {
+        const Wide now = max(wanted[i], zero);
+        const Wide change = now - lambda[i];
+        lambda[i] = now;
+        JOSTLE_UNROLL
+        for (int j = 0; j < kPoints; j++)
+            if (j != i) wanted[j] = fnma(share[j][i], change, wanted[j]);
+    }
     WideImpulse sum;
     Wide nearest = splat(no_point);
+    JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
         sum.add(x[i], y[i], lambda[i] - load(m.lambda[i]));
         store(m.lambda[i], lambda[i]);
@@ -382,10 +390,12 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         Wide total = load(m.lambda[0]), points = splat(1);
         if constexpr (kPoints > 1) {
             total = (total + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+            JOSTLE_UNROLL
             for (int i = 1; i < kPoints; i++)
                 points += select(load(m.gap[i]) < splat(0.5f * no_point), splat(1), zero);
         }
         const Wide mean = total / points;
+        JOSTLE_UNROLL
         for (int i = 0; i < kPoints; i++) {
             const Wide steady = load(m.steady[i]);
             const Wide aim = mean + splat(set.uneven) * (load(m.lambda[i]) - mean);

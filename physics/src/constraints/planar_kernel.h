@@ -19,7 +19,7 @@ struct PlanarSide {
 
 JOSTLE_INLINE void load_planar(PlanarSide& s, const HotBody* bodies, const std::int32_t* index) {
     for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
-    load_rows(s.rows, s.state);
+    load_rows(s.rows, 0, s.state);
     s.vx = s.state[0];
     s.vy = s.state[1];
     s.w = s.state[5];
@@ -128,10 +128,8 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
 
     // Where the bodies have gone since the start of the step.
     const auto motion = [](const PlanarSide& s, Wide& dx, Wide& dy, Wide& dr) {
-        const float* rows[8];
         Wide t[8];
-        for (int k = 0; k < 8; k++) rows[k] = s.rows[k] + 8;
-        load_rows(rows, t);
+        load_rows(s.rows, 8, t);
         dx = t[0];
         dy = t[1];
         dr = t[5];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <type_traits>
 
@@ -29,6 +30,27 @@ public:
 
 private:
     alignas(T) std::byte bytes_[N * sizeof(T)];  // arrays of bytes create what is put there (C++20)
+};
+
+// The same for as many as are asked for: what is never written takes no memory of the machine.
+template <class T>
+class LargeRoom {
+public:
+    static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
+    static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+
+    // Of what was there nothing is kept.
+    void make_room(std::size_t count) {
+        if (count <= count_) return;
+        bytes_.reset();
+        count_ = 2 * count;
+        bytes_ = std::make_unique_for_overwrite<std::byte[]>(count_ * sizeof(T));
+    }
+    T& operator[](std::size_t k) { return std::launder(reinterpret_cast<T*>(bytes_.get()))[k]; }
+
+private:
+    std::unique_ptr<std::byte[]> bytes_;
+    std::size_t count_ = 0;
 };
 
 }  // namespace jostle::physics

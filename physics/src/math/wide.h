@@ -35,6 +35,13 @@ namespace jostle::physics::JOSTLE_ISA {
 #define JOSTLE_INLINE inline __attribute__((always_inline))
 #endif
 
+// Before a loop over the points of a manifold, whose values are to stay in registers.
+#if defined(__clang__) || defined(JOSTLE_SCALAR)
+#define JOSTLE_UNROLL
+#else
+#define JOSTLE_UNROLL _Pragma("GCC unroll 4")
+#endif
+
 #if defined(JOSTLE_TWO_BLOCKS)
 inline constexpr int lane_count = 16;
 #else
@@ -125,11 +132,24 @@ JOSTLE_INLINE void store(float* p, Wide w) {
     *static_cast<Wide*>(static_cast<void*>(p)) = w;
 }
 #endif
+// a > b ? a : b, which is what x86 calls a maximum, NaN and signs of zeros included.
 JOSTLE_INLINE Wide max(Wide a, Wide b) {
+#if defined(JOSTLE_TWO_BLOCKS)
+    return _mm512_max_ps(a, b);
+#elif defined(__AVX2__) && !defined(JOSTLE_SCALAR)
+    return _mm256_max_ps(a, b);
+#else
     return select(a > b, a, b);
+#endif
 }
 JOSTLE_INLINE Wide min(Wide a, Wide b) {
+#if defined(JOSTLE_TWO_BLOCKS)
+    return _mm512_min_ps(a, b);
+#elif defined(__AVX2__) && !defined(JOSTLE_SCALAR)
+    return _mm256_min_ps(a, b);
+#else
     return select(a < b, a, b);
+#endif
 }
 JOSTLE_INLINE Wide root(Wide a) {
 #if defined(JOSTLE_TWO_BLOCKS)
@@ -161,7 +181,13 @@ JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
 }
 // c - a b with one rounding.
 JOSTLE_INLINE Wide fnma(Wide a, Wide b, Wide c) {
+#if defined(JOSTLE_TWO_BLOCKS)
+    return _mm512_fnmadd_ps(a, b, c);
+#elif defined(__FMA__) && !defined(JOSTLE_SCALAR)
+    return _mm256_fnmadd_ps(a, b, c);
+#else
     return fma(-a, b, c);
+#endif
 }
 // One bit per lane: lane k sets bit k.
 JOSTLE_INLINE unsigned lane_bits(WideMask m) {
@@ -209,9 +235,9 @@ JOSTLE_INLINE Wide3 cross(Wide3 a, Wide3 b) {
 }
 
 #if defined(JOSTLE_SCALAR)
-JOSTLE_INLINE void load_rows(const float* const rows[8], Wide out[8]) {
+JOSTLE_INLINE void load_rows(const float* const rows[8], int at, Wide out[8]) {
     for (int k = 0; k < 8; k++)
-        for (int lane = 0; lane < 8; lane++) out[k][lane] = rows[lane][k];
+        for (int lane = 0; lane < 8; lane++) out[k][lane] = rows[lane][at + k];
 }
 JOSTLE_INLINE void store_rows(float* const rows[8], const Wide in[8]) {
     for (int k = 0; k < 8; k++)
@@ -230,12 +256,13 @@ JOSTLE_INLINE void transpose4(Wide& a, Wide& b, Wide& c, Wide& d) {
 
 // As with eight lanes below. A register has two whole rows, low and high halves of two others side
 // by side make the columns. Lanes 4q + k of a column are the rows k, k + 4, k + 8, k + 12 of it.
-JOSTLE_INLINE void load_rows(const float* const rows[16], Wide out[8]) {
+JOSTLE_INLINE void load_rows(const float* const rows[16], int at, Wide out[8]) {
     for (int k = 0; k < 4; k++) {
-        const Wide near = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k])),
-                                             _mm256_load_ps(rows[k + 8]), 1);
-        const Wide far = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k + 4])),
-                                            _mm256_load_ps(rows[k + 12]), 1);
+        const Wide near = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k] + at)),
+                                             _mm256_load_ps(rows[k + 8] + at), 1);
+        const Wide far =
+            _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k + 4] + at)),
+                               _mm256_load_ps(rows[k + 12] + at), 1);
         // Quarters of near: row k low, high; row k + 8 low, high.
         out[k] = __builtin_shufflevector(near, far, 0, 1, 2, 3, 16, 17, 18, 19, 8, 9, 10, 11, 24,
                                          25, 26, 27);
@@ -298,19 +325,20 @@ JOSTLE_INLINE void store_quad(float* p, Quad q) {
     *static_cast<Quad*>(static_cast<void*>(p)) = q;
 }
 
-// Reads one 32-byte row of eight bodies and turns it on its side: out[k] holds float k of all
-// eight. Rows are 16-byte aligned at least. Halves of two rows share a register, so that every
-// shuffle stays within a half.
-JOSTLE_INLINE void load_rows(const float* const rows[8], Wide out[8]) {
+// Reads the 32-byte rows of eight bodies that begin at float `at` of what is pointed at, and turns
+// them on their side: out[k] holds float k of all eight. Rows are 16-byte aligned at least. Halves
+// of two rows share a register, so that every shuffle stays within a half.
+JOSTLE_INLINE void load_rows(const float* const rows[8], int at, Wide out[8]) {
     for (int half = 0; half < 8; half += 4) {
 #if defined(__AVX2__)
         for (int k = 0; k < 4; k++)
-            out[half + k] = _mm256_insertf128_ps(_mm256_castps128_ps256(load_quad(rows[k] + half)),
-                                                 load_quad(rows[k + 4] + half), 1);
+            out[half + k] =
+                _mm256_insertf128_ps(_mm256_castps128_ps256(load_quad(rows[k] + at + half)),
+                                     load_quad(rows[k + 4] + at + half), 1);
         transpose4(out[half], out[half + 1], out[half + 2], out[half + 3]);
 #else
         Quad q[8];
-        for (int k = 0; k < 8; k++) q[k] = load_quad(rows[k] + half);
+        for (int k = 0; k < 8; k++) q[k] = load_quad(rows[k] + at + half);
         transpose4(q[0], q[1], q[2], q[3]);
         transpose4(q[4], q[5], q[6], q[7]);
         for (int k = 0; k < 4; k++)

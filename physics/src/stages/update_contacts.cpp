@@ -101,7 +101,7 @@ void take_aged_manifolds(WorldState& world) {
 void make_room(StepScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.part_lists);
     if (scratch.parts.size() < lists) scratch.parts.resize(lists);
-    if (scratch.fresh.size() < scratch.checks.size()) scratch.fresh.resize(scratch.checks.size());
+    scratch.fresh.make_room(scratch.checks.size());
     scratch.fresh_count = 0;
 }
 

@@ -72,16 +72,13 @@ struct JointSide {
 
     JOSTLE_INLINE void load_from(const HotBody* bodies, const std::int32_t* index,
                                  const float (*start_arm)[8]) {
-        const float* row[8];
         for (int k = 0; k < 8; k++) rows[k] = bodies[index[k]].v;
-        load_rows(rows, state);
+        load_rows(rows, 0, state);
         v = {state[0], state[1], state[2]};
         w = {state[3], state[4], state[5]};
         Wide motion[8], inertia[8];
-        for (int k = 0; k < 8; k++) row[k] = rows[k] + 8;
-        load_rows(row, motion);
-        for (int k = 0; k < 8; k++) row[k] = rows[k] + 16;
-        load_rows(row, inertia);
+        load_rows(rows, 8, motion);
+        load_rows(rows, 16, inertia);
         dp = {motion[0], motion[1], motion[2]};
         inverse_mass = {state[6] * inertia[6], state[6] * inertia[7], state[6] * motion[6]};
         inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};

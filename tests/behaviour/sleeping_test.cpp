@@ -197,8 +197,9 @@ TEST(Sleeping, pushing_wakes) {
 }
 
 // 900 cubes of 40 cm on a floor, and a crate that is driven through them at 6 m/s, straight on and
-// then round. From the first second on nothing is awake that has lain still for three quarters of
-// one (43 steps measured), and at most 91 cubes are at a time; let go, all sleeps.
+// then round. From the first second on nothing is awake and lies still for three quarters of one
+// (42 steps measured; one that is nudged out of its sleep begins anew), and at most 98 cubes are
+// awake at a time; let go, all sleeps.
 TEST(Sleeping, a_player_who_walks_through_cubes_keeps_awake_what_it_pushes) {
     World world = make_world();
     add_floor(world);
@@ -222,7 +223,7 @@ TEST(Sleeping, a_player_who_walks_through_cubes_keeps_awake_what_it_pushes) {
             const BodyState cube = state_of(world, cubes[k]);
             const bool slow =
                 length(cube.linear_velocity) < 0.05 && length(cube.angular_velocity) * 0.35 < 0.05;
-            still[k] = slow ? still[k] + 1 : 0;
+            still[k] = slow && cube.awake ? still[k] + 1 : 0;
             if (!cube.awake) continue;
             awake++;
             if (step > 60) longest = std::max(longest, still[k]);
@@ -230,7 +231,7 @@ TEST(Sleeping, a_player_who_walks_through_cubes_keeps_awake_what_it_pushes) {
         if (step > 60) most = std::max(most, awake);
     }
     EXPECT_LE(longest, 45);
-    EXPECT_LE(most, 100);
+    EXPECT_LE(most, 120);
     run(world, 2);
     EXPECT_EQ(world.summary().awake_bodies, 0);
 }

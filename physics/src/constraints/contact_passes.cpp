@@ -7,8 +7,7 @@
 namespace jostle::physics {
 namespace {
 
-// So many blocks are taken at once, and so many left to the thread whose part they are in.
-constexpr int grain = 8, kept = 32;
+constexpr int grain = 8;  // blocks that are taken at once
 
 // The blocks [begin, end) of a colour.
 void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const ContactPart& part) {
@@ -33,7 +32,7 @@ void run(BlockPass pass, const ContactPart& part) {
                          part);
         };
         if (run.shared)
-            part.team.run(total, grain, work, kept);
+            part.team.run(total, grain, work, TaskTeam::Part::own);
         else
             work(0, total);
     }

@@ -11,6 +11,9 @@ namespace {
 // Between two ranges of one step there are microseconds; between two steps milliseconds. Spin
 // through the former only.
 constexpr int spins_before_sleep = 4000;
+// Halves that are of the same length end within microseconds of each other. Who takes longer than
+// this has lost its processor.
+constexpr int spins_before_help = 1000;
 
 void relax_cpu() {
 #if defined(__SSE2__)
@@ -34,11 +37,11 @@ TaskTeam::~TaskTeam() {
     for (std::thread& worker : workers_) worker.join();
 }
 
-void TaskTeam::share_out(int total, int grain, int kept, Call call, void* context) {
+void TaskTeam::share_out(int total, int grain, Part part, Call call, void* context) {
     call_ = call;
     context_ = context;
     grain_ = grain > 0 ? grain : 1;
-    kept_ = kept;
+    part_ = part;
     const auto begin_of = [&](int t) {
         if (grain == 0) return t == 0 ? 0 : total;
         return static_cast<int>(static_cast<std::int64_t>(total) * t / count_);
@@ -57,24 +60,27 @@ void TaskTeam::share_out(int total, int grain, int kept, Call call, void* contex
     int spins = 0;
     while ((gate_.load(std::memory_order_acquire) & inside) != 0) {
         relax_cpu();
-        if (++spins > spins_before_sleep) std::this_thread::yield();
+        if (++spins == spins_before_help)
+            for (Cursor& cursor : cursors_) take_grains_of(cursor, false);
+        if (spins > spins_before_sleep) std::this_thread::yield();
     }
 }
 
+// Its own part first. To look whether others are done would carry their cursors to and fro.
 void TaskTeam::take_grains(int self) {
     cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
-    for (int k = 0; k < count_; k++) {
-        Cursor& cursor = cursors_[static_cast<std::size_t>((self + k) % count_)];
-        for (;;) {
-            // A thread that is there goes on to the end of its part.
-            if (k > 0 && cursor.owned.load(std::memory_order_relaxed) &&
-                cursor.end - cursor.next.load(std::memory_order_relaxed) <= kept_)
-                break;
-            const int begin = cursor.next.fetch_add(grain_, std::memory_order_relaxed);
-            if (begin >= cursor.end) break;
-            const int end = begin + grain_ < cursor.end ? begin + grain_ : cursor.end;
-            call_(context_, begin, end);
-        }
+    for (int k = 0; k < count_; k++)
+        take_grains_of(cursors_[static_cast<std::size_t>((self + k) % count_)],
+                       k > 0 && part_ == Part::own);
+}
+
+void TaskTeam::take_grains_of(Cursor& cursor, bool leave_to_owner) {
+    for (;;) {
+        if (leave_to_owner && cursor.owned.load(std::memory_order_relaxed)) return;
+        const int begin = cursor.next.fetch_add(grain_, std::memory_order_relaxed);
+        if (begin >= cursor.end) return;
+        const int end = begin + grain_ < cursor.end ? begin + grain_ : cursor.end;
+        call_(context_, begin, end);
     }
 }
 

@@ -26,13 +26,18 @@ public:
 
     int size() const { return count_; }
 
+    // What happens to the part of a thread that is there but not done when others are.
+    enum class Part {
+        shared,  // they help it
+        own,     // they leave it alone, for as long as it seems to get on. For passes that come
+                 // again and again over the same records: one that another thread took has to come
+                 // back from that thread's cache, which takes longer than a kernel does.
+    };
+
     // Calls fn(begin, end) over [0, total) in grains, on all threads, and returns when all are
     // done. Short ranges stay on the calling thread: a hand-over costs more than they do.
-    // `kept`: so much at the end of its part a thread that is there does alone. For passes that
-    // come again and again over the same records: one that another thread took has to come back
-    // from that thread's cache, which takes longer than a kernel does.
     template <class F>
-    void run(int total, int grain, F&& fn, int kept = 0) {
+    void run(int total, int grain, F&& fn, Part part = Part::shared) {
         if (total <= 0) return;
         if (count_ == 1 || total < 4 * grain) {
             fn(0, total);
@@ -40,7 +45,7 @@ public:
         }
         using Fn = std::remove_reference_t<F>;
         share_out(
-            total, grain, kept,
+            total, grain, part,
             [](void* context, int begin, int end) { (*static_cast<Fn*>(context))(begin, end); },
             const_cast<void*>(static_cast<const void*>(&fn)));
     }
@@ -54,7 +59,7 @@ public:
         };
         if (count_ == 1 || count < 2) return each(0, count);
         share_out(
-            count, 0, 0,
+            count, 0, Part::shared,
             [](void* context, int begin, int end) {
                 (*static_cast<decltype(&each)>(context))(begin, end);
             },
@@ -80,8 +85,9 @@ private:
     };
 
     // In grains, each thread its own part of the range first; grain 0: one by one, in order.
-    void share_out(int total, int grain, int kept, Call call, void* context);
+    void share_out(int total, int grain, Part part, Call call, void* context);
     void take_grains(int self);
+    void take_grains_of(Cursor& cursor, bool leave_to_owner);
     void work(int self);
     bool take_job();
 
@@ -95,7 +101,8 @@ private:
     alignas(64) std::atomic<bool> quit_{false};
     Call call_ = nullptr;
     void* context_ = nullptr;
-    int grain_ = 1, kept_ = 0;
+    int grain_ = 1;
+    Part part_ = Part::shared;
     enum class Job { idle, waiting, taken };
     alignas(64) std::atomic<Job> job_state_{Job::idle};
     std::function<void()> job_;

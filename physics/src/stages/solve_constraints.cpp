@@ -205,10 +205,13 @@ bool reads_drivers(const WorldState& world, const Part& part) {
 template <class Work>
 void each_body(StepContext& step, const Part& part, Work&& work) {
     const auto solved = step.world.scratch.in_solver.of(part.first, part.last);
-    step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
-        work(
-            solved.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)));
-    });
+    step.team.run(
+        static_cast<int>(solved.size()), 256,
+        [&](int begin, int end) {
+            work(solved.subspan(static_cast<std::size_t>(begin),
+                                static_cast<std::size_t>(end - begin)));
+        },
+        TaskTeam::Part::own);
 }
 
 BodyRange range_of(StepScratch& scratch, std::span<const std::uint32_t> indices) {

@@ -17,9 +17,12 @@ TEST(TaskTeam, a_range_is_covered_once) {
         TaskTeam team(threads);
         for (int round = 0; round < 200; round++) {
             std::vector<int> seen(1000 + static_cast<std::size_t>(round), 0);
-            team.run(static_cast<int>(seen.size()), 7, [&](int begin, int end) {
-                for (int k = begin; k < end; k++) seen[static_cast<std::size_t>(k)]++;
-            });
+            team.run(
+                static_cast<int>(seen.size()), 7,
+                [&](int begin, int end) {
+                    for (int k = begin; k < end; k++) seen[static_cast<std::size_t>(k)]++;
+                },
+                round % 2 == 0 ? TaskTeam::Part::shared : TaskTeam::Part::own);
             for (const int times : seen) ASSERT_EQ(times, 1);
         }
     }
@@ -53,6 +56,34 @@ TEST(TaskTeam, a_job_is_done_once_beside_ranges) {
         }
         team.finish();  // of nothing
     }
+}
+
+// Who works on its own part and loses its processor is helped all the same: of 40 grains the worker
+// does the one in which it sleeps and not all twenty of its part.
+TEST(TaskTeam, a_part_whose_thread_has_stopped_is_done_by_others) {
+    TaskTeam team(2);
+    const auto caller = std::this_thread::get_id();
+    std::atomic<int> done = 0, by_worker = 0;
+    for (int round = 0; round < 50 && by_worker == 0; round++) {
+        done = 0;
+        team.wake();
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
+        team.run(
+            40, 1,
+            [&](int begin, int end) {
+                done += end - begin;
+                if (std::this_thread::get_id() == caller) {
+                    std::this_thread::sleep_for(std::chrono::microseconds(100));
+                } else {
+                    by_worker++;
+                    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+                }
+            },
+            TaskTeam::Part::own);
+        ASSERT_EQ(done, 40);
+    }
+    EXPECT_GE(by_worker, 1);
+    EXPECT_LE(by_worker, 2);
 }
 
 // A worker that is woken for a range may come when the team is already being let go: it must see

@@ -40,10 +40,9 @@ TaskTeam::~TaskTeam() {
 void TaskTeam::share_out(int total, int grain, Part part, Call call, void* context) {
     call_ = call;
     context_ = context;
-    grain_ = grain > 0 ? grain : 1;
+    grain_ = grain;
     part_ = part;
     const auto begin_of = [&](int t) {
-        if (grain == 0) return t == 0 ? 0 : total;
         return static_cast<int>(static_cast<std::int64_t>(total) * t / count_);
     };
     for (int t = 0; t < count_; t++) {
@@ -85,13 +84,13 @@ void TaskTeam::take_grains_of(Cursor& cursor, bool leave_to_owner) {
 }
 
 void TaskTeam::wake() {
-    if (count_ == 1) return;
+    if (size() == 1) return;
     gate_.fetch_add(one_range, std::memory_order_release);
     gate_.notify_all();
 }
 
 void TaskTeam::start(std::function<void()> job) {
-    if (count_ == 1) return job();
+    if (size() == 1) return job();
     job_ = std::move(job);
     job_state_.store(Job::waiting, std::memory_order_release);
     // Whoever waits at the gate sees it change and looks around.

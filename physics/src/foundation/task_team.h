@@ -24,7 +24,10 @@ public:
     TaskTeam(const TaskTeam&) = delete;
     TaskTeam& operator=(const TaskTeam&) = delete;
 
-    int size() const { return count_; }
+    // How many threads share what comes next.
+    int size() const { return alone_ ? 1 : count_; }
+    // From now on the calling thread does everything itself; the workers sleep on.
+    void stay_alone(bool alone) { alone_ = alone; }
 
     // What happens to the part of a thread that is there but not done when others are.
     enum class Part {
@@ -39,7 +42,7 @@ public:
     template <class F>
     void run(int total, int grain, F&& fn, Part part = Part::shared) {
         if (total <= 0) return;
-        if (count_ == 1 || total < 4 * grain) {
+        if (size() == 1 || total < 4 * grain) {
             fn(0, total);
             return;
         }
@@ -50,16 +53,16 @@ public:
             const_cast<void*>(static_cast<const void*>(&fn)));
     }
 
-    // Calls fn(k) for each of [0, count), one at a time on each thread, in their order: the largest
-    // first leaves no thread waiting for long.
+    // Calls fn(k) for each of [0, count), one at a time on each thread: a thread begins with those
+    // of its part of the range, in their order, as in the step before, and then helps the others.
     template <class F>
     void run_tasks(int count, F&& fn) {
         const auto each = [&fn](int begin, int end) {
             for (int k = begin; k < end; k++) fn(k);
         };
-        if (count_ == 1 || count < 2) return each(0, count);
+        if (size() == 1 || count < 2) return each(0, count);
         share_out(
-            count, 0, Part::shared,
+            count, 1, Part::shared,
             [](void* context, int begin, int end) {
                 (*static_cast<decltype(&each)>(context))(begin, end);
             },
@@ -84,7 +87,7 @@ private:
         std::atomic<bool> owned{false};  // its thread is there
     };
 
-    // In grains, each thread its own part of the range first; grain 0: one by one, in order.
+    // In grains, each thread its own part of the range first.
     void share_out(int total, int grain, Part part, Call call, void* context);
     void take_grains(int self);
     void take_grains_of(Cursor& cursor, bool leave_to_owner);
@@ -92,6 +95,7 @@ private:
     bool take_job();
 
     int count_;
+    bool alone_ = false;
     std::vector<Cursor> cursors_;
     std::vector<std::thread> workers_;
     // How many workers are in the present range, whether more may come in, and how many ranges

@@ -296,8 +296,10 @@ void solve_parts(StepContext& step, const std::vector<Part>& parts) {
         (light && !reads_drivers(step.world, part) ? tasks : shared).push_back(part);
     }
     if (tasks.size() == 1) shared.push_back(std::exchange(tasks, {}).front());
-    std::stable_sort(tasks.begin(), tasks.end(),
-                     [](const Part& a, const Part& b) { return a.weight > b.weight; });
+    // A batch is solved by the same thread in each step, which has its records in its cache.
+    std::stable_sort(tasks.begin(), tasks.end(), [](const Part& a, const Part& b) {
+        return a.first % batch_count < b.first % batch_count;
+    });
     for (const Part& part : shared) solve_part(step, part, drivers);
     TaskTeam alone(1);
     step.team.run_tasks(static_cast<int>(tasks.size()), [&](int k) {

@@ -21,6 +21,7 @@ namespace {
 
 StepContext begin_step(WorldState& world, double dt) {
     world.events.begin_step();
+    world.team->stay_alone(!world.team_trial.shares(world.profile.step_ms));
     if (world.profile.solver_tasks > 1) world.team->wake();
     world.profile = {};
     if (dt != world.last_dt)

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "foundation/task_team.h"
+#include "foundation/team_trial.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/profile.h"
 #include "state/body_store.h"
@@ -43,6 +44,7 @@ struct WorldState : WorldStores {
     StepProfile profile;
     StepScratch scratch;
     std::unique_ptr<TaskTeam> team;
+    TeamTrial team_trial;
 };
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {

@@ -45,6 +45,7 @@ Status World::set_threads(int threads) {
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
     state_->team = std::make_unique<TaskTeam>(threads);
+    state_->team_trial = {};
     return {};
 }
 

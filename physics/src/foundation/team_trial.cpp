@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "foundation/team_trial.h"
+
+#include <algorithm>
+
+namespace jostle::physics {
+
+bool TeamTrial::shares(double last_ms) {
+    last_[next_] = last_ms;
+    next_ = (next_ + 1) % last_.size();
+    if ((trying_ || !shared_) && last_are_long()) {
+        shared_ = true;
+        trying_ = false;
+        pause_ = left_ = first_pause;
+        return true;
+    }
+    if (--left_ > 0) return shared_ != trying_;
+    if (!trying_) {
+        kept_ms_ = median();
+        trying_ = kept_ms_ <= long_step_ms;
+        left_ = trying_ ? trial_steps : pause_;
+        return shared_ != trying_;
+    }
+    trying_ = false;
+    const bool better = median() < gain * kept_ms_;
+    if (better) shared_ = !shared_;
+    pause_ = better ? first_pause : std::min(4 * pause_, longest_pause);
+    left_ = pause_;
+    return shared_;
+}
+
+// All of the last three: one was disturbed, perhaps.
+bool TeamTrial::last_are_long() const {
+    const auto ago = [&](std::size_t steps) {
+        return last_[(next_ + last_.size() - steps) % last_.size()];
+    };
+    return std::min({ago(1), ago(2), ago(3)}) > long_step_ms;
+}
+
+double TeamTrial::median() const {
+    auto sorted = last_;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+}
+
+}  // namespace jostle::physics

@@ -17,19 +17,20 @@ void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const C
          part.bodies, part.set);
 }
 
-// Each grain has its share of both lists: a thread meets the same bodies in each.
+// Each grain has its share of both lists: a thread meets the same bodies in each. Shares begin with
+// even blocks, because kernels take two at a time.
 void run(BlockPass pass, const ContactPart& part) {
     for (const ColourRun& run : part.runs) {
         const int total = run.blocks + run.singles;
-        const auto blocks_before = [&](int at) {
-            return static_cast<int>(std::int64_t{at} * run.blocks / total);
+        const auto share = [&](int blocks, int at) {
+            return at == total ? blocks : static_cast<int>(std::int64_t{at} * blocks / total) & ~1;
         };
         const auto work = [&](int begin, int end) {
-            const int from = blocks_before(begin), to = blocks_before(end);
-            run_part(pass, *run.colour, run.number, from, to, part);
+            run_part(pass, *run.colour, run.number, share(run.blocks, begin),
+                     share(run.blocks, end), part);
             if (run.singles > 0)
-                run_part(pass, *run.single, single_colours + run.number, begin - from, end - to,
-                         part);
+                run_part(pass, *run.single, single_colours + run.number, share(run.singles, begin),
+                         share(run.singles, end), part);
         };
         if (run.shared)
             part.team.run(total, grain, work, TaskTeam::Part::own);

@@ -14,17 +14,22 @@ bool TeamTrial::shares(double last_ms) {
         pause_ = left_ = first_pause;
         return true;
     }
-    if (--left_ > 0) return shared_ != trying_;
+    left_--;
     if (!trying_) {
+        if (left_ > 0) return shared_;
         kept_ms_ = median();
         trying_ = kept_ms_ <= long_step_ms;
         left_ = trying_ ? trial_steps : pause_;
+        lost_ = 0;
         return shared_ != trying_;
     }
+    // The first one still finds records elsewhere.
+    if (left_ < trial_steps - 1 && last_ms >= gain * kept_ms_) lost_++;
+    const bool decided = lost_ > looked_at / 2;
+    if (left_ > 0 && !decided) return !shared_;
     trying_ = false;
-    const bool better = median() < gain * kept_ms_;
-    if (better) shared_ = !shared_;
-    pause_ = better ? first_pause : std::min(4 * pause_, longest_pause);
+    if (!decided) shared_ = !shared_;
+    pause_ = decided ? std::min(8 * pause_, longest_pause) : first_pause;
     left_ = pause_;
     return shared_;
 }

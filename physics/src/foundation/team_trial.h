@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds out whether a second thread is worth its trouble. Where a step takes less than a
-// millisecond, records that travel from one core's cache to another's and back may take longer than
-// the work that is saved: a line takes 0.05 to 0.35 us, by whether the cores share a cache, which
-// no constant can know. So it is tried, now and then, and what takes less time is kept. That goes
-// by the clock, and may: which thread does what changes no bit of a step (task_team.h).
+// Finds out whether a second thread is worth its trouble. Where a step takes less than two
+// milliseconds, records that travel from one core's cache to another's and back may take longer
+// than the work that is saved: a line takes 0.05 to 0.35 us, by whether the cores share a cache,
+// which no constant can know. So it is tried, now and then, and what takes less time is kept. That
+// goes by the clock, and may: which thread does what changes no bit of a step (task_team.h).
 //
 // Used by the thread that steps a world.
 #pragma once
@@ -22,9 +22,9 @@ public:
 private:
     // Steps that take longer are shared without a trial: they gain, and a trial would make one
     // late.
-    static constexpr double long_step_ms = 1;
-    static constexpr int looked_at = 7;                // last steps before a trial, and of one
-    static constexpr int trial_steps = looked_at + 1;  // the first still finds records elsewhere
+    static constexpr double long_step_ms = 2;
+    static constexpr int looked_at = 5;  // last steps before a trial, and of one
+    static constexpr int trial_steps = looked_at + 1;
     static constexpr int first_pause = 8, longest_pause = 512;  // steps between trials
     // Less is noise.
     static constexpr double gain = 0.95;
@@ -35,6 +35,7 @@ private:
     bool shared_ = false;  // the way that is kept
     bool trying_ = false;
     int pause_ = first_pause, left_ = first_pause;
+    int lost_ = 0;                          // steps of the trial that were no better
     double kept_ms_ = 0;                    // a step took before the trial
     std::array<double, looked_at> last_{};  // ms, round and round
     std::size_t next_ = 0;

@@ -312,12 +312,12 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     // A sweep gives each point the impulse that it wants and takes what that does to the others
-    // from theirs: lambda_i = max(wanted_i, 0), wanted_j -= share_ji (change of lambda_i). Its own
-    // wish does not change: what a soft point leaks and what it then wants anew make up for each
-    // other (contact_settings.cpp: mass_scale + leak = 1). From one point to the next only a fused
-    // multiply-add, a maximum and a difference have to be waited for.
+    // from theirs: lambda_i = max(wanted_i, 0), wanted_j -= coupling_ji (change of lambda_i). Its
+    // own wish does not change: what a soft point leaks and what it then wants anew make up for
+    // each other (contact_settings.cpp: mass_scale + leak = 1). From one point to the next only a
+    // fused multiply-add, a maximum and a difference have to be waited for.
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
-        share[kPoints][kPoints];
+        coupling[kPoints][kPoints];
     PointResponse r[kPoints];
     JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
@@ -350,20 +350,24 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         }
     }
     JOSTLE_UNROLL
-    for (int i = 0; i < kPoints; i++) JOSTLE_UNROLL
-    for (int j = 0; j < i; j++) {
-        const Wide response = at_point(x[i], y[i], r[j].r0, r[j].r1, r[j].r2);
-        share[i][j] = rate[i] * response;
-        share[j][i] = rate[j] * response;
-    }
-    for (int sweep = 0; sweep < sweeps; sweep++) JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
-        const Wide now = max(wanted[i], zero);
-        const Wide change = now - lambda[i];
-        lambda[i] = now;
         JOSTLE_UNROLL
-        for (int j = 0; j < kPoints; j++)
-            if (j != i) wanted[j] = fnma(share[j][i], change, wanted[j]);
+        for (int j = 0; j < i; j++) {
+            const Wide response = at_point(x[i], y[i], r[j].r0, r[j].r1, r[j].r2);
+            coupling[i][j] = rate[i] * response;
+            coupling[j][i] = rate[j] * response;
+        }
+    }
+    for (int sweep = 0; sweep < sweeps; sweep++) {
+        JOSTLE_UNROLL
+        for (int i = 0; i < kPoints; i++) {
+            const Wide now = max(wanted[i], zero);
+            const Wide change = now - lambda[i];
+            lambda[i] = now;
+            JOSTLE_UNROLL
+            for (int j = 0; j < kPoints; j++)
+                if (j != i) wanted[j] = fnma(coupling[j][i], change, wanted[j]);
+        }
     }
     WideImpulse sum;
     Wide nearest = splat(no_point);

@@ -44,6 +44,19 @@ TEST_P(Threads, do_not_change_a_bit) {
     }
 }
 
+// Nor does trying, by the clock, which steps are worth sharing.
+TEST_P(Threads, tried_by_the_clock_do_not_change_a_bit_either) {
+    World one = GetParam().make(1), tries = GetParam().make(2);
+    use_thread_trials(true);
+    for (int step = 0; step < steps / 3; step++)
+        for (World* world : {&one, &tries}) {
+            disturb(*world, step);
+            must(world->step(1.0 / 60));
+        }
+    use_thread_trials(false);
+    EXPECT_EQ(state_hash(one), state_hash(tries)) << first_difference(one, tries).value_or("");
+}
+
 // Threads may be changed while a world runs: they are no part of its state.
 TEST_P(Threads, may_change_on_the_way) {
     World steady = GetParam().make(1), changing = GetParam().make(1);

@@ -7,10 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "jostle/physics/thread_trials.h"
 #include "support/random.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
+
+// What compares worlds of one and of several threads is to compare steps that are shared.
+inline const bool all_steps_are_shared = (physics::use_thread_trials(false), true);
 
 // 55 boxes that stand.
 inline physics::World pyramid_scene(int threads = 1) {

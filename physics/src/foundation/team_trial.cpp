@@ -2,10 +2,23 @@
 #include "foundation/team_trial.h"
 
 #include <algorithm>
+#include <atomic>
+
+#include "jostle/physics/thread_trials.h"
 
 namespace jostle::physics {
+namespace {
+
+std::atomic<bool> trials_in_use = true;
+
+}  // namespace
+
+void use_thread_trials(bool on) {
+    trials_in_use.store(on, std::memory_order_relaxed);
+}
 
 bool TeamTrial::shares(double last_ms) {
+    if (!trials_in_use.load(std::memory_order_relaxed)) return true;
     last_[next_] = last_ms;
     next_ = (next_ + 1) % last_.size();
     if ((trying_ || !shared_) && last_are_long()) {

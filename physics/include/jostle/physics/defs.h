@@ -107,7 +107,9 @@ struct WorldDef {
     // towers and walls of many layers twice as many, such in which something lies on a hundredth of
     // its mass four times.
     int substeps = 8;
-    int threads = 1;         // 1 to 64; the result has the same bits for every number
+    // 1 to 64; the result has the same bits for every number. Steps of less than two milliseconds
+    // have them where a trial shows that they help (thread_trials.h).
+    int threads = 1;
     bool sleeping = true;    // bodies at rest leave the step
     bool continuous = true;  // fast bodies are swept, so that nothing tunnels
     // Everything happens in the xy plane: bodies move along x and y and turn about z, shapes are

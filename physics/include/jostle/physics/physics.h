@@ -22,6 +22,7 @@
 #include "jostle/physics/result.h"
 #include "jostle/physics/scalar.h"
 #include "jostle/physics/snapshot.h"
+#include "jostle/physics/thread_trials.h"
 #include "jostle/physics/transform.h"
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/vec3.h"

@@ -4,7 +4,7 @@
 // corners. A sphere is a disc, a capsule a stadium, a hull the shadow that it throws along z.
 #pragma once
 
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 #include "geometry/mass_properties.h"
 #include "geometry/placed.h"
 #include "jostle/physics/hull.h"
@@ -12,9 +12,9 @@
 namespace jostle::physics {
 
 struct Outline {
-    int count = 0;                         // corners: 1 a point, 2 a segment, more a polygon
-    Room<Vec3, max_hull_vertices> corner;  // counter-clockwise, z = 0
-    double radius = 0;                     // of the rounding
+    int count = 0;  // corners: 1 a point, 2 a segment, more a polygon
+    UninitializedArray<Vec3, max_hull_vertices> corner;  // counter-clockwise, z = 0
+    double radius = 0;                                   // of the rounding
 };
 
 inline bool has_outline(ShapeKind kind) {

@@ -7,7 +7,7 @@
 
 #include "constraints/joints/write_joint.h"
 #include "constraints/kernels.h"
-#include "foundation/fetch.h"
+#include "foundation/prefetch.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -38,7 +38,7 @@ void find_joints(const WorldState& world, const JointPart& part) {
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
         if (k + 8 < bodies.size())
-            fetch(world.joints.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
+            prefetch(world.joints.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
         for_each_joint(world.joints, cold_of(k), [&](std::uint32_t joint) {
             scratch.marks[joint / 64] |= 1ull << (joint % 64);
         });
@@ -124,11 +124,11 @@ JointTurns* turns_of(JointScratch& scratch, int first) {
 }
 
 // Joints of a level lie far apart in memory, and so do their bodies.
-void fetch_ahead(const WorldState& world, const JointBlockSide& side) {
+void prefetch_ahead(const WorldState& world, const JointBlockSide& side) {
     for (int lane = 0; lane < side.count; lane++) {
-        fetch(world.joints.joints[side.joint[lane]]);
+        prefetch(world.joints.joints[side.joint[lane]]);
         for (const std::int32_t hot : {side.a[lane], side.b[lane]})
-            if (hot > 0) fetch(world.bodies.awake[static_cast<std::size_t>(hot) - 1]);
+            if (hot > 0) prefetch(world.bodies.awake[static_cast<std::size_t>(hot) - 1]);
     }
 }
 
@@ -140,7 +140,7 @@ void each_block(StepContext& step, JointScratch& scratch, Visit&& visit) {
     const int count = static_cast<int>(sides.size());
     step.team.run(count, 16, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
-            if (k + 2 < count) fetch_ahead(world, sides[static_cast<std::size_t>(k + 2)]);
+            if (k + 2 < count) prefetch_ahead(world, sides[static_cast<std::size_t>(k + 2)]);
             visit(static_cast<std::size_t>(k), sides[static_cast<std::size_t>(k)]);
         }
     });

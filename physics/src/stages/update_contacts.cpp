@@ -9,7 +9,7 @@
 #include "collision/narrowphase/collide.h"
 #include "collision/narrowphase/collide_planar.h"
 #include "constraints/write_manifold.h"
-#include "foundation/fetch.h"
+#include "foundation/prefetch.h"
 #include "jostle/physics/tuning.h"
 #include "stages/pair_ahead.h"
 #include "stages/sweep_rule.h"
@@ -65,7 +65,7 @@ void take_due_pairs(StepContext& step) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < waiting.size(); k++) {
         if (k + 8 < waiting.size() && due[k + 8] != 0)
-            fetch(world.contacts.contacts[waiting[k + 8].contact]);
+            prefetch(world.contacts.contacts[waiting[k + 8].contact]);
         if (due[k] == 0) {
             waiting[kept++] = waiting[k];
             continue;
@@ -78,14 +78,14 @@ void take_due_pairs(StepContext& step) {
 
 // A composite pair is looked at as a whole when any of its parts has aged.
 void take_aged_manifolds(WorldState& world) {
-    const auto fetch_contacts_of = [&](const BlockSide& side) {
+    const auto prefetch_contacts_of = [&](const BlockSide& side) {
         for (int lane = 0; lane < 8; lane++)
             if ((side.aged >> lane & 1) != 0 && side.contact[lane] != none)
-                fetch(world.contacts.contacts[side.contact[lane]]);
+                prefetch(world.contacts.contacts[side.contact[lane]]);
     };
     for_each_colour(world.manifolds, [&](const Colour& colour) {
         for (std::size_t k = 0; k < colour.sides.size(); k++) {
-            if (k + 3 < colour.sides.size()) fetch_contacts_of(colour.sides[k + 3]);
+            if (k + 3 < colour.sides.size()) prefetch_contacts_of(colour.sides[k + 3]);
             const BlockSide& side = colour.sides[k];
             if (side.aged == 0) continue;
             for (int lane = 0; lane < 8; lane++) {
@@ -97,11 +97,11 @@ void take_aged_manifolds(WorldState& world) {
     });
 }
 
-// Room for what threads will find.
-void make_room(StepScratch& scratch) {
+// UninitializedArray for what threads will find.
+void make_space(StepScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.part_lists);
     if (scratch.parts.size() < lists) scratch.parts.resize(lists);
-    scratch.fresh.make_room(scratch.checks.size());
+    scratch.fresh.reserve_discarding(scratch.checks.size());
     scratch.fresh_count = 0;
 }
 
@@ -226,21 +226,22 @@ void look_at_composite(WorldState& world, ContactCheck& check, double dt) {
 
 // Contacts, their bodies and shapes lie anywhere: asked for in the order in which one leads to the
 // next, some checks before they are needed.
-void fetch_ahead(const WorldState& world, int k, int end) {
+void prefetch_ahead(const WorldState& world, int k, int end) {
     const auto contact_of = [&](int check) -> const Contact& {
         return world.contacts
             .contacts[world.scratch.checks[static_cast<std::size_t>(check)].contact];
     };
-    if (k + 12 < end) fetch(contact_of(k + 12));
+    if (k + 12 < end) prefetch(contact_of(k + 12));
     if (k + 8 < end) {
         const Contact& c = contact_of(k + 8);
         for (const std::uint32_t body : {c.body_a, c.body_b})
-            fetch(world.bodies.cold[body], offsetof(BodyCold, local_center));
-        for (const std::uint32_t shape : {c.shape_a, c.shape_b}) fetch(world.shapes.shapes[shape]);
+            prefetch(world.bodies.cold[body], offsetof(BodyCold, local_center));
+        for (const std::uint32_t shape : {c.shape_a, c.shape_b})
+            prefetch(world.shapes.shapes[shape]);
     }
     if (k + 4 < end) {
         const Contact& c = contact_of(k + 4);
-        for (const std::uint32_t body : {c.body_a, c.body_b}) fetch(warm_of(world, body));
+        for (const std::uint32_t body : {c.body_a, c.body_b}) prefetch(warm_of(world, body));
     }
 }
 
@@ -489,16 +490,16 @@ Skipped update_contacts(StepContext& step) {
     drop_dormant_pairs(world);
     take_due_pairs(step);
     take_aged_manifolds(world);
-    make_room(world.scratch);
+    make_space(world.scratch);
     step.team.run(static_cast<int>(checks.size()), 32, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
-            fetch_ahead(world, k, end);
+            prefetch_ahead(world, k, end);
             look(world, checks[static_cast<std::size_t>(k)], step.dt);
         }
     });
     for (std::size_t k = 0; k < checks.size(); k++) {
         if (k + 8 < checks.size() && !checks[k + 8].settled)
-            fetch(world.contacts.contacts[checks[k + 8].contact]);
+            prefetch(world.contacts.contacts[checks[k + 8].contact]);
         if (!checks[k].settled) decide(world, checks[k]);
     }
     wake_islands(world);

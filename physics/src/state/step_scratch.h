@@ -15,7 +15,7 @@
 
 #include "collision/broadphase/broad_phase.h"
 #include "collision/narrowphase/collide_composite.h"
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 #include "state/body_store.h"
 #include "state/effort.h"
 #include "state/joint_block.h"
@@ -158,7 +158,8 @@ struct StepScratch {
     std::vector<std::uint8_t> due;       // by waiting pair: it waited long enough
     std::vector<ContactCheck> checks;
     std::int32_t part_lists = 0;  // given to checks of composite pairs
-    LargeRoom<Manifold> fresh;    // of checks without a lane, as far as fresh_count, in any order
+    UninitializedVector<Manifold>
+        fresh;  // of checks without a lane, as far as fresh_count, in any order
     std::atomic<int> fresh_count = 0;
     std::vector<std::vector<FoundPart>> parts;
     std::vector<NewLane> new_lanes;

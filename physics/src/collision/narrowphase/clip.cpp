@@ -128,7 +128,7 @@ Feature local_feature(const Convex& shape, Vec3 d) {
 
 // The part of a polygon (or segment, or point) on the inner side of a plane.
 int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
-    Room<Vec3, ContactPoints::capacity> kept;
+    UninitializedArray<Vec3, ContactPoints::capacity> kept;
     int made = 0;
     const double slack = 1e-12;
     const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
@@ -223,7 +223,7 @@ bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature&
 // that face along the normal.
 void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, Vec3 n,
                  bool reference_is_a) {
-    Room<Vec3, ContactPoints::capacity> polygon;
+    UninitializedArray<Vec3, ContactPoints::capacity> polygon;
     int count = incident.count;
     for (int k = 0; k < count; k++) polygon[k] = incident.corner[k];
     for (int k = 0; k < reference.count && count > 0; k++) {
@@ -303,7 +303,7 @@ ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double 
 
 Manifold manifold_of(const ContactPoints& points, Vec3 normal) {
     Manifold m{.normal = normal};
-    Room<FacePoint, ContactPoints::capacity> flat;
+    UninitializedArray<FacePoint, ContactPoints::capacity> flat;
     const Vec3 u =
         normalized(cross(normal, absolute(normal.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 v = cross(normal, u);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "collision/narrowphase/manifold.h"
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 #include "geometry/support.h"
 
 namespace jostle::physics {
@@ -13,7 +13,7 @@ namespace jostle::physics {
 // The part of a convex core that looks along a direction.
 struct Feature {
     int count = 0;  // corners: 1 a point, 2 an edge, more a face
-    Room<Vec3, max_face_vertices> corner;
+    UninitializedArray<Vec3, max_face_vertices> corner;
     Vec3 normal;  // unit, out of the shape; of an edge: the one nearest to the direction
 };
 Feature feature_along(const Convex& shape, Vec3 direction);
@@ -31,7 +31,7 @@ struct Witness {
 struct ContactPoints {
     static constexpr int capacity = 2 * static_cast<int>(max_face_vertices);
     int count = 0;
-    Room<Vec3, capacity> point;
+    UninitializedArray<Vec3, capacity> point;
     double gap[capacity];
 };
 ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& witness,

@@ -6,7 +6,7 @@
 #include "collision/narrowphase/clip.h"
 #include "collision/narrowphase/manifold_reduction.h"
 #include "collision/narrowphase/segments.h"
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 
 namespace jostle::physics {
 namespace {
@@ -118,7 +118,7 @@ Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
 
 // Cuts the polygon to one side of the reference face: sign * coordinate <= limit.
 int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit) {
-    Room<FacePoint, 16> kept;
+    UninitializedArray<FacePoint, 16> kept;
     int made = 0;
     const auto outside = [&](const FacePoint& p) { return sign * (along_v ? p.v : p.u) - limit; };
     for (int k = 0; k < count; k++) {
@@ -162,7 +162,7 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
     const int iu = (incident + 1) % 3, iv = (incident + 2) % 3;
     const Vec3 middle = center_inc - center_ref +
                         inc[incident] * (most > 0 ? -half_inc[incident] : half_inc[incident]);
-    Room<FacePoint, 16> polygon;
+    UninitializedArray<FacePoint, 16> polygon;
     static constexpr int sign_u[4] = {1, -1, -1, 1}, sign_v[4] = {1, 1, -1, -1};
     for (int k = 0; k < 4; k++) {
         const Vec3 corner =

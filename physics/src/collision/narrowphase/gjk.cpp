@@ -20,7 +20,7 @@ Carrier measured(const Simplex& s, Carrier c) {
 }
 
 void keep(Simplex& s, const Carrier& c) {
-    Room<SimplexPoint, 3> point;
+    UninitializedArray<SimplexPoint, 3> point;
     for (int k = 0; k < c.count; k++) point[k] = s.point[c.which[k]];
     for (int k = 0; k < c.count; k++) {
         s.point[k] = point[k];

@@ -5,7 +5,7 @@
 // the step before, pairs that hardly moved take one or two rounds.
 #pragma once
 
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 #include "geometry/support.h"
 
 namespace jostle::physics {
@@ -16,7 +16,7 @@ struct SimplexPoint {
 };
 
 struct Simplex {
-    Room<SimplexPoint, 4> point;
+    UninitializedArray<SimplexPoint, 4> point;
     double weight[4] = {};
     int count = 0;
 };

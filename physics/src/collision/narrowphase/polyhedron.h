@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 #include "geometry/support.h"
 
 namespace jostle::physics {
@@ -25,10 +25,10 @@ struct Polyhedron {
     }
 };
 
-// Room for the parts that a box or a triangle does not keep itself.
+// UninitializedArray for the parts that a box or a triangle does not keep itself.
 struct PolyhedronParts {
-    Room<Vec3, 8> vertices;
-    Room<HullFace, 6> faces;
+    UninitializedArray<Vec3, 8> vertices;
+    UninitializedArray<HullFace, 6> faces;
 };
 
 // `shape` is a polyhedron; the answer points into `parts` and the shape.

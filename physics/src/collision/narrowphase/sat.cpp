@@ -2,7 +2,7 @@
 #include "collision/narrowphase/sat.h"
 
 #include "foundation/check.h"
-#include "foundation/room.h"
+#include "foundation/uninitialized_array.h"
 
 namespace jostle::physics {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::uint32_t second_edge(AxisCode code) {
 // Both shapes in a's frame. b's normals and vertices are turned once.
 struct Pair {
     Polyhedron a, b;
-    Room<Vec3, max_hull_vertices> vertices_b;
+    UninitializedArray<Vec3, max_hull_vertices> vertices_b;
     Vec3 middle_b;
     Vec3 position;  // of b's frame in a's
     Mat3 axes;      // b's axes in a's

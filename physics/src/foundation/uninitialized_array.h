@@ -12,7 +12,7 @@
 namespace jostle::physics {
 
 template <class T, std::size_t N>
-class Room {
+class UninitializedArray {
 public:
     static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
 
@@ -34,13 +34,13 @@ private:
 
 // The same for as many as are asked for: what is never written takes no memory of the machine.
 template <class T>
-class LargeRoom {
+class UninitializedVector {
 public:
     static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
     static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
     // Of what was there nothing is kept.
-    void make_room(std::size_t count) {
+    void reserve_discarding(std::size_t count) {
         if (count <= count_) return;
         bytes_.reset();
         count_ = 2 * count;

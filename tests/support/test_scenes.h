@@ -26,7 +26,7 @@ inline physics::World pyramid_scene(int threads = 1) {
     return world;
 }
 
-// Islands of every effort side by side, which meet when the tall one is hit: 45 boxes upon each
+// Islands of every tier side by side, which meet when the tall one is hit: 45 boxes upon each
 // other, a hundredfold load on five of them, a stack of three, and a ball on its way to the tower.
 inline physics::World towers_scene(int threads = 1) {
     using namespace physics;

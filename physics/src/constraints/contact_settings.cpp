@@ -11,22 +11,22 @@ namespace jostle::physics {
 //     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - leak lambda,
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
 // leak = 1 / (1 + a2).
-ContactSettings contact_settings(double dt, const WorldDef& world, Effort effort) {
-    const int substeps = substeps_of(effort, world);
-    const bool low = effort <= Effort::heap;
+ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier tier) {
+    const int substeps = substeps_of(tier, world);
+    const bool low = tier <= SolverTier::heap;
     const double steady_time = low ? tuning::low_steady_time : tuning::steady_time;
-    const double stiffness = effort == Effort::heap ? tuning::heap_contact_stiffness
-                             : low                  ? tuning::low_contact_stiffness
-                                                    : tuning::contact_stiffness;
-    const double damping = effort == Effort::heap      ? tuning::heap_contact_damping_ratio
-                           : effort == Effort::slender ? tuning::slender_contact_damping_ratio
-                                                       : tuning::contact_damping_ratio;
+    const double stiffness = tier == SolverTier::heap ? tuning::heap_contact_stiffness
+                             : low                    ? tuning::low_contact_stiffness
+                                                      : tuning::contact_stiffness;
+    const double damping = tier == SolverTier::heap      ? tuning::heap_contact_damping_ratio
+                           : tier == SolverTier::slender ? tuning::slender_contact_damping_ratio
+                                                         : tuning::contact_damping_ratio;
     const double h = dt / substeps, omega = 2 * pi * stiffness / h;
     const double a1 = 2 * damping + h * omega, a2 = h * omega * a1;
     const auto f = [](double x) { return static_cast<float>(x); };
     return {.substeps = substeps,
             .soft_sweeps = tuning::manifold_sweeps,
-            .relax_sweeps = effort < Effort::tall ? tuning::manifold_sweeps : 1,
+            .relax_sweeps = tier < SolverTier::tall ? tuning::manifold_sweeps : 1,
             .h = f(h),
             .inverse_h = f(1 / h),
             .bias_rate = f(omega / a1),

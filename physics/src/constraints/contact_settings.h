@@ -3,7 +3,7 @@
 // The numbers of one step that every contact shares.
 #pragma once
 
-#include "state/effort.h"
+#include "state/tier.h"
 
 namespace jostle::physics {
 
@@ -29,7 +29,7 @@ struct ContactSettings {
 
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step
 // rate, so that more sub-steps are stiffer and more exact.
-// For islands of this effort.
-ContactSettings contact_settings(double dt, const WorldDef& world, Effort effort);
+// For islands of this tier.
+ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier tier);
 
 }  // namespace jostle::physics

@@ -44,7 +44,7 @@ struct Loads {
 // Each point takes what the nearest old one within reach carried. What no point continues (a face
 // that tilts rests on other corners) goes to the nearest of the points that continue none, or else
 // to the nearest of all: the load has not changed because other points were chosen to bear it.
-// `even`: what is remembered belongs to the manifold, not to its points (Effort::slender).
+// `even`: what is remembered belongs to the manifold, not to its points (SolverTier::slender).
 Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach, bool even) {
     Loads loads;
     bool taken[4] = {}, given[4] = {};
@@ -165,7 +165,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
     const double smaller = cb.type == BodyType::dynamic ? minimum(ca.radius, cb.radius) : ca.radius;
     const double reach = minimum(tuning::match_distance, tuning::match_fraction * smaller);
-    const Loads loads = handed_on(old, m, center_a, reach, contact.store.effort > Effort::heap);
+    const Loads loads = handed_on(old, m, center_a, reach, contact.set.tier > SolverTier::heap);
     double lever = 0;
     for (int i = 0; i < 4; i++) {
         const bool used = i < m.count;

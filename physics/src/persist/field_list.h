@@ -283,8 +283,8 @@ void visit_fields(V& v, Contact& c) {
     v.field("body_a", c.body_a);
     v.field("body_b", c.body_b);
     v.field("colour", c.colour);
-    v.field("effort", c.store.effort);
-    v.field("batch", c.store.batch);
+    v.field("tier", c.set.tier);
+    v.field("batch", c.set.batch);
     v.field("slot", c.slot);
     v.field("axis", c.cache.axis);
     visit(v, "direction", c.cache.direction);
@@ -373,8 +373,8 @@ void visit_fields(V& v, Island& island) {
     v.field("may_be_split", island.may_be_split);
     v.field("split_at", island.split_at);
     v.field("asleep", island.asleep);
-    v.field("effort", island.store.effort);
-    v.field("batch", island.store.batch);
+    v.field("tier", island.set.tier);
+    v.field("batch", island.set.batch);
     v.field("calm", island.calm);
     v.field("uneven", island.uneven);
     v.field("mass", island.mass);

@@ -46,8 +46,8 @@ struct Saver {
 template <class T>
 constexpr std::uint64_t largest_value() {
     if constexpr (std::is_same_v<T, Combine>) return 4;
-    if constexpr (std::is_same_v<T, Effort>) return effort_count;  // frozen
-    return 2;                                                      // BodyType, BodySet
+    if constexpr (std::is_same_v<T, SolverTier>) return tier_count;  // frozen
+    return 2;                                                        // BodyType, BodySet
 }
 
 struct Loader {

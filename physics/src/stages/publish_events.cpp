@@ -25,7 +25,7 @@ void sort_by_trigger(std::vector<Event>& events) {
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
                     int lane) {
-    const double substeps = substeps_of(c.store.effort, world.def);
+    const double substeps = substeps_of(c.set.tier, world.def);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
         normal += double{block.lambda[k][lane]};

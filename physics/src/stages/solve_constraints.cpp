@@ -18,16 +18,16 @@ void put(float* row, Vec3 linear, Vec3 angular) {
     row[3] = as_float(angular.x), row[4] = as_float(angular.y), row[5] = as_float(angular.z);
 }
 
-constexpr std::uint8_t no_store = 255;
-static_assert(solved_store_count < no_store);
+constexpr std::uint8_t no_set = 255;
+static_assert(solved_set_count < no_set);
 
 // The bodies of each store, one after the other.
 template <class Takes>
 void collect(const WorldState& world, ByStore& list, Takes&& takes) {
-    const std::vector<std::uint8_t>& store_of = world.scratch.store_of;
-    std::array<std::uint32_t, solved_store_count> next{};
-    for (std::uint32_t i = 0; i < store_of.size(); i++)
-        if (store_of[i] != no_store && takes(i)) next[store_of[i]]++;
+    const std::vector<std::uint8_t>& set_of = world.scratch.set_of;
+    std::array<std::uint32_t, solved_set_count> next{};
+    for (std::uint32_t i = 0; i < set_of.size(); i++)
+        if (set_of[i] != no_set && takes(i)) next[set_of[i]]++;
     std::uint32_t all = 0;
     for (std::size_t k = 0; k < next.size(); k++) {
         list.begin[k] = all;
@@ -36,15 +36,15 @@ void collect(const WorldState& world, ByStore& list, Takes&& takes) {
     }
     list.begin.back() = all;
     list.all.resize(all);
-    for (std::uint32_t i = 0; i < store_of.size(); i++)
-        if (store_of[i] != no_store && takes(i)) list.all[next[store_of[i]]++] = i + 1;
+    for (std::uint32_t i = 0; i < set_of.size(); i++)
+        if (set_of[i] != no_set && takes(i)) list.all[next[set_of[i]]++] = i + 1;
 }
 
 void sort_out_bodies(WorldState& world) {
     StepScratch& scratch = world.scratch;
     scratch.drivers.clear();
     scratch.free.clear();
-    scratch.store_of.assign(world.bodies.awake.size(), no_store);
+    scratch.set_of.assign(world.bodies.awake.size(), no_set);
     const auto cold_of = [&](std::uint32_t i) -> const BodyCold& {
         return world.bodies.cold[world.bodies.awake[i].body];
     };
@@ -58,8 +58,8 @@ void sort_out_bodies(WorldState& world) {
             scratch.free.push_back(i);
             if (held || cold.first_edge != none) scratch.drivers.push_back(i + 1);
         } else if (held) {
-            const StoreKey store = world.islands.islands[cold.island].store;
-            scratch.store_of[i] = static_cast<std::uint8_t>(index_of(store));
+            const ColourSetKey store = world.islands.islands[cold.island].set;
+            scratch.set_of[i] = static_cast<std::uint8_t>(index_of(store));
             any_jointed = any_jointed || cold.first_joint != none;
         } else {
             scratch.free.push_back(i);
@@ -72,13 +72,13 @@ void sort_out_bodies(WorldState& world) {
     world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size() - world.bodies.frozen);
     world.profile.bodies_in_solver =
         world.profile.bodies_awake - static_cast<int>(scratch.free.size());
-    const auto bodies_of = [&](Effort effort) {
-        const std::size_t first = index_of(StoreKey{effort, 0});
+    const auto bodies_of = [&](SolverTier tier) {
+        const std::size_t first = index_of(ColourSetKey{tier, 0});
         return static_cast<int>(scratch.in_solver.of(first, first + batch_count).size());
     };
-    world.profile.bodies_flat = bodies_of(Effort::flat);
-    world.profile.bodies_tall = bodies_of(Effort::tall);
-    world.profile.bodies_heavy = bodies_of(Effort::heavy);
+    world.profile.bodies_flat = bodies_of(SolverTier::flat);
+    world.profile.bodies_tall = bodies_of(SolverTier::tall);
+    world.profile.bodies_heavy = bodies_of(SolverTier::heavy);
 }
 
 // The hot record and the drive of one body at the start of the step.
@@ -152,31 +152,31 @@ void tumble(WorldState& world, std::uint32_t index, double h) {
 
 // ---- parts ----
 
-// What is solved by itself: all that is in the stores [first, last), which are of one effort.
+// What is solved by itself: all that is in the stores [first, last), which are of one tier.
 struct Part {
-    Effort effort;
+    SolverTier tier;
     std::size_t first, last;
     std::uint32_t weight;  // bodies and manifolds
 };
 
-Part make_part(const WorldState& world, Effort effort, std::size_t first, std::size_t last) {
-    Part part{effort, first, last, 0};
+Part make_part(const WorldState& world, SolverTier tier, std::size_t first, std::size_t last) {
+    Part part{tier, first, last, 0};
     part.weight = static_cast<std::uint32_t>(world.scratch.in_solver.of(first, last).size());
     for (std::size_t k = first; k < last; k++)
         part.weight += static_cast<std::uint32_t>(world.manifolds[k].lanes);
     return part;
 }
 
-// One thread fills the lanes of joint blocks best with all batches of an effort at once; several
+// One thread fills the lanes of joint blocks best with all batches of an tier at once; several
 // take a batch each. That changes no result: islands know nothing of each other.
 std::vector<Part> make_parts(const StepContext& step) {
     std::vector<Part> parts;
     const std::size_t together = step.team.size() == 1 ? batch_count : 1;
-    for (const Effort effort : all_efforts) {
-        const std::size_t first = index_of(StoreKey{effort, 0});
+    for (const SolverTier tier : all_tiers) {
+        const std::size_t first = index_of(ColourSetKey{tier, 0});
         for (std::size_t k = first; k < first + batch_count; k += together)
             if (!step.world.scratch.in_solver.of(k, k + together).empty())
-                parts.push_back(make_part(step.world, effort, k, k + together));
+                parts.push_back(make_part(step.world, tier, k, k + together));
     }
     return parts;
 }
@@ -223,7 +223,7 @@ BodyRange range_of(StepScratch& scratch, std::span<const std::uint32_t> indices)
 void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
                   std::span<const std::uint32_t> drivers) {
     StepScratch& scratch = step.world.scratch;
-    const ContactSettings& set = step.contacts[index_of(part.effort)];
+    const ContactSettings& set = step.contacts[index_of(part.tier)];
     const double h = step.dt / set.substeps;
     const ContactPart contacts{scratch.colour_runs[part.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
@@ -254,7 +254,7 @@ void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
 void solve_part(StepContext& step, const Part& part, std::span<const std::uint32_t> drivers) {
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
-    const double h = step.dt / step.contacts[index_of(part.effort)].substeps;
+    const double h = step.dt / step.contacts[index_of(part.tier)].substeps;
     each_body(step, part, [&](std::span<const std::uint32_t> bodies) {
         for (const std::uint32_t hot : bodies) prepare_body(step, h, hot - 1);
     });

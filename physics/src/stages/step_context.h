@@ -20,7 +20,7 @@ struct StepContext {
     WorldState& world;
     TaskTeam& team;
     double dt = 0;  // s
-    std::array<ContactSettings, effort_count> contacts;
+    std::array<ContactSettings, tier_count> contacts;
     Timer timer = {};
 };
 

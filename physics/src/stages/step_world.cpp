@@ -4,8 +4,8 @@
 #include "foundation/fp_mode.h"
 #include "stages/finalize.h"
 #include "stages/integrate_free.h"
-#include "stages/link_islands.h"
-#include "stages/prepare_islands.h"
+#include "stages/islands/link_islands.h"
+#include "stages/islands/prepare_islands.h"
 #include "stages/publish_events.h"
 #include "stages/quarantine.h"
 #include "stages/solve_constraints.h"
@@ -28,9 +28,9 @@ StepContext begin_step(WorldState& world, double dt) {
         for (const BodyWarm& warm : world.bodies.awake) look_ahead(world, warm.body, dt);
     world.last_dt = dt;
     StepContext step{world, *world.team, dt, {}};
-    for (const Effort effort : all_efforts) {
-        ContactSettings& set = step.contacts[index_of(effort)];
-        set = contact_settings(dt, world.def, effort);
+    for (const SolverTier tier : all_tiers) {
+        ContactSettings& set = step.contacts[index_of(tier)];
+        set = contact_settings(dt, world.def, tier);
         set.planar = world.def.planar;
     }
     return step;

@@ -86,7 +86,7 @@ void split_island(WorldState& world, std::uint32_t island) {
     // Its parts are what it was, but for their bodies.
     const Island& whole = world.islands.islands[island];
     const Island like{
-        .store = whole.store, .calm = whole.calm, .uneven = whole.uneven, .split_at = world.steps};
+        .set = whole.set, .calm = whole.calm, .uneven = whole.uneven, .split_at = world.steps};
     world.islands.islands[island] = like;
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;

@@ -14,7 +14,7 @@
 #include "foundation/id_pool.h"
 #include "foundation/key_set.h"
 #include "state/body_store.h"
-#include "state/effort.h"
+#include "state/tier.h"
 
 namespace jostle::physics {
 
@@ -25,7 +25,7 @@ struct alignas(64) Contact {
     PairCache cache;
     std::int32_t colour = -1;  // of its lane; -1: no lane
     std::int32_t slot = 0;     // in that colour
-    StoreKey store;            // of its lane
+    ColourSetKey set;          // of its lane
     bool touching = false;     // pressed in the last step; binds the two bodies into one island
     bool waiting = false;      // has an entry on the waiting list
     bool dormant = false;

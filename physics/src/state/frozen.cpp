@@ -24,13 +24,13 @@ void for_each_lane(WorldState& world, std::uint32_t body, Visit&& visit) {
 // gets its effective masses anew.
 void settle_store(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
-    const StoreKey belongs = store_of_lane(world, c);
-    if (belongs != c.store) {
+    const ColourSetKey belongs = store_of_lane(world, c);
+    if (belongs != c.set) {
         const SavedManifold saved = save_lane(world, contact);
         release_lane(world, contact);
         restore_lane(world, saved);
     }
-    if (belongs != frozen_store) write_masses_anew(world, c);
+    if (belongs != asleep_set) write_masses_anew(world, c);
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ Vec3 load_of(WorldState& world, const Contact& contact) {
     const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
     const std::uint32_t island = world.bodies.cold[contact.body_a].island;
-    const Effort effort = world.islands.islands[island].store.effort;
-    return impulse * (substeps_of(effort, world.def) / world.last_dt);
+    const SolverTier tier = world.islands.islands[island].set.tier;
+    return impulse * (substeps_of(tier, world.def) / world.last_dt);
 }
 
 Vec3 load_before(const Contact& c) {

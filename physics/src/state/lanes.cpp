@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "foundation/check.h"
-#include "state/efforts.h"
+#include "state/tiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -125,7 +125,7 @@ void add_block(Colour& colour) {
 namespace {
 
 ManifoldStore& store_of(WorldState& world, const Contact& contact) {
-    return world.manifolds[index_of(contact.store)];
+    return world.manifolds[index_of(contact.set)];
 }
 Colour& colour_of(WorldState& world, const Contact& contact) {
     return store_of(world, contact).colours[static_cast<std::size_t>(contact.colour)];
@@ -133,10 +133,10 @@ Colour& colour_of(WorldState& world, const Contact& contact) {
 
 }  // namespace
 
-StoreKey store_of_lane(const WorldState& world, const Contact& contact) {
+ColourSetKey store_of_lane(const WorldState& world, const Contact& contact) {
     const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
-    if (a.frozen && (b.frozen || b.type != BodyType::dynamic)) return frozen_store;
-    return world.islands.islands[a.island].store;
+    if (a.frozen && (b.frozen || b.type != BodyType::dynamic)) return asleep_set;
+    return world.islands.islands[a.island].set;
 }
 
 LanePlace place_of(WorldState& world, const Contact& contact) {
@@ -160,9 +160,9 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     BodyCold& b = world.bodies.cold[contact.body_b];
     ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
     const Second kind = second_kind(b);
-    if (kind == Second::moving) level_stores(world, a.island, b.island);
-    contact.store = store_of_lane(world, contact);
-    const bool solved = contact.store != frozen_store;
+    if (kind == Second::moving) match_sets(world, a.island, b.island);
+    contact.set = store_of_lane(world, contact);
+    const bool solved = contact.set != asleep_set;
     int c = solved ? free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind)
                    : frozen_colour(kind, contact_index);
     if (!is_overflow(c)) {
@@ -196,7 +196,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     BodyCold& a = world.bodies.cold[contact.body_a];
     BodyCold& b = world.bodies.cold[contact.body_b];
     const bool two = second_of(c) == Second::moving;
-    if (!is_overflow(c) && contact.store != frozen_store) {
+    if (!is_overflow(c) && contact.set != asleep_set) {
         a.colours &= ~(1ull << mask_bit(c));
         if (two) b.colours &= ~(1ull << mask_bit(c));
     }

@@ -6,10 +6,10 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
-#include "state/efforts.h"
 #include "state/frozen.h"
 #include "state/lanes.h"
 #include "state/reach.h"
+#include "state/tiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -319,7 +319,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
 
 void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
-    level_stores(world, a, b);
+    match_sets(world, a, b);
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
     if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);

@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "state/effort.h"
+#include "state/tier.h"
 
 namespace jostle::physics {
 
@@ -163,7 +163,7 @@ struct ManifoldStore {
     std::array<Colour, colour_count> colours;
     std::int32_t lanes = 0;  // of all colours
 };
-using ManifoldStores = std::array<ManifoldStore, store_count>;
+using ManifoldStores = std::array<ManifoldStore, colour_set_count>;
 
 // Whether threads share its colours. Those of a smaller one are so short that handing them over
 // again and again would cost more than they do.
@@ -174,7 +174,7 @@ inline bool is_shared(const ManifoldStore& store) {
 
 // The stores that the solver works on.
 inline auto solved_stores(ManifoldStores& stores) {
-    return std::span(stores).first<solved_store_count>();
+    return std::span(stores).first<solved_set_count>();
 }
 
 // Calls visit(colour) or visit(colour, its number) for every colour of every store in use.

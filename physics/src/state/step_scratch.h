@@ -17,10 +17,10 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "foundation/uninitialized_array.h"
 #include "state/body_store.h"
-#include "state/effort.h"
 #include "state/joint_block.h"
 #include "state/manifold_store.h"
 #include "state/solver_body.h"
+#include "state/tier.h"
 
 namespace jostle::physics {
 
@@ -67,7 +67,7 @@ struct IslandExtent {
     // Sums over the bodies of where they are on the ground, from the first of them, m and m^2.
     Vec3 first;
     double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    bool settled = false;  // its effort was looked at together with another's
+    bool settled = false;  // its tier was looked at together with another's
 };
 
 // Of a frozen body: how much is to thaw with it, kg.
@@ -107,7 +107,7 @@ struct Tumbler {
 // that work at the same time have each their own.
 class HotBodies {
 public:
-    static constexpr std::size_t spare = 2 * solved_store_count;
+    static constexpr std::size_t spare = 2 * solved_set_count;
 
     // Unused lanes of the stores of one part, by its first, and of one of its two lists.
     static constexpr std::int32_t spare_index(std::size_t first_store, bool single) {
@@ -129,7 +129,7 @@ private:
 // Numbers of bodies, store after store.
 struct ByStore {
     std::vector<std::uint32_t> all;
-    std::array<std::uint32_t, solved_store_count + 1> begin{};
+    std::array<std::uint32_t, solved_set_count + 1> begin{};
 
     std::span<const std::uint32_t> of(std::size_t first, std::size_t last) const {  // stores
         return std::span(all).subspan(begin[first], begin[last] - begin[first]);
@@ -150,8 +150,7 @@ struct StepScratch {
     std::vector<BodyDrive> drive;  // as hot
     // Hot indices of dynamic bodies with manifolds or joints, and of those of them with joints.
     ByStore in_solver, jointed_in_solver;
-    std::vector<std::uint8_t>
-        store_of;  // by awake body: index of its store, if it is in the solver
+    std::vector<std::uint8_t> set_of;  // by awake body: index of its store, if it is in the solver
     std::vector<std::uint32_t> drivers;  // hot indices of kinematic bodies that the solver reads
     std::vector<std::uint32_t> free;     // the other awake bodies, and all kinematic ones
     std::vector<NewPairs> new_pairs;     // of some of the shapes that moved each
@@ -165,8 +164,8 @@ struct StepScratch {
     std::vector<NewLane> new_lanes;
     std::vector<std::uint32_t> to_wake, pairs_changed, found;
     // Both by the first store of a part.
-    std::array<JointScratch, solved_store_count> joints;
-    std::array<std::vector<ColourRun>, solved_store_count> colour_runs;
+    std::array<JointScratch, solved_set_count> joints;
+    std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::vector<std::uint8_t> tumbling;  // by hot index: whether it has a tumbler
     std::vector<Tumbler> tumblers;       // by hot index, of those
     std::vector<std::uint8_t> held;      // by awake body: had a manifold when the step began

@@ -207,8 +207,8 @@ Fault check_triggers(const WorldState& world) {
     return {};
 }
 
-bool exists(StoreKey store) {
-    return store == frozen_store || (store.effort != Effort::frozen && store.batch < batch_count);
+bool exists(ColourSetKey store) {
+    return store == asleep_set || (set.tier != SolverTier::asleep && store.batch < batch_count);
 }
 
 Fault check_contact(const WorldState& world, std::uint32_t i) {
@@ -223,19 +223,19 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         return at("contacts", i, "has a first body that is not dynamic");
     if (c.colour >= colour_count) return at("contacts", i, "has a colour that does not exist");
     if (c.colour >= 0) {
-        if (!exists(c.store)) return at("contacts", i, "has a batch that does not exist");
+        if (!exists(c.set)) return at("contacts", i, "has a batch that does not exist");
         for (const std::uint32_t body : {c.body_a, c.body_b}) {
             const std::uint32_t island = world.bodies.cold[body].island;
-            if (island < world.islands.islands.size() && c.store != frozen_store &&
-                world.islands.islands[island].store != c.store)
-                return at("contacts", i, "has another effort or batch than its island");
+            if (island < world.islands.islands.size() && c.set != asleep_set &&
+                world.islands.islands[island].set != c.set)
+                return at("contacts", i, "has another tier or batch than its island");
         }
         const BodyCold &own = world.bodies.cold[c.body_a], &other = world.bodies.cold[c.body_b];
-        if ((c.store == frozen_store) !=
+        if ((c.set == asleep_set) !=
             (own.frozen && (other.frozen || other.type != BodyType::dynamic)))
             return at("contacts", i, "is solved though nobody of it moves, or the other way round");
         const Colour& colour =
-            world.manifolds[index_of(c.store)].colours[static_cast<std::size_t>(c.colour)];
+            world.manifolds[index_of(c.set)].colours[static_cast<std::size_t>(c.colour)];
         if (c.slot < 0 || c.slot >= colour.lanes)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
@@ -303,7 +303,7 @@ Fault check_contacts(const WorldState& world) {
 Fault check_manifolds(const WorldState& world) {
     std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
     std::vector<std::uint32_t> lanes(world.bodies.cold.size(), 0);
-    for (int k = 0; k < store_count * colour_count; k++) {
+    for (int k = 0; k < colour_set_count * colour_count; k++) {
         const auto store = static_cast<std::size_t>(k / colour_count);
         const int c = k % colour_count;
         const Colour& colour = world.manifolds[store].colours[static_cast<std::size_t>(c)];
@@ -320,7 +320,7 @@ Fault check_manifolds(const WorldState& world) {
             for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;
                 lanes[body]++;
-                if (is_overflow(c) || store == index_of(frozen_store)) continue;
+                if (is_overflow(c) || store == index_of(asleep_set)) continue;
                 if ((colours[body] >> mask_bit(c) & 1) != 0)
                     return at("bodies", body, "has two contacts of one colour");
                 colours[body] |= 1ull << mask_bit(c);
@@ -353,9 +353,9 @@ Fault check_islands(const WorldState& world) {
         }
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
-        if (island.store.effort == Effort::frozen || !exists(island.store))
-            return at("islands", i, "has an effort or a batch that does not exist");
-        if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::effort_patience ||
+        if (island.set.tier == SolverTier::asleep || !exists(island.set))
+            return at("islands", i, "has an tier or a batch that does not exist");
+        if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))

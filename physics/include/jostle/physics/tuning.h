@@ -74,16 +74,16 @@ inline constexpr double tall_layers = 40, tall_layers_end = 32;
 inline constexpr double slenderness = 3;
 // An island of no more layers than this, all slow, takes half the sub-steps.
 inline constexpr double flat_layers = 3;
-inline constexpr int effort_interval = 8;  // steps between looks
-inline constexpr int effort_patience = 4;  // looks
-// Islands of one effort are dealt out among batches that threads solve side by side, none of less
+inline constexpr int tier_interval = 8;  // steps between looks
+inline constexpr int tier_patience = 4;  // looks
+// Islands of one tier are dealt out among batches that threads solve side by side, none of less
 // bodies and manifolds than this, when one has so many times its share; looked at in every so many
 // steps. To move a manifold from store to store costs as much as two or three steps of it.
 inline constexpr int least_batch = 800;
 inline constexpr double batch_unequal = 1.15;
 inline constexpr int batch_interval = 16;
 // Steps between looks at whether the lanes of a large store lie in the order of their bodies.
-inline constexpr int order_interval = 32;
+inline constexpr int sort_interval = 32;
 inline constexpr double standing_speed = 0.1;  // m/s: what is faster falls; one step adds 0.16
 // An island in which a body rests on nothing but bodies of so much less mass takes four times the
 // sub-steps: five boxes under five of a hundred times their mass fall on 8 and stand on 32.

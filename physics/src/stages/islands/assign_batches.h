@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Deals the islands of an effort out among batches, so that threads find equal work: whole, with
+// Deals the islands of an tier out among batches, so that threads find equal work: whole, with
 // all that manifolds tie to them, and never more often than the batches have become unequal. From
 // the world alone, so that every number of threads steps it alike.
 #pragma once
@@ -9,6 +9,6 @@
 
 namespace jostle::physics {
 
-void deal_batches(WorldState& world);
+void assign_batches(WorldState& world);
 
 }  // namespace jostle::physics

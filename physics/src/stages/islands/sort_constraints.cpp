@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/order_lanes.h"
+#include "stages/sort_constraints.h"
 
 #include "state/lanes.h"
 
 namespace jostle::physics {
 
-void order_lanes(StepContext& step) {
+void sort_constraints(StepContext& step) {
     for (ManifoldStore& store : solved_stores(step.world.manifolds)) {
         if (!is_shared(store)) continue;
         step.team.run_tasks(overflow_colours, [&](int c) {

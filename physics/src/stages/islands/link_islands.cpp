@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/link_islands.h"
+#include "stages/islands/link_islands.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "stages/deal_batches.h"
+#include "stages/assign_batches.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "jostle/physics/tuning.h"
-#include "state/efforts.h"
+#include "state/tiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -20,7 +20,7 @@ struct Work {
 
 // What an island takes: its bodies and their manifolds, those of two bodies twice, and about its
 // joints.
-std::array<Work, effort_count> weigh_islands(WorldState& world) {
+std::array<Work, tier_count> weigh_islands(WorldState& world) {
     std::vector<std::uint32_t>& weights = world.scratch.island_weights;
     weights.assign(world.islands.ids.size(), 0);
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -29,11 +29,11 @@ std::array<Work, effort_count> weigh_islands(WorldState& world) {
         const std::uint32_t jointed = cold.first_joint != none ? 2 : 0;
         if (cold.lanes > 0 || jointed > 0) weights[cold.island] += 1 + cold.lanes + jointed;
     }
-    std::array<Work, effort_count> works;
+    std::array<Work, tier_count> works;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0) continue;
-        const StoreKey store = world.islands.islands[i].store;
-        Work& work = works[index_of(store.effort)];
+        const ColourSetKey store = world.islands.islands[i].set;
+        Work& work = works[index_of(set.tier)];
         std::uint32_t& lightest = work.lightest[store.batch];
         lightest = work.loads[store.batch] == 0 ? weights[i] : std::min(lightest, weights[i]);
         work.loads[store.batch] += weights[i];
@@ -69,12 +69,12 @@ struct Group {
     bool stays = false;
 };
 
-std::vector<Group> find_groups(const WorldState& world, Effort effort) {
+std::vector<Group> find_groups(const WorldState& world, SolverTier tier) {
     std::vector<Group> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);
     const std::vector<std::uint32_t>& weights = world.scratch.island_weights;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
-        if (weights[i] == 0 || seen[i] || world.islands.islands[i].store.effort != effort) continue;
+        if (weights[i] == 0 || seen[i] || world.islands.islands[i].set.tier != tier) continue;
         Group& group = groups.emplace_back(Group{tied_islands(world, i, seen)});
         for (const std::uint32_t island : group.islands) group.weight += weights[island];
     }
@@ -83,8 +83,8 @@ std::vector<Group> find_groups(const WorldState& world, Effort effort) {
 
 // The heaviest stay where they are while there is room; the others fill up batch after batch:
 // neighbours in the lists of bodies stay together.
-void deal(WorldState& world, Effort effort, const Work& work) {
-    std::vector<Group> groups = find_groups(world, effort);
+void assign(WorldState& world, SolverTier tier, const Work& work) {
+    std::vector<Group> groups = find_groups(world, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
     std::vector<std::size_t> heaviest(groups.size());
     for (std::size_t k = 0; k < groups.size(); k++) heaviest[k] = k;
@@ -94,7 +94,7 @@ void deal(WorldState& world, Effort effort, const Work& work) {
     Loads loads{};
     for (const std::size_t k : heaviest) {
         Group& group = groups[k];
-        const std::uint8_t batch = world.islands.islands[group.islands.front()].store.batch;
+        const std::uint8_t batch = world.islands.islands[group.islands.front()].set.batch;
         group.stays = batch < batches && (loads[batch] == 0 || loads[batch] + group.weight <= fair);
         if (group.stays) loads[batch] += group.weight;
     }
@@ -103,16 +103,16 @@ void deal(WorldState& world, Effort effort, const Work& work) {
         if (group.stays) continue;
         while (to + 1u < batches && loads[to] + group.weight / 2 > fair) to++;
         loads[to] += group.weight;
-        set_store(world, group.islands, {effort, to});
+        move_to_set(world, group.islands, {tier, to});
     }
 }
 
 }  // namespace
 
-void deal_batches(WorldState& world) {
-    const std::array<Work, effort_count> works = weigh_islands(world);
-    for (const Effort effort : all_efforts)
-        if (is_unequal(works[index_of(effort)])) deal(world, effort, works[index_of(effort)]);
+void assign_batches(WorldState& world) {
+    const std::array<Work, tier_count> works = weigh_islands(world);
+    for (const SolverTier tier : all_tiers)
+        if (is_unequal(works[index_of(tier)])) assign(world, tier, works[index_of(tier)]);
 }
 
 }  // namespace jostle::physics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "state/efforts.h"
+#include "state/tiers.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -71,22 +71,22 @@ void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
             scale_impulses(place, scale);
             stiffen(place, 1 / (scale * scale), even);
         }
-        if (c.store != store_of_lane(world, c)) move_lane(world, index);
+        if (c.set != store_of_lane(world, c)) move_lane(world, index);
     });
 }
 
 // Manifolds by the ten thousand, one by one, would take as long as several steps: when most of a
 // store goes to one that holds little, the two change places and what is in the wrong one moves.
-void swap_stores(WorldState& world, StoreKey before, StoreKey after) {
+void swap_sets(WorldState& world, ColourSetKey before, ColourSetKey after) {
     std::swap(world.manifolds[index_of(before)], world.manifolds[index_of(after)]);
     std::vector<std::uint32_t> others;
-    for (const StoreKey store : {before, after})
+    for (const ColourSetKey store : {before, after})
         for (const Colour& colour : world.manifolds[index_of(store)].colours)
             for (const BlockSide& side : colour.sides)
                 for (const std::uint32_t index : side.contact) {
                     if (index == none) continue;
                     Contact& c = world.contacts.contacts[index];
-                    c.store = store;
+                    c.set = store;
                     if (store_of_lane(world, c) != store) others.push_back(index);
                 }
     for (const std::uint32_t contact : others) move_lane(world, contact);
@@ -129,26 +129,26 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
     return tied;
 }
 
-void set_store(WorldState& world, const std::vector<std::uint32_t>& islands, StoreKey store) {
-    const StoreKey before = world.islands.islands[islands.front()].store;
+void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey store) {
+    const ColourSetKey before = world.islands.islands[islands.front()].set;
     if (before == store) return;
-    const bool other_effort = before.effort != store.effort;
-    const double scale = static_cast<double>(substeps_of(before.effort, world.def)) /
-                         substeps_of(store.effort, world.def);
+    const bool other_tier = before.tier != set.tier;
+    const double scale =
+        static_cast<double>(substeps_of(before.tier, world.def)) / substeps_of(set.tier, world.def);
     // All islands first: lanes ask which store their bodies have.
     std::int64_t lanes = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
-        ASSERT(world.islands.islands[i].store == before && !world.islands.islands[i].asleep);
-        world.islands.islands[i].store = store;
-        if (other_effort) world.islands.islands[i].calm = 0;
+        ASSERT(world.islands.islands[i].set == before && !world.islands.islands[i].asleep);
+        world.islands.islands[i].set = store;
+        if (other_tier) world.islands.islands[i].calm = 0;
         for_each_body(world, i,
                       [&](std::uint32_t body) { lanes += world.bodies.cold[body].lanes; });
     }
     const std::int32_t in_before = world.manifolds[index_of(before)].lanes;
     const std::int32_t in_after = world.manifolds[index_of(store)].lanes;
-    const bool even = other_effort && store.effort > Effort::heap;
+    const bool even = other_tier && set.tier > SolverTier::heap;
     if (lanes > in_before && 2 * in_after < in_before) {
-        swap_stores(world, before, store);
+        swap_sets(world, before, store);
         if (scale == 1 && !even) return;
     }
     for (const std::uint32_t i : islands)
@@ -158,7 +158,7 @@ void set_store(WorldState& world, const std::vector<std::uint32_t>& islands, Sto
         });
 }
 
-void scale_loads(WorldState& world, const Island& island, float scale) {
+void scale_warm_start(WorldState& world, const Island& island, float scale) {
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next)
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
@@ -167,23 +167,23 @@ void scale_loads(WorldState& world, const Island& island, float scale) {
         });
 }
 
-void level_stores(WorldState& world, std::uint32_t a, std::uint32_t b) {
+void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
-    if (ia.store == ib.store) return;
+    if (ia.set == ib.set) return;
     // What touches a heap does not make it slender, nor the other way round; nor tall, when it was
     // content with less at the last look: a ball that left a tall heap and comes back.
     const auto asks = [](const Island& island) {
-        const Effort effort = island.store.effort;
-        return island.calm > 0 ? std::min(effort, Effort::slender) : effort;
+        const SolverTier tier = island.set.tier;
+        return island.calm > 0 ? std::min(tier, SolverTier::slender) : tier;
     };
-    const Effort a_asks = asks(ia), b_asks = asks(ib);
-    const bool alike = ia.store.effort == ib.store.effort || a_asks == b_asks ||
-                       (is_usual(a_asks) && is_usual(b_asks));
+    const SolverTier a_asks = asks(ia), b_asks = asks(ib);
+    const bool alike =
+        ia.set.tier == ib.set.tier || a_asks == b_asks || (is_usual(a_asks) && is_usual(b_asks));
     const bool a_yields = alike ? ia.bodies < ib.bodies : a_asks < b_asks;
     if (a_yields)
-        set_store(world, tied_islands(world, a), ib.store);
+        move_to_set(world, tied_islands(world, a), ib.set);
     else
-        set_store(world, tied_islands(world, b), ia.store);
+        move_to_set(world, tied_islands(world, b), ia.set);
 }
 
 }  // namespace jostle::physics

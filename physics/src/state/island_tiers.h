@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes of effort and of batch: manifolds move from store to store, and impulses, which are those
+// Changes of tier and of batch: manifolds move from store to store, and impulses, which are those
 // of one sub-step, follow its length.
 #pragma once
 
@@ -19,13 +19,13 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
                                         std::vector<bool>& seen);
 
 // `islands` are all that tied_islands() gives for one of them.
-void set_store(WorldState& world, const std::vector<std::uint32_t>& islands, StoreKey store);
+void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey store);
 
 // Multiplies all impulses of an awake island that warm-start the next step.
-void scale_loads(WorldState& world, const Island& island, float scale);
+void scale_warm_start(WorldState& world, const Island& island, float scale);
 
-// Before something ties two awake islands: gives both one store, that of the greater effort or,
+// Before something ties two awake islands: gives both one store, that of the greater tier or,
 // when those differ in nothing but what contacts learn, of the larger island.
-void level_stores(WorldState& world, std::uint32_t a, std::uint32_t b);
+void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b);
 
 }  // namespace jostle::physics

@@ -9,6 +9,6 @@
 namespace jostle::physics {
 
 // Brings lanes of large stores into the order of their bodies where many are out of it.
-void order_lanes(StepContext& step);
+void sort_constraints(StepContext& step);
 
 }  // namespace jostle::physics

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "stages/prepare_islands.h"
+#include "stages/islands/prepare_islands.h"
 
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
-#include "stages/deal_batches.h"
+#include "stages/assign_batches.h"
 #include "stages/freeze_bodies.h"
-#include "stages/order_lanes.h"
-#include "state/efforts.h"
+#include "stages/sort_constraints.h"
 #include "state/lanes.h"
+#include "state/tiers.h"
 
 namespace jostle::physics {
 namespace {
 
-// ---- effort ----
+// ---- tier ----
 
 // What stands of each island: not what flies past or falls.
 void measure_extents(WorldState& world, Vec3 up) {
@@ -84,65 +84,64 @@ bool has_overload(WorldState& world, const Island& island, Vec3 up) {
     return false;
 }
 
-Effort need_of(WorldState& world, std::uint32_t index, Vec3 up) {
+SolverTier need_of(WorldState& world, std::uint32_t index, Vec3 up) {
     const Island& island = world.islands.islands[index];
-    if (island.uneven && has_overload(world, island, up)) return Effort::heavy;
+    if (island.uneven && has_overload(world, island, up)) return SolverTier::heavy;
     const IslandExtent& extent = world.scratch.extents[index];
     if (!is_slender(extent)) {
         const auto bodies = static_cast<int>(island.bodies);
         if (layers_of(extent) <= tuning::flat_layers)
-            return extent.bodies == bodies ? Effort::flat : Effort::low;
-        return 2 * extent.bodies > bodies ? Effort::heap : Effort::low;
+            return extent.bodies == bodies ? SolverTier::flat : SolverTier::low;
+        return 2 * extent.bodies > bodies ? SolverTier::heap : SolverTier::low;
     }
     const double limit =
-        island.store.effort < Effort::tall ? tuning::tall_layers : tuning::tall_layers_end;
-    return layers_of(extent) > limit ? Effort::tall : Effort::slender;
+        island.set.tier < SolverTier::tall ? tuning::tall_layers : tuning::tall_layers_end;
+    return layers_of(extent) > limit ? SolverTier::tall : SolverTier::slender;
 }
 
 // What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
 // else what most of its bodies do.
-Effort common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Vec3 up) {
-    Effort most = Effort::flat, most_low = Effort::flat;
+SolverTier common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Vec3 up) {
+    SolverTier most = SolverTier::flat, most_low = SolverTier::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : tied) {
-        const Effort need = need_of(world, i, up);
+        const SolverTier need = need_of(world, i, up);
         most = std::max(most, need);
-        if (need <= Effort::heap) most_low = std::max(most_low, need);
-        (need <= Effort::heap ? low : slender) += world.islands.islands[i].bodies;
+        if (need <= SolverTier::heap) most_low = std::max(most_low, need);
+        (need <= SolverTier::heap ? low : slender) += world.islands.islands[i].bodies;
         world.scratch.extents[i].settled = true;
     }
-    if (most > Effort::slender) return most;
-    return slender > low ? Effort::slender : most_low;
+    if (most > SolverTier::slender) return most;
+    return slender > low ? SolverTier::slender : most_low;
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.
-void settle_effort(WorldState& world, std::uint32_t index, Vec3 up) {
+void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
-    const Effort need = need_of(world, index, up);
-    island.calm = need < island.store.effort
-                      ? std::min<std::uint8_t>(island.calm + 1, tuning::effort_patience)
-                      : 0;
-    if (need == island.store.effort || world.scratch.extents[index].settled) return;
-    if (need < island.store.effort && island.calm < tuning::effort_patience) return;
+    const SolverTier need = need_of(world, index, up);
+    island.calm =
+        need < island.set.tier ? std::min<std::uint8_t>(island.calm + 1, tuning::tier_patience) : 0;
+    if (need == island.set.tier || world.scratch.extents[index].settled) return;
+    if (need < island.set.tier && island.calm < tuning::tier_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
-    const Effort common = common_need(world, tied, up);
+    const SolverTier common = common_need(world, tied, up);
     // By bodies: what falls upon a heap has not been looked at for long, time and again.
     std::uint32_t calm = 0, all = 0;
     for (const std::uint32_t i : tied) {
         const Island& other = world.islands.islands[i];
         all += other.bodies;
-        if (other.calm >= tuning::effort_patience) calm += other.bodies;
+        if (other.calm >= tuning::tier_patience) calm += other.bodies;
     }
-    if (common > island.store.effort || 2 * calm > all)
-        set_store(world, tied, {common, island.store.batch});
+    if (common > island.set.tier || 2 * calm > all)
+        move_to_set(world, tied, {common, island.set.batch});
 }
 
-void choose_efforts(WorldState& world) {
+void choose_tiers(WorldState& world) {
     const Vec3 up = -normalized(world.def.gravity);
     measure_extents(world, up);
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
-            settle_effort(world, i, up);
+            choose_tier(world, i, up);
 }
 
 // ---- loads that went ----
@@ -151,7 +150,7 @@ void forget_lost_loads(WorldState& world) {
     world.islands.some_lost = false;
     for (Island& island : world.islands.islands) {
         if (island.kept_load < tuning::noticed_load && !island.asleep)
-            scale_loads(world, island, static_cast<float>(island.kept_load));
+            scale_warm_start(world, island, static_cast<float>(island.kept_load));
         island.kept_load = 1;
     }
 }
@@ -164,13 +163,13 @@ Skipped prepare_islands(StepContext& step) {
     const bool any_frozen = world.bodies.frozen > 0;
     thaw_bodies(step);
     // The second step is the first that knows what hangs together.
-    const bool look = world.steps % tuning::effort_interval == 1;
+    const bool look = world.steps % tuning::tier_interval == 1;
     if (!look && !world.islands.some_lost)
         return any_frozen ? ran : "islands are looked at in every eighth step";
     if (world.islands.some_lost) forget_lost_loads(world);
-    if (look && world.def.gravity != Vec3{}) choose_efforts(world);
-    if (world.steps % tuning::batch_interval == 1) deal_batches(world);
-    if (world.steps % tuning::order_interval == 1) order_lanes(step);
+    if (look && world.def.gravity != Vec3{}) choose_tiers(world);
+    if (world.steps % tuning::batch_interval == 1) assign_batches(world);
+    if (world.steps % tuning::sort_interval == 1) sort_constraints(step);
     return ran;
 }
 

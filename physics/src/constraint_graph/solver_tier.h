@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// How hard the solver works on an island: its sub-steps per step and its sweeps over the points of
+// a manifold. A rule chooses it from what the island is (stages/islands/prepare_islands.h);
+// manifolds lie in stores per tier, so all that hangs together by manifolds or joints has the same
+// one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "jostle/physics/defs.h"
+
+namespace jostle::physics {
+
+// In rising order.
+enum class SolverTier : std::uint8_t {
+    flat,     // at most three layers, all slow
+    low,      // what nothing is known of yet or moves: contacts learn the force of each point
+    heap,     // most of it lies still, on more ground than it is high: like low, but stiffer; with
+              // sleep, more sub-steps
+    slender,  // stacks and walls: contacts learn the force of a manifold; moments would make it
+              // sway
+    tall,     // many layers of that, which at the same sub-steps lean and in the end fall
+    heavy,    // a body rests on nothing but what is a hundred times lighter
+    frozen,   // none: of manifolds, not of islands. Nobody of it moves (state/frozen.h)
+};
+inline constexpr int tier_count = 6;
+inline constexpr std::array<SolverTier, tier_count> all_tiers = {
+    SolverTier::flat,    SolverTier::low,  SolverTier::heap,
+    SolverTier::slender, SolverTier::tall, SolverTier::heavy};
+inline constexpr std::size_t index_of(SolverTier tier) {
+    return static_cast<std::size_t>(tier);
+}
+
+// The islands of an tier lie in so many batches, whole: threads solve batches side by side, each
+// alone, without waiting for one another. In a larger one they share the colours.
+inline constexpr int batch_count = 4;
+
+// Which store of manifolds: one per tier and batch, and one for what is frozen.
+struct ColourSetKey {
+    SolverTier tier = SolverTier::low;
+    std::uint8_t batch = 0;
+    bool operator==(const ColourSetKey&) const = default;
+};
+inline constexpr int solved_set_count = tier_count * batch_count;
+inline constexpr int colour_set_count = solved_set_count + 1;
+
+inline constexpr std::size_t index_of(ColourSetKey key) {
+    return index_of(key.tier) * batch_count + key.batch;
+}
+inline constexpr ColourSetKey asleep_set = {SolverTier::asleep, 0};
+static_assert(index_of(asleep_set) == colour_set_count - 1);
+
+// Sub-steps of an island. More of them keep a heap from slipping now and then: where bodies may
+// sleep, what then rests saves more than they cost.
+inline int substeps_of(SolverTier tier, const WorldDef& world) {
+    constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
+    const int most = tier == SolverTier::heap && world.sleeping ? 3 : halves[index_of(tier)];
+    return (world.substeps * most + 1) / 2;
+}
+
+// Those between which an island does not change for its neighbours' sake.
+inline bool is_usual(SolverTier tier) {
+    return SolverTier::low <= tier && tier <= SolverTier::slender;
+}
+
+}  // namespace jostle::physics

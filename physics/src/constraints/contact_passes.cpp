@@ -64,23 +64,23 @@ bool any_bouncy(const ContactPart& part) {
 
 }  // namespace
 
-void list_runs(ManifoldStores& stores, std::size_t first, std::size_t last,
+void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
                std::vector<ColourRun>& runs) {
     runs.clear();
     for (std::size_t k = first; k < last; k++) {
-        ManifoldStore& store = stores[k];
-        if (store.lanes == 0) continue;
+        ColourSet& set = graph.sets[k];
+        if (set.constraints == 0) continue;
         for (const int c : solve_order) {
             if (is_single(c)) continue;
-            Colour& colour = store.colours[static_cast<std::size_t>(c)];
+            Colour& colour = set.colours[static_cast<std::size_t>(c)];
             ColourRun run{.colour = &colour,
                           .number = c,
                           .blocks = static_cast<int>(colour.blocks.size()),
-                          .shared = is_shared(store)};
+                          .shared = is_shared(set)};
             if (is_overflow(c)) {
                 run.shared = false;  // these share bodies: one by one
             } else {
-                run.single = &store.colours[static_cast<std::size_t>(single_colours + c)];
+                run.single = &set.colours[static_cast<std::size_t>(single_colours + c)];
                 run.singles = static_cast<int>(run.single->blocks.size());
             }
             if (run.blocks + run.singles == 0) continue;

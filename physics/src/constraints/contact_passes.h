@@ -15,7 +15,7 @@ namespace jostle::physics {
 
 // The colours in use of the stores [first, last), in solve order, store after store. Their unused
 // lanes get bodies of their own.
-void list_runs(ManifoldStores& stores, std::size_t first, std::size_t last,
+void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
                std::vector<ColourRun>& runs);
 
 // What every pass needs.

@@ -165,7 +165,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
     const double smaller = cb.type == BodyType::dynamic ? minimum(ca.radius, cb.radius) : ca.radius;
     const double reach = minimum(tuning::match_distance, tuning::match_fraction * smaller);
-    const Loads loads = handed_on(old, m, center_a, reach, contact.set.tier > SolverTier::heap);
+    const Loads loads =
+        handed_on(old, m, center_a, reach, contact.colour_set.tier > SolverTier::heap);
     double lever = 0;
     for (int i = 0; i < 4; i++) {
         const bool used = i < m.count;

@@ -283,8 +283,8 @@ void visit_fields(V& v, Contact& c) {
     v.field("body_a", c.body_a);
     v.field("body_b", c.body_b);
     v.field("colour", c.colour);
-    v.field("tier", c.set.tier);
-    v.field("batch", c.set.batch);
+    v.field("tier", c.colour_set.tier);
+    v.field("batch", c.colour_set.batch);
     v.field("slot", c.slot);
     v.field("axis", c.cache.axis);
     visit(v, "direction", c.cache.direction);
@@ -350,18 +350,19 @@ void visit_fields(V& v, Colour& colour, int index) {
 }
 
 template <class V>
-void visit_fields(V& v, ManifoldStore& store) {
-    const std::size_t lanes = v.count("lanes", static_cast<std::size_t>(store.lanes));
+void visit_fields(V& v, ColourSet& set) {
+    const std::size_t lanes = v.count("lanes", static_cast<std::size_t>(set.constraints));
     if (lanes == 0) return;
-    if constexpr (V::kLoading) store.lanes = 0;
+    if constexpr (V::kLoading) set.constraints = 0;
     for (int c = 0; c < colour_count; c++) {
         v.enter(static_cast<std::size_t>(c));
-        visit_fields(v, store.colours[static_cast<std::size_t>(c)], c);
+        visit_fields(v, set.colours[static_cast<std::size_t>(c)], c);
         v.leave();
-        if constexpr (V::kLoading) store.lanes += store.colours[static_cast<std::size_t>(c)].lanes;
+        if constexpr (V::kLoading)
+            set.constraints += set.colours[static_cast<std::size_t>(c)].lanes;
     }
     if constexpr (V::kLoading)
-        if (static_cast<std::size_t>(store.lanes) != lanes)
+        if (static_cast<std::size_t>(set.constraints) != lanes)
             v.fail("lanes", "is not what its colours have");
 }
 
@@ -373,8 +374,8 @@ void visit_fields(V& v, Island& island) {
     v.field("may_be_split", island.may_be_split);
     v.field("split_at", island.split_at);
     v.field("asleep", island.asleep);
-    v.field("tier", island.set.tier);
-    v.field("batch", island.set.batch);
+    v.field("tier", island.colour_set.tier);
+    v.field("batch", island.colour_set.batch);
     v.field("calm", island.calm);
     v.field("uneven", island.uneven);
     v.field("mass", island.mass);
@@ -442,9 +443,9 @@ void visit_world(V& v, WorldState& world) {
     v.leave();
 
     v.enter("manifolds");
-    for (std::size_t store = 0; store < world.manifolds.size(); store++) {
+    for (std::size_t store = 0; store < world.graph.sets.size(); store++) {
         v.enter(store);
-        visit_fields(v, world.manifolds[store]);
+        visit_fields(v, world.graph.sets[store]);
         v.leave();
     }
     v.leave();

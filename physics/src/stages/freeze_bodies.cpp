@@ -13,7 +13,7 @@ namespace {
 // Calls visit(contact, hot index of a, of b) for every solved manifold of two dynamic bodies.
 template <class Visit>
 void for_each_bond(WorldState& world, Visit&& visit) {
-    for_each_colour(solved_stores(world.manifolds), [&](const Colour& colour, int c) {
+    for_each_colour(solved_sets(world.graph), [&](const Colour& colour, int c) {
         if (second_of(c) != Second::moving) return;
         for (std::size_t k = 0; k < colour.sides.size(); k++)
             for (int lane = 0; lane < lanes_per_block(c); lane++)

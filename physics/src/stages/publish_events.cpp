@@ -25,7 +25,7 @@ void sort_by_trigger(std::vector<Event>& events) {
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
                     int lane) {
-    const double substeps = substeps_of(c.set.tier, world.def);
+    const double substeps = substeps_of(c.colour_set.tier, world.def);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
         normal += double{block.lambda[k][lane]};
@@ -45,7 +45,7 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlo
 
 void report_stays(WorldState& world) {
     auto& stays = world.events.contacts;
-    for_each_colour(solved_stores(world.manifolds), [&](const Colour& colour) {
+    for_each_colour(solved_sets(world.graph), [&](const Colour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++) {
             const BlockSide& side = colour.sides[k];
             const unsigned reported = side.touching & side.reporting;

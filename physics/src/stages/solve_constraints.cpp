@@ -58,7 +58,7 @@ void sort_out_bodies(WorldState& world) {
             scratch.free.push_back(i);
             if (held || cold.first_edge != none) scratch.drivers.push_back(i + 1);
         } else if (held) {
-            const ColourSetKey store = world.islands.islands[cold.island].set;
+            const ColourSetKey store = world.islands.islands[cold.island].colour_set;
             scratch.set_of[i] = static_cast<std::uint8_t>(index_of(store));
             any_jointed = any_jointed || cold.first_joint != none;
         } else {
@@ -163,7 +163,7 @@ Part make_part(const WorldState& world, SolverTier tier, std::size_t first, std:
     Part part{tier, first, last, 0};
     part.weight = static_cast<std::uint32_t>(world.scratch.in_solver.of(first, last).size());
     for (std::size_t k = first; k < last; k++)
-        part.weight += static_cast<std::uint32_t>(world.manifolds[k].lanes);
+        part.weight += static_cast<std::uint32_t>(world.graph.sets[k].lanes);
     return part;
 }
 
@@ -194,7 +194,7 @@ bool reads_drivers(const WorldState& world, const Part& part) {
     for (std::size_t k = part.first; k < part.last; k++)
         for (int c = 0; c < colour_count; c++)
             if (second_of(c) == Second::driven &&
-                world.manifolds[k].colours[static_cast<std::size_t>(c)].lanes > 0)
+                world.graph.sets[k].colours[static_cast<std::size_t>(c)].lanes > 0)
                 return true;
     return false;
 }
@@ -263,7 +263,7 @@ void solve_part(StepContext& step, const Part& part, std::span<const std::uint32
                            scratch.jointed_in_solver.of(part.first, part.last)};
     prepare_joints(step, joints, h);
     std::vector<ColourRun>& colours = scratch.colour_runs[part.first];
-    list_runs(world.manifolds, part.first, part.last, colours);
+    list_runs(world.graph, part.first, part.last, colours);
     // Where threads share neither colours nor levels, passes over bodies would do nothing but carry
     // them from one cache to the other and back.
     const bool shared =

@@ -83,7 +83,7 @@ void take_aged_manifolds(WorldState& world) {
             if ((side.aged >> lane & 1) != 0 && side.contact[lane] != none)
                 prefetch(world.contacts.contacts[side.contact[lane]]);
     };
-    for_each_colour(world.manifolds, [&](const Colour& colour) {
+    for_each_colour(world.graph.sets, [&](const Colour& colour) {
         for (std::size_t k = 0; k < colour.sides.size(); k++) {
             if (k + 3 < colour.sides.size()) prefetch_contacts_of(colour.sides[k + 3]);
             const BlockSide& side = colour.sides[k];

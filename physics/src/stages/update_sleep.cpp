@@ -25,7 +25,7 @@ void keep_towed_awake(WorldState& world) {
 
 // What touches a moving kinematic body is not at rest, however slowly that moves.
 void keep_carried_awake(WorldState& world) {
-    for_each_colour(world.manifolds, [&](const Colour& colour, int c) {
+    for_each_colour(world.graph.sets, [&](const Colour& colour, int c) {
         if (second_of(c) != Second::driven) return;
         for (const BlockSide& side : colour.sides)
             for (int lane = 0; lane < 8; lane++) {
@@ -85,8 +85,10 @@ void split_island(WorldState& world, std::uint32_t island) {
         bodies.push_back(b);
     // Its parts are what it was, but for their bodies.
     const Island& whole = world.islands.islands[island];
-    const Island like{
-        .set = whole.set, .calm = whole.calm, .uneven = whole.uneven, .split_at = world.steps};
+    const Island like{.colour_set = whole.colour_set,
+                      .calm = whole.calm,
+                      .uneven = whole.uneven,
+                      .split_at = world.steps};
     world.islands.islands[island] = like;
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;

@@ -25,7 +25,7 @@ struct alignas(64) Contact {
     PairCache cache;
     std::int32_t colour = -1;  // of its lane; -1: no lane
     std::int32_t slot = 0;     // in that colour
-    ColourSetKey set;          // of its lane
+    ColourSetKey colour_set;   // of its lane
     bool touching = false;     // pressed in the last step; binds the two bodies into one island
     bool waiting = false;      // has an entry on the waiting list
     bool dormant = false;

@@ -22,10 +22,10 @@ void for_each_lane(WorldState& world, std::uint32_t body, Visit&& visit) {
 
 // After one of its bodies froze or thawed: to the store where it belongs now. What is solved there
 // gets its effective masses anew.
-void settle_store(WorldState& world, std::uint32_t contact) {
+void move_to_own_set(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
-    const ColourSetKey belongs = store_of_lane(world, c);
-    if (belongs != c.set) {
+    const ColourSetKey belongs = set_of_contact(world, c);
+    if (belongs != c.colour_set) {
         const SavedManifold saved = save_lane(world, contact);
         release_lane(world, contact);
         restore_lane(world, saved);
@@ -69,7 +69,7 @@ Vec3 load_of(WorldState& world, const Contact& contact) {
     const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
     const std::uint32_t island = world.bodies.cold[contact.body_a].island;
-    const SolverTier tier = world.islands.islands[island].set.tier;
+    const SolverTier tier = world.islands.islands[island].colour_set.tier;
     return impulse * (substeps_of(tier, world.def) / world.last_dt);
 }
 
@@ -105,7 +105,7 @@ void freeze(WorldState& world, std::span<const std::uint32_t> bodies) {
         for_each_lane(world, body, [&](std::uint32_t contact) { keep_load(world, contact); });
     for (const std::uint32_t body : bodies) hold_still(world, body);
     for (const std::uint32_t body : bodies)
-        for_each_lane(world, body, [&](std::uint32_t contact) { settle_store(world, contact); });
+        for_each_lane(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 void unfreeze(WorldState& world, std::uint32_t body) {
@@ -114,7 +114,7 @@ void unfreeze(WorldState& world, std::uint32_t body) {
     cold.frozen = false;
     invert_mass(cold);
     world.bodies.frozen--;
-    for_each_lane(world, body, [&](std::uint32_t contact) { settle_store(world, contact); });
+    for_each_lane(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 namespace {

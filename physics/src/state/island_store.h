@@ -21,7 +21,7 @@ struct Island {
     std::uint32_t bodies = 0;
     bool may_be_split = false;  // a touching contact ended since it was formed
     bool asleep = false;
-    ColourSetKey set;            // of its manifolds
+    ColourSetKey colour_set;     // of its manifolds
     std::uint8_t calm = 0;       // how often in a row the rule would have been content with less
     bool uneven = false;         // a touch began between bodies of very different mass
     std::uint64_t split_at = 0;  // the step of the last attempt to split it

@@ -71,23 +71,23 @@ void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
             scale_impulses(place, scale);
             stiffen(place, 1 / (scale * scale), even);
         }
-        if (c.set != store_of_lane(world, c)) move_lane(world, index);
+        if (c.colour_set != set_of_contact(world, c)) move_lane(world, index);
     });
 }
 
 // Manifolds by the ten thousand, one by one, would take as long as several steps: when most of a
 // store goes to one that holds little, the two change places and what is in the wrong one moves.
 void swap_sets(WorldState& world, ColourSetKey before, ColourSetKey after) {
-    std::swap(world.manifolds[index_of(before)], world.manifolds[index_of(after)]);
+    std::swap(world.graph.sets[index_of(before)], world.graph.sets[index_of(after)]);
     std::vector<std::uint32_t> others;
     for (const ColourSetKey store : {before, after})
-        for (const Colour& colour : world.manifolds[index_of(store)].colours)
+        for (const Colour& colour : world.graph.sets[index_of(store)].colours)
             for (const BlockSide& side : colour.sides)
                 for (const std::uint32_t index : side.contact) {
                     if (index == none) continue;
                     Contact& c = world.contacts.contacts[index];
-                    c.set = store;
-                    if (store_of_lane(world, c) != store) others.push_back(index);
+                    c.colour_set = store;
+                    if (set_of_contact(world, c) != store) others.push_back(index);
                 }
     for (const std::uint32_t contact : others) move_lane(world, contact);
 }
@@ -130,23 +130,23 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
 }
 
 void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey store) {
-    const ColourSetKey before = world.islands.islands[islands.front()].set;
+    const ColourSetKey before = world.islands.islands[islands.front()].colour_set;
     if (before == store) return;
-    const bool other_tier = before.tier != set.tier;
-    const double scale =
-        static_cast<double>(substeps_of(before.tier, world.def)) / substeps_of(set.tier, world.def);
+    const bool other_tier = before.tier != colour_set.tier;
+    const double scale = static_cast<double>(substeps_of(before.tier, world.def)) /
+                         substeps_of(colour_set.tier, world.def);
     // All islands first: lanes ask which store their bodies have.
     std::int64_t lanes = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
-        ASSERT(world.islands.islands[i].set == before && !world.islands.islands[i].asleep);
-        world.islands.islands[i].set = store;
+        ASSERT(world.islands.islands[i].colour_set == before && !world.islands.islands[i].asleep);
+        world.islands.islands[i].colour_set = store;
         if (other_tier) world.islands.islands[i].calm = 0;
         for_each_body(world, i,
                       [&](std::uint32_t body) { lanes += world.bodies.cold[body].lanes; });
     }
-    const std::int32_t in_before = world.manifolds[index_of(before)].lanes;
-    const std::int32_t in_after = world.manifolds[index_of(store)].lanes;
-    const bool even = other_tier && set.tier > SolverTier::heap;
+    const std::int32_t in_before = world.graph.sets[index_of(before)].lanes;
+    const std::int32_t in_after = world.graph.sets[index_of(store)].lanes;
+    const bool even = other_tier && colour_set.tier > SolverTier::heap;
     if (lanes > in_before && 2 * in_after < in_before) {
         swap_sets(world, before, store);
         if (scale == 1 && !even) return;
@@ -169,21 +169,21 @@ void scale_warm_start(WorldState& world, const Island& island, float scale) {
 
 void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
-    if (ia.set == ib.set) return;
+    if (ia.colour_set == ib.colour_set) return;
     // What touches a heap does not make it slender, nor the other way round; nor tall, when it was
     // content with less at the last look: a ball that left a tall heap and comes back.
     const auto asks = [](const Island& island) {
-        const SolverTier tier = island.set.tier;
+        const SolverTier tier = island.colour_set.tier;
         return island.calm > 0 ? std::min(tier, SolverTier::slender) : tier;
     };
     const SolverTier a_asks = asks(ia), b_asks = asks(ib);
-    const bool alike =
-        ia.set.tier == ib.set.tier || a_asks == b_asks || (is_usual(a_asks) && is_usual(b_asks));
+    const bool alike = ia.colour_set.tier == ib.colour_set.tier || a_asks == b_asks ||
+                       (is_usual(a_asks) && is_usual(b_asks));
     const bool a_yields = alike ? ia.bodies < ib.bodies : a_asks < b_asks;
     if (a_yields)
-        move_to_set(world, tied_islands(world, a), ib.set);
+        move_to_set(world, tied_islands(world, a), ib.colour_set);
     else
-        move_to_set(world, tied_islands(world, b), ia.set);
+        move_to_set(world, tied_islands(world, b), ia.colour_set);
 }
 
 }  // namespace jostle::physics

@@ -124,19 +124,19 @@ void add_block(Colour& colour) {
 
 namespace {
 
-ManifoldStore& store_of(WorldState& world, const Contact& contact) {
-    return world.manifolds[index_of(contact.set)];
+ColourSet& colour_set_of(WorldState& world, const Contact& contact) {
+    return world.graph.sets[index_of(contact.colour_set)];
 }
 Colour& colour_of(WorldState& world, const Contact& contact) {
-    return store_of(world, contact).colours[static_cast<std::size_t>(contact.colour)];
+    return colour_set_of(world, contact).colours[static_cast<std::size_t>(contact.colour)];
 }
 
 }  // namespace
 
-ColourSetKey store_of_lane(const WorldState& world, const Contact& contact) {
+ColourSetKey set_of_contact(const WorldState& world, const Contact& contact) {
     const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
     if (a.frozen && (b.frozen || b.type != BodyType::dynamic)) return asleep_set;
-    return world.islands.islands[a.island].set;
+    return world.islands.islands[a.island].colour_set;
 }
 
 LanePlace place_of(WorldState& world, const Contact& contact) {
@@ -161,8 +161,8 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
     const Second kind = second_kind(b);
     if (kind == Second::moving) match_sets(world, a.island, b.island);
-    contact.set = store_of_lane(world, contact);
-    const bool solved = contact.set != asleep_set;
+    contact.colour_set = set_of_contact(world, contact);
+    const bool solved = contact.colour_set != asleep_set;
     int c = solved ? free_colour(a.colours | (kind == Second::moving ? b.colours : 0), kind)
                    : frozen_colour(kind, contact_index);
     if (!is_overflow(c)) {
@@ -177,7 +177,7 @@ void take_lane(WorldState& world, std::uint32_t contact_index, bool single) {
     Colour& colour = colour_of(world, contact);
     if (colour.lanes % lanes_per_block(c) == 0) add_block(colour);
     contact.slot = colour.lanes++;
-    store_of(world, contact).lanes++;
+    colour_set_of(world, contact).lanes++;
     const LanePlace place = place_of(world, contact);
     place.side->contact[place.lane] = contact_index;
     const bool turning = !a.isotropic || (kind == Second::moving && !b.isotropic);
@@ -196,7 +196,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     BodyCold& a = world.bodies.cold[contact.body_a];
     BodyCold& b = world.bodies.cold[contact.body_b];
     const bool two = second_of(c) == Second::moving;
-    if (!is_overflow(c) && contact.set != asleep_set) {
+    if (!is_overflow(c) && contact.colour_set != asleep_set) {
         a.colours &= ~(1ull << mask_bit(c));
         if (two) b.colours &= ~(1ull << mask_bit(c));
     }
@@ -212,7 +212,7 @@ void release_lane(WorldState& world, std::uint32_t contact_index) {
     }
     clear_lane(*last.block, *last.side, *last.rough, last.lane);
     colour.lanes--;
-    store_of(world, contact).lanes--;
+    colour_set_of(world, contact).lanes--;
     if (last.lane == 0) {
         colour.blocks.pop_back();
         colour.sides.pop_back();

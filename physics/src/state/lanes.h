@@ -11,7 +11,7 @@
 namespace jostle::physics {
 
 // Which store its lane belongs to: its islands', or that of what is frozen.
-ColourSetKey store_of_lane(const WorldState& world, const Contact& contact);
+ColourSetKey set_of_contact(const WorldState& world, const Contact& contact);
 
 // Gives the contact a lane in the lowest colour of that store that both moving bodies have
 // free. Both bodies are awake (or fixed). The lane is empty: constraints/write_manifold.h fills it,

@@ -159,31 +159,31 @@ inline bool is_single_point(float second_gap) {
     return second_gap > 0.5f * no_point;
 }
 
-struct ManifoldStore {
+struct ColourSet {
     std::array<Colour, colour_count> colours;
     std::int32_t lanes = 0;  // of all colours
 };
-using ManifoldStores = std::array<ManifoldStore, colour_set_count>;
+using ConstraintGraph = std::array<ColourSet, colour_set_count>;
 
 // Whether threads share its colours. Those of a smaller one are so short that handing them over
 // again and again would cost more than they do.
-inline bool is_shared(const ManifoldStore& store) {
+inline bool is_shared(const ColourSet& set) {
     constexpr std::int32_t shared_manifolds = 2000;
-    return store.lanes >= shared_manifolds;
+    return set.constraints >= shared_manifolds;
 }
 
 // The stores that the solver works on.
-inline auto solved_stores(ManifoldStores& stores) {
-    return std::span(stores).first<solved_set_count>();
+inline auto solved_sets(ConstraintGraph& graph) {
+    return std::span(graph.sets).first<solved_set_count>();
 }
 
 // Calls visit(colour) or visit(colour, its number) for every colour of every store in use.
-template <class Stores, class Visit>
-void for_each_colour(Stores&& stores, Visit&& visit) {
-    for (auto& store : stores) {
-        if (store.lanes == 0) continue;
+template <class Sets, class Visit>
+void for_each_colour(Sets&& sets, Visit&& visit) {
+    for (auto& set : sets) {
+        if (set.constraints == 0) continue;
         for (int c = 0; c < colour_count; c++) {
-            auto& colour = store.colours[static_cast<std::size_t>(c)];
+            auto& colour = set.colours[static_cast<std::size_t>(c)];
             if constexpr (std::is_invocable_v<Visit, decltype(colour), int>)
                 visit(colour, c);
             else

@@ -208,7 +208,8 @@ Fault check_triggers(const WorldState& world) {
 }
 
 bool exists(ColourSetKey store) {
-    return store == asleep_set || (set.tier != SolverTier::asleep && store.batch < batch_count);
+    return store == asleep_set ||
+           (colour_set.tier != SolverTier::asleep && store.batch < batch_count);
 }
 
 Fault check_contact(const WorldState& world, std::uint32_t i) {
@@ -223,19 +224,19 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         return at("contacts", i, "has a first body that is not dynamic");
     if (c.colour >= colour_count) return at("contacts", i, "has a colour that does not exist");
     if (c.colour >= 0) {
-        if (!exists(c.set)) return at("contacts", i, "has a batch that does not exist");
+        if (!exists(c.colour_set)) return at("contacts", i, "has a batch that does not exist");
         for (const std::uint32_t body : {c.body_a, c.body_b}) {
             const std::uint32_t island = world.bodies.cold[body].island;
-            if (island < world.islands.islands.size() && c.set != asleep_set &&
-                world.islands.islands[island].set != c.set)
+            if (island < world.islands.islands.size() && c.colour_set != asleep_set &&
+                world.islands.islands[island].colour_set != c.colour_set)
                 return at("contacts", i, "has another tier or batch than its island");
         }
         const BodyCold &own = world.bodies.cold[c.body_a], &other = world.bodies.cold[c.body_b];
-        if ((c.set == asleep_set) !=
+        if ((c.colour_set == asleep_set) !=
             (own.frozen && (other.frozen || other.type != BodyType::dynamic)))
             return at("contacts", i, "is solved though nobody of it moves, or the other way round");
         const Colour& colour =
-            world.manifolds[index_of(c.set)].colours[static_cast<std::size_t>(c.colour)];
+            world.graph.sets[index_of(c.colour_set)].colours[static_cast<std::size_t>(c.colour)];
         if (c.slot < 0 || c.slot >= colour.lanes)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
@@ -306,7 +307,7 @@ Fault check_manifolds(const WorldState& world) {
     for (int k = 0; k < colour_set_count * colour_count; k++) {
         const auto store = static_cast<std::size_t>(k / colour_count);
         const int c = k % colour_count;
-        const Colour& colour = world.manifolds[store].colours[static_cast<std::size_t>(c)];
+        const Colour& colour = world.graph.sets[store].colours[static_cast<std::size_t>(c)];
         for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
             const BlockSide& side =
                 colour.sides[static_cast<std::size_t>(slot / lanes_per_block(c))];
@@ -353,7 +354,7 @@ Fault check_islands(const WorldState& world) {
         }
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
-        if (island.set.tier == SolverTier::asleep || !exists(island.set))
+        if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has an tier or a batch that does not exist");
         if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
             island.split_at > world.steps)

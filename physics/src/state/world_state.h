@@ -32,7 +32,7 @@ struct WorldStores {
     BodyStore bodies;
     ShapeStore shapes;
     ContactStore contacts;
-    ManifoldStores manifolds;
+    ConstraintGraph graph;
     JointStore joints;
     TriggerStore triggers;
     IslandStore islands;

@@ -7,7 +7,7 @@ namespace {
 
 double deepest(const WorldState& world) {
     float gap = 0;
-    for_each_colour(world.manifolds, [&](const Colour& colour) {
+    for_each_colour(world.graph.sets, [&](const Colour& colour) {
         for (const ManifoldBlock& block : colour.blocks)
             for (const auto& row : block.gap)
                 for (const float g : row) gap = g < gap ? g : gap;

@@ -32,8 +32,8 @@ std::array<Work, tier_count> weigh_islands(WorldState& world) {
     std::array<Work, tier_count> works;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0) continue;
-        const ColourSetKey store = world.islands.islands[i].set;
-        Work& work = works[index_of(set.tier)];
+        const ColourSetKey store = world.islands.islands[i].colour_set;
+        Work& work = works[index_of(colour_set.tier)];
         std::uint32_t& lightest = work.lightest[store.batch];
         lightest = work.loads[store.batch] == 0 ? weights[i] : std::min(lightest, weights[i]);
         work.loads[store.batch] += weights[i];
@@ -74,7 +74,8 @@ std::vector<Group> find_groups(const WorldState& world, SolverTier tier) {
     std::vector<bool> seen(world.islands.islands.size(), false);
     const std::vector<std::uint32_t>& weights = world.scratch.island_weights;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
-        if (weights[i] == 0 || seen[i] || world.islands.islands[i].set.tier != tier) continue;
+        if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier)
+            continue;
         Group& group = groups.emplace_back(Group{tied_islands(world, i, seen)});
         for (const std::uint32_t island : group.islands) group.weight += weights[island];
     }
@@ -94,7 +95,7 @@ void assign(WorldState& world, SolverTier tier, const Work& work) {
     Loads loads{};
     for (const std::size_t k : heaviest) {
         Group& group = groups[k];
-        const std::uint8_t batch = world.islands.islands[group.islands.front()].set.batch;
+        const std::uint8_t batch = world.islands.islands[group.islands.front()].colour_set.batch;
         group.stays = batch < batches && (loads[batch] == 0 || loads[batch] + group.weight <= fair);
         if (group.stays) loads[batch] += group.weight;
     }

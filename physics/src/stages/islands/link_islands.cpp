@@ -76,7 +76,7 @@ Skipped link_islands(StepContext& step) {
     auto& changes = world.scratch.touch_changes;
     changes.clear();
     int manifolds = 0, touching = 0;
-    for_each_colour(world.manifolds, [&](Colour& colour) {
+    for_each_colour(world.graph.sets, [&](Colour& colour) {
         manifolds += colour.lanes;
         for (BlockSide& side : colour.sides) {
             touching += __builtin_popcount(side.pressing);

@@ -95,7 +95,7 @@ SolverTier need_of(WorldState& world, std::uint32_t index, Vec3 up) {
         return 2 * extent.bodies > bodies ? SolverTier::heap : SolverTier::low;
     }
     const double limit =
-        island.set.tier < SolverTier::tall ? tuning::tall_layers : tuning::tall_layers_end;
+        island.colour_set.tier < SolverTier::tall ? tuning::tall_layers : tuning::tall_layers_end;
     return layers_of(extent) > limit ? SolverTier::tall : SolverTier::slender;
 }
 
@@ -119,10 +119,11 @@ SolverTier common_need(WorldState& world, const std::vector<std::uint32_t>& tied
 void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const SolverTier need = need_of(world, index, up);
-    island.calm =
-        need < island.set.tier ? std::min<std::uint8_t>(island.calm + 1, tuning::tier_patience) : 0;
-    if (need == island.set.tier || world.scratch.extents[index].settled) return;
-    if (need < island.set.tier && island.calm < tuning::tier_patience) return;
+    island.calm = need < island.colour_set.tier
+                      ? std::min<std::uint8_t>(island.calm + 1, tuning::tier_patience)
+                      : 0;
+    if (need == island.colour_set.tier || world.scratch.extents[index].settled) return;
+    if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
     const SolverTier common = common_need(world, tied, up);
     // By bodies: what falls upon a heap has not been looked at for long, time and again.
@@ -132,8 +133,8 @@ void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
         all += other.bodies;
         if (other.calm >= tuning::tier_patience) calm += other.bodies;
     }
-    if (common > island.set.tier || 2 * calm > all)
-        move_to_set(world, tied, {common, island.set.batch});
+    if (common > island.colour_set.tier || 2 * calm > all)
+        move_to_set(world, tied, {common, island.colour_set.batch});
 }
 
 void choose_tiers(WorldState& world) {

@@ -6,10 +6,10 @@
 namespace jostle::physics {
 
 void sort_constraints(StepContext& step) {
-    for (ManifoldStore& store : solved_stores(step.world.manifolds)) {
-        if (!is_shared(store)) continue;
+    for (ColourSet& set : solved_sets(step.world.graph)) {
+        if (!is_shared(set)) continue;
         step.team.run_tasks(overflow_colours, [&](int c) {
-            Colour& colour = store.colours[static_cast<std::size_t>(c)];
+            Colour& colour = set.colours[static_cast<std::size_t>(c)];
             if (!in_order(colour)) sort_lanes(step.world, colour, c);
         });
     }

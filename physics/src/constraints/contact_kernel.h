@@ -20,14 +20,14 @@ enum class Inertia : unsigned char {
     locked,     // a matrix, and a mass per axis
 };
 
-// A row of a record of each block, Record being what the row is a field of. Rows of a ManifoldBlock
-// are the usual case.
+// A row of a record of each block, Record being what the row is a field of. Rows of a
+// ContactConstraintWide are the usual case.
 #if defined(JOSTLE_TWO_BLOCKS)
-template <class Record = ManifoldBlock>
+template <class Record = ContactConstraintWide>
 JOSTLE_INLINE Wide load(const float* row) {
     return load_two<sizeof(Record) / sizeof(float)>(row);
 }
-template <class Record = ManifoldBlock>
+template <class Record = ContactConstraintWide>
 JOSTLE_INLINE void store(float* row, Wide w) {
     store_two<sizeof(Record) / sizeof(float)>(row, w);
 }
@@ -64,7 +64,8 @@ JOSTLE_INLINE void load_inertia(WideSide& s) {
 
 JOSTLE_INLINE void load_side(WideSide& s, const HotBody* bodies, const std::int32_t* index) {
     for (int k = 0; k < lane_count; k++) {
-        constexpr auto next = static_cast<int>(sizeof(ManifoldBlock) / sizeof(std::int32_t));
+        constexpr auto next =
+            static_cast<int>(sizeof(ContactConstraintWide) / sizeof(std::int32_t));
         s.rows[k] = bodies[index[k < 8 ? k : next + k - 8]].v;
     }
     load_rows(s.rows, 0, s.state);
@@ -103,22 +104,22 @@ JOSTLE_INLINE Wide3 pushed(const WideSide& s, Wide3 p) {
 
 // What the bodies of a block have done since the start of the step: b against a, at the centre of
 // the manifold.
-struct BlockMotion {
+struct PairMotion {
     Wide3 moved, turned;
     Wide3 turned_a;  // of a alone
 };
 
 // The two bodies of a block and where their manifolds are.
-template <Second kSecond, Inertia kInertia>
-struct BlockBodies {
+template <PairKind kPair, Inertia kInertia>
+struct PairBodies {
     WideSide a, b;
     Wide3 n, t1, t2, arm_a, arm_b;
 
-    JOSTLE_INLINE BlockBodies(const ManifoldBlock& m, const HotBody* bodies) {
+    JOSTLE_INLINE PairBodies(const ContactConstraintWide& m, const HotBody* bodies) {
         load_side(a, bodies, m.a);
         load_inertia<kInertia>(a);
-        if constexpr (kSecond != Second::fixed) load_side(b, bodies, m.b);
-        if constexpr (kSecond == Second::moving) load_inertia<kInertia>(b);
+        if constexpr (kPair != PairKind::static_) load_side(b, bodies, m.b);
+        if constexpr (kPair == PairKind::dynamic) load_inertia<kInertia>(b);
         n = load3(m.normal);
         t1 = load3(m.tangent);
         t2 = cross(n, t1);
@@ -128,29 +129,29 @@ struct BlockBodies {
 
     // Velocity (or motion) of b against a at the centre of the manifold.
     JOSTLE_INLINE Wide3 relative(Wide3 va, Wide3 wa, Wide3 vb, Wide3 wb) const {
-        if constexpr (kSecond == Second::fixed) return -(va + cross(wa, arm_a));
+        if constexpr (kPair == PairKind::static_) return -(va + cross(wa, arm_a));
         return (vb + cross(wb, arm_b)) - (va + cross(wa, arm_a));
     }
     JOSTLE_INLINE Wide3 relative_velocity() const { return relative(a.v, a.w, b.v, b.w); }
     JOSTLE_INLINE Wide3 relative_spin() const {
-        if constexpr (kSecond == Second::fixed) return -a.w;
+        if constexpr (kPair == PairKind::static_) return -a.w;
         return b.w - a.w;
     }
 
     // Moves the arms to where the bodies are in this sub-step, to one point of the world: then what
     // acts on both has the same line, and angular momentum stays.
-    JOSTLE_INLINE BlockMotion follow(const ManifoldBlock& m) {
+    JOSTLE_INLINE PairMotion follow(const ContactConstraintWide& m) {
         Wide3 dp_a, dr_a, dp_b{}, dr_b{};
         load_motion(a, dp_a, dr_a);
-        if constexpr (kSecond != Second::fixed) load_motion(b, dp_b, dr_b);
+        if constexpr (kPair != PairKind::static_) load_motion(b, dp_b, dr_b);
         const Wide3 moved = relative(dp_a, dr_a, dp_b, dr_b);
-        if constexpr (kSecond == Second::fixed) return {moved, -dr_a, dr_a};
-        if constexpr (kSecond == Second::moving) {
+        if constexpr (kPair == PairKind::static_) return {moved, -dr_a, dr_a};
+        if constexpr (kPair == PairKind::dynamic) {
             // What has moved further than the arms are long no longer meets there.
             const Wide3 way = dp_b - dp_a;
             const WideMask small = dot(way, way) < splat(0.1f) * dot(arm_a, arm_a);
             const Wide3 apart = way * select(small, splat(1), splat(0));
-            const Wide3 step_a = apart * load(m.share);
+            const Wide3 step_a = apart * load(m.anchor_blend);
             arm_a = arm_a + step_a;
             arm_b = arm_b + (step_a - apart);
         }
@@ -161,7 +162,7 @@ struct BlockBodies {
     JOSTLE_INLINE void apply(Wide3 p) {
         a.v = pushed<kInertia>(a, -p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p));
-        if constexpr (kSecond == Second::moving) {
+        if constexpr (kPair == PairKind::dynamic) {
             b.v = pushed<kInertia>(b, p);
             b.w = b.w + spin<kInertia>(b, cross(arm_b, p));
         }
@@ -170,14 +171,14 @@ struct BlockBodies {
     JOSTLE_INLINE void apply(Wide3 p, Wide3 l) {
         a.v = pushed<kInertia>(a, -p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p) + l);
-        if constexpr (kSecond == Second::moving) {
+        if constexpr (kPair == PairKind::dynamic) {
             b.v = pushed<kInertia>(b, p);
             b.w = b.w + spin<kInertia>(b, cross(arm_b, p) + l);
         }
     }
     JOSTLE_INLINE void store() {
         store_side(a);
-        if constexpr (kSecond == Second::moving) store_side(b);
+        if constexpr (kPair == PairKind::dynamic) store_side(b);
     }
 };
 
@@ -201,7 +202,7 @@ JOSTLE_INLINE Wide at_point(Wide x, Wide y, Wide u0, Wide u1, Wide u2) {
 struct PointResponse {
     Wide r0, r1, r2, k;
 };
-JOSTLE_INLINE PointResponse response_of(const ManifoldBlock& m, Wide x, Wide y) {
+JOSTLE_INLINE PointResponse response_of(const ContactConstraintWide& m, Wide x, Wide y) {
     const Wide g01 = load(m.g[1]), g02 = load(m.g[2]), g12 = load(m.g[4]);
     const Wide r0 = at_point(x, y, load(m.g[0]), g01, g02),
                r1 = at_point(x, y, g01, load(m.g[3]), g12),
@@ -209,64 +210,66 @@ JOSTLE_INLINE PointResponse response_of(const ManifoldBlock& m, Wide x, Wide y) 
     return {r0, r1, r2, at_point(x, y, r0, r1, r2)};
 }
 
-template <Second kSecond, Inertia kInertia>
-void warm_start_block(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies) {
-    BlockBodies<kSecond, kInertia> pair(m, bodies);
+template <PairKind kPair, Inertia kInertia>
+void warm_start_block(ContactConstraintWide& m, const RollingWide* rolling, HotBody* bodies) {
+    PairBodies<kPair, kInertia> pair(m, bodies);
     WideImpulse sum;
     for (int i = 0; i < 4; i++) sum.add(load(m.x[i]), load(m.y[i]), load(m.lambda[i]));
-    if (rough != nullptr) {
-        sum.m1 += load<BlockRough>(rough->roll[0]);
-        sum.m2 += load<BlockRough>(rough->roll[1]);
+    if (rolling != nullptr) {
+        sum.m1 += load<RollingWide>(rolling->roll[0]);
+        sum.m2 += load<RollingWide>(rolling->roll[1]);
     }
     pair.apply(
         fma(pair.t2, load(m.friction[1]), fma(pair.t1, load(m.friction[0]), pair.n * sum.total)),
-        fma(pair.n, load(m.twist), fma(pair.t2, sum.m2, pair.t1 * sum.m1)));
+        fma(pair.n, load(m.torsion), fma(pair.t2, sum.m2, pair.t1 * sum.m1)));
     pair.store();
 }
 
 // Resistance to rolling: an angular impulse about the tangents, of which the material holds so much
 // per normal impulse.
-template <Second kSecond, Inertia kInertia>
-JOSTLE_INLINE void solve_rolling(ManifoldBlock& m, BlockRough& rough, Wide normal_impulse,
-                                 BlockBodies<kSecond, kInertia>& pair) {
+template <PairKind kPair, Inertia kInertia>
+JOSTLE_INLINE void solve_rolling(ContactConstraintWide& m, RollingWide& rolling,
+                                 Wide normal_impulse, PairBodies<kPair, kInertia>& pair) {
     const Wide3 w = pair.relative_spin();
     const Wide w1 = dot(pair.t1, w), w2 = dot(pair.t2, w);
     const Wide k00 = load(m.g[3]), k01 = load(m.g[4]), k11 = load(m.g[5]);
     // Bodies that cannot turn have no such matrix.
     const Wide det = max(k00 * k11 - k01 * k01, splat(1e-30f));
-    const Wide old1 = load<BlockRough>(rough.roll[0]), old2 = load<BlockRough>(rough.roll[1]);
+    const Wide old1 = load<RollingWide>(rolling.roll[0]), old2 = load<RollingWide>(rolling.roll[1]);
     Wide r1 = old1 - (k11 * w1 - k01 * w2) / det;
     Wide r2 = old2 - (k00 * w2 - k01 * w1) / det;
-    const Wide limit = load<BlockRough>(rough.rolling) * normal_impulse,
+    const Wide limit = load<RollingWide>(rolling.rolling) * normal_impulse,
                length2 = r1 * r1 + r2 * r2;
     const Wide scale =
         select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
     r1 = r1 * scale;
     r2 = r2 * scale;
-    store<BlockRough>(rough.roll[0], r1);
-    store<BlockRough>(rough.roll[1], r2);
+    store<RollingWide>(rolling.roll[0], r1);
+    store<RollingWide>(rolling.roll[1], r2);
     const Wide zero = splat(0);
     pair.apply({zero, zero, zero}, fma(pair.t2, r2 - old2, pair.t1 * (r1 - old1)));
 }
 
 // Cone at the centre, then twist. The limit is the normal impulse that the pass before found.
-template <Second kSecond, Inertia kInertia>
-JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
-                                  BlockBodies<kSecond, kInertia>& pair) {
+template <PairKind kPair, Inertia kInertia>
+JOSTLE_INLINE void solve_friction(ContactConstraintWide& m, RollingWide* rolling,
+                                  PairBodies<kPair, kInertia>& pair) {
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide normal_impulse =
         (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
     const Wide limit = load(m.mu) * normal_impulse;
     Wide u1 = dot(pair.t1, u), u2 = dot(pair.t2, u);
-    Wide twist_limit = limit * load(m.lever);
-    if (rough != nullptr) {
-        u1 += load<BlockRough>(rough->surface[0]);
-        u2 += load<BlockRough>(rough->surface[1]);
-        twist_limit = max(twist_limit, load<BlockRough>(rough->torsion) * normal_impulse);
+    Wide torsion_limit = limit * load(m.friction_radius);
+    if (rolling != nullptr) {
+        u1 += load<RollingWide>(rolling->surface[0]);
+        u2 += load<RollingWide>(rolling->surface[1]);
+        torsion_limit =
+            max(torsion_limit, load<RollingWide>(rolling->torsional_friction) * normal_impulse);
     }
     const Wide m00 = load(m.friction_mass[0]), m01 = load(m.friction_mass[1]),
                m11 = load(m.friction_mass[2]);
-    const Wide old1 = load(m.friction[0]), old2 = load(m.friction[1]), old_twist = load(m.twist);
+    const Wide old1 = load(m.friction[0]), old2 = load(m.friction[1]),
+               old_torsion = load(m.torsion);
     Wide f1 = old1 - fma(m01, u2, m00 * u1);
     Wide f2 = old2 - fma(m11, u2, m01 * u1);
     const Wide length2 = fma(f2, f2, f1 * f1);
@@ -277,35 +280,37 @@ JOSTLE_INLINE void solve_friction(ManifoldBlock& m, BlockRough* rough,
         scale = select(over, limit / root(max(length2, splat(1e-30f))), splat(1));
     f1 = f1 * scale;
     f2 = f2 * scale;
-    const Wide twist =
-        max(-twist_limit, min(fnma(load(m.twist_mass), dot(pair.n, w), old_twist), twist_limit));
+    const Wide torsion =
+        max(-torsion_limit,
+            min(fnma(load(m.torsion_mass), dot(pair.n, w), old_torsion), torsion_limit));
     store(m.friction[0], f1);
     store(m.friction[1], f2);
-    store(m.twist, twist);
-    pair.apply(fma(pair.t2, f2 - old2, pair.t1 * (f1 - old1)), pair.n * (twist - old_twist));
-    if (rough != nullptr) solve_rolling(m, *rough, normal_impulse, pair);
+    store(m.torsion, torsion);
+    pair.apply(fma(pair.t2, f2 - old2, pair.t1 * (f1 - old1)), pair.n * (torsion - old_torsion));
+    if (rolling != nullptr) solve_rolling(m, *rolling, normal_impulse, pair);
 }
 
-struct BlockReport {
-    unsigned aged = 0, touching = 0;  // lanes
+struct PairReport {
+    unsigned needs_rebuild = 0, touching = 0;  // lanes
 };
 
-JOSTLE_INLINE unsigned touching_lanes(const BlockSide& side) {
-    if constexpr (lane_count == 8) return side.touching;
-    return side.touching | static_cast<unsigned>((&side)[1].touching) << 8;
+JOSTLE_INLINE unsigned touching_lanes(const ContactConstraintWideMeta& meta) {
+    if constexpr (lane_count == 8) return meta.touching;
+    return meta.touching | static_cast<unsigned>((&side)[1].touching) << 8;
 }
 
 // kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
 // moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
 // press.
 // kPoints: 4, or 1 for blocks of manifolds with one point each, which lies at the centre.
-template <int kPoints, Second kSecond, Inertia kInertia, bool kRelax, bool kLast>
-BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, HotBody* bodies,
-                        const ContactSettings& set, int sweeps) {
-    BlockBodies<kSecond, kInertia> pair(m, bodies);
-    const BlockMotion motion = pair.follow(m);
+template <int kPoints, PairKind kPair, Inertia kInertia, bool kRelax, bool kLast>
+PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta,
+                       RollingWide* rolling, HotBody* bodies, const ContactSettings& set,
+                       int sweeps) {
+    PairBodies<kPair, kInertia> pair(m, bodies);
+    const PairMotion motion = pair.follow(m);
     const Wide zero = splat(0);
-    if constexpr (kRelax) solve_friction<kSecond, kInertia>(m, rough, pair);
+    if constexpr (kRelax) solve_friction<kPair, kInertia>(m, rolling, pair);
 
     const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.turned),
                s2 = dot(pair.t2, motion.turned);
@@ -314,8 +319,8 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
     // A sweep gives each point the impulse that it wants and takes what that does to the others
     // from theirs: lambda_i = max(wanted_i, 0), wanted_j -= coupling_ji (change of lambda_i). Its
     // own wish does not change: what a soft point leaks and what it then wants anew make up for
-    // each other (contact_settings.cpp: mass_scale + leak = 1). From one point to the next only a
-    // fused multiply-add, a maximum and a difference have to be waited for.
+    // each other (contact_settings.cpp: mass_scale + impulse_scale = 1). From one point to the next
+    // only a fused multiply-add, a maximum and a difference have to be waited for.
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
         coupling[kPoints][kPoints];
     PointResponse r[kPoints];
@@ -343,9 +348,9 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         } else {
             const Wide soft =
                 max((gap[i] + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
-            const Wide leak = select(apart, zero, splat(set.leak));
-            rate[i] = (splat(1) - leak) / r[i].k;
-            const Wide kept = fma(leak, load(m.steady[i]) - lambda[i], lambda[i]);
+            const Wide impulse_scale = select(apart, zero, splat(set.impulse_scale));
+            rate[i] = (splat(1) - impulse_scale) / r[i].k;
+            const Wide kept = fma(impulse_scale, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
             wanted[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
         }
     }
@@ -386,7 +391,7 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         pair.apply(pair.n * sum.total, fma(pair.t2, sum.m2, pair.t1 * sum.m1));
     pair.store();
 
-    BlockReport report;
+    PairReport report;
     if constexpr (kLast) {
         // What is low remembers the force of each point. Of what is slender only the total force of
         // the manifold is remembered, not its moments: those let stacks sway with growing
@@ -401,21 +406,22 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
         const Wide mean = total / points;
         JOSTLE_UNROLL
         for (int i = 0; i < kPoints; i++) {
-            const Wide steady = load(m.steady[i]);
-            const Wide aim = mean + splat(set.uneven) * (load(m.lambda[i]) - mean);
-            store(m.steady[i], steady + splat(set.forget) * (aim - steady));
+            const Wide mean_impulse = load(m.mean_impulse[i]);
+            const Wide aim = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
+            store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
         // age the manifold. So does a turn about its only point: a long body may come down beside
         // it.
-        const Wide lever = max(load(m.lever), splat(0.3f));
+        const Wide lever = max(load(m.friction_radius), splat(0.3f));
         const Wide way = root(dot(motion.moved, motion.moved)) +
                          lever * root(dot(motion.turned, motion.turned)) +
                          splat(0.3f) * root(dot(motion.turned_a, motion.turned_a));
-        const Wide age = load<BlockSide>(side.moved) + way;
-        store<BlockSide>(side.moved, age);
-        report.aged = lane_bits(age > splat(set.reuse)) |
-                      lane_bits(way > splat(kPoints == 1 ? set.single_pace : set.pace));
+        const Wide age = load<ContactConstraintWideMeta>(meta.moved) + way;
+        store<ContactConstraintWideMeta>(meta.moved, age);
+        report.needs_rebuild =
+            lane_bits(age > splat(set.rebuild_drift)) |
+            lane_bits(way > splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion));
         // Presses now, or pressed a step ago and has hardly parted.
         report.touching = lane_bits(total > zero) |
                           (touching_lanes(side) & lane_bits(nearest < splat(set.touch_gap)));
@@ -424,51 +430,55 @@ BlockReport solve_block(ManifoldBlock& m, BlockSide& side, BlockRough* rough, Ho
 }
 
 // Notes the approach speed of each point at the start of the step.
-template <Second kSecond, Inertia kInertia>
-void begin_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bodies) {
-    const BlockBodies<kSecond, kInertia> pair(m, bodies);
+template <PairKind kPair, Inertia kInertia>
+void begin_restitution(const ContactConstraintWide& m, RestitutionWide& restitution_wide,
+                       const HotBody* bodies) {
+    const PairBodies<kPair, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
-        store<BlockBounce>(bounce.approach[i], at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2));
-        store<BlockBounce>(bounce.peak[i], splat(0));
+        store<RestitutionWide>(restitution_wide.approach[i],
+                               at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2));
+        store<RestitutionWide>(restitution_wide.peak[i], splat(0));
     }
 }
 
 // After the first acceleration by h: what free fall over the gap adds to the approach. Without it a
 // ball that meets the floor late in a step loses what it gained in that step, up to g dt each
-// bounce.
-template <Second kSecond, Inertia kInertia>
-void foresee_bounce(const ManifoldBlock& m, BlockBounce& bounce, const HotBody* bodies,
-                    const ContactSettings& set) {
-    const BlockBodies<kSecond, kInertia> pair(m, bodies);
+// restitution_wide.
+template <PairKind kPair, Inertia kInertia>
+void predict_approach(const ContactConstraintWide& m, RestitutionWide& restitution_wide,
+                      const HotBody* bodies, const ContactSettings& set) {
+    const PairBodies<kPair, kInertia> pair(m, bodies);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
-        const Wide before = load<BlockBounce>(bounce.approach[i]);
+        const Wide before = load<RestitutionWide>(restitution_wide.approach[i]);
         const Wide now = at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2);
         const Wide pull = (before - now) * splat(set.inverse_h);
         const Wide gap = max(load(m.gap[i]), splat(0));
         const Wide square = before * before + (pull + pull) * gap;
         const WideMask nears = before < splat(0);
-        store<BlockBounce>(bounce.approach[i], select(nears, -root(max(square, splat(0))), before));
+        store<RestitutionWide>(restitution_wide.approach[i],
+                               select(nears, -root(max(square, splat(0))), before));
     }
 }
 
 // After each sub-step: a point that pressed in any of them was hit.
-inline void note_peaks(const ManifoldBlock& m, BlockBounce& bounce) {
+inline void record_peaks(const ContactConstraintWide& m, RestitutionWide& restitution_wide) {
     for (int i = 0; i < 4; i++)
-        store<BlockBounce>(bounce.peak[i],
-                           max(load<BlockBounce>(bounce.peak[i]), load(m.lambda[i])));
+        store<RestitutionWide>(
+            restitution_wide.peak[i],
+            max(load<RestitutionWide>(restitution_wide.peak[i]), load(m.lambda[i])));
 }
 
 // At the end of the step, points that were hit leave with restitution times their approach
 // (Newton's hypothesis). A bouncing manifold carries no impulse into the next step: it is about to
 // part.
-template <Second kSecond, Inertia kInertia>
-void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restitution,
-                HotBody* bodies, const ContactSettings& set) {
-    BlockBodies<kSecond, kInertia> pair(m, bodies);
+template <PairKind kPair, Inertia kInertia>
+void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitution_wide,
+                       const float* restitution, HotBody* bodies, const ContactSettings& set) {
+    PairBodies<kPair, kInertia> pair(m, bodies);
     pair.follow(m);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
@@ -476,17 +486,17 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
     const Wide zero = splat(0);
     Wide given[4] = {zero, zero, zero, zero};
     Wide left_with = zero;
-    // Several sweeps: the points of one face share the bounce.
+    // Several sweeps: the points of one face share the restitution_wide.
     for (int sweep = 0; sweep < 4; sweep++)
         for (int i = 0; i < 4; i++) {
             const Wide x = load(m.x[i]), y = load(m.y[i]);
             const PointResponse r = response_of(m, x, y);
-            const Wide approach = load<BlockBounce>(bounce.approach[i]);
+            const Wide approach = load<RestitutionWide>(restitution_wide.approach[i]);
             const Wide vn = at_point(x, y, u0, u1, u2);
-            const WideMask hit = (load<BlockBounce>(bounce.peak[i]) > zero) &
+            const WideMask hit = (load<RestitutionWide>(restitution_wide.peak[i]) > zero) &
                                  (approach < splat(-set.restitution_speed)) &
-                                 (load<BlockSide>(restitution) > zero);
-            const Wide wanted = -load<BlockSide>(restitution) * approach;
+                                 (load<ContactConstraintWideMeta>(restitution) > zero);
+            const Wide wanted = -load<ContactConstraintWideMeta>(restitution) * approach;
             const Wide now = max(given[i] + (wanted - vn) / r.k, zero);
             const Wide d = select(hit, now - given[i], zero);
             given[i] = given[i] + d;
@@ -501,7 +511,7 @@ void end_bounce(ManifoldBlock& m, const BlockBounce& bounce, const float* restit
     const WideMask bounced = left_with > zero;
     for (auto& lambda : m.lambda) store(lambda, select(bounced, zero, load(lambda)));
     for (auto& friction : m.friction) store(friction, select(bounced, zero, load(friction)));
-    store(m.twist, select(bounced, zero, load(m.twist)));
+    store(m.torsion, select(bounced, zero, load(m.torsion)));
 }
 
 }  // namespace jostle::physics::JOSTLE_ISA

@@ -10,16 +10,17 @@ namespace {
 constexpr int grain = 8;  // blocks that are taken at once
 
 // The blocks [begin, end) of a colour.
-void run_part(BlockPass pass, Colour& colour, int c, int begin, int end, const ContactPart& part) {
+void run_part(ContactPass pass, Colour& colour, int c, int begin, int end,
+              const ContactPart& part) {
     if (begin >= end) return;
-    pass({colour.blocks.data(), colour.sides.data(), colour.bounces.data(), colour.roughs.data(),
-          begin, end, second_of(c), is_single(c), is_overflow(c)},
+    pass({colour.blocks.data(), colour.metas.data(), colour.restitutions.data(),
+          colour.rollings.data(), begin, end, pair_kind_of(c), is_single(c), is_overflow(c)},
          part.bodies, part.set);
 }
 
 // Each grain has its share of both lists: a thread meets the same bodies in each. Shares begin with
 // even blocks, because kernels take two at a time.
-void run(BlockPass pass, const ContactPart& part) {
+void run(ContactPass pass, const ContactPart& part) {
     for (const ColourRun& run : part.runs) {
         const int total = run.blocks + run.singles;
         const auto share = [&](int blocks, int at) {
@@ -42,11 +43,11 @@ void run(BlockPass pass, const ContactPart& part) {
 // Those of the last block, or all but the first of each where a block holds one manifold.
 void point_unused_lanes(Colour& colour, int c, std::int32_t body) {
     if (colour.blocks.empty()) return;
-    const auto point = [body](ManifoldBlock& block, int used) {
+    const auto point = [body](ContactConstraintWide& block, int used) {
         for (int lane = used; lane < 8; lane++) block.a[lane] = block.b[lane] = body;
     };
     if (is_overflow(c))
-        for (ManifoldBlock& block : colour.blocks) point(block, 1);
+        for (ContactConstraintWide& block : colour.blocks) point(block, 1);
     else if (colour.lanes % 8 != 0)
         point(colour.blocks.back(), colour.lanes % 8);
 }
@@ -54,8 +55,8 @@ void point_unused_lanes(Colour& colour, int c, std::int32_t body) {
 bool any_bouncy(const ContactPart& part) {
     const auto bouncy = [](const Colour* colour) {
         return colour != nullptr &&
-               std::any_of(colour->sides.begin(), colour->sides.end(),
-                           [](const BlockSide& side) { return side.bouncy != 0; });
+               std::any_of(colour->metas.begin(), colour->metas.end(),
+                           [](const ContactConstraintWideMeta& meta) { return meta.bounces != 0; });
     };
     return std::any_of(part.runs.begin(), part.runs.end(), [&](const ColourRun& run) {
         return bouncy(run.colour) || bouncy(run.single);
@@ -105,22 +106,22 @@ void relax(const ContactPart& part, bool last) {
     run(last ? kernels().relax_last : kernels().relax, part);
 }
 
-bool begin_bounces(const ContactPart& part) {
+bool begin_restitution(const ContactPart& part) {
     if (!any_bouncy(part)) return false;
-    run(kernels().begin_bounce, part);
+    run(kernels().begin_restitution, part);
     return true;
 }
 
-void foresee_bounces(const ContactPart& part) {
-    run(kernels().foresee_bounce, part);
+void predict_approaches(const ContactPart& part) {
+    run(kernels().predict_approach, part);
 }
 
-void note_bounce_peaks(const ContactPart& part) {
-    run(kernels().note_peaks, part);
+void record_peaks(const ContactPart& part) {
+    run(kernels().record_peaks, part);
 }
 
-void end_bounces(const ContactPart& part) {
-    run(kernels().end_bounce, part);
+void apply_restitution(const ContactPart& part) {
+    run(kernels().apply_restitution, part);
 }
 
 }  // namespace jostle::physics

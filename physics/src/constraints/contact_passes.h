@@ -28,14 +28,14 @@ struct ContactPart {
 
 void warm_start(const ContactPart& part);
 void solve(const ContactPart& part);
-// `last`: ends the step; sets `aged` and `pressing` of every block.
+// `last`: ends the step; sets `needs_rebuild` and `touching_now` of every block.
 void relax(const ContactPart& part, bool last);
 
-// Restitution. begin_bounces says whether any block is bouncy; if none is, the others need not
+// Restitution. begin_restitution says whether any block is bouncy; if none is, the others need not
 // be called.
-bool begin_bounces(const ContactPart& part);
-void foresee_bounces(const ContactPart& part);
-void note_bounce_peaks(const ContactPart& part);
-void end_bounces(const ContactPart& part);
+bool begin_restitution(const ContactPart& part);
+void predict_approaches(const ContactPart& part);
+void record_peaks(const ContactPart& part);
+void apply_restitution(const ContactPart& part);
 
 }  // namespace jostle::physics

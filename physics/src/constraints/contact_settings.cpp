@@ -8,13 +8,14 @@ namespace jostle::physics {
 
 // An implicit spring of angular frequency omega and damping ratio zeta over a sub-step h acts on
 // the velocity as
-//     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - leak lambda,
+//     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - impulse_scale lambda,
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
-// leak = 1 / (1 + a2).
+// impulse_scale = 1 / (1 + a2).
 ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier tier) {
     const int substeps = substeps_of(tier, world);
     const bool low = tier <= SolverTier::heap;
-    const double steady_time = low ? tuning::low_steady_time : tuning::steady_time;
+    const double mean_impulse_time =
+        low ? tuning::low_mean_impulse_time : tuning::mean_impulse_time;
     const double stiffness = tier == SolverTier::heap ? tuning::heap_contact_stiffness
                              : low                    ? tuning::low_contact_stiffness
                                                       : tuning::contact_stiffness;
@@ -31,14 +32,14 @@ ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier ti
             .inverse_h = f(1 / h),
             .bias_rate = f(omega / a1),
             .mass_scale = f(a2 / (1 + a2)),
-            .leak = f(1 / (1 + a2)),
+            .impulse_scale = f(1 / (1 + a2)),
             .push_speed = f(tuning::push_out_speed),
             .slop = f(tuning::contact_slop),
-            .forget = f(minimum(1, dt / steady_time)),
-            .uneven = low ? 1.0f : 0.0f,
-            .reuse = f(tuning::reuse_distance),
-            .pace = f(tuning::reuse_speed * dt),
-            .single_pace = f(tuning::single_reuse_speed * dt),
+            .mean_rate = f(minimum(1, dt / mean_impulse_time)),
+            .per_point = low ? 1.0f : 0.0f,
+            .rebuild_drift = f(tuning::reuse_distance),
+            .rebuild_motion = f(tuning::reuse_speed * dt),
+            .single_rebuild_motion = f(tuning::single_reuse_speed * dt),
             .touch_gap = f(tuning::touch_gap),
             .restitution_speed = f(tuning::restitution_speed)};
 }

@@ -14,17 +14,17 @@ struct ContactSettings {
     float h = 0, inverse_h = 0;             // sub-step, s
     float bias_rate = 0;                    // 1/s: how fast overlap is pushed out
     float mass_scale = 0;                   // 1 is rigid
-    float leak = 0;  // fraction of its deviation from the steady impulse that a soft contact gives
-                     // up per sub-step
-    float push_speed = 0;   // m/s
-    float slop = 0;         // m of overlap aimed at
-    float forget = 0;       // share of the steady impulse that follows the present one per step
-    float uneven = 0;       // 1: that of each point; 0: their mean
-    float reuse = 0;        // m of relative motion after which a manifold is rebuilt
-    float pace = 0;         // m in one step after which it is rebuilt, too
-    float single_pace = 0;  // ... of one point
-    float touch_gap = 0;    // m
-    float restitution_speed = 0;  // m/s
+    float impulse_scale = 0;  // fraction of its deviation from the mean_impulse impulse that a soft
+                              // contact gives up per sub-step
+    float push_speed = 0;  // m/s
+    float slop = 0;        // m of overlap aimed at
+    float mean_rate = 0;  // share of the mean_impulse impulse that follows the present one per step
+    float per_point = 0;  // 1: that of each point; 0: their mean
+    float rebuild_drift = 0;          // m of relative motion after which a manifold is rebuilt
+    float rebuild_motion = 0;         // m in one step after which it is rebuilt, too
+    float single_rebuild_motion = 0;  // ... of one point
+    float touch_gap = 0;              // m
+    float restitution_speed = 0;      // m/s
 };
 
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step

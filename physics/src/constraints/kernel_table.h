@@ -14,105 +14,109 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-template <Second kValue>
-struct SecondIs {
-    static constexpr Second value = kValue;
+template <PairKind kValue>
+struct PairKindIs {
+    static constexpr PairKind value = kValue;
 };
 template <Inertia kValue>
 struct InertiaIs {
     static constexpr Inertia value = kValue;
 };
 
-// Calls pass(block index, second, inertia) for every block, the latter two as types.
+// Calls pass(block index, pair kind, inertia) for every block, the latter two as types.
 template <class Pass>
-JOSTLE_INLINE void each_block(const BlockRange& range, Pass pass) {
-    const auto with_inertia = [&](auto second) {
+JOSTLE_INLINE void each_block(const ContactRange& range, Pass pass) {
+    const auto with_inertia = [&](auto pair) {
         for (int k = range.begin; k < range.end; k++) {
-            const BlockSide& side = range.sides[k];
-            if (side.locked != 0)
-                pass(k, second, InertiaIs<Inertia::locked>{});
-            else if (side.turning != 0)
-                pass(k, second, InertiaIs<Inertia::full>{});
+            const ContactConstraintWideMeta& meta = range.metas[k];
+            if (meta.locked != 0)
+                pass(k, pair, InertiaIs<Inertia::locked>{});
+            else if (meta.anisotropic != 0)
+                pass(k, pair, InertiaIs<Inertia::full>{});
             else
-                pass(k, second, InertiaIs<Inertia::isotropic>{});
+                pass(k, pair, InertiaIs<Inertia::isotropic>{});
         }
     };
-    switch (range.second) {
-        case Second::moving:
-            return with_inertia(SecondIs<Second::moving>{});
-        case Second::driven:
+    switch (range.pair) {
+        case PairKind::dynamic:
+            return with_inertia(PairKindIs<PairKind::dynamic>{});
+        case PairKind::kinematic:
             // Few: the kernel that is right for all bodies serves.
             for (int k = range.begin; k < range.end; k++)
-                pass(k, SecondIs<Second::driven>{}, InertiaIs<Inertia::locked>{});
+                pass(k, PairKindIs<PairKind::kinematic>{}, InertiaIs<Inertia::locked>{});
             return;
-        case Second::fixed:
-            return with_inertia(SecondIs<Second::fixed>{});
+        case PairKind::static_:
+            return with_inertia(PairKindIs<PairKind::static_>{});
     }
 }
 
-JOSTLE_INLINE BlockRough* rough_of(const BlockRange& range, int k) {
-    return range.sides[k].rough != 0 ? &range.roughs[k] : nullptr;
+JOSTLE_INLINE RollingWide* rolling_of(const ContactRange& range, int k) {
+    return range.metas[k].rolling != 0 ? &range.rollings[k] : nullptr;
 }
 
-inline void warm_start_range(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
-    each_block(range, [&](int k, auto second, auto inertia) {
+inline void warm_start_range(const ContactRange& range, HotBody* bodies,
+                             const ContactSettings& set) {
+    each_block(range, [&](int k, auto pair, auto inertia) {
         if (set.planar)
-            warm_start_planar<second.value>(range.blocks[k], rough_of(range, k), bodies);
+            warm_start_planar<pair.value>(range.blocks[k], rolling_of(range, k), bodies);
         else
-            warm_start_block<second.value, inertia.value>(range.blocks[k], rough_of(range, k),
-                                                          bodies);
+            warm_start_block<pair.value, inertia.value>(range.blocks[k], rolling_of(range, k),
+                                                        bodies);
     });
 }
 
 template <bool kRelax, bool kLast>
-void solve_range(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
-    each_block(range, [&](int k, auto second, auto inertia) {
+void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
+    each_block(range, [&](int k, auto pair, auto inertia) {
         constexpr int all = 4;
-        BlockSide& side = range.sides[k];
-        BlockReport report;
+        ContactConstraintWideMeta& meta = range.metas[k];
+        PairReport report;
         if (set.planar)
-            report = solve_planar<second.value, kRelax, kLast>(range.blocks[k], side,
-                                                               rough_of(range, k), bodies, set);
+            report = solve_planar<pair.value, kRelax, kLast>(range.blocks[k], side,
+                                                             rolling_of(range, k), bodies, set);
         else if (range.single)
-            report = solve_block<1, second.value, inertia.value, kRelax, kLast>(
-                range.blocks[k], side, rough_of(range, k), bodies, set, 1);
+            report = solve_block<1, pair.value, inertia.value, kRelax, kLast>(
+                range.blocks[k], side, rolling_of(range, k), bodies, set, 1);
         else
-            report = solve_block<all, second.value, inertia.value, kRelax, kLast>(
-                range.blocks[k], side, rough_of(range, k), bodies, set,
+            report = solve_block<all, pair.value, inertia.value, kRelax, kLast>(
+                range.blocks[k], side, rolling_of(range, k), bodies, set,
                 kRelax ? set.relax_sweeps : set.soft_sweeps);
         if constexpr (kLast) {
-            side.aged = static_cast<std::uint8_t>(report.aged);
-            side.pressing = static_cast<std::uint8_t>(report.touching);
+            meta.needs_rebuild = static_cast<std::uint8_t>(report.needs_rebuild);
+            meta.touching_now = static_cast<std::uint8_t>(report.touching);
         }
     });
 }
 
-inline void begin_bounce_range(const BlockRange& range, HotBody* bodies, const ContactSettings&) {
-    each_block(range, [&](int k, auto second, auto inertia) {
-        if (range.sides[k].bouncy != 0)
-            begin_bounce<second.value, inertia.value>(range.blocks[k], range.bounces[k], bodies);
+inline void begin_restitution_range(const ContactRange& range, HotBody* bodies,
+                                    const ContactSettings&) {
+    each_block(range, [&](int k, auto pair, auto inertia) {
+        if (range.metas[k].bouncy != 0)
+            begin_restitution<pair.value, inertia.value>(range.blocks[k], range.restitutions[k],
+                                                         bodies);
     });
 }
 
-inline void foresee_bounce_range(const BlockRange& range, HotBody* bodies,
-                                 const ContactSettings& set) {
-    each_block(range, [&](int k, auto second, auto inertia) {
-        if (range.sides[k].bouncy != 0)
-            foresee_bounce<second.value, inertia.value>(range.blocks[k], range.bounces[k], bodies,
-                                                        set);
+inline void predict_approach_range(const ContactRange& range, HotBody* bodies,
+                                   const ContactSettings& set) {
+    each_block(range, [&](int k, auto pair, auto inertia) {
+        if (range.metas[k].bouncy != 0)
+            predict_approach<pair.value, inertia.value>(range.blocks[k], range.restitutions[k],
+                                                        bodies, set);
     });
 }
 
-inline void note_peaks_range(const BlockRange& range, HotBody*, const ContactSettings&) {
+inline void record_peaks_range(const ContactRange& range, HotBody*, const ContactSettings&) {
     for (int k = range.begin; k < range.end; k++)
-        if (range.sides[k].bouncy != 0) note_peaks(range.blocks[k], range.bounces[k]);
+        if (range.metas[k].bouncy != 0) record_peaks(range.blocks[k], range.restitutions[k]);
 }
 
-inline void end_bounce_range(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
-    each_block(range, [&](int k, auto second, auto inertia) {
-        if (range.sides[k].bouncy != 0)
-            end_bounce<second.value, inertia.value>(range.blocks[k], range.bounces[k],
-                                                    range.sides[k].restitution, bodies, set);
+inline void apply_restitution_range(const ContactRange& range, HotBody* bodies,
+                                    const ContactSettings& set) {
+    each_block(range, [&](int k, auto pair, auto inertia) {
+        if (range.metas[k].bouncy != 0)
+            apply_restitution<pair.value, inertia.value>(range.blocks[k], range.restitutions[k],
+                                                         range.metas[k].restitution, bodies, set);
     });
 }
 
@@ -121,10 +125,10 @@ const Kernels table{
     .solve = solve_range<false, false>,
     .relax = solve_range<true, false>,
     .relax_last = solve_range<true, true>,
-    .begin_bounce = begin_bounce_range,
-    .foresee_bounce = foresee_bounce_range,
-    .note_peaks = note_peaks_range,
-    .end_bounce = end_bounce_range,
+    .begin_restitution = begin_restitution_range,
+    .predict_approach = predict_approach_range,
+    .record_peaks = record_peaks_range,
+    .apply_restitution = apply_restitution_range,
     .accelerate_first = accelerate_range<true>,
     .accelerate = accelerate_range<false>,
     .advance = advance_range,

@@ -17,13 +17,13 @@ namespace jostle::physics {
 
 // Some blocks of one colour. Blocks of a colour may be solved in any order, those of an overflow
 // list only one after the other.
-struct BlockRange {
-    ManifoldBlock* blocks;
-    BlockSide* sides;
-    BlockBounce* bounces;
-    BlockRough* roughs;
+struct ContactRange {
+    ContactConstraintWide* blocks;
+    ContactConstraintWideMeta* metas;
+    RestitutionWide* restitutions;
+    RollingWide* rollings;
     int begin, end;
-    Second second;
+    PairKind pair;
     bool single;      // manifolds of one point
     bool one_by_one;  // an overflow list
 };
@@ -47,12 +47,13 @@ struct JointRange {
 };
 
 using JointPass = void (*)(const JointRange&, HotBody*, const JointStep&);
-using BlockPass = void (*)(const BlockRange&, HotBody*, const ContactSettings&);
+using ContactPass = void (*)(const ContactRange&, HotBody*, const ContactSettings&);
 
 struct Kernels {
-    BlockPass warm_start, solve, relax;
-    BlockPass relax_last;  // ends the step: sets `aged` and `pressing` of every block
-    BlockPass begin_bounce, foresee_bounce, note_peaks, end_bounce;
+    ContactPass warm_start, solve, relax;
+    ContactPass
+        relax_last;  // ends the step: sets `needs_rebuild` and `touching_now` of every block
+    ContactPass begin_restitution, predict_approach, record_peaks, apply_restitution;
     // The first sub-step's takes no warm start from what contacts did in the one before.
     void (*accelerate_first)(const BodyRange&);
     void (*accelerate)(const BodyRange&);
@@ -82,9 +83,9 @@ extern const Kernels table;
 }
 // The passes over contacts, two blocks at a time.
 namespace avx512_two {
-void solve(const BlockRange&, HotBody*, const ContactSettings&);
-void relax(const BlockRange&, HotBody*, const ContactSettings&);
-void relax_last(const BlockRange&, HotBody*, const ContactSettings&);
+void solve(const ContactRange&, HotBody*, const ContactSettings&);
+void relax(const ContactRange&, HotBody*, const ContactSettings&);
+void relax_last(const ContactRange&, HotBody*, const ContactSettings&);
 }  // namespace avx512_two
 #endif
 

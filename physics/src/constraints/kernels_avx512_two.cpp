@@ -13,47 +13,49 @@
 namespace jostle::physics::avx512_two {
 namespace {
 
-bool is_alike(const BlockSide& a, const BlockSide& b) {
-    return (a.locked | b.locked | a.rough | b.rough) == 0 && (a.turning != 0) == (b.turning != 0);
+bool is_alike(const ContactConstraintWideMeta& a, const ContactConstraintWideMeta& b) {
+    return (a.locked | b.locked | a.rolling | b.rolling) == 0 &&
+           (a.turning != 0) == (b.turning != 0);
 }
 
-template <Second kSecond, bool kRelax, bool kLast>
-void solve_two(const BlockRange& range, int k, HotBody* bodies, const ContactSettings& set) {
-    ManifoldBlock& block = range.blocks[k];
-    BlockSide& side = range.sides[k];
+template <PairKind kPair, bool kRelax, bool kLast>
+void solve_two(const ContactRange& range, int k, HotBody* bodies, const ContactSettings& set) {
+    ContactConstraintWide& block = range.blocks[k];
+    ContactConstraintWideMeta& meta = range.metas[k];
     const int sweeps = kRelax ? set.relax_sweeps : set.soft_sweeps;
-    BlockReport report;
+    PairReport report;
     if (range.single)
-        report = side.turning != 0 ? solve_block<1, kSecond, Inertia::full, kRelax, kLast>(
-                                         block, side, nullptr, bodies, set, 1)
-                                   : solve_block<1, kSecond, Inertia::isotropic, kRelax, kLast>(
-                                         block, side, nullptr, bodies, set, 1);
+        report = meta.anisotropic != 0 ? solve_block<1, kPair, Inertia::full, kRelax, kLast>(
+                                             block, side, nullptr, bodies, set, 1)
+                                       : solve_block<1, kPair, Inertia::isotropic, kRelax, kLast>(
+                                             block, side, nullptr, bodies, set, 1);
     else
-        report = side.turning != 0 ? solve_block<4, kSecond, Inertia::full, kRelax, kLast>(
-                                         block, side, nullptr, bodies, set, sweeps)
-                                   : solve_block<4, kSecond, Inertia::isotropic, kRelax, kLast>(
-                                         block, side, nullptr, bodies, set, sweeps);
+        report = meta.anisotropic != 0 ? solve_block<4, kPair, Inertia::full, kRelax, kLast>(
+                                             block, side, nullptr, bodies, set, sweeps)
+                                       : solve_block<4, kPair, Inertia::isotropic, kRelax, kLast>(
+                                             block, side, nullptr, bodies, set, sweeps);
     if constexpr (kLast)
         for (int half = 0; half < 2; half++) {
-            range.sides[k + half].aged = static_cast<std::uint8_t>(report.aged >> (8 * half));
-            range.sides[k + half].pressing =
+            range.metas[k + half].needs_rebuild =
+                static_cast<std::uint8_t>(report.needs_rebuild >> (8 * half));
+            range.metas[k + half].pressing =
                 static_cast<std::uint8_t>(report.touching >> (8 * half));
         }
 }
 
 // `one`: the same pass with eight lanes.
 template <bool kRelax, bool kLast>
-void solve_range(const BlockRange& range, HotBody* bodies, const ContactSettings& set,
-                 BlockPass one) {
-    if (set.planar || range.one_by_one || range.second == Second::driven)
+void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettings& set,
+                 ContactPass one) {
+    if (set.planar || range.one_by_one || range.pair == PairKind::kinematic)
         return one(range, bodies, set);
-    BlockRange left = range;
+    ContactRange left = range;
     for (int k = range.begin; k < range.end;) {
-        if (k + 1 < range.end && is_alike(range.sides[k], range.sides[k + 1])) {
-            if (range.second == Second::fixed)
-                solve_two<Second::fixed, kRelax, kLast>(range, k, bodies, set);
+        if (k + 1 < range.end && is_alike(range.metas[k], range.metas[k + 1])) {
+            if (range.pair == PairKind::static_)
+                solve_two<PairKind::static_, kRelax, kLast>(range, k, bodies, set);
             else
-                solve_two<Second::moving, kRelax, kLast>(range, k, bodies, set);
+                solve_two<PairKind::dynamic, kRelax, kLast>(range, k, bodies, set);
             k += 2;
         } else {
             left.begin = k;
@@ -65,13 +67,13 @@ void solve_range(const BlockRange& range, HotBody* bodies, const ContactSettings
 
 }  // namespace
 
-void solve(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
+void solve(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
     solve_range<false, false>(range, bodies, set, avx512::table.solve);
 }
-void relax(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
+void relax(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
     solve_range<true, false>(range, bodies, set, avx512::table.relax);
 }
-void relax_last(const BlockRange& range, HotBody* bodies, const ContactSettings& set) {
+void relax_last(const ContactRange& range, HotBody* bodies, const ContactSettings& set) {
     solve_range<true, true>(range, bodies, set, avx512::table.relax_last);
 }
 

@@ -32,15 +32,15 @@ JOSTLE_INLINE void store_planar(PlanarSide& s) {
 }
 
 // Two bodies, the normal (nx, ny), the tangent (tx, ty) and the arms of the manifold's centre.
-template <Second kSecond>
+template <PairKind kPair>
 struct PlanarBodies {
     PlanarSide a, b;
     Wide nx, ny, tx, ty, ax, ay, bx, by;
     Wide turn;  // +1 or -1: which way the second tangent looks along z
 
-    JOSTLE_INLINE PlanarBodies(const ManifoldBlock& m, const HotBody* bodies) {
+    JOSTLE_INLINE PlanarBodies(const ContactConstraintWide& m, const HotBody* bodies) {
         load_planar(a, bodies, m.a);
-        if constexpr (kSecond != Second::fixed) load_planar(b, bodies, m.b);
+        if constexpr (kPair != PairKind::static_) load_planar(b, bodies, m.b);
         nx = load(m.normal[0]);
         ny = load(m.normal[1]);
         tx = load(m.tangent[0]);
@@ -56,7 +56,7 @@ struct PlanarBodies {
         ux = -(vax - wa * ay);
         uy = -(vay + wa * ax);
         w = -wa;
-        if constexpr (kSecond != Second::fixed) {
+        if constexpr (kPair != PairKind::static_) {
             ux += vbx - wb * by;
             uy += vby + wb * bx;
             w += wb;
@@ -67,7 +67,7 @@ struct PlanarBodies {
         a.vx -= px * a.state[6];
         a.vy -= py * a.state[6];
         a.w -= (ax * py - ay * px + l) * a.state[7];
-        if constexpr (kSecond == Second::moving) {
+        if constexpr (kPair == PairKind::dynamic) {
             b.vx += px * b.state[6];
             b.vy += py * b.state[6];
             b.w += (bx * py - by * px + l) * b.state[7];
@@ -75,30 +75,30 @@ struct PlanarBodies {
     }
     JOSTLE_INLINE void store() {
         store_planar(a);
-        if constexpr (kSecond == Second::moving) store_planar(b);
+        if constexpr (kPair == PairKind::dynamic) store_planar(b);
     }
 };
 
-template <Second kSecond>
-void warm_start_planar(ManifoldBlock& m, const BlockRough* rough, HotBody* bodies) {
-    PlanarBodies<kSecond> pair(m, bodies);
+template <PairKind kPair>
+void warm_start_planar(ContactConstraintWide& m, const RollingWide* rolling, HotBody* bodies) {
+    PlanarBodies<kPair> pair(m, bodies);
     const Wide l0 = load(m.lambda[0]), l1 = load(m.lambda[1]), f = load(m.friction[0]);
     const Wide total = l0 + l1;
     // A point at x along the tangent: its moment about the centre is x (t x n) lambda.
     Wide l = -(load(m.x[0]) * l0 + load(m.x[1]) * l1) * pair.turn;
-    if (rough != nullptr) l += load(rough->roll[1]) * pair.turn;
+    if (rolling != nullptr) l += load(rolling->roll[1]) * pair.turn;
     pair.apply(pair.nx * total + pair.tx * f, pair.ny * total + pair.ty * f, l);
     pair.store();
 }
 
-template <Second kSecond, bool kRelax, bool kLast>
-BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, HotBody* bodies,
-                         const ContactSettings& set) {
-    PlanarBodies<kSecond> pair(m, bodies);
+template <PairKind kPair, bool kRelax, bool kLast>
+PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& meta,
+                        RollingWide* rolling, HotBody* bodies, const ContactSettings& set) {
+    PlanarBodies<kPair> pair(m, bodies);
     const Wide zero = splat(0);
     Wide ux, uy, w;
     const auto velocities = [&] {
-        if constexpr (kSecond == Second::fixed)
+        if constexpr (kPair == PairKind::static_)
             pair.relative(pair.a.vx, pair.a.vy, pair.a.w, zero, zero, zero, ux, uy, w);
         else
             pair.relative(pair.a.vx, pair.a.vy, pair.a.w, pair.b.vx, pair.b.vy, pair.b.w, ux, uy,
@@ -108,20 +108,20 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
         velocities();
         const Wide limit = load(m.mu) * (load(m.lambda[0]) + load(m.lambda[1]));
         Wide u1 = pair.tx * ux + pair.ty * uy;
-        if (rough != nullptr) u1 += load(rough->surface[0]);
+        if (rolling != nullptr) u1 += load(rolling->surface[0]);
         const Wide old = load(m.friction[0]);
         const Wide now = max(-limit, min(old - load(m.friction_mass[0]) * u1, limit));
         store(m.friction[0], now);
         pair.apply(pair.tx * (now - old), pair.ty * (now - old), zero);
-        if (rough != nullptr) {
+        if (rolling != nullptr) {
             // Rolling resistance: about z.
             velocities();
             const Wide k = load(m.g[5]),
-                       hold = load(rough->rolling) * (load(m.lambda[0]) + load(m.lambda[1]));
-            const Wide before = load(rough->roll[1]);
+                       hold = load(rolling->rolling) * (load(m.lambda[0]) + load(m.lambda[1]));
+            const Wide before = load(rolling->roll[1]);
             const Wide after =
                 max(-hold, min(before - pair.turn * w / max(k, splat(1e-30f)), hold));
-            store(rough->roll[1], after);
+            store(rolling->roll[1], after);
             pair.apply(zero, zero, pair.turn * (after - before));
         }
     }
@@ -136,7 +136,7 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
     };
     Wide dax, day, dar, dbx = zero, dby = zero, dbr = zero, mx, my, turned;
     motion(pair.a, dax, day, dar);
-    if constexpr (kSecond != Second::fixed) motion(pair.b, dbx, dby, dbr);
+    if constexpr (kPair != PairKind::static_) motion(pair.b, dbx, dby, dbr);
     pair.relative(dax, day, dar, dbx, dby, dbr, mx, my, turned);
     const Wide s0 = pair.nx * mx + pair.ny * my, s2 = pair.turn * turned;
 
@@ -150,7 +150,7 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
     const Wide old0 = load(m.lambda[0]), old1 = load(m.lambda[1]);
 
     // What each point wants of its impulse, with softness as an addition to its own mass.
-    const auto wish = [&](Wide gap, Wide old, Wide steady, Wide k, Wide vn, Wide& target,
+    const auto wish = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn, Wide& target,
                           Wide& soft_mass) {
         const WideMask apart = gap > zero;
         if constexpr (kRelax) {
@@ -161,16 +161,17 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
             const Wide push =
                 max((gap + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
             const Wide bias = select(apart, gap * splat(set.inverse_h), push);
-            // now = old - scale (vn + bias) / k - leak (old - steady), written with a larger mass.
+            // now = old - scale (vn + bias) / k - impulse_scale (old - mean_impulse), written with
+            // a larger mass.
             const Wide scale = select(apart, splat(1), splat(set.mass_scale));
-            const Wide leak = select(apart, zero, splat(set.leak));
+            const Wide impulse_scale = select(apart, zero, splat(set.impulse_scale));
             soft_mass = k / scale;
-            target = vn + bias + soft_mass * leak * (old - steady);
+            target = vn + bias + soft_mass * impulse_scale * (old - mean_impulse);
         }
     };
     Wide t0, t1, m00, m11;
-    wish(gap0, old0, load(m.steady[0]), k00, u0 - x0 * u2, t0, m00);
-    wish(gap1, old1, load(m.steady[1]), k11, u0 - x1 * u2, t1, m11);
+    wish(gap0, old0, load(m.mean_impulse[0]), k00, u0 - x0 * u2, t0, m00);
+    wish(gap1, old1, load(m.mean_impulse[1]), k11, u0 - x1 * u2, t1, m11);
     // K (new - old) + t = 0 where new > 0: both, one, the other, or none.
     const Wide b0 = t0 - m00 * old0 - k01 * old1, b1 = t1 - k01 * old0 - m11 * old1;
     const Wide det = m00 * m11 - k01 * k01;
@@ -193,7 +194,7 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
     pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.turn);
     pair.store();
 
-    BlockReport report;
+    PairReport report;
     if constexpr (kLast) {
         store(m.gap[0], gap0);
         store(m.gap[1], gap1);
@@ -203,19 +204,20 @@ BlockReport solve_planar(ManifoldBlock& m, BlockSide& side, BlockRough* rough, H
         const Wide mean = sum / max(points, splat(1));
         const Wide lambda[2] = {new0, new1};
         for (int i = 0; i < 2; i++) {
-            const Wide steady = load(m.steady[i]);
-            const Wide aim = mean + splat(set.uneven) * (lambda[i] - mean);
-            store(m.steady[i], steady + splat(set.forget) * (aim - steady));
+            const Wide mean_impulse = load(m.mean_impulse[i]);
+            const Wide aim = mean + splat(set.per_point) * (lambda[i] - mean);
+            store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
         // As in contact_kernel.h, a turn about its only point ages it, too.
-        const Wide lever = max(load(m.lever), splat(0.3f));
+        const Wide lever = max(load(m.friction_radius), splat(0.3f));
         const Wide way =
             root(mx * mx + my * my) + lever * root(turned * turned) + splat(0.3f) * root(dar * dar);
-        const Wide age = load(side.moved) + way;
-        store(side.moved, age);
-        report.aged = lane_bits(age > splat(set.reuse)) | lane_bits(way > splat(set.pace));
+        const Wide age = load(meta.moved) + way;
+        store(meta.moved, age);
+        report.needs_rebuild =
+            lane_bits(age > splat(set.rebuild_drift)) | lane_bits(way > splat(set.rebuild_motion));
         report.touching = lane_bits(sum > zero) |
-                          (side.touching & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
+                          (meta.touching & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
     }
     return report;
 }

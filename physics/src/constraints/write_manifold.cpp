@@ -16,21 +16,21 @@ namespace {
 struct Carried {
     int count = 0;
     Vec3 point[4];  // from a's centre of mass
-    double lambda[4] = {}, steady[4] = {};
+    double lambda[4] = {}, mean_impulse[4] = {};
     Vec3 friction, roll;
 };
 
-Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
+Carried carried(const ContactConstraintWide& block, const RollingWide& rolling, int lane) {
     Carried c;
     const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
                t2 = cross(n, t1);
     const Vec3 arm = get_lane(block.arm_a, lane);
-    c.roll = t1 * double{rough.roll[0][lane]} + t2 * double{rough.roll[1][lane]};
+    c.roll = t1 * double{rolling.roll[0][lane]} + t2 * double{rolling.roll[1][lane]};
     c.friction = t1 * double{block.friction[0][lane]} + t2 * double{block.friction[1][lane]};
     for (int i = 0; i < 4; i++) {
         if (block.gap[i][lane] > 0.5f * no_point) continue;
         c.point[c.count] = arm + t1 * double{block.x[i][lane]} + t2 * double{block.y[i][lane]};
-        c.steady[c.count] = double{block.steady[i][lane]};
+        c.mean_impulse[c.count] = double{block.mean_impulse[i][lane]};
         c.lambda[c.count++] = double{block.lambda[i][lane]};
     }
     return c;
@@ -38,7 +38,7 @@ Carried carried(const ManifoldBlock& block, const BlockRough& rough, int lane) {
 
 // What the points of a manifold carry after a rebuild.
 struct Loads {
-    double lambda[4] = {}, steady[4] = {};
+    double lambda[4] = {}, mean_impulse[4] = {};
 };
 
 // Each point takes what the nearest old one within reach carried. What no point continues (a face
@@ -53,7 +53,7 @@ Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach
     };
     const auto give = [&](int i, int j) {
         loads.lambda[i] += old.lambda[j];
-        loads.steady[i] += old.steady[j];
+        loads.mean_impulse[i] += old.mean_impulse[j];
         taken[j] = given[i] = true;
     };
     for (int i = 0; i < m.count; i++) {
@@ -67,7 +67,7 @@ Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach
         if (best >= 0) give(i, best);
     }
     for (int j = 0; j < old.count; j++) {
-        if (taken[j] || (old.lambda[j] == 0 && old.steady[j] == 0)) continue;
+        if (taken[j] || (old.lambda[j] == 0 && old.mean_impulse[j] == 0)) continue;
         int best = 0;
         for (int i = 1; i < m.count; i++)
             if (given[i] == given[best] ? way2(i, j) < way2(best, j) : given[best]) best = i;
@@ -75,8 +75,8 @@ Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach
     }
     if (even) {
         double sum = 0;
-        for (int j = 0; j < old.count; j++) sum += old.steady[j];
-        for (int i = 0; i < m.count; i++) loads.steady[i] = sum / m.count;
+        for (int j = 0; j < old.count; j++) sum += old.mean_impulse[j];
+        for (int i = 0; i < m.count; i++) loads.mean_impulse[i] = sum / m.count;
     }
     return loads;
 }
@@ -94,9 +94,9 @@ double patch_of(const WorldState& world, const Contact& contact) {
 }
 
 // Rolling, turning and moving surfaces.
-void write_rough(const WorldState& world, const Contact& contact, const LanePlace& place,
-                 const Material& ma, const Material& mb, Vec3 roll) {
-    BlockRough& rough = *place.rough;
+void write_rolling(const WorldState& world, const Contact& contact, const LanePlace& place,
+                   const Material& ma, const Material& mb, Vec3 roll) {
+    RollingWide& rolling = *place.rolling;
     const int lane = place.lane;
     const Vec3 n = get_lane(place.block->normal, lane), t1 = get_lane(place.block->tangent, lane);
     const Vec3 t2 = cross(n, t1);
@@ -104,17 +104,18 @@ void write_rough(const WorldState& world, const Contact& contact, const LanePlac
     if (ma.surface_velocity != Vec3{} || mb.surface_velocity != Vec3{})
         surface = warm_of(world, contact.body_b).axes * mb.surface_velocity -
                   warm_of(world, contact.body_a).axes * ma.surface_velocity;
-    rough.surface[0][lane] = as_float(dot(surface, t1));
-    rough.surface[1][lane] = as_float(dot(surface, t2));
-    rough.rolling[lane] = as_float(maximum(ma.rolling_friction, mb.rolling_friction));
-    rough.torsion[lane] = as_float(maximum(ma.torsional_friction, mb.torsional_friction));
-    rough.roll[0][lane] = as_float(dot(roll, t1));
-    rough.roll[1][lane] = as_float(dot(roll, t2));
+    rolling.surface[0][lane] = as_float(dot(surface, t1));
+    rolling.surface[1][lane] = as_float(dot(surface, t2));
+    rolling.rolling[lane] = as_float(maximum(ma.rolling_friction, mb.rolling_friction));
+    rolling.torsional_friction[lane] =
+        as_float(maximum(ma.torsional_friction, mb.torsional_friction));
+    rolling.roll[0][lane] = as_float(dot(roll, t1));
+    rolling.roll[1][lane] = as_float(dot(roll, t2));
 }
 
-bool is_rough(const BlockRough& rough, int lane) {
-    return rough.surface[0][lane] != 0 || rough.surface[1][lane] != 0 || rough.rolling[lane] != 0 ||
-           rough.torsion[lane] != 0;
+bool has_rolling(const RollingWide& rolling, int lane) {
+    return rolling.surface[0][lane] != 0 || rolling.surface[1][lane] != 0 ||
+           rolling.rolling[lane] != 0 || rolling.torsional_friction[lane] != 0;
 }
 
 // The lanes of a block share a byte, and other threads may write theirs.
@@ -130,7 +131,7 @@ void put_bit(std::uint8_t& bits, int lane, bool on) {
 
 }  // namespace
 
-double share_of(const WorldState& world, const Contact& contact) {
+double anchor_blend_of(const WorldState& world, const Contact& contact) {
     if (world.bodies.cold[contact.body_b].type != BodyType::dynamic) return 0;
     const auto is_round = [&](std::uint32_t shape) {
         const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
@@ -144,9 +145,9 @@ double share_of(const WorldState& world, const Contact& contact) {
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
     const LanePlace place = place_of(world, contact);
-    ManifoldBlock& block = *place.block;
+    ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
-    const Carried old = fresh ? Carried{} : carried(block, *place.rough, lane);
+    const Carried old = fresh ? Carried{} : carried(block, *place.rolling, lane);
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 
@@ -167,7 +168,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const double reach = minimum(tuning::match_distance, tuning::match_fraction * smaller);
     const Loads loads =
         handed_on(old, m, center_a, reach, contact.colour_set.tier > SolverTier::heap);
-    double lever = 0;
+    double friction_radius = 0;
     for (int i = 0; i < 4; i++) {
         const bool used = i < m.count;
         const Vec3 r = used ? m.point[i] - centre : Vec3{};
@@ -176,26 +177,26 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.y[i][lane] = as_float(y);
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
         block.lambda[i][lane] = as_float(loads.lambda[i]);
-        block.steady[i][lane] = as_float(loads.steady[i]);
-        if (used) lever += square_root(x * x + y * y) / m.count;
+        block.mean_impulse[i][lane] = as_float(loads.mean_impulse[i]);
+        if (used) friction_radius += square_root(x * x + y * y) / m.count;
     }
-    block.lever[lane] = as_float(maximum(lever, patch_of(world, contact)));
-    block.share[lane] = as_float(share_of(world, contact));
+    block.friction_radius[lane] = as_float(maximum(friction_radius, patch_of(world, contact)));
+    block.anchor_blend[lane] = as_float(anchor_blend_of(world, contact));
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
-    if (fresh) block.twist[lane] = 0;
+    if (fresh) block.torsion[lane] = 0;
     write_masses(world, contact, {n, t1, arm_a, arm_b});
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
     block.mu[lane] = as_float(pair_friction(ma, mb));
-    write_rough(world, contact, place, ma, mb, old.roll);
-    BlockSide& side = *place.side;
-    side.restitution[lane] = as_float(pair_restitution(ma, mb));
-    side.moved[lane] = 0;
-    put_bit(side.bouncy, lane, side.restitution[lane] > 0);
-    put_bit(side.rough, lane, is_rough(*place.rough, lane));
-    put_bit(side.aged, lane, false);
+    write_rolling(world, contact, place, ma, mb, old.roll);
+    ContactConstraintWideMeta& meta = *place.meta;
+    meta.restitution[lane] = as_float(pair_restitution(ma, mb));
+    meta.moved[lane] = 0;
+    put_bit(meta.bounces, lane, meta.restitution[lane] > 0);
+    put_bit(meta.rolls, lane, has_rolling(*place.rolling, lane));
+    put_bit(meta.needs_rebuild, lane, false);
 }
 
 }  // namespace jostle::physics

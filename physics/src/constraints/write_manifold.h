@@ -17,6 +17,6 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 // Which body the point of contact travels with: 0 is a, 1 is b, between them both. It goes along
 // with a round body that rolls on a flat one; of two alike it stays between them. What is not
 // pushed need not be thought of.
-double share_of(const WorldState& world, const Contact& contact);
+double anchor_blend_of(const WorldState& world, const Contact& contact);
 
 }  // namespace jostle::physics

@@ -37,13 +37,13 @@ void derive_lanes(WorldState& world) {
         const auto bit = static_cast<std::uint8_t>(1u << place.lane);
         const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
         const bool b_turns = b.type == BodyType::dynamic && !b.isotropic;
-        if (!a.isotropic || b_turns) place.side->turning |= bit;
+        if (!a.isotropic || b_turns) place.meta->anisotropic |= bit;
         if (!world.def.planar && (a.locks != 0 || (b.type == BodyType::dynamic && b.locks != 0)))
-            place.side->locked |= bit;
-        if (place.side->restitution[place.lane] > 0) place.side->bouncy |= bit;
-        if (c.touching) place.side->touching |= bit;
-        if (reports_stays(world, c)) place.side->reporting |= bit;
-        place.side->pressing = place.side->touching;
+            place.meta->locked |= bit;
+        if (place.meta->restitution[place.lane] > 0) place.meta->bounces |= bit;
+        if (c.touching) place.meta->touching |= bit;
+        if (reports_stays(world, c)) place.meta->reporting |= bit;
+        place.meta->touching_now = place.meta->touching;
     }
 }
 

@@ -309,12 +309,12 @@ template <class V>
 void visit_fields(V& v, SavedManifold& m) {
     v.field("contact", m.contact);
     for (float& row : m.rows) v.field("row", row);
-    v.field("rough", m.rough);
-    if (m.rough)
-        for (float& row : m.rough_values) v.field("rough_value", row);
+    v.field("rough", m.rolls);
+    if (m.rolls)
+        for (float& row : m.rolling_values) v.field("rough_value", row);
     v.field("moved", m.moved);
     v.field("restitution", m.restitution);
-    v.field("aged", m.aged);
+    v.field("aged", m.needs_rebuild);
 }
 
 // The lanes of one colour in order: order decides the bits of a solve.
@@ -330,21 +330,22 @@ void visit_fields(V& v, Colour& colour, int index) {
         v.enter(static_cast<std::size_t>(slot));
         const auto block = static_cast<std::size_t>(slot / lanes_per_block(index));
         const int lane = slot % lanes_per_block(index);
-        BlockSide& side = colour.sides[block];
-        v.field("contact", side.contact[lane]);
-        for (int row = 2; row < manifold_rows; row++)
+        ContactConstraintWideMeta& meta = colour.metas[block];
+        v.field("contact", meta.contact[lane]);
+        for (int row = 2; row < wide_rows; row++)
             v.field("row", *lane_float(colour.blocks[block], row, lane));
-        auto rough = static_cast<std::uint8_t>(side.rough >> lane & 1);
+        auto rough = static_cast<std::uint8_t>(meta.rolls >> lane & 1);
         v.field("rough", rough);
-        if constexpr (V::kLoading) side.rough |= static_cast<std::uint8_t>((rough & 1) << lane);
+        if constexpr (V::kLoading) meta.rolls |= static_cast<std::uint8_t>((rough & 1) << lane);
         if ((rough & 1) != 0)
-            for (int row = 0; row < rough_rows; row++)
-                v.field("rough_value", *lane_float(colour.roughs[block], row, lane));
-        v.field("moved", side.moved[lane]);
-        v.field("restitution", side.restitution[lane]);
-        auto aged = static_cast<std::uint8_t>(side.aged >> lane & 1);
+            for (int row = 0; row < rolling_rows; row++)
+                v.field("rough_value", *lane_float(colour.rollings[block], row, lane));
+        v.field("moved", meta.moved[lane]);
+        v.field("restitution", meta.restitution[lane]);
+        auto aged = static_cast<std::uint8_t>(meta.needs_rebuild >> lane & 1);
         v.field("aged", aged);
-        if constexpr (V::kLoading) side.aged |= static_cast<std::uint8_t>((aged & 1) << lane);
+        if constexpr (V::kLoading)
+            meta.needs_rebuild |= static_cast<std::uint8_t>((aged & 1) << lane);
         v.leave();
     }
 }

@@ -15,7 +15,7 @@ namespace jostle::physics {
 static_assert(std::is_trivially_copyable_v<BodyCold> && std::is_trivially_copyable_v<BodyWarm> &&
               std::is_trivially_copyable_v<BodyReach> && std::is_trivially_copyable_v<Contact> &&
               std::is_trivially_copyable_v<Waiting> && std::is_trivially_copyable_v<Joint> &&
-              std::is_trivially_copyable_v<ManifoldBlock> &&
+              std::is_trivially_copyable_v<ContactConstraintWide> &&
               std::is_trivially_copyable_v<SavedManifold>);
 
 struct RestorePoint::Kept {

@@ -14,11 +14,11 @@ namespace {
 template <class Visit>
 void for_each_bond(WorldState& world, Visit&& visit) {
     for_each_colour(solved_sets(world.graph), [&](const Colour& colour, int c) {
-        if (second_of(c) != Second::moving) return;
-        for (std::size_t k = 0; k < colour.sides.size(); k++)
+        if (pair_kind_of(c) != PairKind::dynamic) return;
+        for (std::size_t k = 0; k < colour.metas.size(); k++)
             for (int lane = 0; lane < lanes_per_block(c); lane++)
-                if (colour.sides[k].contact[lane] != none)
-                    visit(colour.sides[k].contact[lane],
+                if (colour.metas[k].contact[lane] != none)
+                    visit(colour.metas[k].contact[lane],
                           static_cast<std::size_t>(colour.blocks[k].a[lane]),
                           static_cast<std::size_t>(colour.blocks[k].b[lane]));
     });

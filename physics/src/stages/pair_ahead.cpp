@@ -47,13 +47,13 @@ Vec3 PairAhead::Side::velocity_at(Vec3 point) const {
 
 PairAhead::PairAhead(const WorldState& world, const Contact& contact, double time)
     : time_(time),
-      share_(time == 0 ? 0 : share_of(world, contact)),
+      anchor_blend_(time == 0 ? 0 : anchor_blend_of(world, contact)),
       a_(world, contact.body_a, contact.shape_a, time),
       b_(world, contact.body_b, contact.shape_b, time) {}
 
 void PairAhead::count_back(Manifold& m, double way) const {
     if (time_ == 0) return;
-    const Vec3 carried = (a_.v + (b_.v - a_.v) * share_) * time_;
+    const Vec3 carried = (a_.v + (b_.v - a_.v) * anchor_blend_) * time_;
     for (int i = 0; i < m.count; i++) {
         const Vec3 apart = b_.velocity_at(m.point[i]) - a_.velocity_at(m.point[i]);
         m.gap[i] -= dot(m.normal, apart) * time_;

@@ -29,7 +29,7 @@ public:
     const Placed& shape_b() const { return b_.shape; }
 
     // From a manifold as it will be to its gaps at the start of the step, and to points from which
-    // the solver gets to where they will be (BlockBodies::follow). `way`, m: how far the two may
+    // the solver gets to where they will be (PairBodies::follow). `way`, m: how far the two may
     // move against each other until then, at most; two that do not touch may be nearer by it.
     void count_back(Manifold& manifold, double way) const;
 
@@ -43,7 +43,7 @@ private:
     };
 
     double time_;
-    double share_;
+    double anchor_blend_;
     Side a_, b_;
 };
 

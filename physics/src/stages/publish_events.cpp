@@ -23,7 +23,7 @@ void sort_by_trigger(std::vector<Event>& events) {
 }
 
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
-ContactStay stay_of(const WorldState& world, const Contact& c, const ManifoldBlock& block,
+ContactStay stay_of(const WorldState& world, const Contact& c, const ContactConstraintWide& block,
                     int lane) {
     const double substeps = substeps_of(c.colour_set.tier, world.def);
     double normal = 0, deepest = 1e300;
@@ -47,12 +47,12 @@ void report_stays(WorldState& world) {
     auto& stays = world.events.contacts;
     for_each_colour(solved_sets(world.graph), [&](const Colour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++) {
-            const BlockSide& side = colour.sides[k];
-            const unsigned reported = side.touching & side.reporting;
+            const ContactConstraintWideMeta& meta = colour.metas[k];
+            const unsigned reported = meta.touching & meta.reporting;
             if (reported == 0) continue;
             for (int lane = 0; lane < 8; lane++)
                 if ((reported >> lane & 1) != 0)
-                    stays.push_back(stay_of(world, world.contacts.contacts[side.contact[lane]],
+                    stays.push_back(stay_of(world, world.contacts.contacts[meta.contact[lane]],
                                             colour.blocks[k], lane));
         }
     });

@@ -14,10 +14,10 @@ void forget_impulses(WorldState& world, const Contact& c) {
     const int lane = place.lane;
     for (auto& lambda : place.block->lambda) lambda[lane] = 0;
     for (auto& friction : place.block->friction) friction[lane] = 0;
-    place.block->twist[lane] = 0;
-    for (auto& steady : place.block->steady) steady[lane] = 0;
-    place.side->moved[lane] = 0;
-    place.side->aged |= static_cast<std::uint8_t>(1u << lane);
+    place.block->torsion[lane] = 0;
+    for (auto& mean_impulse : place.block->mean_impulse) mean_impulse[lane] = 0;
+    place.meta->moved[lane] = 0;
+    place.meta->needs_rebuild |= static_cast<std::uint8_t>(1u << lane);
 }
 
 }  // namespace

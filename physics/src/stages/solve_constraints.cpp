@@ -193,7 +193,7 @@ bool reads_drivers(const WorldState& world, const Part& part) {
         return true;
     for (std::size_t k = part.first; k < part.last; k++)
         for (int c = 0; c < colour_count; c++)
-            if (second_of(c) == Second::driven &&
+            if (pair_kind_of(c) == PairKind::kinematic &&
                 world.graph.sets[k].colours[static_cast<std::size_t>(c)].lanes > 0)
                 return true;
     return false;
@@ -227,13 +227,13 @@ void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
     const double h = step.dt / set.substeps;
     const ContactPart contacts{scratch.colour_runs[part.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
-    const bool bouncy = begin_bounces(contacts);
+    const bool bouncy = begin_restitution(contacts);
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
         each_body(step, part, [&](std::span<const std::uint32_t> some) {
             (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
         });
-        if (first && bouncy) foresee_bounces(contacts);
+        if (first && bouncy) predict_approaches(contacts);
         // Later sub-steps are warm started by accelerate().
         if (first) warm_start(contacts);
         solve_joints(step, joints, h);
@@ -246,9 +246,9 @@ void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
         kernel.advance(range_of(scratch, drivers), set.h);
         relax_joints(step, joints, h);
         relax(contacts, last);
-        if (bouncy) note_bounce_peaks(contacts);
+        if (bouncy) record_peaks(contacts);
     }
-    if (bouncy) end_bounces(contacts);
+    if (bouncy) apply_restitution(contacts);
 }
 
 void solve_part(StepContext& step, const Part& part, std::span<const std::uint32_t> drivers) {

@@ -77,21 +77,21 @@ void take_due_pairs(StepContext& step) {
 }
 
 // A composite pair is looked at as a whole when any of its parts has aged.
-void take_aged_manifolds(WorldState& world) {
-    const auto prefetch_contacts_of = [&](const BlockSide& side) {
+void take_manifolds_to_rebuild(WorldState& world) {
+    const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
         for (int lane = 0; lane < 8; lane++)
-            if ((side.aged >> lane & 1) != 0 && side.contact[lane] != none)
-                prefetch(world.contacts.contacts[side.contact[lane]]);
+            if ((meta.needs_rebuild >> lane & 1) != 0 && meta.contact[lane] != none)
+                prefetch(world.contacts.contacts[meta.contact[lane]]);
     };
     for_each_colour(world.graph.sets, [&](const Colour& colour) {
-        for (std::size_t k = 0; k < colour.sides.size(); k++) {
-            if (k + 3 < colour.sides.size()) prefetch_contacts_of(colour.sides[k + 3]);
-            const BlockSide& side = colour.sides[k];
-            if (side.aged == 0) continue;
+        for (std::size_t k = 0; k < colour.metas.size(); k++) {
+            if (k + 3 < colour.metas.size()) prefetch_contacts_of(colour.metas[k + 3]);
+            const ContactConstraintWideMeta& meta = colour.metas[k];
+            if (meta.needs_rebuild == 0) continue;
             for (int lane = 0; lane < 8; lane++) {
-                if ((side.aged >> lane & 1) == 0 || side.contact[lane] == none) continue;
-                const Contact& c = world.contacts.contacts[side.contact[lane]];
-                queue(world, c.parent == none ? side.contact[lane] : c.parent);
+                if ((meta.needs_rebuild >> lane & 1) == 0 || meta.contact[lane] == none) continue;
+                const Contact& c = world.contacts.contacts[meta.contact[lane]];
+                queue(world, c.parent == none ? meta.contact[lane] : c.parent);
             }
         }
     });
@@ -489,7 +489,7 @@ Skipped update_contacts(StepContext& step) {
     note_held(world);
     drop_dormant_pairs(world);
     take_due_pairs(step);
-    take_aged_manifolds(world);
+    take_manifolds_to_rebuild(world);
     make_space(world.scratch);
     step.team.run(static_cast<int>(checks.size()), 32, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {

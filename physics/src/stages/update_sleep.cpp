@@ -26,11 +26,11 @@ void keep_towed_awake(WorldState& world) {
 // What touches a moving kinematic body is not at rest, however slowly that moves.
 void keep_carried_awake(WorldState& world) {
     for_each_colour(world.graph.sets, [&](const Colour& colour, int c) {
-        if (second_of(c) != Second::driven) return;
-        for (const BlockSide& side : colour.sides)
+        if (pair_kind_of(c) != PairKind::kinematic) return;
+        for (const ContactConstraintWideMeta& meta : colour.metas)
             for (int lane = 0; lane < 8; lane++) {
-                if ((side.touching >> lane & 1) == 0) continue;
-                const Contact& contact = world.contacts.contacts[side.contact[lane]];
+                if ((meta.touching >> lane & 1) == 0) continue;
+                const Contact& contact = world.contacts.contacts[meta.contact[lane]];
                 const BodyWarm& driver = warm_of(world, contact.body_b);
                 if (driver.v != Vec3{} || driver.w != Vec3{})
                     warm_of(world, contact.body_a).quiet = 0;

@@ -60,7 +60,7 @@ JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
 
 Vec3 load_of(WorldState& world, const Contact& contact) {
     const LanePlace place = place_of(world, contact);
-    const ManifoldBlock& block = *place.block;
+    const ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     double pressed = 0;
     for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};

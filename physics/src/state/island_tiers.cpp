@@ -24,29 +24,30 @@ void scale_impulses(const LanePlace& place, float scale) {
     const auto row = [&](float* values) { values[place.lane] *= scale; };
     for (auto& lambda : place.block->lambda) row(lambda);
     for (auto& friction : place.block->friction) row(friction);
-    row(place.block->twist);
-    for (auto& steady : place.block->steady) row(steady);
-    for (auto& roll : place.rough->roll) row(roll);
+    row(place.block->torsion);
+    for (auto& mean_impulse : place.block->mean_impulse) row(mean_impulse);
+    for (auto& roll : place.rolling->roll) row(roll);
 }
 
 // Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
-// steady impulse would jump with it, so the steady impulse makes up for the difference and the load
-// stays what it is. `even`: the points of a manifold share it.
+// mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
+// and the load stays what it is. `even`: the points of a manifold share it.
 void stiffen(const LanePlace& place, float stiffer, bool even) {
-    ManifoldBlock& block = *place.block;
+    ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
-    float lambda_sum = 0, steady_sum = 0, points = 0;
+    float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
     for (int k = 0; k < 4; k++) {
         // There is always a first one.
         if (k > 0 && block.gap[k][lane] > 0.5f * no_point) continue;
         lambda_sum += block.lambda[k][lane];
-        steady_sum += block.steady[k][lane];
+        mean_impulse_sum += block.mean_impulse[k][lane];
         points++;
     }
     for (int k = 0; k < 4; k++) {
-        float& steady = block.steady[k][lane];
+        float& mean_impulse = block.mean_impulse[k][lane];
         const float lambda = even ? lambda_sum / points : block.lambda[k][lane];
-        steady = lambda - stiffer * (lambda - (even ? steady_sum / points : steady));
+        mean_impulse =
+            lambda - stiffer * (lambda - (even ? mean_impulse_sum / points : mean_impulse));
     }
 }
 
@@ -82,8 +83,8 @@ void swap_sets(WorldState& world, ColourSetKey before, ColourSetKey after) {
     std::vector<std::uint32_t> others;
     for (const ColourSetKey store : {before, after})
         for (const Colour& colour : world.graph.sets[index_of(store)].colours)
-            for (const BlockSide& side : colour.sides)
-                for (const std::uint32_t index : side.contact) {
+            for (const ContactConstraintWideMeta& meta : colour.metas)
+                for (const std::uint32_t index : meta.contact) {
                     if (index == none) continue;
                     Contact& c = world.contacts.contacts[index];
                     c.colour_set = store;

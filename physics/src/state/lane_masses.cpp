@@ -24,7 +24,7 @@ Side side_of(const WorldState& world, std::uint32_t body) {
 
 void write_masses(WorldState& world, const Contact& contact, const LaneFrame& frame) {
     const LanePlace place = place_of(world, contact);
-    ManifoldBlock& block = *place.block;
+    ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     const Side a = side_of(world, contact.body_a), b = side_of(world, contact.body_b);
     const auto [n, t1, arm_a, arm_b] = frame;
@@ -59,23 +59,24 @@ void write_masses(WorldState& world, const Contact& contact, const LaneFrame& fr
         block.friction_mass[2][lane] = as_float(f11 * scale);
     }
     const double k = both(n, n, n, n);
-    block.twist_mass[lane] = k > 0 ? as_float(1 / k) : 0;
+    block.torsion_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
 void write_masses_anew(WorldState& world, const Contact& contact) {
     const LanePlace place = place_of(world, contact);
-    ManifoldBlock& block = *place.block;
+    ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     const float before = block.g[0][lane];
     write_masses(world, contact,
                  {get_lane(block.normal, lane), get_lane(block.tangent, lane),
                   get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)});
-    // A contact is as stiff as its bodies are heavy: what it gives beyond its steady impulse would
-    // jump, so the steady impulse makes up for the difference and the load stays what it is.
+    // A contact is as stiff as its bodies are heavy: what it gives beyond its mean_impulse impulse
+    // would jump, so the mean_impulse impulse makes up for the difference and the load stays what
+    // it is.
     const float stiffer = before / block.g[0][lane];
     for (int k = 0; k < 4; k++)
-        block.steady[k][lane] =
-            block.lambda[k][lane] - stiffer * (block.lambda[k][lane] - block.steady[k][lane]);
+        block.mean_impulse[k][lane] =
+            block.lambda[k][lane] - stiffer * (block.lambda[k][lane] - block.mean_impulse[k][lane]);
 }
 
 }  // namespace jostle::physics

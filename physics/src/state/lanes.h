@@ -45,9 +45,9 @@ void add_block(Colour& colour);
 
 struct LanePlace {
     Colour* colour;
-    ManifoldBlock* block;
-    BlockSide* side;
-    BlockRough* rough;
+    ContactConstraintWide* block;
+    ContactConstraintWideMeta* meta;
+    RollingWide* rolling;
     int lane;
 };
 LanePlace place_of(WorldState& world, const Contact& contact);
@@ -60,11 +60,11 @@ inline Vec3 normal_of(const LanePlace& place) {
 }
 
 // Row `row` of a block's lane as one float; rows 0 and 1 hold the body indices.
-inline float* lane_float(ManifoldBlock& block, int row, int lane) {
+inline float* lane_float(ContactConstraintWide& block, int row, int lane) {
     return reinterpret_cast<float*>(&block) + row * 8 + lane;
 }
-inline float* lane_float(BlockRough& rough, int row, int lane) {
-    return reinterpret_cast<float*>(&rough) + row * 8 + lane;
+inline float* lane_float(RollingWide& rolling, int row, int lane) {
+    return reinterpret_cast<float*>(&rolling) + row * 8 + lane;
 }
 
 }  // namespace jostle::physics

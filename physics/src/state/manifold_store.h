@@ -25,7 +25,7 @@ inline constexpr float no_point =
     1e6f;  // gap of an unused point: solves to zero by itself, without a mask
 
 // 200 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
-struct alignas(64) ManifoldBlock {
+struct alignas(64) ContactConstraintWide {
     std::int32_t a[8], b[8];  // hot body indices; of unused lanes below 0
     float normal[3][8];       // from a to b
     float tangent[3][8];      // second tangent = normal x tangent
@@ -35,73 +35,74 @@ struct alignas(64) ManifoldBlock {
     float gap[4][8];         // separation at the start of the step
     float lambda[4][8];      // accumulated normal impulses of one sub-step
     float friction[2][8];    // accumulated friction impulse at the centre
-    float twist[8];          // ... and about the normal
+    float torsion[8];        // ... and about the normal
     float g[6][8];  // 00 01 02 11 12 22: inverse effective mass along (normal; tilt t1; tilt t2)
     float friction_mass[3][8];  // inverse of the 2x2 tangential block: 00 01 11
-    float twist_mass[8];
+    float torsion_mass[8];
     float mu[8];
-    float lever[8];  // mean distance of the points from the centre: limits twist, ages by rotation
-    float steady[4][8];  // slow mean of lambda: what a soft contact need not give up
+    float friction_radius[8];  // mean distance of the points from the centre: limits twist, ages by
+                               // rotation
+    float mean_impulse[4][8];  // slow mean of lambda: what a soft contact need not give up
     // Which body the point of contact travels with: 0 is a, 1 is b, between them both.
-    float share[8];
+    float anchor_blend[8];
 };
-inline constexpr int manifold_rows = 50;  // of 32 bytes, a and b included
-static_assert(sizeof(ManifoldBlock) == manifold_rows * 32);
+inline constexpr int wide_rows = 50;  // of 32 bytes, a and b included
+static_assert(sizeof(ContactConstraintWide) == wide_rows * 32);
 
 // Read once per step, so kept away from the block.
-struct alignas(64) BlockSide {
+struct alignas(64) ContactConstraintWideMeta {
     float moved[8];  // m of relative motion since the manifold was built
     float restitution[8];
-    std::uint32_t contact[8];   // who owns the lane; 0xffffffff: nobody
-    std::uint8_t aged = 0;      // lanes to rebuild before the next solve, one bit each
-    std::uint8_t touching = 0;  // lanes whose contact is touching
-    std::uint8_t pressing =
+    std::uint32_t contact[8];        // who owns the lane; 0xffffffff: nobody
+    std::uint8_t needs_rebuild = 0;  // lanes to rebuild before the next solve, one bit each
+    std::uint8_t touching = 0;       // lanes whose contact is touching
+    std::uint8_t touching_now =
         0;  // what the last pass found; becomes `touching` when the islands are linked
-    std::uint8_t turning = 0;    // lanes with a body whose inertia is not isotropic
-    std::uint8_t locked = 0;     // lanes with a body whose axes are locked
-    std::uint8_t bouncy = 0;     // lanes with restitution > 0
-    std::uint8_t reporting = 0;  // lanes of a shape with report_stays
-    std::uint8_t rough = 0;      // lanes whose BlockRough means something
+    std::uint8_t anisotropic = 0;   // lanes with a body whose inertia is not isotropic
+    std::uint8_t locked = 0;        // lanes with a body whose axes are locked
+    std::uint8_t restitutions = 0;  // lanes with restitution > 0
+    std::uint8_t reporting = 0;     // lanes of a shape with report_stays
+    std::uint8_t rolls = 0;         // lanes whose RollingWide means something
 };
 
 // What few materials ask for: resistance to rolling and turning, moving surfaces. Not read where no
 // lane is rough.
-struct alignas(64) BlockRough {
-    float surface[2][8];  // m/s along the tangents: of b's surface against a's
-    float rolling[8];     // m: torque held per unit of normal force
-    float torsion[8];     // m, about the normal
-    float roll[2][8];     // accumulated angular impulse about the tangents, N m s
+struct alignas(64) RollingWide {
+    float surface[2][8];          // m/s along the tangents: of b's surface against a's
+    float rolling[8];             // m: torque held per unit of normal force
+    float torsional_friction[8];  // m, about the normal
+    float roll[2][8];             // accumulated angular impulse about the tangents, N m s
 };
-inline constexpr int rough_rows = 6;
-static_assert(sizeof(BlockRough) == rough_rows * 32);
+inline constexpr int rolling_rows = 6;
+static_assert(sizeof(RollingWide) == rolling_rows * 32);
 
 // Scratch of bouncy blocks within one step.
-struct alignas(64) BlockBounce {
+struct alignas(64) RestitutionWide {
     float approach[4][8];  // m/s at the start of the step, negative: approaching
     float peak[4][8];      // largest impulse of any sub-step
 };
 
 // What the second body of a colour is: decides which kernel runs.
-enum class Second : std::uint8_t {
+enum class PairKind : std::uint8_t {
     moving,  // read and written
     driven,  // kinematic: read only
     fixed,   // not even read
 };
 
 struct Colour {
-    std::vector<ManifoldBlock> blocks;
-    std::vector<BlockSide> sides;
+    std::vector<ContactConstraintWide> blocks;
+    std::vector<ContactConstraintWideMeta> metas;
     // As many as blocks; contents mean something for bouncy and for rough blocks only.
-    std::vector<BlockBounce> bounces;
-    std::vector<BlockRough> roughs;
+    std::vector<RestitutionWide> restitutions;
+    std::vector<RollingWide> rollings;
     std::int32_t lanes = 0;
 };
 
 // 64 colours, as one bit mask per body, and three overflow lists whose blocks hold one lane each
 // and are solved one after the other, for bodies with more contacts of a kind than there are
 // colours.
-inline constexpr int moving_colours = 48, driven_colours = 6, fixed_colours = 10;
-inline constexpr int mask_colours = moving_colours + driven_colours + fixed_colours;
+inline constexpr int dynamic_colours = 48, kinematic_colours = 6, static_colours = 10;
+inline constexpr int mask_colours = dynamic_colours + kinematic_colours + static_colours;
 static_assert(mask_colours == 64);
 // Each of the 64 has two lists of blocks: manifolds of several points, and, from single_colours on,
 // those of one point, whose kernels do a quarter of the work.
@@ -119,11 +120,11 @@ inline constexpr bool is_single(int colour) {
 inline constexpr int mask_bit(int colour) {
     return colour % mask_colours;
 }
-inline constexpr Second second_of(int colour) {
-    if (is_overflow(colour)) return static_cast<Second>(colour - overflow_colours);
+inline constexpr PairKind pair_kind_of(int colour) {
+    if (is_overflow(colour)) return static_cast<PairKind>(colour - overflow_colours);
     const int bit = mask_bit(colour);
-    if (bit < moving_colours) return Second::moving;
-    return bit < moving_colours + driven_colours ? Second::driven : Second::fixed;
+    if (bit < dynamic_colours) return PairKind::dynamic;
+    return bit < dynamic_colours + kinematic_colours ? PairKind::kinematic : PairKind::static_;
 }
 inline constexpr int lanes_per_block(int colour) {
     return is_overflow(colour) ? 1 : 8;
@@ -133,10 +134,10 @@ inline constexpr int lanes_per_block(int colour) {
 inline constexpr std::array<int, colour_count> make_solve_order() {
     std::array<int, colour_count> order{};
     int n = 0;
-    for (const Second kind : {Second::moving, Second::driven, Second::fixed}) {
+    for (const PairKind kind : {PairKind::dynamic, PairKind::kinematic, PairKind::static_}) {
         order[static_cast<unsigned>(n++)] = overflow_colours + static_cast<int>(kind);
         for (int c = 0; c < mask_colours; c++)
-            if (second_of(c) == kind) {
+            if (pair_kind_of(c) == kind) {
                 order[static_cast<unsigned>(n++)] = c;
                 order[static_cast<unsigned>(n++)] = single_colours + c;
             }
@@ -148,10 +149,10 @@ inline constexpr std::array<int, colour_count> solve_order = make_solve_order();
 // One manifold outside the solver: what a sleeping island keeps.
 struct SavedManifold {
     std::uint32_t contact = 0xffffffff;
-    std::array<float, manifold_rows - 2> rows{};  // of ManifoldBlock, without a and b
-    std::array<float, rough_rows> rough_values{};
+    std::array<float, wide_rows - 2> rows{};  // of ContactConstraintWide, without a and b
+    std::array<float, rolling_rows> rolling_values{};
     float moved = 0, restitution = 0;
-    bool aged = false, rough = false;
+    bool needs_rebuild = false, rolls = false;
 };
 
 // Whether a manifold has one point, by the second one's gap.

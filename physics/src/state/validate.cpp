@@ -240,13 +240,14 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         if (c.slot < 0 || c.slot >= colour.lanes)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
-        if (colour.sides[block].contact[c.slot % lanes_per_block(c.colour)] != i)
+        if (colour.metas[block].contact[c.slot % lanes_per_block(c.colour)] != i)
             return at("contacts", i, "and its lane disagree");
         const BodyType b = world.bodies.cold[c.body_b].type;
-        const Second kind = b == BodyType::dynamic     ? Second::moving
-                            : b == BodyType::kinematic ? Second::driven
-                                                       : Second::fixed;
-        if (second_of(c.colour) != kind) return at("contacts", i, "has a colour of another kind");
+        const PairKind kind = b == BodyType::dynamic     ? PairKind::dynamic
+                              : b == BodyType::kinematic ? PairKind::kinematic
+                                                         : PairKind::static_;
+        if (pair_kind_of(c.colour) != kind)
+            return at("contacts", i, "has a colour of another kind");
         if (world.bodies.cold[c.body_a].set != BodySet::awake ||
             world.bodies.cold[c.body_b].set == BodySet::sleeping)
             return at("contacts", i, "is in the solver with a sleeping body");
@@ -309,9 +310,9 @@ Fault check_manifolds(const WorldState& world) {
         const int c = k % colour_count;
         const Colour& colour = world.graph.sets[store].colours[static_cast<std::size_t>(c)];
         for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
-            const BlockSide& side =
-                colour.sides[static_cast<std::size_t>(slot / lanes_per_block(c))];
-            const std::uint32_t contact = side.contact[slot % lanes_per_block(c)];
+            const ContactConstraintWideMeta& meta =
+                colour.metas[static_cast<std::size_t>(slot / lanes_per_block(c))];
+            const std::uint32_t contact = meta.contact[slot % lanes_per_block(c)];
             if (contact >= world.contacts.contacts.size() || !world.contacts.ids.alive(contact) ||
                 world.contacts.contacts[contact].colour != c ||
                 index_of(world.contacts.contacts[contact].store) != store ||

@@ -8,11 +8,11 @@ namespace {
 double deepest(const WorldState& world) {
     float gap = 0;
     for_each_colour(world.graph.sets, [&](const Colour& colour) {
-        for (const ManifoldBlock& block : colour.blocks)
+        for (const ContactConstraintWide& block : colour.blocks)
             for (const auto& row : block.gap)
                 for (const float g : row) gap = g < gap ? g : gap;
     });
-    constexpr std::size_t first_gap = offsetof(ManifoldBlock, gap) / 32 - 2;
+    constexpr std::size_t first_gap = offsetof(ContactConstraintWide, gap) / 32 - 2;
     for (const Island& island : world.islands.islands)
         for (const SavedManifold& saved : island.manifolds)
             for (std::size_t i = 0; i < 4; i++)

@@ -14,7 +14,7 @@ namespace {
 using namespace physics;
 
 struct Borne {
-    double total = 0, steady = 0;
+    double total = 0, mean_impulse = 0;
 };
 
 // A box of 1 m that lies on another, and the contact between them.
@@ -36,7 +36,7 @@ struct TwoBoxes {
         Borne sum;
         for (int k = 0; k < 4; k++) {
             sum.total += double{place().block->lambda[k][place().lane]};
-            sum.steady += double{place().block->steady[k][place().lane]};
+            sum.mean_impulse += double{place().block->mean_impulse[k][place().lane]};
         }
         return sum;
     }
@@ -55,17 +55,17 @@ TEST(WriteManifold, hands_the_load_on_to_points_elsewhere) {
     // Turned by half a right angle: no new point is near an old one.
     boxes.rebuild({{0.7, 1, 0}, {0, 1, 0.7}, {-0.7, 1, 0}, {0, 1, -0.7}});
     EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
-    EXPECT_NEAR(boxes.borne().steady, before.steady, 1e-5 * before.steady);
+    EXPECT_NEAR(boxes.borne().mean_impulse, before.mean_impulse, 1e-5 * before.mean_impulse);
     // It stands on two corners, then on one.
     boxes.rebuild({{0.7, 1, 0}, {0, 1, 0.7}});
     EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
     boxes.rebuild({{0.7, 1, 0}});
     EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
-    EXPECT_NEAR(boxes.borne().steady, before.steady, 1e-5 * before.steady);
+    EXPECT_NEAR(boxes.borne().mean_impulse, before.mean_impulse, 1e-5 * before.mean_impulse);
     // New points bear nothing until they press.
     boxes.rebuild({{0.7, 1, 0}, {0, 1, 0.7}, {-0.7, 1, 0}});
     EXPECT_NEAR(boxes.borne().total, before.total, 1e-5 * before.total);
-    EXPECT_NEAR(boxes.borne().steady, before.steady, 1e-5 * before.steady);
+    EXPECT_NEAR(boxes.borne().mean_impulse, before.mean_impulse, 1e-5 * before.mean_impulse);
 }
 
 // A point within reach goes on with its own.

@@ -19,7 +19,7 @@ TEST(Lanes, are_sorted_by_their_bodies_with_all_that_is_in_them) {
         colour.blocks[block].a[slot % 8] = 1 + slot * 37 % lanes;
         colour.blocks[block].b[slot % 8] = 2 + slot * 37 % lanes;
         colour.blocks[block].mu[slot % 8] = static_cast<float>(slot);
-        colour.sides[block].contact[slot % 8] = static_cast<std::uint32_t>(slot);
+        colour.metas[block].contact[slot % 8] = static_cast<std::uint32_t>(slot);
         world.contacts.contacts[static_cast<std::size_t>(slot)].slot = slot;
         colour.lanes++;
     }
@@ -31,7 +31,7 @@ TEST(Lanes, are_sorted_by_their_bodies_with_all_that_is_in_them) {
     for (int slot = 0; slot < lanes; slot++) {
         const auto block = static_cast<std::size_t>(slot / 8);
         EXPECT_EQ(colour.blocks[block].a[slot % 8], 1 + slot);
-        const std::uint32_t contact = colour.sides[block].contact[slot % 8];
+        const std::uint32_t contact = colour.metas[block].contact[slot % 8];
         EXPECT_EQ(world.contacts.contacts[contact].slot, slot);
         EXPECT_EQ(colour.blocks[block].mu[slot % 8], static_cast<float>(contact)) << "its own row";
     }

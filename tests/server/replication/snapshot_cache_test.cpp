@@ -117,7 +117,7 @@ TEST(SnapshotCache, a_cursor_that_forgot_asks_for_an_absolute_frame) {
     cursor.sent(7);
     EXPECT_EQ(cursor.bases_for(8), (BaseNumbers{7, 6, 5}));
     EXPECT_EQ(cursor.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
-    cursor.forget();
+    cursor.mean_rate();
     EXPECT_EQ(cursor.bases_for(8), BaseNumbers{});
 }
 
@@ -162,8 +162,8 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
                 for (const std::uint32_t acked : client.unacked) client.pacing.acked(acked, now);
                 client.unacked.clear();
             }
-            if (random() % 400 == 0) client.cursor.forget();  // a CRC that did not match
-            if (c > 5 && random() % 10 == 0) continue;        // a write is pending
+            if (random() % 400 == 0) client.cursor.mean_rate();  // a CRC that did not match
+            if (c > 5 && random() % 10 == 0) continue;           // a write is pending
             if (!client.pacing.may_send(tick, now)) continue;
             client.receiver.take(*cache.encoding(frame, client.cursor.bases_for(tick)));
             client.cursor.sent(tick);

@@ -61,8 +61,9 @@ inline constexpr double contact_slop =
     5e-5;  // m of overlap aimed at, so that resting contacts stay in touch
 // A soft contact gives up only what its impulse deviates from the slow mean over this time: stacks
 // do not sag.
-inline constexpr double steady_time = 2.0;      // s
-inline constexpr double low_steady_time = 0.5;  // s: a heap does not sway, so it may learn faster
+inline constexpr double mean_impulse_time = 2.0;  // s
+inline constexpr double low_mean_impulse_time =
+    0.5;  // s: a heap does not sway, so it may learn faster
 // Gauss-Seidel sweeps over the points of one manifold in a pass. Tall and heavily loaded islands,
 // whose sub-steps are short, take one in the relaxing pass. At longer ones the 30-row pyramid would
 // sway and not sleep, and deep overlap keep part of the speed with which it was pushed out.

@@ -111,7 +111,7 @@ struct ConeTwist {
             const WideQuat q = conjugate(frame_a) * frame_b;
             // Of q and of -q, which are the same turn, the one less than half.
             const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
-            const Wide twist = splat(2) * arc_tangent(q.x * sign, q.w * sign);
+            const Wide torsion = splat(2) * arc_tangent(q.x * sign, q.w * sign);
             const WideRow<true> row(pair, axes.twist);
             limit_row<kRelax>(pair, step, row, 1, twist - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - twist, t.upper);

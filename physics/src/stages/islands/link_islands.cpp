@@ -78,14 +78,14 @@ Skipped link_islands(StepContext& step) {
     int manifolds = 0, touching = 0;
     for_each_colour(world.graph.sets, [&](Colour& colour) {
         manifolds += colour.lanes;
-        for (BlockSide& side : colour.sides) {
-            touching += __builtin_popcount(side.pressing);
-            const unsigned changed = side.pressing ^ side.touching;
+        for (ContactConstraintWideMeta& meta : colour.metas) {
+            touching += __builtin_popcount(meta.touching_now);
+            const unsigned changed = meta.touching_now ^ meta.touching;
             if (changed == 0) continue;
             for (int lane = 0; lane < 8; lane++)
-                if ((changed >> lane & 1) != 0 && side.contact[lane] != none)
-                    changes.push_back(side.contact[lane]);
-            side.touching = side.pressing;
+                if ((changed >> lane & 1) != 0 && meta.contact[lane] != none)
+                    changes.push_back(meta.contact[lane]);
+            meta.touching = meta.touching_now;
         }
     });
     // By index of contact: the order decides which island takes in which.

@@ -2,8 +2,8 @@
 //
 // How hard the solver works on an island: its sub-steps per step and its sweeps over the points of
 // a manifold. A rule chooses it from what the island is (stages/islands/prepare_islands.h);
-// manifolds lie in stores per tier, so all that hangs together by manifolds or joints has the same
-// one.
+// each tier has colour sets of its own, so all that hangs together by contacts or joints has the
+// same tier.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ enum class SolverTier : std::uint8_t {
               // sway
     tall,     // many layers of that, which at the same sub-steps lean and in the end fall
     heavy,    // a body rests on nothing but what is a hundred times lighter
-    frozen,   // none: of manifolds, not of islands. Nobody of it moves (state/frozen.h)
+    asleep,  // none: of contacts, not of islands. Its bodies sleep in place (state/partial_sleep.h)
 };
 inline constexpr int tier_count = 6;
 inline constexpr std::array<SolverTier, tier_count> all_tiers = {
@@ -33,11 +33,11 @@ inline constexpr std::size_t index_of(SolverTier tier) {
     return static_cast<std::size_t>(tier);
 }
 
-// The islands of an tier lie in so many batches, whole: threads solve batches side by side, each
+// The islands of a tier lie in so many batches, whole: threads solve batches side by side, each
 // alone, without waiting for one another. In a larger one they share the colours.
 inline constexpr int batch_count = 4;
 
-// Which store of manifolds: one per tier and batch, and one for what is frozen.
+// Which colours a contact is in: a set per tier and batch, and one for what sleeps in place.
 struct ColourSetKey {
     SolverTier tier = SolverTier::low;
     std::uint8_t batch = 0;

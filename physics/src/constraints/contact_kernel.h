@@ -6,10 +6,10 @@
 // (within a colour, too), so they are loaded, changed and stored without regard to other blocks.
 #pragma once
 
+#include "constraint_graph/constraint_graph.h"
+#include "constraint_graph/solver_body.h"
 #include "constraints/contact_settings.h"
 #include "math/wide.h"
-#include "state/manifold_store.h"
-#include "state/solver_body.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 
@@ -295,8 +295,9 @@ struct PairReport {
 };
 
 JOSTLE_INLINE unsigned touching_lanes(const ContactConstraintWideMeta& meta) {
-    if constexpr (lane_count == 8) return meta.touching;
-    return meta.touching | static_cast<unsigned>((&side)[1].touching) << 8;
+    if constexpr (lane_count == 8) return meta.bits(LaneFlag::touching);
+    return meta.bits(LaneFlag::touching) |
+           static_cast<unsigned>((&meta)[1].bits(LaneFlag::touching)) << 8;
 }
 
 // kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
@@ -424,7 +425,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             lane_bits(way > splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion));
         // Presses now, or pressed a step ago and has hardly parted.
         report.touching = lane_bits(total > zero) |
-                          (touching_lanes(side) & lane_bits(nearest < splat(set.touch_gap)));
+                          (touching_lanes(meta) & lane_bits(nearest < splat(set.touch_gap)));
     }
     return report;
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr int grain = 8;  // blocks that are taken at once
 
 // The blocks [begin, end) of a colour.
-void run_part(ContactPass pass, Colour& colour, int c, int begin, int end,
+void run_part(ContactPass pass, GraphColour& colour, int c, int begin, int end,
               const ContactPart& part) {
     if (begin >= end) return;
     pass({colour.blocks.data(), colour.metas.data(), colour.restitutions.data(),
@@ -41,22 +41,23 @@ void run(ContactPass pass, const ContactPart& part) {
 }
 
 // Those of the last block, or all but the first of each where a block holds one manifold.
-void point_unused_lanes(Colour& colour, int c, std::int32_t body) {
+void point_unused_lanes(GraphColour& colour, int c, std::int32_t body) {
     if (colour.blocks.empty()) return;
     const auto point = [body](ContactConstraintWide& block, int used) {
         for (int lane = used; lane < 8; lane++) block.a[lane] = block.b[lane] = body;
     };
     if (is_overflow(c))
         for (ContactConstraintWide& block : colour.blocks) point(block, 1);
-    else if (colour.lanes % 8 != 0)
-        point(colour.blocks.back(), colour.lanes % 8);
+    else if (colour.contacts % 8 != 0)
+        point(colour.blocks.back(), colour.contacts % 8);
 }
 
 bool any_bouncy(const ContactPart& part) {
-    const auto bouncy = [](const Colour* colour) {
-        return colour != nullptr &&
-               std::any_of(colour->metas.begin(), colour->metas.end(),
-                           [](const ContactConstraintWideMeta& meta) { return meta.bounces != 0; });
+    const auto bouncy = [](const GraphColour* colour) {
+        return colour != nullptr && std::any_of(colour->metas.begin(), colour->metas.end(),
+                                                [](const ContactConstraintWideMeta& meta) {
+                                                    return meta.bits(LaneFlag::bounces) != 0;
+                                                });
     };
     return std::any_of(part.runs.begin(), part.runs.end(), [&](const ColourRun& run) {
         return bouncy(run.colour) || bouncy(run.single);
@@ -70,10 +71,10 @@ void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
     runs.clear();
     for (std::size_t k = first; k < last; k++) {
         ColourSet& set = graph.sets[k];
-        if (set.constraints == 0) continue;
+        if (set.contacts == 0) continue;
         for (const int c : solve_order) {
             if (is_single(c)) continue;
-            Colour& colour = set.colours[static_cast<std::size_t>(c)];
+            GraphColour& colour = set.colours[static_cast<std::size_t>(c)];
             ColourRun run{.colour = &colour,
                           .number = c,
                           .blocks = static_cast<int>(colour.blocks.size()),

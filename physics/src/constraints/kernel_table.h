@@ -29,9 +29,9 @@ JOSTLE_INLINE void each_block(const ContactRange& range, Pass pass) {
     const auto with_inertia = [&](auto pair) {
         for (int k = range.begin; k < range.end; k++) {
             const ContactConstraintWideMeta& meta = range.metas[k];
-            if (meta.locked != 0)
+            if (meta.bits(LaneFlag::locked) != 0)
                 pass(k, pair, InertiaIs<Inertia::locked>{});
-            else if (meta.anisotropic != 0)
+            else if (meta.bits(LaneFlag::anisotropic) != 0)
                 pass(k, pair, InertiaIs<Inertia::full>{});
             else
                 pass(k, pair, InertiaIs<Inertia::isotropic>{});
@@ -51,7 +51,7 @@ JOSTLE_INLINE void each_block(const ContactRange& range, Pass pass) {
 }
 
 JOSTLE_INLINE RollingWide* rolling_of(const ContactRange& range, int k) {
-    return range.metas[k].rolling != 0 ? &range.rollings[k] : nullptr;
+    return range.metas[k].bits(LaneFlag::rolls) != 0 ? &range.rollings[k] : nullptr;
 }
 
 inline void warm_start_range(const ContactRange& range, HotBody* bodies,
@@ -72,18 +72,18 @@ void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettin
         ContactConstraintWideMeta& meta = range.metas[k];
         PairReport report;
         if (set.planar)
-            report = solve_planar<pair.value, kRelax, kLast>(range.blocks[k], side,
+            report = solve_planar<pair.value, kRelax, kLast>(range.blocks[k], meta,
                                                              rolling_of(range, k), bodies, set);
         else if (range.single)
             report = solve_block<1, pair.value, inertia.value, kRelax, kLast>(
-                range.blocks[k], side, rolling_of(range, k), bodies, set, 1);
+                range.blocks[k], meta, rolling_of(range, k), bodies, set, 1);
         else
             report = solve_block<all, pair.value, inertia.value, kRelax, kLast>(
-                range.blocks[k], side, rolling_of(range, k), bodies, set,
+                range.blocks[k], meta, rolling_of(range, k), bodies, set,
                 kRelax ? set.relax_sweeps : set.soft_sweeps);
         if constexpr (kLast) {
-            meta.needs_rebuild = static_cast<std::uint8_t>(report.needs_rebuild);
-            meta.touching_now = static_cast<std::uint8_t>(report.touching);
+            meta.bits(LaneFlag::needs_rebuild) = static_cast<std::uint8_t>(report.needs_rebuild);
+            meta.bits(LaneFlag::touching_now) = static_cast<std::uint8_t>(report.touching);
         }
     });
 }
@@ -91,7 +91,7 @@ void solve_range(const ContactRange& range, HotBody* bodies, const ContactSettin
 inline void begin_restitution_range(const ContactRange& range, HotBody* bodies,
                                     const ContactSettings&) {
     each_block(range, [&](int k, auto pair, auto inertia) {
-        if (range.metas[k].bouncy != 0)
+        if (range.metas[k].bits(LaneFlag::bounces) != 0)
             begin_restitution<pair.value, inertia.value>(range.blocks[k], range.restitutions[k],
                                                          bodies);
     });
@@ -100,7 +100,7 @@ inline void begin_restitution_range(const ContactRange& range, HotBody* bodies,
 inline void predict_approach_range(const ContactRange& range, HotBody* bodies,
                                    const ContactSettings& set) {
     each_block(range, [&](int k, auto pair, auto inertia) {
-        if (range.metas[k].bouncy != 0)
+        if (range.metas[k].bits(LaneFlag::bounces) != 0)
             predict_approach<pair.value, inertia.value>(range.blocks[k], range.restitutions[k],
                                                         bodies, set);
     });
@@ -108,13 +108,14 @@ inline void predict_approach_range(const ContactRange& range, HotBody* bodies,
 
 inline void record_peaks_range(const ContactRange& range, HotBody*, const ContactSettings&) {
     for (int k = range.begin; k < range.end; k++)
-        if (range.metas[k].bouncy != 0) record_peaks(range.blocks[k], range.restitutions[k]);
+        if (range.metas[k].bits(LaneFlag::bounces) != 0)
+            record_peaks(range.blocks[k], range.restitutions[k]);
 }
 
 inline void apply_restitution_range(const ContactRange& range, HotBody* bodies,
                                     const ContactSettings& set) {
     each_block(range, [&](int k, auto pair, auto inertia) {
-        if (range.metas[k].bouncy != 0)
+        if (range.metas[k].bits(LaneFlag::bounces) != 0)
             apply_restitution<pair.value, inertia.value>(range.blocks[k], range.restitutions[k],
                                                          range.metas[k].restitution, bodies, set);
     });

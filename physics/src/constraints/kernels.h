@@ -6,12 +6,12 @@
 
 #include <cstdint>
 
+#include "constraint_graph/constraint_graph.h"
+#include "constraint_graph/joint_constraint_wide.h"
+#include "constraint_graph/solver_body.h"
 #include "constraints/contact_settings.h"
 #include "constraints/joints/joint_step.h"
 #include "jostle/physics/instruction_set.h"
-#include "state/joint_block.h"
-#include "state/manifold_store.h"
-#include "state/solver_body.h"
 
 namespace jostle::physics {
 
@@ -38,9 +38,9 @@ struct BodyRange {
 
 // Some blocks of one run of joints.
 struct JointRange {
-    JointBlock* blocks;
-    JointTurns* turns;  // of the run's first block; null for kinds that have none
-    const JointBlockSide* sides;
+    JointConstraintWide* blocks;
+    JointAngularWide* turns;  // of the run's first block; null for kinds that have none
+    const JointConstraintWideMeta* sides;
     int kind;   // index into JointKind
     int first;  // block of the run
     int begin, end;

@@ -14,8 +14,9 @@ namespace jostle::physics::avx512_two {
 namespace {
 
 bool is_alike(const ContactConstraintWideMeta& a, const ContactConstraintWideMeta& b) {
-    return (a.locked | b.locked | a.rolling | b.rolling) == 0 &&
-           (a.turning != 0) == (b.turning != 0);
+    const auto none = [&](LaneFlag flag) { return (a.bits(flag) | b.bits(flag)) == 0; };
+    return none(LaneFlag::locked) && none(LaneFlag::rolls) &&
+           (a.bits(LaneFlag::anisotropic) != 0) == (b.bits(LaneFlag::anisotropic) != 0);
 }
 
 template <PairKind kPair, bool kRelax, bool kLast>
@@ -25,20 +26,22 @@ void solve_two(const ContactRange& range, int k, HotBody* bodies, const ContactS
     const int sweeps = kRelax ? set.relax_sweeps : set.soft_sweeps;
     PairReport report;
     if (range.single)
-        report = meta.anisotropic != 0 ? solve_block<1, kPair, Inertia::full, kRelax, kLast>(
-                                             block, side, nullptr, bodies, set, 1)
-                                       : solve_block<1, kPair, Inertia::isotropic, kRelax, kLast>(
-                                             block, side, nullptr, bodies, set, 1);
+        report = meta.bits(LaneFlag::anisotropic) != 0
+                     ? solve_block<1, kPair, Inertia::full, kRelax, kLast>(block, meta, nullptr,
+                                                                           bodies, set, 1)
+                     : solve_block<1, kPair, Inertia::isotropic, kRelax, kLast>(
+                           block, meta, nullptr, bodies, set, 1);
     else
-        report = meta.anisotropic != 0 ? solve_block<4, kPair, Inertia::full, kRelax, kLast>(
-                                             block, side, nullptr, bodies, set, sweeps)
-                                       : solve_block<4, kPair, Inertia::isotropic, kRelax, kLast>(
-                                             block, side, nullptr, bodies, set, sweeps);
+        report = meta.bits(LaneFlag::anisotropic) != 0
+                     ? solve_block<4, kPair, Inertia::full, kRelax, kLast>(block, meta, nullptr,
+                                                                           bodies, set, sweeps)
+                     : solve_block<4, kPair, Inertia::isotropic, kRelax, kLast>(
+                           block, meta, nullptr, bodies, set, sweeps);
     if constexpr (kLast)
         for (int half = 0; half < 2; half++) {
-            range.metas[k + half].needs_rebuild =
+            range.metas[k + half].bits(LaneFlag::needs_rebuild) =
                 static_cast<std::uint8_t>(report.needs_rebuild >> (8 * half));
-            range.metas[k + half].pressing =
+            range.metas[k + half].bits(LaneFlag::touching_now) =
                 static_cast<std::uint8_t>(report.touching >> (8 * half));
         }
 }

@@ -216,8 +216,9 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         store(meta.moved, age);
         report.needs_rebuild =
             lane_bits(age > splat(set.rebuild_drift)) | lane_bits(way > splat(set.rebuild_motion));
-        report.touching = lane_bits(sum > zero) |
-                          (meta.touching & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
+        report.touching =
+            lane_bits(sum > zero) |
+            (meta.bits(LaneFlag::touching) & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
     }
     return report;
 }

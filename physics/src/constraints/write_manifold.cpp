@@ -3,11 +3,11 @@
 
 #include <atomic>
 
+#include "constraint_graph/effective_mass.h"
+#include "constraint_graph/wide_rows.h"
 #include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
-#include "state/lane_masses.h"
-#include "state/lane_rows.h"
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 
 namespace jostle::physics {
 namespace {
@@ -94,7 +94,7 @@ double patch_of(const WorldState& world, const Contact& contact) {
 }
 
 // Rolling, turning and moving surfaces.
-void write_rolling(const WorldState& world, const Contact& contact, const LanePlace& place,
+void write_rolling(const WorldState& world, const Contact& contact, const ContactPlace& place,
                    const Material& ma, const Material& mb, Vec3 roll) {
     RollingWide& rolling = *place.rolling;
     const int lane = place.lane;
@@ -144,7 +144,7 @@ double anchor_blend_of(const WorldState& world, const Contact& contact) {
 }
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
-    const LanePlace place = place_of(world, contact);
+    const ContactPlace place = place_of(world, contact);
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     const Carried old = fresh ? Carried{} : carried(block, *place.rolling, lane);
@@ -185,7 +185,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
     if (fresh) block.torsion[lane] = 0;
-    write_masses(world, contact, {n, t1, arm_a, arm_b});
+    write_effective_mass(world, contact, {n, t1, arm_a, arm_b});
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
@@ -194,9 +194,9 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     ContactConstraintWideMeta& meta = *place.meta;
     meta.restitution[lane] = as_float(pair_restitution(ma, mb));
     meta.moved[lane] = 0;
-    put_bit(meta.bounces, lane, meta.restitution[lane] > 0);
-    put_bit(meta.rolls, lane, has_rolling(*place.rolling, lane));
-    put_bit(meta.needs_rebuild, lane, false);
+    put_bit(meta.bits(LaneFlag::bounces), lane, meta.restitution[lane] > 0);
+    put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*place.rolling, lane));
+    put_bit(meta.bits(LaneFlag::needs_rebuild), lane, false);
 }
 
 }  // namespace jostle::physics

@@ -20,7 +20,7 @@ PolyhedronMass polyhedron_mass(const ConvexHull& hull) {
             moment += s * (v / 4);
             // Over the tetrahedron (0, a, b, c): int x_i x_j = d / 120 (s_i s_j + sum of p_i p_j).
             const double f = d / 120;
-            const auto pair = [&](int i, int j) {
+            const auto second = [&](int i, int j) {
                 return f * (s[i] * s[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]);
             };
             xx += second(0, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "persist/derive.h"
 
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 #include "state/reach.h"
 
 namespace jostle::physics {
@@ -26,24 +26,17 @@ void derive_shapes(WorldState& world) {
     }
 }
 
-void derive_lanes(WorldState& world) {
+void derive_contacts(WorldState& world) {
     for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
         if (!world.contacts.ids.alive(i)) continue;
         const Contact& c = world.contacts.contacts[i];
         if (c.parent == none) world.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
         if (c.colour < 0) continue;
         write_body_indices(world, c);
-        const LanePlace place = place_of(world, c);
-        const auto bit = static_cast<std::uint8_t>(1u << place.lane);
-        const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
-        const bool b_turns = b.type == BodyType::dynamic && !b.isotropic;
-        if (!a.isotropic || b_turns) place.meta->anisotropic |= bit;
-        if (!world.def.planar && (a.locks != 0 || (b.type == BodyType::dynamic && b.locks != 0)))
-            place.meta->locked |= bit;
-        if (place.meta->restitution[place.lane] > 0) place.meta->bounces |= bit;
-        if (c.touching) place.meta->touching |= bit;
-        if (reports_stays(world, c)) place.meta->reporting |= bit;
-        place.meta->touching_now = place.meta->touching;
+        derive_flags(world, c);
+        const ContactPlace place = place_of(world, c);
+        place.meta->set(LaneFlag::bounces, place.lane, place.meta->restitution[place.lane] > 0);
+        place.meta->set(LaneFlag::touching_now, place.lane, c.touching);
     }
 }
 
@@ -61,7 +54,7 @@ void derive_all(WorldState& world) {
     for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++)
         if (world.bodies.ids.alive(i) && world.bodies.cold[i].frozen) world.bodies.frozen++;
     derive_shapes(world);
-    derive_lanes(world);
+    derive_contacts(world);
 }
 
 }  // namespace jostle::physics

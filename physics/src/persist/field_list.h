@@ -11,7 +11,7 @@
 
 #include <string_view>
 
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 #include "state/world_state.h"
 
 namespace jostle::physics {
@@ -109,7 +109,7 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("island_prev", b.island_prev);
     v.field("island_next", b.island_next);
     v.field("colours", b.colours);
-    v.field("lanes", b.lanes);
+    v.field("constraints", b.constraints);
 }
 
 template <class V>
@@ -306,65 +306,64 @@ void visit_fields(V& v, Contact& c) {
 }
 
 template <class V>
-void visit_fields(V& v, SavedManifold& m) {
+void visit_fields(V& v, SavedContact& m) {
     v.field("contact", m.contact);
     for (float& row : m.rows) v.field("row", row);
-    v.field("rough", m.rolls);
+    v.field("rolls", m.rolls);
     if (m.rolls)
-        for (float& row : m.rolling_values) v.field("rough_value", row);
+        for (float& row : m.rolling_values) v.field("rolling_value", row);
     v.field("moved", m.moved);
     v.field("restitution", m.restitution);
-    v.field("aged", m.needs_rebuild);
+    v.field("needs_rebuild", m.needs_rebuild);
 }
 
 // The lanes of one colour in order: order decides the bits of a solve.
 template <class V>
-void visit_fields(V& v, Colour& colour, int index) {
-    const std::size_t count = v.count("lanes", static_cast<std::size_t>(colour.lanes));
+void visit_fields(V& v, GraphColour& colour, int index) {
+    const std::size_t count = v.count("contacts", static_cast<std::size_t>(colour.contacts));
     if constexpr (V::kLoading) {
-        colour.lanes = static_cast<std::int32_t>(count);
+        colour.contacts = static_cast<std::int32_t>(count);
         const std::size_t per_block = static_cast<std::size_t>(lanes_per_block(index));
         for (std::size_t k = 0; k < count; k += per_block) add_block(colour);
     }
-    for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
+    for (std::int32_t slot = 0; slot < colour.contacts; slot++) {
         v.enter(static_cast<std::size_t>(slot));
         const auto block = static_cast<std::size_t>(slot / lanes_per_block(index));
         const int lane = slot % lanes_per_block(index);
         ContactConstraintWideMeta& meta = colour.metas[block];
         v.field("contact", meta.contact[lane]);
         for (int row = 2; row < wide_rows; row++)
-            v.field("row", *lane_float(colour.blocks[block], row, lane));
-        auto rough = static_cast<std::uint8_t>(meta.rolls >> lane & 1);
-        v.field("rough", rough);
-        if constexpr (V::kLoading) meta.rolls |= static_cast<std::uint8_t>((rough & 1) << lane);
-        if ((rough & 1) != 0)
+            v.field("row", float_at(colour.blocks[block], row, lane));
+        auto rolls = static_cast<std::uint8_t>(meta.has(LaneFlag::rolls, lane) ? 1 : 0);
+        v.field("rolls", rolls);
+        if constexpr (V::kLoading) meta.set(LaneFlag::rolls, lane, (rolls & 1) != 0);
+        if ((rolls & 1) != 0)
             for (int row = 0; row < rolling_rows; row++)
-                v.field("rough_value", *lane_float(colour.rollings[block], row, lane));
+                v.field("rolling_value", float_at(colour.rollings[block], row, lane));
         v.field("moved", meta.moved[lane]);
         v.field("restitution", meta.restitution[lane]);
-        auto aged = static_cast<std::uint8_t>(meta.needs_rebuild >> lane & 1);
-        v.field("aged", aged);
-        if constexpr (V::kLoading)
-            meta.needs_rebuild |= static_cast<std::uint8_t>((aged & 1) << lane);
+        auto rebuild = static_cast<std::uint8_t>(meta.has(LaneFlag::needs_rebuild, lane) ? 1 : 0);
+        v.field("needs_rebuild", rebuild);
+        if constexpr (V::kLoading) meta.set(LaneFlag::needs_rebuild, lane, (rebuild & 1) != 0);
         v.leave();
     }
 }
 
 template <class V>
 void visit_fields(V& v, ColourSet& set) {
-    const std::size_t lanes = v.count("lanes", static_cast<std::size_t>(set.constraints));
+    const std::size_t lanes = v.count("contacts", static_cast<std::size_t>(set.contacts));
     if (lanes == 0) return;
-    if constexpr (V::kLoading) set.constraints = 0;
+    if constexpr (V::kLoading) set.contacts = 0;
     for (int c = 0; c < colour_count; c++) {
         v.enter(static_cast<std::size_t>(c));
         visit_fields(v, set.colours[static_cast<std::size_t>(c)], c);
         v.leave();
         if constexpr (V::kLoading)
-            set.constraints += set.colours[static_cast<std::size_t>(c)].lanes;
+            set.contacts += set.colours[static_cast<std::size_t>(c)].contacts;
     }
     if constexpr (V::kLoading)
-        if (static_cast<std::size_t>(set.constraints) != lanes)
-            v.fail("lanes", "is not what its colours have");
+        if (static_cast<std::size_t>(set.contacts) != lanes)
+            v.fail("contacts", "is not what its colours have");
 }
 
 template <class V>
@@ -382,7 +381,7 @@ void visit_fields(V& v, Island& island) {
     v.field("mass", island.mass);
     v.field("kept_load", island.kept_load);
     visit_all(v, "sleepers", island.sleepers, [&](BodyWarm& b) { visit_fields(v, b); });
-    visit_all(v, "manifolds", island.manifolds, [&](SavedManifold& m) { visit_fields(v, m); });
+    visit_all(v, "manifolds", island.manifolds, [&](SavedContact& m) { visit_fields(v, m); });
 }
 
 template <class V>

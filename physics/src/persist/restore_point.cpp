@@ -16,7 +16,7 @@ static_assert(std::is_trivially_copyable_v<BodyCold> && std::is_trivially_copyab
               std::is_trivially_copyable_v<BodyReach> && std::is_trivially_copyable_v<Contact> &&
               std::is_trivially_copyable_v<Waiting> && std::is_trivially_copyable_v<Joint> &&
               std::is_trivially_copyable_v<ContactConstraintWide> &&
-              std::is_trivially_copyable_v<SavedManifold>);
+              std::is_trivially_copyable_v<SavedContact>);
 
 struct RestorePoint::Kept {
     WorldStores stores;

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
+#include "state/contact_constraints.h"
 #include "state/frozen.h"
-#include "state/lanes.h"
 
 namespace jostle::physics {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 // Calls visit(contact, hot index of a, of b) for every solved manifold of two dynamic bodies.
 template <class Visit>
 void for_each_bond(WorldState& world, Visit&& visit) {
-    for_each_colour(solved_sets(world.graph), [&](const Colour& colour, int c) {
+    for_each_colour(world.graph.solved(), [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::dynamic) return;
         for (std::size_t k = 0; k < colour.metas.size(); k++)
             for (int lane = 0; lane < lanes_per_block(c); lane++)
@@ -129,7 +129,7 @@ void freeze_bodies(StepContext& step) {
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
     const auto rests = [&](std::size_t i, const BodyCold& cold) {
-        return scratch.beside[i + 1] == 0 && (cold.lanes > 0 || cold.first_joint != none);
+        return scratch.beside[i + 1] == 0 && (cold.constraints > 0 || cold.first_joint != none);
     };
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];

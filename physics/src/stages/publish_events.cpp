@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "state/lane_rows.h"
+#include "constraint_graph/wide_rows.h"
 
 namespace jostle::physics {
 namespace {
@@ -45,10 +45,10 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ContactCons
 
 void report_stays(WorldState& world) {
     auto& stays = world.events.contacts;
-    for_each_colour(solved_sets(world.graph), [&](const Colour& colour) {
+    for_each_colour(world.graph.solved(), [&](const GraphColour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++) {
             const ContactConstraintWideMeta& meta = colour.metas[k];
-            const unsigned reported = meta.touching & meta.reporting;
+            const unsigned reported = meta.bits(LaneFlag::touching) & meta.bits(LaneFlag::reports);
             if (reported == 0) continue;
             for (int lane = 0; lane < 8; lane++)
                 if ((reported >> lane & 1) != 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stages/quarantine.h"
 
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 #include "state/reach.h"
 
 namespace jostle::physics {
@@ -10,14 +10,14 @@ namespace {
 // Impulses that may be as unsound as the body's state are forgotten; the manifold is rebuilt in the
 // next step.
 void forget_impulses(WorldState& world, const Contact& c) {
-    const LanePlace place = place_of(world, c);
+    const ContactPlace place = place_of(world, c);
     const int lane = place.lane;
     for (auto& lambda : place.block->lambda) lambda[lane] = 0;
     for (auto& friction : place.block->friction) friction[lane] = 0;
     place.block->torsion[lane] = 0;
     for (auto& mean_impulse : place.block->mean_impulse) mean_impulse[lane] = 0;
     place.meta->moved[lane] = 0;
-    place.meta->needs_rebuild |= static_cast<std::uint8_t>(1u << lane);
+    place.meta->set(LaneFlag::needs_rebuild, lane, true);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <span>
 #include <utility>
 
+#include "constraint_graph/wide_rows.h"
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
 #include "stages/solve_joints.h"
-#include "state/lane_rows.h"
 
 namespace jostle::physics {
 namespace {
@@ -51,7 +51,7 @@ void sort_out_bodies(WorldState& world) {
     bool any_jointed = false;
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = cold_of(i);
-        const bool held = cold.lanes > 0 || cold.first_joint != none;
+        const bool held = cold.constraints > 0 || cold.first_joint != none;
         if (cold.frozen) continue;
         if (cold.type == BodyType::kinematic) {
             // Moved by its velocity, whatever touches it; the solver reads it when something may.
@@ -163,7 +163,7 @@ Part make_part(const WorldState& world, SolverTier tier, std::size_t first, std:
     Part part{tier, first, last, 0};
     part.weight = static_cast<std::uint32_t>(world.scratch.in_solver.of(first, last).size());
     for (std::size_t k = first; k < last; k++)
-        part.weight += static_cast<std::uint32_t>(world.graph.sets[k].lanes);
+        part.weight += static_cast<std::uint32_t>(world.graph.sets[k].contacts);
     return part;
 }
 
@@ -194,7 +194,7 @@ bool reads_drivers(const WorldState& world, const Part& part) {
     for (std::size_t k = part.first; k < part.last; k++)
         for (int c = 0; c < colour_count; c++)
             if (pair_kind_of(c) == PairKind::kinematic &&
-                world.graph.sets[k].colours[static_cast<std::size_t>(c)].lanes > 0)
+                world.graph.sets[k].colours[static_cast<std::size_t>(c)].contacts > 0)
                 return true;
     return false;
 }

@@ -109,7 +109,7 @@ void lay_out_runs(JointScratch& scratch, int levels) {
                 run.turns < 0 ? -1 : run.turns + k - run.begin;
     for (const FoundJoint& found : scratch.found) {
         const int lane = scratch.places[found.run]++;
-        JointBlockSide& side = scratch.sides[static_cast<std::size_t>(lane / 8)];
+        JointConstraintWideMeta& side = scratch.sides[static_cast<std::size_t>(lane / 8)];
         side.joint[side.count] = found.joint;
         side.a[side.count] = found.a;
         side.b[side.count] = found.b;
@@ -119,12 +119,12 @@ void lay_out_runs(JointScratch& scratch, int levels) {
     scratch.turns.resize(static_cast<std::size_t>(turns));
 }
 
-JointTurns* turns_of(JointScratch& scratch, int first) {
+JointAngularWide* turns_of(JointScratch& scratch, int first) {
     return first < 0 ? nullptr : &scratch.turns[static_cast<std::size_t>(first)];
 }
 
 // Joints of a level lie far apart in memory, and so do their bodies.
-void prefetch_ahead(const WorldState& world, const JointBlockSide& side) {
+void prefetch_ahead(const WorldState& world, const JointConstraintWideMeta& side) {
     for (int lane = 0; lane < side.count; lane++) {
         prefetch(world.joints.joints[side.joint[lane]]);
         for (const std::int32_t hot : {side.a[lane], side.b[lane]})
@@ -136,7 +136,7 @@ void prefetch_ahead(const WorldState& world, const JointBlockSide& side) {
 template <class Visit>
 void each_block(StepContext& step, JointScratch& scratch, Visit&& visit) {
     WorldState& world = step.world;
-    std::vector<JointBlockSide>& sides = scratch.sides;
+    std::vector<JointConstraintWideMeta>& sides = scratch.sides;
     const int count = static_cast<int>(sides.size());
     step.team.run(count, 16, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
@@ -184,9 +184,9 @@ void prepare_joints(StepContext& step, const JointPart& part, double h) {
     if (part.bodies.empty()) return;
     find_joints(world, part);
     lay_out_runs(scratch, assign_levels(world, scratch));
-    std::fill(scratch.blocks.begin(), scratch.blocks.end(), JointBlock{});
-    std::fill(scratch.turns.begin(), scratch.turns.end(), JointTurns{});
-    each_block(step, scratch, [&](std::size_t block, JointBlockSide& side) {
+    std::fill(scratch.blocks.begin(), scratch.blocks.end(), JointConstraintWide{});
+    std::fill(scratch.turns.begin(), scratch.turns.end(), JointAngularWide{});
+    each_block(step, scratch, [&](std::size_t block, JointConstraintWideMeta& side) {
         for (int lane = 0; lane < side.count; lane++) {
             const Joint& joint = world.joints.joints[side.joint[lane]];
             write_joint(joint, end_of(world, joint.body_a, joint.frame_a, side.a[lane]),
@@ -224,7 +224,7 @@ void finish_joints(StepContext& step, const JointPart& part) {
     WorldState& world = step.world;
     JointScratch& scratch = part.scratch;
     if (scratch.runs.empty()) return;
-    each_block(step, scratch, [&](std::size_t block, JointBlockSide& side) {
+    each_block(step, scratch, [&](std::size_t block, JointConstraintWideMeta& side) {
         for (int lane = 0; lane < side.count; lane++) {
             const std::int32_t carrier = carrier_of(side.a[lane], side.b[lane]);
             const Quat carried =
@@ -242,7 +242,7 @@ void break_joints(StepContext& step) {
     std::vector<std::uint32_t> broken;
     for (JointScratch& scratch : world.scratch.joints) {
         world.profile.joints += static_cast<int>(scratch.found.size());
-        for (const JointBlockSide& side : scratch.sides)
+        for (const JointConstraintWideMeta& side : scratch.sides)
             for (unsigned bits = side.overloaded; bits != 0; bits &= bits - 1)
                 broken.push_back(side.joint[std::countr_zero(bits)]);
         scratch.found.clear();

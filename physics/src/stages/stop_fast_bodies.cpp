@@ -386,7 +386,7 @@ private:
     // foresaw.
     bool is_held(std::uint32_t own, std::uint32_t other) const {
         const BodyCold& cold = world_.bodies.cold[world_.shapes.shapes[own].body];
-        if (cold.lanes == 0 || !is_foreseen(world_, own, other)) return false;
+        if (cold.constraints == 0 || !is_foreseen(world_, own, other)) return false;
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             const bool is_a = edge % 2 == 0;

@@ -89,7 +89,7 @@ void set_out(const WorldState& world, Traveller& t, std::uint32_t awake, double 
     t.spin = now.w;
     t.spin_rotation = now.rotation;
     const bool flies =
-        cold.type == BodyType::dynamic && cold.lanes == 0 && cold.first_joint == none;
+        cold.type == BodyType::dynamic && cold.constraints == 0 && cold.first_joint == none;
     if (!flies) return;
     t.velocity = before.v;
     t.gain = now.v - before.v;

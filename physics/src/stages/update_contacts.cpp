@@ -14,8 +14,9 @@
 #include "stages/pair_ahead.h"
 #include "stages/sweep_rule.h"
 #include "stages/waiting_rule.h"
+#include "state/contact_constraints.h"
 #include "state/frozen.h"
-#include "state/lanes.h"
+#include "state/island_tiers.h"
 #include "state/links.h"
 #include "state/reach.h"
 
@@ -36,7 +37,7 @@ void note_held(WorldState& world) {
     auto& held = world.scratch.held;
     held.clear();
     for (const BodyWarm& warm : world.bodies.awake)
-        held.push_back(world.bodies.cold[warm.body].lanes > 0 ? 1 : 0);
+        held.push_back(world.bodies.cold[warm.body].constraints > 0 ? 1 : 0);
 }
 
 // Pairs whose bodies all fell asleep wait no longer.
@@ -80,16 +81,18 @@ void take_due_pairs(StepContext& step) {
 void take_manifolds_to_rebuild(WorldState& world) {
     const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
         for (int lane = 0; lane < 8; lane++)
-            if ((meta.needs_rebuild >> lane & 1) != 0 && meta.contact[lane] != none)
+            if ((meta.bits(LaneFlag::needs_rebuild) >> lane & 1) != 0 && meta.contact[lane] != none)
                 prefetch(world.contacts.contacts[meta.contact[lane]]);
     };
-    for_each_colour(world.graph.sets, [&](const Colour& colour) {
+    for_each_colour(world.graph.sets, [&](const GraphColour& colour) {
         for (std::size_t k = 0; k < colour.metas.size(); k++) {
             if (k + 3 < colour.metas.size()) prefetch_contacts_of(colour.metas[k + 3]);
             const ContactConstraintWideMeta& meta = colour.metas[k];
-            if (meta.needs_rebuild == 0) continue;
+            if (meta.bits(LaneFlag::needs_rebuild) == 0) continue;
             for (int lane = 0; lane < 8; lane++) {
-                if ((meta.needs_rebuild >> lane & 1) == 0 || meta.contact[lane] == none) continue;
+                if ((meta.bits(LaneFlag::needs_rebuild) >> lane & 1) == 0 ||
+                    meta.contact[lane] == none)
+                    continue;
                 const Contact& c = world.contacts.contacts[meta.contact[lane]];
                 queue(world, c.parent == none ? meta.contact[lane] : c.parent);
             }
@@ -252,7 +255,7 @@ struct Approach {
 };
 // By the manifold that they have.
 Approach approach_of(WorldState& world, const Contact& c) {
-    const LanePlace place = place_of(world, c);
+    const ContactPlace place = place_of(world, c);
     double gap = no_point;
     for (const auto& row : place.block->gap) gap = minimum(gap, double{row[place.lane]});
     return {normal_of(place), gap};
@@ -314,7 +317,7 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     if (manifold.count > 0 && c.colour >= 0) {
         check.goes_on = true;
         write_manifold(world, c, manifold, false);
-        check.settled = is_settled(world, c);
+        check.settled = is_in_its_list(world, c);
     } else if (check.gap_ahead < tuning::speculative_margin) {
         check.list = world.scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
         world.scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
@@ -338,7 +341,7 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
         report_end(world, c, world.events.contacts_ended);
         end_touch(world, check.contact);
     }
-    if (c.colour >= 0) release_lane(world, check.contact);
+    if (c.colour >= 0) remove_contact(world, check.contact);
     if (!boxes_overlap(world, c)) {
         destroy_contact(world, check.contact, world.events.contacts_ended);
         return;
@@ -402,7 +405,7 @@ void decide_composite(WorldState& world, ContactCheck& check) {
         const bool goes_on = std::any_of(found.begin(), found.end(),
                                          [&](const FoundPart& f) { return f.contact == p; });
         if (goes_on)
-            settle_lane(world, p);
+            move_to_its_list(world, p);
         else
             destroy_contact(world, p, world.events.contacts_ended);
         p = next;
@@ -428,7 +431,7 @@ void decide(WorldState& world, ContactCheck& check) {
     if (c.composite) return decide_composite(world, check);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
-    if (check.goes_on) return settle_lane(world, check.contact);
+    if (check.goes_on) return move_to_its_list(world, check.contact);
     if (check.list >= 0 && begins(world, c, check.gap_ahead)) {
         world.scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
@@ -470,7 +473,11 @@ void begin_manifolds(WorldState& world) {
         } else {
             manifold = &world.scratch.fresh[list];
         }
-        take_lane(world, contact, manifold->count == 1);
+        const Contact& c = world.contacts.contacts[contact];
+        if (world.bodies.cold[c.body_b].type == BodyType::dynamic)
+            match_sets(world, world.bodies.cold[c.body_a].island,
+                       world.bodies.cold[c.body_b].island);
+        add_contact(world, contact, manifold->count == 1);
         write_manifold(world, world.contacts.contacts[contact], *manifold, true);
     }
 }

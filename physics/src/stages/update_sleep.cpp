@@ -25,11 +25,11 @@ void keep_towed_awake(WorldState& world) {
 
 // What touches a moving kinematic body is not at rest, however slowly that moves.
 void keep_carried_awake(WorldState& world) {
-    for_each_colour(world.graph.sets, [&](const Colour& colour, int c) {
+    for_each_colour(world.graph.sets, [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::kinematic) return;
         for (const ContactConstraintWideMeta& meta : colour.metas)
             for (int lane = 0; lane < 8; lane++) {
-                if ((meta.touching >> lane & 1) == 0) continue;
+                if (!meta.has(LaneFlag::touching, lane)) continue;
                 const Contact& contact = world.contacts.contacts[meta.contact[lane]];
                 const BodyWarm& driver = warm_of(world, contact.body_b);
                 if (driver.v != Vec3{} || driver.w != Vec3{})

@@ -56,7 +56,7 @@ struct BodyCold {
     std::uint32_t island = none;       // dynamic bodies always have one
     std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
     std::uint64_t colours = 0;                             // colours its lanes take
-    std::uint32_t lanes = 0;                               // manifolds in the solver
+    std::uint32_t constraints = 0;  // contacts of it that are in the constraint graph
 };
 
 struct BodyWarm {

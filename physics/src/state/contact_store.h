@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "collision/narrowphase/collide.h"
+#include "constraint_graph/solver_tier.h"
 #include "foundation/flat_array.h"
 #include "foundation/id_pool.h"
 #include "foundation/key_set.h"
 #include "state/body_store.h"
-#include "state/tier.h"
 
 namespace jostle::physics {
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "constraint_graph/effective_mass.h"
+#include "constraint_graph/wide_rows.h"
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
-#include "state/lane_masses.h"
-#include "state/lane_rows.h"
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -26,11 +26,11 @@ void move_to_own_set(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
     const ColourSetKey belongs = set_of_contact(world, c);
     if (belongs != c.colour_set) {
-        const SavedManifold saved = save_lane(world, contact);
-        release_lane(world, contact);
-        restore_lane(world, saved);
+        const SavedContact saved = save_contact(world, contact);
+        remove_contact(world, contact);
+        restore_contact(world, saved);
     }
-    if (belongs != asleep_set) write_masses_anew(world, c);
+    if (belongs != asleep_set) rewrite_effective_mass(world, c);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
 }
 
 Vec3 load_of(WorldState& world, const Contact& contact) {
-    const LanePlace place = place_of(world, contact);
+    const ContactPlace place = place_of(world, contact);
     const ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     double pressed = 0;

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "constraint_graph/constraint_graph.h"
+#include "constraint_graph/solver_tier.h"
 #include "foundation/id_pool.h"
 #include "state/body_store.h"
-#include "state/manifold_store.h"
-#include "state/tier.h"
 
 namespace jostle::physics {
 
@@ -27,8 +27,8 @@ struct Island {
     std::uint64_t split_at = 0;  // the step of the last attempt to split it
     double mass = 0;             // kg, of its bodies
     double kept_load = 1;        // share of its mass that the user has left it since the last step
-    std::vector<BodyWarm> sleepers;        // when asleep, in the order of the list
-    std::vector<SavedManifold> manifolds;  // when asleep
+    std::vector<BodyWarm> sleepers;       // when asleep, in the order of the list
+    std::vector<SavedContact> manifolds;  // when asleep
 };
 
 struct IslandStore {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "state/tiers.h"
+#include "state/island_tiers.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "foundation/check.h"
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 
 namespace jostle::physics {
 namespace {
@@ -20,7 +20,7 @@ void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit)
 }
 
 // All that warm-starts the next step.
-void scale_impulses(const LanePlace& place, float scale) {
+void scale_impulses(const ContactPlace& place, float scale) {
     const auto row = [&](float* values) { values[place.lane] *= scale; };
     for (auto& lambda : place.block->lambda) row(lambda);
     for (auto& friction : place.block->friction) row(friction);
@@ -32,7 +32,7 @@ void scale_impulses(const LanePlace& place, float scale) {
 // Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
 // mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
 // and the load stays what it is. `even`: the points of a manifold share it.
-void stiffen(const LanePlace& place, float stiffer, bool even) {
+void stiffen(const ContactPlace& place, float stiffer, bool even) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
@@ -57,40 +57,35 @@ void scale_impulses(Joint& joint, double scale) {
         *x *= scale;
 }
 
-void move_lane(WorldState& world, std::uint32_t contact) {
-    const SavedManifold saved = save_lane(world, contact);
-    release_lane(world, contact);
-    restore_lane(world, saved);
-}
-
-void move_lanes(WorldState& world, std::uint32_t body, float scale, bool even) {
+void move_contacts(WorldState& world, std::uint32_t body, float scale, bool even) {
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
         if (c.colour < 0 || c.body_a != body) return;
         if (scale != 1 || even) {
-            const LanePlace place = place_of(world, c);
+            const ContactPlace place = place_of(world, c);
             scale_impulses(place, scale);
             stiffen(place, 1 / (scale * scale), even);
         }
-        if (c.colour_set != set_of_contact(world, c)) move_lane(world, index);
+        if (c.colour_set != set_of_contact(world, c)) move_contact(world, index);
     });
 }
 
-// Manifolds by the ten thousand, one by one, would take as long as several steps: when most of a
-// store goes to one that holds little, the two change places and what is in the wrong one moves.
-void swap_sets(WorldState& world, ColourSetKey before, ColourSetKey after) {
-    std::swap(world.graph.sets[index_of(before)], world.graph.sets[index_of(after)]);
+// To move contacts by the ten thousand, one by one, would take as long as several steps. So when
+// most of a set goes to one that holds little, the two change places and what is in the wrong one
+// moves.
+void swap_sets(WorldState& world, ColourSetKey a, ColourSetKey b) {
+    std::swap(world.graph.sets[index_of(a)], world.graph.sets[index_of(b)]);
     std::vector<std::uint32_t> others;
-    for (const ColourSetKey store : {before, after})
-        for (const Colour& colour : world.graph.sets[index_of(store)].colours)
+    for (const ColourSetKey key : {a, b})
+        for (const GraphColour& colour : world.graph.sets[index_of(key)].colours)
             for (const ContactConstraintWideMeta& meta : colour.metas)
                 for (const std::uint32_t index : meta.contact) {
-                    if (index == none) continue;
+                    if (index == no_contact) continue;
                     Contact& c = world.contacts.contacts[index];
-                    c.colour_set = store;
-                    if (set_of_contact(world, c) != store) others.push_back(index);
+                    c.colour_set = key;
+                    if (set_of_contact(world, c) != key) others.push_back(index);
                 }
-    for (const std::uint32_t contact : others) move_lane(world, contact);
+    for (const std::uint32_t contact : others) move_contact(world, contact);
 }
 
 void scale_joints(WorldState& world, std::uint32_t body, double scale) {
@@ -116,7 +111,7 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
     for (std::size_t k = 0; k < tied.size(); k++)
         for_each_body(world, tied[k], [&](std::uint32_t body) {
             const BodyCold& cold = world.bodies.cold[body];
-            if (cold.lanes == 0) return;
+            if (cold.constraints == 0) return;
             for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
                 const Contact& c = world.contacts.contacts[index];
                 if (c.colour < 0) return;
@@ -130,31 +125,31 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
     return tied;
 }
 
-void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey store) {
-    const ColourSetKey before = world.islands.islands[islands.front()].colour_set;
-    if (before == store) return;
-    const bool other_tier = before.tier != colour_set.tier;
-    const double scale = static_cast<double>(substeps_of(before.tier, world.def)) /
-                         substeps_of(colour_set.tier, world.def);
-    // All islands first: lanes ask which store their bodies have.
-    std::int64_t lanes = 0;  // those of two bodies twice
+void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey to) {
+    const ColourSetKey from = world.islands.islands[islands.front()].colour_set;
+    if (from == to) return;
+    const bool other_tier = from.tier != to.tier;
+    const double scale =
+        static_cast<double>(substeps_of(from.tier, world.def)) / substeps_of(to.tier, world.def);
+    // All islands first: contacts ask which set their bodies have.
+    std::int64_t contacts = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
-        ASSERT(world.islands.islands[i].colour_set == before && !world.islands.islands[i].asleep);
-        world.islands.islands[i].colour_set = store;
+        ASSERT(world.islands.islands[i].colour_set == from && !world.islands.islands[i].asleep);
+        world.islands.islands[i].colour_set = to;
         if (other_tier) world.islands.islands[i].calm = 0;
         for_each_body(world, i,
-                      [&](std::uint32_t body) { lanes += world.bodies.cold[body].lanes; });
+                      [&](std::uint32_t body) { contacts += world.bodies.cold[body].constraints; });
     }
-    const std::int32_t in_before = world.graph.sets[index_of(before)].lanes;
-    const std::int32_t in_after = world.graph.sets[index_of(store)].lanes;
-    const bool even = other_tier && colour_set.tier > SolverTier::heap;
-    if (lanes > in_before && 2 * in_after < in_before) {
-        swap_sets(world, before, store);
+    const std::int32_t in_from = world.graph.sets[index_of(from)].contacts;
+    const std::int32_t in_to = world.graph.sets[index_of(to)].contacts;
+    const bool even = other_tier && to.tier > SolverTier::heap;
+    if (contacts > in_from && 2 * in_to < in_from) {
+        swap_sets(world, from, to);
         if (scale == 1 && !even) return;
     }
     for (const std::uint32_t i : islands)
         for_each_body(world, i, [&](std::uint32_t body) {
-            move_lanes(world, body, static_cast<float>(scale), even);
+            move_contacts(world, body, static_cast<float>(scale), even);
             scale_joints(world, body, scale);
         });
 }

@@ -6,10 +6,10 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
+#include "state/contact_constraints.h"
 #include "state/frozen.h"
-#include "state/lanes.h"
+#include "state/island_tiers.h"
 #include "state/reach.h"
-#include "state/tiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -138,13 +138,13 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
         report_end(world, c, ended);
         if (!c.composite) end_touch(world, contact);
     }
-    if (c.colour >= 0) release_lane(world, contact);
+    if (c.colour >= 0) remove_contact(world, contact);
     if (c.waiting)
         std::erase_if(store.waiting, [&](const Waiting& w) { return w.contact == contact; });
     if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {
         Island& island = world.islands.islands[world.bodies.cold[c.body_a].island];
         std::erase_if(island.manifolds,
-                      [&](const SavedManifold& m) { return m.contact == contact; });
+                      [&](const SavedContact& m) { return m.contact == contact; });
     }
     unlink_edge(store, contact, 0, world.bodies.cold[c.body_a]);
     unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
@@ -186,7 +186,7 @@ namespace {
 // Its island bears it no more.
 void note_lost_load(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
-    if (cold.island == none || cold.lanes == 0) return;
+    if (cold.island == none || cold.constraints == 0) return;
     Island& island = world.islands.islands[cold.island];
     island.kept_load *= clamp(1 - cold.mass / island.mass, 0, 1);
     world.islands.some_lost = true;
@@ -431,7 +431,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     if (!island.asleep) return;
     island.asleep = false;
     const std::vector<BodyWarm> sleepers = std::move(island.sleepers);
-    const std::vector<SavedManifold> manifolds = std::move(island.manifolds);
+    const std::vector<SavedContact> manifolds = std::move(island.manifolds);
     island.sleepers = {};
     island.manifolds = {};
     for (const BodyWarm& warm : sleepers) enter_awake(world, warm);
@@ -439,8 +439,8 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const std::uint32_t body : still) hold_still(world, body);
     for (const BodyWarm& warm : sleepers)
         if (!world.bodies.cold[warm.body].frozen) woke.push_back(body_id(world, warm.body));
-    for (const SavedManifold& saved : manifolds) {
-        restore_lane(world, saved);
+    for (const SavedContact& saved : manifolds) {
+        restore_contact(world, saved);
         if (!still.empty()) keep_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
@@ -492,8 +492,8 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
                 // A manifold with an awake outsider (near, not touching) or a kinematic one ends;
                 // the pair waits.
                 const bool keep = inside || !other_moves;
-                if (keep) island.manifolds.push_back(save_lane(world, contact));
-                release_lane(world, contact);
+                if (keep) island.manifolds.push_back(save_contact(world, contact));
+                remove_contact(world, contact);
                 if (!keep) {
                     if (c.parent != none) {
                         const std::uint32_t parent = c.parent;

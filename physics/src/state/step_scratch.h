@@ -15,12 +15,12 @@
 
 #include "collision/broadphase/broad_phase.h"
 #include "collision/narrowphase/collide_composite.h"
+#include "constraint_graph/constraint_graph.h"
+#include "constraint_graph/joint_constraint_wide.h"
+#include "constraint_graph/solver_body.h"
+#include "constraint_graph/solver_tier.h"
 #include "foundation/uninitialized_array.h"
 #include "state/body_store.h"
-#include "state/joint_block.h"
-#include "state/manifold_store.h"
-#include "state/solver_body.h"
-#include "state/tier.h"
 
 namespace jostle::physics {
 
@@ -79,7 +79,7 @@ struct Disturbance {
 
 struct FoundJoint {
     std::uint32_t joint = 0;
-    std::int32_t a = 0, b = 0;  // as JointBlockSide's
+    std::int32_t a = 0, b = 0;  // as JointConstraintWideMeta's
     std::uint32_t run = 0;      // level * joint_kinds + kind
 };
 
@@ -90,9 +90,9 @@ struct JointScratch {
     std::vector<std::uint32_t> reached;  // by hot index: level that the body's next joint may have
     std::vector<int> places;             // by run number: lanes of all blocks before, then the next
     std::vector<JointRun> runs;
-    std::vector<JointBlock> blocks;
-    std::vector<JointTurns> turns;
-    std::vector<JointBlockSide> sides;  // by block
+    std::vector<JointConstraintWide> blocks;
+    std::vector<JointAngularWide> turns;
+    std::vector<JointConstraintWideMeta> sides;  // by block
 };
 
 // A body that turns far in a step, and not evenly: what each sub-step needs of it.
@@ -138,9 +138,9 @@ struct ByStore {
 
 // A colour in use, with the list of its manifolds of one point: their bodies are distinct.
 struct ColourRun {
-    Colour* colour = nullptr;
-    Colour* single = nullptr;  // null of an overflow list
-    int number = 0;            // of `colour`
+    GraphColour* colour = nullptr;
+    GraphColour* single = nullptr;  // null of an overflow list
+    int number = 0;                 // of `colour`
     int blocks = 0, singles = 0;
     bool shared = false;  // among threads
 };

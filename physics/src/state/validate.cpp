@@ -207,9 +207,8 @@ Fault check_triggers(const WorldState& world) {
     return {};
 }
 
-bool exists(ColourSetKey store) {
-    return store == asleep_set ||
-           (colour_set.tier != SolverTier::asleep && store.batch < batch_count);
+bool exists(ColourSetKey key) {
+    return key == asleep_set || (key.tier != SolverTier::asleep && key.batch < batch_count);
 }
 
 Fault check_contact(const WorldState& world, std::uint32_t i) {
@@ -235,9 +234,9 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         if ((c.colour_set == asleep_set) !=
             (own.frozen && (other.frozen || other.type != BodyType::dynamic)))
             return at("contacts", i, "is solved though nobody of it moves, or the other way round");
-        const Colour& colour =
+        const GraphColour& colour =
             world.graph.sets[index_of(c.colour_set)].colours[static_cast<std::size_t>(c.colour)];
-        if (c.slot < 0 || c.slot >= colour.lanes)
+        if (c.slot < 0 || c.slot >= colour.contacts)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
         if (colour.metas[block].contact[c.slot % lanes_per_block(c.colour)] != i)
@@ -302,27 +301,27 @@ Fault check_contacts(const WorldState& world) {
 
 // Lanes: each belongs to a contact that says so, and colours and counts of the bodies follow from
 // them.
-Fault check_manifolds(const WorldState& world) {
+Fault check_graph(const WorldState& world) {
     std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
-    std::vector<std::uint32_t> lanes(world.bodies.cold.size(), 0);
+    std::vector<std::uint32_t> constraints(world.bodies.cold.size(), 0);
     for (int k = 0; k < colour_set_count * colour_count; k++) {
-        const auto store = static_cast<std::size_t>(k / colour_count);
+        const auto set = static_cast<std::size_t>(k / colour_count);
         const int c = k % colour_count;
-        const Colour& colour = world.graph.sets[store].colours[static_cast<std::size_t>(c)];
-        for (std::int32_t slot = 0; slot < colour.lanes; slot++) {
+        const GraphColour& colour = world.graph.sets[set].colours[static_cast<std::size_t>(c)];
+        for (std::int32_t slot = 0; slot < colour.contacts; slot++) {
             const ContactConstraintWideMeta& meta =
                 colour.metas[static_cast<std::size_t>(slot / lanes_per_block(c))];
             const std::uint32_t contact = meta.contact[slot % lanes_per_block(c)];
             if (contact >= world.contacts.contacts.size() || !world.contacts.ids.alive(contact) ||
                 world.contacts.contacts[contact].colour != c ||
-                index_of(world.contacts.contacts[contact].store) != store ||
+                index_of(world.contacts.contacts[contact].colour_set) != set ||
                 world.contacts.contacts[contact].slot != slot)
                 return "manifolds: a lane of colour " + std::to_string(c) + " belongs to nobody";
             const Contact& owner = world.contacts.contacts[contact];
             for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;
-                lanes[body]++;
-                if (is_overflow(c) || store == index_of(asleep_set)) continue;
+                constraints[body]++;
+                if (is_overflow(c) || set == index_of(asleep_set)) continue;
                 if ((colours[body] >> mask_bit(c) & 1) != 0)
                     return at("bodies", body, "has two contacts of one colour");
                 colours[body] |= 1ull << mask_bit(c);
@@ -330,8 +329,8 @@ Fault check_manifolds(const WorldState& world) {
         }
     }
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++)
-        if (world.bodies.ids.alive(i) &&
-            (world.bodies.cold[i].colours != colours[i] || world.bodies.cold[i].lanes != lanes[i]))
+        if (world.bodies.ids.alive(i) && (world.bodies.cold[i].colours != colours[i] ||
+                                          world.bodies.cold[i].constraints != constraints[i]))
             return at("bodies", i, "has colours that do not follow from its contacts");
     return {};
 }
@@ -356,13 +355,13 @@ Fault check_islands(const WorldState& world) {
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
-            return at("islands", i, "has an tier or a batch that does not exist");
+            return at("islands", i, "has a tier or a batch that does not exist");
         if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))
             return at("islands", i, "sleeps with some of its bodies");
-        for (const SavedManifold& m : island.manifolds) {
+        for (const SavedContact& m : island.manifolds) {
             if (m.contact >= world.contacts.contacts.size() ||
                 !world.contacts.ids.alive(m.contact) ||
                 world.contacts.contacts[m.contact].colour >= 0 ||
@@ -390,7 +389,7 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
     // In this order: each relies on what those before it found sound.
     for (const auto check : {check_bodies, check_sets, check_shapes, check_joints, check_triggers,
-                             check_contacts, check_manifolds, check_islands})
+                             check_contacts, check_graph, check_islands})
         if (Fault f = check(world)) return f;
     return {};
 }

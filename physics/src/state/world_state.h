@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "constraint_graph/constraint_graph.h"
 #include "foundation/task_team.h"
 #include "foundation/team_trial.h"
 #include "jostle/physics/defs.h"
@@ -15,7 +16,6 @@
 #include "state/event_store.h"
 #include "state/island_store.h"
 #include "state/joint_store.h"
-#include "state/manifold_store.h"
 #include "state/shape_store.h"
 #include "state/step_scratch.h"
 #include "state/trigger_store.h"

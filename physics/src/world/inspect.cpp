@@ -5,7 +5,7 @@
 
 #include "geometry/bounds.h"
 #include "jostle/physics/world.h"
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 #include "state/links.h"
 #include "world/checks.h"
 
@@ -49,13 +49,13 @@ std::vector<ContactInfo> World::contacts() const {
     for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
         if (!world.contacts.ids.alive(i) || world.contacts.contacts[i].colour < 0) continue;
         const Contact& c = world.contacts.contacts[i];
-        const LanePlace place = place_of(const_cast<WorldState&>(world), c);
+        const ContactPlace place = place_of(world, c);
         all.push_back(info_of(world, i));
         fill_points(all.back(), warm_of(world, c.body_a).center,
-                    [&](int row) { return *lane_float(*place.block, row, place.lane); });
+                    [&](int row) { return float_at(*place.block, row, place.lane); });
     }
     for (const Island& island : world.islands.islands)
-        for (const SavedManifold& saved : island.manifolds) {
+        for (const SavedContact& saved : island.manifolds) {
             all.push_back(info_of(world, saved.contact));
             all.back().asleep = true;
             fill_points(all.back(),

@@ -7,14 +7,14 @@ namespace {
 
 double deepest(const WorldState& world) {
     float gap = 0;
-    for_each_colour(world.graph.sets, [&](const Colour& colour) {
+    for_each_colour(world.graph.sets, [&](const GraphColour& colour) {
         for (const ContactConstraintWide& block : colour.blocks)
             for (const auto& row : block.gap)
                 for (const float g : row) gap = g < gap ? g : gap;
     });
     constexpr std::size_t first_gap = offsetof(ContactConstraintWide, gap) / 32 - 2;
     for (const Island& island : world.islands.islands)
-        for (const SavedManifold& saved : island.manifolds)
+        for (const SavedContact& saved : island.manifolds)
             for (std::size_t i = 0; i < 4; i++)
                 gap = saved.rows[first_gap + i] < gap ? saved.rows[first_gap + i] : gap;
     return -double{gap};

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 #include "state/world_state.h"
 #include "support/world_builder.h"
 
@@ -31,7 +31,7 @@ struct TwoBoxes {
                          [&](std::uint32_t index) { contact = index; });
     }
     WorldState& state() { return world.state(); }
-    LanePlace place() { return place_of(state(), state().contacts.contacts[contact]); }
+    ContactPlace place() { return place_of(state(), state().contacts.contacts[contact]); }
     Borne borne() {
         Borne sum;
         for (int k = 0; k < 4; k++) {

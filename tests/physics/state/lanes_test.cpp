@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Lanes in the order of their bodies.
-#include "state/lanes.h"
+#include "state/contact_constraints.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 TEST(Lanes, are_sorted_by_their_bodies_with_all_that_is_in_them) {
     WorldState world;
-    Colour colour;
+    GraphColour colour;
     constexpr int lanes = 100;
     world.contacts.contacts.resize(lanes);
     for (int slot = 0; slot < lanes; slot++) {
@@ -21,12 +21,12 @@ TEST(Lanes, are_sorted_by_their_bodies_with_all_that_is_in_them) {
         colour.blocks[block].mu[slot % 8] = static_cast<float>(slot);
         colour.metas[block].contact[slot % 8] = static_cast<std::uint32_t>(slot);
         world.contacts.contacts[static_cast<std::size_t>(slot)].slot = slot;
-        colour.lanes++;
+        colour.contacts++;
     }
-    EXPECT_FALSE(in_order(colour));
-    sort_lanes(world, colour, 0);
-    EXPECT_TRUE(in_order(colour));
-    ASSERT_EQ(colour.lanes, lanes);
+    EXPECT_FALSE(is_sorted(colour));
+    sort_contacts(world, colour, 0);
+    EXPECT_TRUE(is_sorted(colour));
+    ASSERT_EQ(colour.contacts, lanes);
     ASSERT_EQ(colour.blocks.size(), 13u);
     for (int slot = 0; slot < lanes; slot++) {
         const auto block = static_cast<std::size_t>(slot / 8);

@@ -83,6 +83,11 @@ inline constexpr int tier_patience = 4;  // looks
 inline constexpr int least_batch = 800;
 inline constexpr double batch_unequal = 1.15;
 inline constexpr int batch_interval = 16;
+// Threads share the colours of a set with so many contacts. Those of a smaller one are so short
+// that handing them over again and again would cost more than they do.
+inline constexpr int shared_contacts = 2000;
+// A colour is in order when no more than one in so many contacts is out of it: sorting moves all.
+inline constexpr int sorted_share = 256;
 // Steps between looks at whether the lanes of a large store lie in the order of their bodies.
 inline constexpr int sort_interval = 32;
 inline constexpr double standing_speed = 0.1;  // m/s: what is faster falls; one step adds 0.16

@@ -26,12 +26,13 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass) {
 }
 
 // Ball joints have none and touch none.
-JOSTLE_INLINE JointTurns& turns_of(const JointRange& range, int block, JointTurns& nothing) {
+JOSTLE_INLINE JointAngularWide& turns_of(const JointRange& range, int block,
+                                         JointAngularWide& nothing) {
     return range.turns == nullptr ? nothing : range.turns[block - range.first];
 }
 
 inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
-    JointTurns nothing;
+    JointAngularWide nothing;
     with_kind(range.kind, [&](auto kind) {
         for (int k = range.begin; k < range.end; k++) {
             JointPair pair(range.blocks[k], bodies);
@@ -43,11 +44,11 @@ inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, con
 
 template <bool kRelax>
 void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep& step) {
-    JointTurns nothing;
+    JointAngularWide nothing;
     with_kind(range.kind, [&](auto kind) {
         for (int k = range.begin; k < range.end; k++) {
-            JointBlock& block = range.blocks[k];
-            JointTurns& turns = turns_of(range, k, nothing);
+            JointConstraintWide& block = range.blocks[k];
+            JointAngularWide& turns = turns_of(range, k, nothing);
             JointPair pair(block, bodies);
             const JointLoad load =
                 kind.template solve<kRelax>(pair, step, block, turns, range.sides[k].uses);

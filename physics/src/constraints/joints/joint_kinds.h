@@ -15,12 +15,13 @@ struct JointLoad {
 };
 
 struct Ball {
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns&) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide&) {
         pair.push(pair.to_world(block.point));
     }
     template <bool kRelax>
-    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
-                                         JointTurns&, unsigned) {
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide& block, JointAngularWide&, unsigned) {
         Wide3 point = pair.to_world(block.point);
         hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
@@ -29,17 +30,19 @@ struct Ball {
 };
 
 struct Hinge {
-    JOSTLE_INLINE static Wide along_axis(const JointTurns& t) {
+    JOSTLE_INLINE static Wide along_axis(const JointAngularWide& t) {
         return load(t.lower) - load(t.upper) + load(t.spring) + load(t.motor);
     }
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t) {
         const Wide3 axis = z_axis(pair.a.turn * load4(t.frame_a));
         pair.push(pair.to_world(block.point));
         pair.turn(pair.to_world(t.turn) + axis * along_axis(t));
     }
     template <bool kRelax>
-    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
-                                         JointTurns& t, unsigned uses) {
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned uses) {
         const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
         const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
         const Wide3 axis = z_axis(frame_a);
@@ -81,18 +84,20 @@ struct ConeTwist {
             // At a swing of a half turn there is no twist to speak of.
             twist = (a + b) * (splat(1) / max(splat(1) + cosine, splat(0.05f)));
         }
-        JOSTLE_INLINE Wide3 turn(const JointTurns& t, Wide3 drive) const {
+        JOSTLE_INLINE Wide3 turn(const JointAngularWide& t, Wide3 drive) const {
             return twist * (load(t.lower) - load(t.upper)) - swing * load(t.swing) + drive;
         }
     };
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t) {
         const Axes axes(pair.a.turn * load4(t.frame_a), pair.b.turn * load4(t.frame_b));
         pair.push(pair.to_world(block.point));
         pair.turn(axes.turn(t, pair.to_world(t.drive)));
     }
     template <bool kRelax>
-    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
-                                         JointTurns& t, unsigned uses) {
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned uses) {
         const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
         const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
         const Axes axes(frame_a, frame_b);
@@ -111,7 +116,7 @@ struct ConeTwist {
             const WideQuat q = conjugate(frame_a) * frame_b;
             // Of q and of -q, which are the same turn, the one less than half.
             const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
-            const Wide torsion = splat(2) * arc_tangent(q.x * sign, q.w * sign);
+            const Wide twist = splat(2) * arc_tangent(q.x * sign, q.w * sign);
             const WideRow<true> row(pair, axes.twist);
             limit_row<kRelax>(pair, step, row, 1, twist - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - twist, t.upper);
@@ -135,13 +140,15 @@ struct Fixed {
                 select(given, spring.mass_scale, stiff.mass_scale),
                 select(given, spring.impulse_scale, stiff.impulse_scale)};
     }
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock& block, JointTurns& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t) {
         pair.push(pair.to_world(block.point));
         pair.turn(pair.to_world(t.turn));
     }
     template <bool kRelax>
-    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock& block,
-                                         JointTurns& t, unsigned) {
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned) {
         // The turn from a's frame to b's, of which frame_b has that at the start: the shorter way
         // round.
         const WideQuat q = pair.b.turn * load4(t.frame_b) * conjugate(pair.a.turn);
@@ -161,15 +168,16 @@ struct Distance {
     JOSTLE_INLINE static Wide3 line_of(const JointPair& pair) {
         return normalized(pair.apart, {splat(0), splat(1), splat(0)});
     }
-    JOSTLE_INLINE static Wide along(const JointTurns& t) {
+    JOSTLE_INLINE static Wide along(const JointAngularWide& t) {
         return load(t.spring) + load(t.lower) - load(t.upper);
     }
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointBlock&, JointTurns& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&,
+                                         JointAngularWide& t) {
         pair.push(line_of(pair) * along(t));
     }
     template <bool kRelax>
-    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step, JointBlock&,
-                                         JointTurns& t, unsigned uses) {
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide&, JointAngularWide& t, unsigned uses) {
         const Wide3 line = line_of(pair);
         const WideRow<false> row(pair, line);
         const Wide now = root(dot(pair.apart, pair.apart));

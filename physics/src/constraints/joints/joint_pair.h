@@ -7,10 +7,10 @@
 // axes they would lag behind from sub-step to sub-step and push what turns.
 #pragma once
 
+#include "constraint_graph/joint_constraint_wide.h"
 #include "constraints/contact_kernel.h"
 #include "constraints/joints/joint_step.h"
 #include "math/wide_turn.h"
-#include "state/joint_block.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 
@@ -106,7 +106,7 @@ struct JointPair {
     Wide3 apart;       // from a's anchor to b's, m
     WideQuat carried;  // how the joint's impulses turned since the start of the step
 
-    JOSTLE_INLINE JointPair(const JointBlock& block, const HotBody* bodies) {
+    JOSTLE_INLINE JointPair(const JointConstraintWide& block, const HotBody* bodies) {
         a.load_from(bodies, block.a, block.arm_a);
         b.load_from(bodies, block.b, block.arm_b);
         apart = load3(block.apart) + (b.dp - a.dp) + (b.swept - a.swept);

@@ -3,9 +3,9 @@
 
 #include <cstdlib>
 
+#include "constraint_graph/wide_rows.h"
 #include "constraints/softness.h"
 #include "jostle/physics/tuning.h"
-#include "state/lane_rows.h"
 
 namespace jostle::physics {
 namespace {
@@ -30,7 +30,7 @@ struct Lane {
     double get(const float (&row)[8]) const { return double{row[at]}; }
     Vec3 get3(const float (*rows)[8]) const { return {get(rows[0]), get(rows[1]), get(rows[2])}; }
 
-    void put_limit(JointTurns& t, double lower, double upper) const {
+    void put_limit(JointAngularWide& t, double lower, double upper) const {
         put(t.lower_at, lower);
         put(t.upper_at, upper);
     }
@@ -55,7 +55,7 @@ struct Parts {
     const JointEnd &a, &b;
     double h;
     const Lane& lane;
-    JointTurns& t;
+    JointAngularWide& t;
     std::uint8_t uses = 0;
 
     void limit(bool enabled, double lower, double upper) {
@@ -114,7 +114,8 @@ struct Parts {
 }  // namespace
 
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                 JointBlock& block, JointTurns* turns, JointBlockSide& side, int lane_index) {
+                 JointConstraintWide& block, JointAngularWide* turns, JointConstraintWideMeta& side,
+                 int lane_index) {
     const Lane lane{lane_index};
     const std::int32_t carrier = carrier_of(a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
@@ -132,8 +133,8 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     side.uses |= parts.uses;
 }
 
-bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& block,
-                const JointTurns* turns, int lane_index) {
+bool read_joint(Joint& joint, Quat carried, double dt, const JointConstraintWide& block,
+                const JointAngularWide* turns, int lane_index) {
     const Lane lane{lane_index};
     joint.point = inverse_rotate(carried, lane.get3(block.point));
     joint.force = lane.get3(block.force) * (1 / dt);

@@ -3,15 +3,15 @@
 // A joint's lane in a block, from the doubles of the world and back.
 #pragma once
 
+#include "constraint_graph/joint_constraint_wide.h"
 #include "constraints/joints/joint_step.h"
-#include "state/joint_block.h"
 #include "state/joint_store.h"
 
 namespace jostle::physics {
 
 // One body of a joint at the start of the step.
 struct JointEnd {
-    std::int32_t hot = 0;  // as JointBlockSide's
+    std::int32_t hot = 0;  // as JointConstraintWideMeta's
     Vec3 center, arm;      // of mass; of the frame's origin from it
     Quat rotation, frame;  // of the body; of the frame in the world
 };
@@ -24,11 +24,12 @@ inline std::int32_t carrier_of(std::int32_t a, std::int32_t b) {
 
 // `turns` is null for kinds that need none; h: sub-step, s.
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                 JointBlock& block, JointTurns* turns, JointBlockSide& side, int lane);
+                 JointConstraintWide& block, JointAngularWide* turns, JointConstraintWideMeta& side,
+                 int lane);
 // Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation
 // of its carrier at the start of the step, or none. Returns whether it is loaded more than it
 // bears.
-bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& block,
-                const JointTurns* turns, int lane);
+bool read_joint(Joint& joint, Quat carried, double dt, const JointConstraintWide& block,
+                const JointAngularWide* turns, int lane);
 
 }  // namespace jostle::physics

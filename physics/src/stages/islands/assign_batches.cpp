@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "stages/assign_batches.h"
+#include "stages/islands/assign_batches.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "jostle/physics/tuning.h"
-#include "state/tiers.h"
+#include "state/island_tiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -27,16 +27,17 @@ std::array<Work, tier_count> weigh_islands(WorldState& world) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (cold.island == none || cold.frozen) continue;
         const std::uint32_t jointed = cold.first_joint != none ? 2 : 0;
-        if (cold.lanes > 0 || jointed > 0) weights[cold.island] += 1 + cold.lanes + jointed;
+        if (cold.constraints > 0 || jointed > 0)
+            weights[cold.island] += 1 + cold.constraints + jointed;
     }
     std::array<Work, tier_count> works;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0) continue;
-        const ColourSetKey store = world.islands.islands[i].colour_set;
-        Work& work = works[index_of(colour_set.tier)];
-        std::uint32_t& lightest = work.lightest[store.batch];
-        lightest = work.loads[store.batch] == 0 ? weights[i] : std::min(lightest, weights[i]);
-        work.loads[store.batch] += weights[i];
+        const ColourSetKey set = world.islands.islands[i].colour_set;
+        Work& work = works[index_of(set.tier)];
+        std::uint32_t& lightest = work.lightest[set.batch];
+        lightest = work.loads[set.batch] == 0 ? weights[i] : std::min(lightest, weights[i]);
+        work.loads[set.batch] += weights[i];
         work.all += weights[i];
         work.largest = std::max(work.largest, weights[i]);
     }
@@ -74,8 +75,7 @@ std::vector<Group> find_groups(const WorldState& world, SolverTier tier) {
     std::vector<bool> seen(world.islands.islands.size(), false);
     const std::vector<std::uint32_t>& weights = world.scratch.island_weights;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
-        if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier)
-            continue;
+        if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier) continue;
         Group& group = groups.emplace_back(Group{tied_islands(world, i, seen)});
         for (const std::uint32_t island : group.islands) group.weight += weights[island];
     }

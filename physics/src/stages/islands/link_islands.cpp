@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "state/lane_rows.h"
-#include "state/lanes.h"
+#include "constraint_graph/wide_rows.h"
+#include "state/contact_constraints.h"
 #include "state/links.h"
 
 namespace jostle::physics {
@@ -12,7 +12,7 @@ namespace {
 
 // The warm records still hold the velocities from before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
-    const LanePlace place = place_of(world, c);
+    const ContactPlace place = place_of(world, c);
     const Vec3 normal = normal_of(place);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
@@ -76,16 +76,17 @@ Skipped link_islands(StepContext& step) {
     auto& changes = world.scratch.touch_changes;
     changes.clear();
     int manifolds = 0, touching = 0;
-    for_each_colour(world.graph.sets, [&](Colour& colour) {
-        manifolds += colour.lanes;
+    for_each_colour(world.graph.sets, [&](GraphColour& colour) {
+        manifolds += colour.contacts;
         for (ContactConstraintWideMeta& meta : colour.metas) {
-            touching += __builtin_popcount(meta.touching_now);
-            const unsigned changed = meta.touching_now ^ meta.touching;
+            touching += __builtin_popcount(meta.bits(LaneFlag::touching_now));
+            const unsigned changed =
+                meta.bits(LaneFlag::touching_now) ^ meta.bits(LaneFlag::touching);
             if (changed == 0) continue;
             for (int lane = 0; lane < 8; lane++)
                 if ((changed >> lane & 1) != 0 && meta.contact[lane] != none)
                     changes.push_back(meta.contact[lane]);
-            meta.touching = meta.touching_now;
+            meta.bits(LaneFlag::touching) = meta.bits(LaneFlag::touching_now);
         }
     });
     // By index of contact: the order decides which island takes in which.

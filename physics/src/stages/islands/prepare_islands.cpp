@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
-#include "stages/assign_batches.h"
 #include "stages/freeze_bodies.h"
-#include "stages/sort_constraints.h"
-#include "state/lanes.h"
-#include "state/tiers.h"
+#include "stages/islands/assign_batches.h"
+#include "stages/islands/sort_constraints.h"
+#include "state/contact_constraints.h"
+#include "state/island_tiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -23,7 +23,7 @@ void measure_extents(WorldState& world, Vec3 up) {
     const Vec3 north = cross(east, up);
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
-        if (cold.lanes == 0 || cold.island == none ||
+        if (cold.constraints == 0 || cold.island == none ||
             length_squared(warm.v) > tuning::standing_speed * tuning::standing_speed)
             continue;
         IslandExtent& extent = extents[cold.island];

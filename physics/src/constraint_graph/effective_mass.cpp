@@ -1,40 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "state/lane_masses.h"
+#include "constraint_graph/effective_mass.h"
 
-#include "state/lane_rows.h"
-#include "state/lanes.h"
+#include "jostle/physics/scalar.h"
 
 namespace jostle::physics {
-namespace {
 
-// One side of the pair as effective masses see it: all zero for what contacts cannot push.
-struct Side {
-    Vec3 inverse_mass;  // along each world axis
-    Mat3 inverse_inertia = diagonal({0, 0, 0});
-};
-
-Side side_of(const WorldState& world, std::uint32_t body) {
-    const BodyCold& cold = world.bodies.cold[body];
-    if (cold.inverse_mass == 0) return {};
-    return {free_directions(cold) * cold.inverse_mass,
-            world_inverse_inertia(warm_of(world, body), cold)};
-}
-
-}  // namespace
-
-void write_masses(WorldState& world, const Contact& contact, const LaneFrame& frame) {
-    const LanePlace place = place_of(world, contact);
+void write_effective_mass(const ContactPlace& place, const ContactFrame& frame,
+                          const InverseMass& a, const InverseMass& b) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
-    const Side a = side_of(world, contact.body_a), b = side_of(world, contact.body_b);
     const auto [n, t1, arm_a, arm_b] = frame;
     const Vec3 t2 = cross(n, t1);
     const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
-        return dot(ja, a.inverse_inertia * ka) + dot(jb, b.inverse_inertia * kb);
+        return dot(ja, a.angular * ka) + dot(jb, b.angular * kb);
     };
-    const Vec3 mass = a.inverse_mass + b.inverse_mass;
+    const Vec3 mass = a.linear + b.linear;
     const auto along = [&](Vec3 u, Vec3 v) { return dot(scaled(mass, u), v); };
-    // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of twist: n.
+    // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of torsion: n.
     const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
     block.g[0][lane] = as_float(maximum(along(n, n) + both(na, nb, na, nb), 1e-30));
     block.g[1][lane] = as_float(both(na, nb, t1, t1));
@@ -62,17 +44,16 @@ void write_masses(WorldState& world, const Contact& contact, const LaneFrame& fr
     block.torsion_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
-void write_masses_anew(WorldState& world, const Contact& contact) {
-    const LanePlace place = place_of(world, contact);
+void rewrite_effective_mass(const ContactPlace& place, const InverseMass& a, const InverseMass& b) {
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;
     const float before = block.g[0][lane];
-    write_masses(world, contact,
-                 {get_lane(block.normal, lane), get_lane(block.tangent, lane),
-                  get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)});
-    // A contact is as stiff as its bodies are heavy: what it gives beyond its mean_impulse impulse
-    // would jump, so the mean_impulse impulse makes up for the difference and the load stays what
-    // it is.
+    write_effective_mass(place,
+                         {get_lane(block.normal, lane), get_lane(block.tangent, lane),
+                          get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)},
+                         a, b);
+    // A contact is as stiff as its bodies are heavy: what it gives beyond its mean impulse would
+    // jump, so the mean makes up for the difference and the load stays what it is.
     const float stiffer = before / block.g[0][lane];
     for (int k = 0; k < 4; k++)
         block.mean_impulse[k][lane] =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the solver knows of joints within one step, eight of a kind at a time; made anew each step.
-// Floats, relative to the start of the step, as state/solver_body.h says.
+// Floats, relative to the start of the step, as constraint_graph/solver_body.h says.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace jostle::physics {
 
 // What every kind has. Lane k of a row is joint k; bodies of a block are distinct. Empty lanes have
 // no bodies and zeroes.
-struct alignas(32) JointBlock {
+struct alignas(32) JointConstraintWide {
     std::int32_t a[8], b[8];         // hot indices; 0: does not move
     float arm_a[3][8], arm_b[3][8];  // of the frames' origins from the centres, m
     float apart[3][8];               // of b's origin from a's, m
@@ -25,7 +25,7 @@ struct SoftRow {
 
 // What all kinds but the ball joint have as well; each uses a part of it. What is switched off has
 // numbers that make its impulse zero: a limit far away, a motor that may do nothing.
-struct alignas(32) JointTurns {
+struct alignas(32) JointAngularWide {
     float frame_a[4][8], frame_b[4][8];  // x y z w, in the world
     float turn[3][8], drive[3][8];       // impulses as `point`, N m s
     float torque[3][8];                  // N m s over the step so far, world axes
@@ -41,12 +41,12 @@ struct alignas(32) JointTurns {
 enum JointUses : std::uint8_t { uses_limit = 1, uses_spring = 2, uses_motor = 4 };
 
 // Who is in a block.
-struct JointBlockSide {
+struct JointConstraintWideMeta {
     std::uint32_t joint[8] = {};
     // Hot indices of the two bodies, negative for what moves but cannot be pushed; 0: does not
     // move.
     std::int32_t a[8] = {}, b[8] = {};
-    int turns = -1;  // its JointTurns, unless they are ball joints
+    int turns = -1;  // its JointAngularWide, unless they are ball joints
     std::uint8_t count = 0;
     std::uint8_t uses = 0;        // JointUses
     std::uint8_t overloaded = 0;  // by lane, at the end of the step
@@ -56,7 +56,7 @@ struct JointBlockSide {
 struct JointRun {
     std::uint8_t kind = 0;   // index into JointKind
     int begin = 0, end = 0;  // blocks
-    int turns = -1;          // JointTurns of the first block, unless they are ball joints
+    int turns = -1;          // JointAngularWide of the first block, unless they are ball joints
 };
 
 }  // namespace jostle::physics

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// Contact constraints as the solver reads them: eight manifolds side by side, one in each lane. A
+// lane is taken when a manifold begins and kept until it ends. The impulses live in it, so nothing
+// is prepared, copied or stored each step.
+//
+// All points of a manifold share its normal. So along it a manifold has three degrees of freedom:
+// approach at the centre and tilt about two tangents. Point i sees vn_i = u0 + y_i u1 - x_i u2, and
+// the 4x4 matrix of the normals is J G J^T with one symmetric 3x3 matrix G. The points are solved
+// in registers against u; bodies are read and written once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "constraint_graph/wide_rows.h"
+
+namespace jostle::physics {
+
+inline constexpr int block_lanes = 8;
+inline constexpr std::uint32_t no_contact = 0xffffffff;
+
+// Gap of an unused point: it solves to zero by itself, without a mask.
+inline constexpr float no_point = 1e6f;
+
+// 200 bytes a manifold. Units: m, N s, kg; floats relative to the poses at the start of the step.
+struct alignas(64) ContactConstraintWide {
+    std::int32_t a[8], b[8];  // hot body indices; of unused lanes below 0
+    float normal[3][8];       // from a to b
+    float tangent[3][8];      // second tangent = normal x tangent
+    float arm_a[3][8];        // centre of the manifold from each centre of mass
+    float arm_b[3][8];
+    float x[4][8], y[4][8];  // points in the plane of the tangents, from the centre
+    float gap[4][8];         // separation at the start of the step
+    float lambda[4][8];      // accumulated normal impulses of one sub-step
+    float friction[2][8];    // accumulated friction impulse at the centre
+    float torsion[8];        // ... and about the normal
+    float g[6][8];  // 00 01 02 11 12 22: inverse effective mass along (normal; tilt t1; tilt t2)
+    float friction_mass[3][8];  // inverse of the 2x2 tangential block: 00 01 11
+    float torsion_mass[8];
+    float mu[8];
+    // Mean distance of the points from the centre: limits torsion; a turn by it counts as motion.
+    float friction_radius[8];
+    float mean_impulse[4][8];  // slow mean of lambda: what a soft contact need not give up
+    // Which body the point of contact travels with: 0 is a, 1 is b, between them both.
+    float anchor_blend[8];
+};
+inline constexpr int wide_rows = 50;       // of 32 bytes, a and b included
+inline constexpr int first_saved_row = 2;  // after a and b
+static_assert(sizeof(ContactConstraintWide) == wide_rows * 32);
+
+// What is true of a lane, one bit each. The only list of these flags: clearing, moving, saving and
+// deriving a lane walk it.
+enum class LaneFlag : std::uint8_t {
+    needs_rebuild,  // its manifold is to be found anew before the next solve
+    touching,       // its contact is touching
+    touching_now,   // what the last pass found; becomes `touching` when the islands are linked
+    anisotropic,    // one of its bodies has an inertia that is not isotropic
+    locked,         // one of its bodies has locked axes
+    bounces,        // restitution > 0
+    rolls,          // its RollingWide means something
+    reports,        // of a shape with report_stays
+};
+inline constexpr std::size_t lane_flag_count = 8;
+
+// Read once per step, so kept away from the constraint.
+struct alignas(64) ContactConstraintWideMeta {
+    float moved[8];  // m of relative motion since the manifold was built
+    float restitution[8];
+    std::uint32_t contact[8];                  // who owns the lane, or no_contact
+    std::uint8_t flags[lane_flag_count] = {};  // by LaneFlag; a bit for each lane
+
+    // Inlined everywhere: kernels of several instruction sets call them.
+    [[gnu::always_inline]] std::uint8_t& bits(LaneFlag flag) {
+        return flags[static_cast<std::size_t>(flag)];
+    }
+    [[gnu::always_inline]] std::uint8_t bits(LaneFlag flag) const {
+        return flags[static_cast<std::size_t>(flag)];
+    }
+    bool has(LaneFlag flag, int lane) const { return (bits(flag) >> lane & 1) != 0; }
+    void set(LaneFlag flag, int lane, bool on) {
+        const auto bit = static_cast<std::uint8_t>(1u << lane);
+        std::uint8_t& byte = bits(flag);
+        byte = static_cast<std::uint8_t>(on ? byte | bit : byte & ~bit);
+    }
+};
+static_assert(sizeof(ContactConstraintWideMeta) == 128);
+
+// What few materials ask for: resistance to rolling and to turning on the spot, moving surfaces.
+// Not read where no lane rolls.
+struct alignas(64) RollingWide {
+    float surface[2][8];          // m/s along the tangents: of b's surface against a's
+    float rolling[8];             // m: torque held per unit of normal force
+    float torsional_friction[8];  // m, about the normal
+    float roll[2][8];             // accumulated angular impulse about the tangents, N m s
+};
+inline constexpr int rolling_rows = 6;
+static_assert(sizeof(RollingWide) == rolling_rows * 32);
+
+// Scratch of blocks that bounce, within one step.
+struct alignas(64) RestitutionWide {
+    float approach[4][8];  // m/s at the start of the step, negative: approaching
+    float peak[4][8];      // largest impulse of any sub-step
+};
+
+// What the second body of a constraint is: decides which kernel runs.
+enum class PairKind : std::uint8_t {
+    dynamic,    // read and written
+    kinematic,  // read only
+    static_,    // not even read
+};
+
+// Whether a manifold has one point, by the second one's gap.
+inline bool is_single_point(float second_gap) {
+    return second_gap > 0.5f * no_point;
+}
+
+// Row `row` of one lane as a float; rows 0 and 1 of a constraint hold the body indices.
+inline float& float_at(ContactConstraintWide& block, int row, int lane) {
+    return reinterpret_cast<float*>(&block)[row * 8 + lane];
+}
+inline float& float_at(RollingWide& rolling, int row, int lane) {
+    return reinterpret_cast<float*>(&rolling)[row * 8 + lane];
+}
+
+// One lane of a block.
+struct ContactPlace {
+    ContactConstraintWide* block;
+    ContactConstraintWideMeta* meta;
+    RollingWide* rolling;
+    int lane;
+};
+inline Vec3 normal_of(const ContactPlace& place) {
+    return get_lane(place.block->normal, place.lane);
+}
+
+// A manifold outside the graph: what a sleeping island keeps.
+struct SavedContact {
+    std::uint32_t contact = no_contact;
+    std::array<float, wide_rows - first_saved_row> rows{};  // without a and b
+    std::array<float, rolling_rows> rolling_values{};
+    float moved = 0, restitution = 0;
+    bool needs_rebuild = false, rolls = false;
+};
+inline bool is_single_point(const SavedContact& saved) {
+    return is_single_point(
+        saved.rows[offsetof(ContactConstraintWide, gap) / 32 + 1 - first_saved_row]);
+}
+
+}  // namespace jostle::physics

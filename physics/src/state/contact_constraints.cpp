@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "state/contact_constraints.h"
+
+#include "foundation/check.h"
+
+namespace jostle::physics {
+namespace {
+
+PairKind pair_kind_with(const BodyCold& b) {
+    if (b.type == BodyType::dynamic) return PairKind::dynamic;
+    return b.type == BodyType::kinematic ? PairKind::kinematic : PairKind::static_;
+}
+
+InverseMass inverse_mass_of(const WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (cold.inverse_mass == 0) return {};
+    return {free_directions(cold) * cold.inverse_mass,
+            world_inverse_inertia(warm_of(world, body), cold)};
+}
+
+bool reports_stays(const WorldState& world, const Contact& contact) {
+    return world.shapes.shapes[contact.shape_a].report_stays ||
+           world.shapes.shapes[contact.shape_b].report_stays;
+}
+
+}  // namespace
+
+ColourSetKey set_of_contact(const WorldState& world, const Contact& contact) {
+    const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
+    if (a.frozen && (b.frozen || b.type != BodyType::dynamic)) return asleep_set;
+    return world.islands.islands[a.island].colour_set;
+}
+
+void add_contact(WorldState& world, std::uint32_t index, bool single) {
+    Contact& contact = world.contacts.contacts[index];
+    BodyCold& a = world.bodies.cold[contact.body_a];
+    BodyCold& b = world.bodies.cold[contact.body_b];
+    ASSERT(contact.colour < 0 && a.set == BodySet::awake && b.set != BodySet::sleeping);
+    const PairKind kind = pair_kind_with(b);
+    const bool two = kind == PairKind::dynamic;
+    ASSERT(!two || world.islands.islands[a.island].colour_set ==
+                       world.islands.islands[b.island].colour_set);
+    contact.colour_set = set_of_contact(world, contact);
+    const bool solved = contact.colour_set != asleep_set;
+    int c =
+        solved ? free_colour(a.colours | (two ? b.colours : 0), kind) : asleep_colour(kind, index);
+    if (!is_overflow(c)) {
+        if (solved) a.colours |= 1ull << c;
+        if (solved && two) b.colours |= 1ull << c;
+        if (single) c += single_colours;
+    }
+    a.constraints++;
+    if (two) b.constraints++;
+    contact.colour = c;
+    contact.slot = add_contact(world.graph, contact.colour_set, c, index);
+    derive_flags(world, contact);
+    write_body_indices(world, contact);
+}
+
+void remove_contact(WorldState& world, std::uint32_t index) {
+    Contact& contact = world.contacts.contacts[index];
+    ASSERT(contact.colour >= 0);
+    const int c = contact.colour;
+    BodyCold& a = world.bodies.cold[contact.body_a];
+    BodyCold& b = world.bodies.cold[contact.body_b];
+    const bool two = pair_kind_of(c) == PairKind::dynamic;
+    if (!is_overflow(c) && contact.colour_set != asleep_set) {
+        a.colours &= ~(1ull << mask_bit(c));
+        if (two) b.colours &= ~(1ull << mask_bit(c));
+    }
+    ASSERT(a.constraints > 0 && (!two || b.constraints > 0));
+    a.constraints--;
+    if (two) b.constraints--;
+    const std::uint32_t moved = remove_contact(world.graph, contact.colour_set, c, contact.slot);
+    if (moved != no_contact) world.contacts.contacts[moved].slot = contact.slot;
+    contact.colour = -1;
+    contact.slot = 0;
+}
+
+SavedContact save_contact(const WorldState& world, std::uint32_t index) {
+    return save_contact(place_of(world, world.contacts.contacts[index]));
+}
+
+void restore_contact(WorldState& world, const SavedContact& saved) {
+    add_contact(world, saved.contact, is_single_point(saved));
+    const Contact& contact = world.contacts.contacts[saved.contact];
+    const ContactPlace place = place_of(world, contact);
+    restore_contact(place, saved);
+    place.meta->set(LaneFlag::touching_now, place.lane, contact.touching);
+}
+
+void move_contact(WorldState& world, std::uint32_t contact) {
+    const SavedContact saved = save_contact(world, contact);
+    remove_contact(world, contact);
+    restore_contact(world, saved);
+}
+
+bool is_in_its_list(const WorldState& world, const Contact& contact) {
+    if (is_overflow(contact.colour)) return true;
+    const ContactPlace place = place_of(world, contact);
+    return is_single_point(place.block->gap[1][place.lane]) == is_single(contact.colour);
+}
+
+void move_to_its_list(WorldState& world, std::uint32_t contact) {
+    if (!is_in_its_list(world, world.contacts.contacts[contact])) move_contact(world, contact);
+}
+
+ContactPlace place_of(WorldState& world, const Contact& contact) {
+    ASSERT(contact.colour >= 0);
+    return place_at(world.graph, contact.colour_set, contact.colour, contact.slot);
+}
+
+ContactPlace place_of(const WorldState& world, const Contact& contact) {
+    return place_of(const_cast<WorldState&>(world), contact);
+}
+
+void write_body_indices(WorldState& world, const Contact& contact) {
+    const ContactPlace place = place_of(world, contact);
+    const auto hot_index = [&](std::uint32_t body) {
+        const BodyCold& cold = world.bodies.cold[body];
+        return cold.set == BodySet::awake ? static_cast<std::int32_t>(cold.at) + 1 : 0;
+    };
+    place.block->a[place.lane] = hot_index(contact.body_a);
+    place.block->b[place.lane] = hot_index(contact.body_b);
+}
+
+void derive_flags(WorldState& world, const Contact& contact) {
+    const ContactPlace place = place_of(world, contact);
+    const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
+    const bool two = b.type == BodyType::dynamic;
+    const auto set = [&](LaneFlag flag, bool on) { place.meta->set(flag, place.lane, on); };
+    set(LaneFlag::anisotropic, !a.isotropic || (two && !b.isotropic));
+    set(LaneFlag::locked, !world.def.planar && (a.locks != 0 || (two && b.locks != 0)));
+    set(LaneFlag::reports, reports_stays(world, contact));
+    set(LaneFlag::touching, contact.touching);
+}
+
+void sort_contacts(WorldState& world, GraphColour& colour, int number) {
+    sort_contacts(colour, number);
+    for (std::int32_t slot = 0; slot < colour.contacts; slot++) {
+        const ContactPlace place = place_at(colour, number, slot);
+        world.contacts.contacts[place.meta->contact[place.lane]].slot = slot;
+    }
+}
+
+void write_effective_mass(WorldState& world, const Contact& contact, const ContactFrame& frame) {
+    write_effective_mass(place_of(world, contact), frame, inverse_mass_of(world, contact.body_a),
+                         inverse_mass_of(world, contact.body_b));
+}
+
+void rewrite_effective_mass(WorldState& world, const Contact& contact) {
+    rewrite_effective_mass(place_of(world, contact), inverse_mass_of(world, contact.body_a),
+                           inverse_mass_of(world, contact.body_b));
+}
+
+}  // namespace jostle::physics

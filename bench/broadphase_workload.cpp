@@ -47,11 +47,11 @@ struct Body {
     Aabb tight() const { return {at - half, at + half}; }
 };
 
-Aabb fatten(const Body& body) {
+Aabb enlarge_aabb(const Body& body) {
     return fat_box(body.tight(), body.velocity * dt, length(body.half));
 }
 
-bool left_fat_box(const Body& body) {
+bool left_fat_aabb(const Body& body) {
     return !contains(body.fat, grow(body.tight(), 0.25 * tuning::fat_margin));
 }
 
@@ -139,13 +139,13 @@ Workload record_workload(Arrangement arrangement, Moving moving, std::uint32_t c
             bodies[k].velocity = random.direction() * random.in(0.5, 3);
             if (arrangement == Arrangement::flat) bodies[k].velocity.y = 0;
         }
-        bodies[k].fat = fatten(bodies[k]);
+        bodies[k].fat = enlarge_aabb(bodies[k]);
     }
     const auto step = [&](auto&& left) {
         for (std::uint32_t k = 0; k < movers; k++) {
             advance(bodies[k], room);
-            if (!left_fat_box(bodies[k])) continue;
-            bodies[k].fat = fatten(bodies[k]);
+            if (!left_fat_aabb(bodies[k])) continue;
+            bodies[k].fat = enlarge_aabb(bodies[k]);
             left(k);
         }
     };

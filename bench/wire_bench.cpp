@@ -102,7 +102,8 @@ std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedF
 }
 
 // Every age-th frame, as a client at that share of the world's rate gets them.
-std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
+std::optional<Figures> set_separation_bound(const std::vector<wire::QuantizedFrame>& frames,
+                                            std::size_t age) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     wire::QuantizedFrame back;
@@ -142,7 +143,7 @@ int run(const Flags& flags) {
         const std::size_t bodies =
             recording->frames.empty() ? 0 : recording->frames[0].entities.size();
         for (const int age : flags.ages) {
-            const auto f = measure(recording->frames, static_cast<std::size_t>(age));
+            const auto f = set_separation_bound(recording->frames, static_cast<std::size_t>(age));
             if (!f) return 1;
             std::printf("%-10s %6zu %4d %8.1f %8.1f %6.1f %8.0f %8.0f\n", scene.c_str(), bodies,
                         age, f->moving, f->bytes, f->bits, f->encode_ns, f->decode_ns);

@@ -2,7 +2,7 @@
 #include "persist/derive.h"
 
 #include "state/contact_constraints.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -15,12 +15,12 @@ void derive_shapes(WorldState& world) {
     for (std::uint32_t i = 0; i < world.shapes.ids.size(); i++) {
         if (!world.shapes.ids.alive(i)) continue;
         ShapeRecord& shape = world.shapes.shapes[i];
-        derive_shape(world.bodies.cold[shape.body], shape);
+        derive_shape_pose(world.bodies.cold[shape.body], shape);
         // The list of moved shapes was saved in its order; entering a tree must not add to it.
         const bool moved = shape.moved;
         const std::size_t fresh = world.triggers.fresh.size();
         shape.moved = true;
-        enter_tree(world, i);
+        create_proxy(world, i);
         shape.moved = moved;
         world.triggers.fresh.resize(fresh);
     }

@@ -289,7 +289,7 @@ void visit_fields(V& v, Contact& c) {
     v.field("axis", c.cache.axis);
     visit(v, "direction", c.cache.direction);
     v.field("touching", c.touching);
-    v.field("waiting", c.waiting);
+    v.field("has_bound", c.has_bound);
     v.field("dormant", c.dormant);
     v.field("limit", c.limit);
     for (float& x : c.load) v.field("load", x);
@@ -400,9 +400,9 @@ void visit_world(V& v, WorldState& world) {
     v.enter("bodies");
     visit(v, "ids", world.bodies.ids);
     visit_all(v, "cold", world.bodies.cold, [&](BodyCold& b) { visit_fields(v, b); });
-    visit_all(v, "reach", world.bodies.reach, [&](BodyReach& r) {
+    visit_all(v, "motion", world.bodies.motion, [&](MotionBound& r) {
         v.field("travel", r.travel);
-        v.field("reach", r.reach);
+        v.field("bound", r.bound);
         v.field("turned", r.turned);
     });
     visit_all(v, "fixed", world.bodies.fixed, [&](BodyWarm& b) { visit_fields(v, b); });
@@ -431,7 +431,7 @@ void visit_world(V& v, WorldState& world) {
     v.enter("contacts");
     visit(v, "ids", world.contacts.ids);
     visit_all(v, "contacts", world.contacts.contacts, [&](Contact& c) { visit_fields(v, c); });
-    visit_all(v, "waiting", world.contacts.waiting, [&](Waiting& w) {
+    visit_all(v, "bounds", world.contacts.bounds, [&](SeparationBound& w) {
         v.field("contact", w.contact);
         v.field("body_a", w.body_a);
         v.field("body_b", w.body_b);

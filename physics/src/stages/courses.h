@@ -10,7 +10,7 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "jostle/physics/tuning.h"
 #include "stages/step_context.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 
@@ -59,7 +59,7 @@ public:
 
     // Whether the motions of a body and another, one of whose shapes is given, are large enough
     // against each other for a sweep and may bring them together. What moves less is the contact
-    // solver's (stages/update_contacts.cpp).
+    // solver's (stages/contacts/update_contacts.cpp).
     bool may_meet(const WorldState& world, const Course& course, const BodyCold& cold,
                   std::uint32_t other, std::uint32_t other_shape) const {
         const Course met = of(world, other);

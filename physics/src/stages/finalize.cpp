@@ -2,7 +2,7 @@
 #include "stages/finalize.h"
 
 #include "stages/settle_body.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -36,13 +36,13 @@ Skipped finalize(StepContext& step) {
     auto& moves = scratch.moves;
     moves.clear();
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
-        if (scratch.left_fat_box[i] == 0) continue;
+        if (scratch.left_fat_aabb[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;
         for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
              s = world.shapes.shapes[s].next) {
             const ShapeRecord& shape = world.shapes.shapes[s];
             if (shape.leaf >= 0) moves.push_back({shape.leaf, shape.fat});
-            ask_for_pairs(world, s);
+            buffer_move(world, s);
         }
     }
     const auto tell_trees = [&shapes = world.shapes, &moves] {

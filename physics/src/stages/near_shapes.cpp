@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 

@@ -2,7 +2,7 @@
 #include "stages/quarantine.h"
 
 #include "state/contact_constraints.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -33,7 +33,7 @@ Skipped quarantine(StepContext& step) {
             const Contact& c = world.contacts.contacts[contact];
             if (c.colour >= 0) forget_impulses(world, c);
         });
-        look_ahead(world, body, step.dt);
+        update_motion_bound(world, body, step.dt);
     }
     return ran;
 }

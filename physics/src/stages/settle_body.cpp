@@ -2,7 +2,7 @@
 #include "stages/settle_body.h"
 
 #include "jostle/physics/tuning.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -16,22 +16,22 @@ bool is_sound(const FreeMotion& motion, Vec3 center) {
            is_finite(center) && is_finite(motion.rotation);
 }
 
-bool left_fat_box(WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
-    BodyReach& reach = world.bodies.reach[warm.body];
-    if (reach.travel + length(warm.v) * dt <= reach.roomy_until) return false;
-    FatRoom room{1e300, 1e300};
+bool left_fat_aabb(WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
+    MotionBound& motion = world.bodies.motion[warm.body];
+    if (motion.travel + length(warm.v) * dt <= motion.fits_until) return false;
+    AabbMargin room{1e300, 1e300};
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
-        const FatRoom own = room_in_fat_box(world.shapes.shapes[s], warm, dt);
+        const AabbMargin own = margin_in_fat_aabb(world.shapes.shapes[s], warm, dt);
         room = {minimum(room.now, own.now), minimum(room.next, own.next)};
     }
-    reach.roomy_until = reach.travel + room.now;
+    motion.fits_until = motion.travel + room.now;
     return room.next < 0;
 }
 
 // Whether a shape of a body that moved is no longer within its fat box.
 bool strayed(const WorldState& world, const BodyWarm& warm, const BodyCold& cold) {
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!fits_fat_box(world.shapes.shapes[s], warm, 0)) return true;
+        if (!fits_fat_aabb(world.shapes.shapes[s], warm, 0)) return true;
     return false;
 }
 
@@ -71,7 +71,7 @@ bool was_thrown(const FreeMotion& motion, Quat turn, const BodyCold& cold, doubl
 }  // namespace
 
 void begin_settling(WorldState& world) {
-    world.scratch.left_fat_box.assign(world.bodies.awake.size(), 0);
+    world.scratch.left_fat_aabb.assign(world.bodies.awake.size(), 0);
     world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
     world.scratch.fast.assign(world.bodies.awake.size(), 0);
     world.scratch.thrown.assign(world.bodies.awake.size(), 0);
@@ -116,15 +116,15 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     warm.w = motion.w;
     if (world.scratch.fast[awake_index] != 0)
         world.scratch.strayed[awake_index] = strayed(world, warm, cold) ? 1 : 0;
-    world.bodies.reach[warm.body].travel += way;
-    world.bodies.reach[warm.body].turned += turned;
-    look_ahead(world, warm.body, step.dt);
+    world.bodies.motion[warm.body].travel += way;
+    world.bodies.motion[warm.body].turned += turned;
+    update_motion_bound(world, warm.body, step.dt);
     if (world.def.sleeping && cold.type == BodyType::dynamic)
         note_rest(warm, cold, motion, turn, step.dt);
-    if (!left_fat_box(world, warm, cold, step.dt)) return;
-    world.scratch.left_fat_box[awake_index] = 1;
+    if (!left_fat_aabb(world, warm, cold, step.dt)) return;
+    world.scratch.left_fat_aabb[awake_index] = 1;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        fatten(world, s, warm, step.dt);
+        enlarge_aabb(world, s, warm, step.dt);
 }
 
 }  // namespace jostle::physics

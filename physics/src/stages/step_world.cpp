@@ -2,6 +2,7 @@
 #include "stages/step_world.h"
 
 #include "foundation/fp_mode.h"
+#include "stages/contacts/update_contacts.h"
 #include "stages/finalize.h"
 #include "stages/integrate_free.h"
 #include "stages/islands/link_islands.h"
@@ -10,11 +11,10 @@
 #include "stages/quarantine.h"
 #include "stages/solve_constraints.h"
 #include "stages/stop_fast_bodies.h"
-#include "stages/update_contacts.h"
 #include "stages/update_pairs.h"
 #include "stages/update_sleep.h"
 #include "stages/update_triggers.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -25,7 +25,7 @@ StepContext begin_step(WorldState& world, double dt) {
     if (world.profile.solver_tasks > 1) world.team->wake();
     world.profile = {};
     if (dt != world.last_dt)
-        for (const BodyWarm& warm : world.bodies.awake) look_ahead(world, warm.body, dt);
+        for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     world.last_dt = dt;
     StepContext step{world, *world.team, dt, {}};
     for (const SolverTier tier : all_tiers) {

@@ -18,7 +18,7 @@
 #include "stages/traveller.h"
 #include "state/frozen.h"
 #include "state/links.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -6,7 +6,7 @@
 #include "constraints/free_motion.h"
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -144,19 +144,19 @@ void arrive(WorldState& world, const Traveller& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     BodyWarm& warm = warm_of(world, t.body);
     const Vec3 center = center_at(t.sweep, until);
-    BodyReach& reach = world.bodies.reach[t.body];
+    MotionBound& motion = world.bodies.motion[t.body];
     const double turned = 3.2 * cold.radius;  // half a turn at most
-    reach.travel += length(center - warm.center) + turned;
-    reach.turned += turned;
+    motion.travel += length(center - warm.center) + turned;
+    motion.turned += turned;
     warm.center = center;
     warm.rotation = stayed ? rotation_at(t.sweep, until) : t.end_rotation;
     warm.axes = to_matrix(warm.rotation);
     warm.v = t.velocity + t.gain * (until - t.sweep.from);
     warm.w = stayed ? t.spin : t.end_spin;
     warm.quiet = 0;
-    look_ahead(world, t.body, dt);
+    update_motion_bound(world, t.body, dt);
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!fits_fat_box(world.shapes.shapes[s], warm, dt)) refatten(world, s, warm, dt);
+        if (!fits_fat_aabb(world.shapes.shapes[s], warm, dt)) enlarge_proxy(world, s, warm, dt);
 }
 
 }  // namespace jostle::physics

@@ -5,7 +5,7 @@
 
 #include "state/frozen.h"
 #include "state/links.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "collision/narrowphase/collide_composite.h"
 #include "geometry/bounds.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {

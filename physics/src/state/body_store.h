@@ -74,19 +74,19 @@ struct BodyWarm {
 // step is over. A pair that does not touch is looked at again only when the sum of both exceeds its
 // limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads nothing
 // else.
-struct BodyReach {
+struct MotionBound {
     double travel = 0;  // m, never decreases
-    double reach = 0;   // m
+    double bound = 0;   // m
     double turned = 0;  // m: the part of `travel` that comes from turning
     // Until `travel`, the next step's included, reaches this, all shapes are within their fat
     // boxes. Derived: 0 means that nobody has looked.
-    double roomy_until = 0;  // m
+    double fits_until = 0;  // m
 };
 
 struct BodyStore {
     IdPool ids;
-    FlatArray<BodyCold> cold;    // by index
-    FlatArray<BodyReach> reach;  // by index
+    FlatArray<BodyCold> cold;       // by index
+    FlatArray<MotionBound> motion;  // by index
     FlatArray<BodyWarm> fixed, awake;
     std::uint32_t frozen = 0;  // how many of the awake set are; derived
 };

@@ -27,12 +27,12 @@ struct alignas(64) Contact {
     std::int32_t slot = 0;     // in that colour
     ColourSetKey colour_set;   // of its lane
     bool touching = false;     // pressed in the last step; binds the two bodies into one island
-    bool waiting = false;      // has an entry on the waiting list
+    bool has_bound = false;    // has an entry on the waiting list
     bool dormant = false;
     bool composite = false;  // has parts, below
     bool queued = false;     // within a step: already among the pairs to look at
 
-    double limit = -1;  // m: to be looked at when reach_a + reach_b exceeds it
+    double limit = -1;  // m: to be looked at when the motion bounds of both bodies exceeds it
     // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
     float load[3] = {};  // N, on b, when one of its bodies was frozen
@@ -52,27 +52,27 @@ static_assert(sizeof(Contact) == 128);  // two cache lines
 // most are not; for the others the motion against each other is measured: along the direction in
 // which they were apart if that is known, since what falls past each other comes no nearer, else
 // its length.
-struct Waiting {
-    static constexpr double measured_by_limit = -1e300;
+struct SeparationBound {
+    static constexpr double not_measured = -1e300;
 
     std::uint32_t contact = none, body_a = none, body_b = none;
     // Directed: unit, from a to b. Else m, from a's centre of mass to b's at that moment.
     float apart[3] = {};
     bool directed = false;
-    // m, what may be used up: the slack and both bodies' BodyReach::turned at that moment, and when
-    // directed less the distance of the centres along the direction.
-    double budget = measured_by_limit;
+    // m, what may be used up: the slack and both bodies' MotionBound::turned at that moment, and
+    // when directed less the distance of the centres along the direction.
+    double budget = not_measured;
     double limit = -1;  // m, on the sum of both bodies' reach
 };
 
-inline Vec3 way_apart(const Waiting& w) {
+inline Vec3 direction_of(const SeparationBound& w) {
     return {double{w.apart[0]}, double{w.apart[1]}, double{w.apart[2]}};
 }
 
 struct ContactStore {
     IdPool ids;
     FlatArray<Contact> contacts;
-    FlatArray<Waiting> waiting;
+    FlatArray<SeparationBound> bounds;
     bool some_dormant = true;  // of those waiting, perhaps; not saved
     KeySet pairs;              // pair_key() of each contact that is no part; derived
 };

@@ -90,7 +90,7 @@ void hold_still(WorldState& world, std::uint32_t body) {
     cold.inverse_inertia = diagonal({0, 0, 0});
     BodyWarm& warm = warm_of(world, body);
     warm.v = warm.w = {};
-    world.bodies.reach[body].reach = world.bodies.reach[body].travel;
+    world.bodies.motion[body].bound = world.bodies.motion[body].travel;
     world.bodies.frozen++;
 }
 

@@ -9,7 +9,7 @@
 #include "state/contact_constraints.h"
 #include "state/frozen.h"
 #include "state/island_tiers.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -77,7 +77,7 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
         is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
         is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
     store.pairs.insert(pair_key(shape_a, shape_b));
-    put_on_waiting_list(world, index, -1);
+    add_separation_bound(world, index, -1);
     return index;
 }
 
@@ -94,35 +94,35 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
     return index;
 }
 
-void measure(Waiting& w, Vec3 apart, Vec3 direction, double slack, const BodyReach& a,
-             const BodyReach& b) {
+void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double slack,
+                          const MotionBound& a, const MotionBound& b) {
     w.directed = direction != Vec3{};
     const Vec3 kept = w.directed ? direction : apart;
     for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(kept[k]);
-    w.budget = slack + a.turned + b.turned - (w.directed ? dot(way_apart(w), apart) : 0);
+    w.budget = slack + a.turned + b.turned - (w.directed ? dot(direction_of(w), apart) : 0);
 }
 
-void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
+void add_separation_bound(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
     Contact& c = world.contacts.contacts[contact];
     c.dormant = false;
-    if (c.waiting) return;  // was dormant meanwhile: keeps its place and limit
-    c.waiting = true;
-    const BodyReach &a = world.bodies.reach[c.body_a], &b = world.bodies.reach[c.body_b];
-    Waiting w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
+    if (c.has_bound) return;  // was dormant meanwhile: keeps its place and limit
+    c.has_bound = true;
+    const MotionBound &a = world.bodies.motion[c.body_a], &b = world.bodies.motion[c.body_b];
+    SeparationBound w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
     w.limit = a.travel + b.travel + slack;
     const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
     if (slack >= 0 && length_squared(apart) <= 1e6)
-        measure(w, apart, direction, slack - slack_held_back, a, b);
+        set_separation_bound(w, apart, direction, slack - slack_reserve, a, b);
     c.limit = w.limit;
-    world.contacts.waiting.push_back(w);
+    world.contacts.bounds.push_back(w);
 }
 
-void resume_waiting(WorldState& world, std::uint32_t contact) {
+void resume_separation_bound(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     c.dormant = false;
-    if (c.waiting) return;
-    c.waiting = true;
-    world.contacts.waiting.push_back(
+    if (c.has_bound) return;
+    c.has_bound = true;
+    world.contacts.bounds.push_back(
         {.contact = contact, .body_a = c.body_a, .body_b = c.body_b, .limit = c.limit});
 }
 
@@ -139,8 +139,8 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
         if (!c.composite) end_touch(world, contact);
     }
     if (c.colour >= 0) remove_contact(world, contact);
-    if (c.waiting)
-        std::erase_if(store.waiting, [&](const Waiting& w) { return w.contact == contact; });
+    if (c.has_bound)
+        std::erase_if(store.bounds, [&](const SeparationBound& w) { return w.contact == contact; });
     if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {
         Island& island = world.islands.islands[world.bodies.cold[c.body_a].island];
         std::erase_if(island.manifolds,
@@ -259,7 +259,7 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
     for (const std::uint32_t body : {a, b})
         for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
              s = world.shapes.shapes[s].next)
-            ask_for_pairs(world, s);
+            buffer_move(world, s);
 }
 
 bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b) {
@@ -449,7 +449,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const BodyWarm& warm : sleepers)
         for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.dormant) resume_waiting(world, contact);
+            if (c.dormant) resume_separation_bound(world, contact);
         });
 }
 
@@ -505,7 +505,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
                         report_end(world, c, world.events.contacts_ended);
                         end_touch(world, contact);
                     }
-                    put_on_waiting_list(world, contact, -1);
+                    add_separation_bound(world, contact, -1);
                     return;
                 }
             }
@@ -521,7 +521,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
         cold.set = BodySet::sleeping;
         cold.at = static_cast<std::uint32_t>(island.sleepers.size());
         island.sleepers.push_back(warm);
-        world.bodies.reach[body].reach = world.bodies.reach[body].travel;
+        world.bodies.motion[body].bound = world.bodies.motion[body].travel;
     }
     island.asleep = true;
 }

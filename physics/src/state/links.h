@@ -26,16 +26,17 @@ void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32
 void report_end(const WorldState& world, const Contact& contact, std::vector<ContactEnd>& ended);
 // Reports the end of a composite pair none of whose parts touches any more.
 void settle_pair(WorldState& world, std::uint32_t pair);
-// What is held back of a slack, m: within a kilometre the floats of Waiting::apart are off by less.
-inline constexpr double slack_held_back = 1e-4;
+// What is held back of a slack, m: within a kilometre the floats of SeparationBound::apart are off
+// by less.
+inline constexpr double slack_reserve = 1e-4;
 // From now on by the motion of the two centres, which are `apart`, against each other: along a
 // direction, or by its length if that is zero. `a`, `b`: of the two bodies.
-void measure(Waiting& waiting, Vec3 apart, Vec3 direction, double slack, const BodyReach& a,
-             const BodyReach& b);
-void put_on_waiting_list(WorldState& world, std::uint32_t contact, double slack,
-                         Vec3 direction = {});
+void set_separation_bound(SeparationBound& waiting, Vec3 apart, Vec3 direction, double slack,
+                          const MotionBound& a, const MotionBound& b);
+void add_separation_bound(WorldState& world, std::uint32_t contact, double slack,
+                          Vec3 direction = {});
 // A dormant contact waits again, as before.
-void resume_waiting(WorldState& world, std::uint32_t contact);
+void resume_separation_bound(WorldState& world, std::uint32_t contact);
 
 // --- joints ---
 // The joint's record is filled: puts it on its bodies' lists and joins their islands (both awake).

@@ -178,7 +178,7 @@ struct StepScratch {
     std::vector<BodyWarm> before;  // by awake body: before the step, of what is fast or was thrown
     std::atomic<int> any_fast = 0;
     std::vector<std::uint32_t> touch_changes;   // contacts whose touching flag changes
-    std::vector<std::uint8_t> left_fat_box;     // by awake body: some shape of it did
+    std::vector<std::uint8_t> left_fat_aabb;    // by awake body: some shape of it did
     std::vector<BroadPhaseIndex::Move> moves;   // of their boxes
     std::vector<std::uint8_t> not_finite;       // by awake body
     std::vector<IslandExtent> extents;          // by island

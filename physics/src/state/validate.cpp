@@ -58,7 +58,7 @@ Fault check_sets(const WorldState& world) {
 }
 
 Fault check_bodies(const WorldState& world) {
-    if (world.bodies.reach.size() != world.bodies.cold.size())
+    if (world.bodies.motion.size() != world.bodies.cold.size())
         return "bodies: cold and reach differ in number";
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
         if (!world.bodies.ids.alive(i)) continue;
@@ -125,7 +125,7 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
         return k < contacts.size() && world.contacts.ids.alive(k);
     };
     if (c.parent != none) {
-        if (!exists(c.parent) || !contacts[c.parent].composite || c.composite || c.waiting ||
+        if (!exists(c.parent) || !contacts[c.parent].composite || c.composite || c.has_bound ||
             c.first_part != none || contacts[c.parent].shape_a != c.shape_a ||
             contacts[c.parent].shape_b != c.shape_b)
             return at("contacts", i, "is a part of a pair that is none");
@@ -285,16 +285,16 @@ Fault check_contacts(const WorldState& world) {
     if (edges != 2 * world.contacts.ids.alive_count_slow())
         return "contacts: some are on no body's list";
     std::vector<std::uint8_t> entries(contacts.size(), 0);
-    for (std::size_t k = 0; k < world.contacts.waiting.size(); k++) {
-        const Waiting& w = world.contacts.waiting[k];
+    for (std::size_t k = 0; k < world.contacts.bounds.size(); k++) {
+        const SeparationBound& w = world.contacts.bounds[k];
         if (w.contact >= contacts.size() || !world.contacts.ids.alive(w.contact) ||
-            entries[w.contact]++ != 0 || !contacts[w.contact].waiting ||
+            entries[w.contact]++ != 0 || !contacts[w.contact].has_bound ||
             contacts[w.contact].colour >= 0 || contacts[w.contact].body_a != w.body_a ||
             contacts[w.contact].body_b != w.body_b)
-            return at("contacts.waiting", k, "does not agree with its contact");
+            return at("contacts.bounds", k, "does not agree with its contact");
     }
     for (std::uint32_t i = 0; i < contacts.size(); i++)
-        if (world.contacts.ids.alive(i) && contacts[i].waiting != (entries[i] != 0))
+        if (world.contacts.ids.alive(i) && contacts[i].has_bound != (entries[i] != 0))
             return at("contacts", i, "waits without an entry");
     return {};
 }
@@ -365,7 +365,7 @@ Fault check_islands(const WorldState& world) {
             if (m.contact >= world.contacts.contacts.size() ||
                 !world.contacts.ids.alive(m.contact) ||
                 world.contacts.contacts[m.contact].colour >= 0 ||
-                world.contacts.contacts[m.contact].waiting ||
+                world.contacts.contacts[m.contact].has_bound ||
                 !world.contacts.contacts[m.contact].dormant ||
                 world.bodies.cold[world.contacts.contacts[m.contact].body_a].island != i)
                 return at("islands", i, "keeps a manifold of a contact that is elsewhere");

@@ -6,7 +6,7 @@
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/world.h"
 #include "state/links.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 #include "world/checks.h"
 #include "world/mass.h"
 
@@ -19,22 +19,22 @@ double look_ahead_dt(const WorldState& world) {
 
 // After the pose or velocity of an awake body changed from outside.
 void touch_up(WorldState& world, std::uint32_t body) {
-    look_ahead(world, body, look_ahead_dt(world));
+    update_motion_bound(world, body, look_ahead_dt(world));
     const BodyWarm& warm = warm_of(world, body);
     for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
          s = world.shapes.shapes[s].next)
-        refatten(world, s, warm, look_ahead_dt(world));
+        enlarge_proxy(world, s, warm, look_ahead_dt(world));
 }
 
 // After the velocity of an awake body changed from outside: what it will meet in the next step must
 // be among its pairs.
 void speed_up(WorldState& world, std::uint32_t body) {
-    look_ahead(world, body, look_ahead_dt(world));
+    update_motion_bound(world, body, look_ahead_dt(world));
     const BodyWarm& warm = warm_of(world, body);
     for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
          s = world.shapes.shapes[s].next)
-        if (!fits_fat_box(world.shapes.shapes[s], warm, look_ahead_dt(world)))
-            refatten(world, s, warm, look_ahead_dt(world));
+        if (!fits_fat_aabb(world.shapes.shapes[s], warm, look_ahead_dt(world)))
+            enlarge_proxy(world, s, warm, look_ahead_dt(world));
 }
 
 // Velocities along and about locked axes are none. Kinematic bodies know no locks.
@@ -83,7 +83,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
     while (cold.first_joint != none) destroy_joint(world, cold.first_joint / 2);
     for (std::uint32_t s = cold.first_shape; s != none;) {
         const std::uint32_t next = world.shapes.shapes[s].next;
-        leave_tree(world, s);
+        destroy_proxy(world, s);
         world.shapes.shapes[s] = ShapeRecord{};
         world.shapes.ids.give_back(s);
         s = next;
@@ -91,7 +91,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
     if (cold.island != none) remove_from_island(world, body);
     leave_set(world, body);
     cold = BodyCold{};
-    world.bodies.reach[body] = {};
+    world.bodies.motion[body] = {};
     world.bodies.ids.give_back(body);
 }
 
@@ -106,7 +106,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     const std::uint32_t index = world.bodies.ids.take();
     if (index == world.bodies.cold.size()) {
         world.bodies.cold.emplace_back();
-        world.bodies.reach.emplace_back();
+        world.bodies.motion.emplace_back();
     }
     world.bodies.cold[index] =
         BodyCold{.type = def.type,
@@ -118,7 +118,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
                  .gravity_scale = def.gravity_scale,
                  .wanted_mass = def.mass,
                  .user_data = def.user_data};
-    world.bodies.reach[index] = {};
+    world.bodies.motion[index] = {};
     BodyWarm warm{.body = index,
                   .center = def.pose.position,
                   .rotation = unit(def.pose.rotation),
@@ -131,7 +131,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     else
         enter_awake(world, warm);
     if (def.type == BodyType::dynamic) add_to_island(world, create_island(world), index);
-    look_ahead(world, index, look_ahead_dt(world));
+    update_motion_bound(world, index, look_ahead_dt(world));
     return body_id(world, index);
 }
 
@@ -178,7 +178,7 @@ Result<ShapeId> World::create_shape(BodyId body, const ShapeDef& def) {
         destroy_contacts_of(world, body.index, world.events.pending.ended);
     update_mass(world, body.index);
     touch_up(world, body.index);
-    enter_tree(world, index);
+    create_proxy(world, index);
     return shape_id(world, index);
 }
 
@@ -194,7 +194,7 @@ Status World::destroy_shape(ShapeId id) {
     wake_neighbours(world, body);
     wake_body(world, body);
     destroy_contacts_of(world, body, world.events.pending.ended);
-    leave_tree(world, id.index);
+    destroy_proxy(world, id.index);
     std::uint32_t previous = none;
     for (std::uint32_t s = cold.first_shape; s != id.index; s = world.shapes.shapes[s].next)
         previous = s;
@@ -329,7 +329,7 @@ Status World::set_material(ShapeId shape, const Material& material) {
     // Manifolds hold what the two materials make together: they are built anew.
     destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
     record.material = material;
-    ask_for_pairs(world, shape.index);
+    buffer_move(world, shape.index);
     return {};
 }
 
@@ -340,9 +340,9 @@ Status World::set_filter(ShapeId shape, const Filter& filter) {
     wake_neighbours(world, record.body);
     wake_body(world, record.body);
     destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
-    leave_tree(world, shape.index);
+    destroy_proxy(world, shape.index);
     record.filter = filter;
-    enter_tree(world, shape.index);
+    create_proxy(world, shape.index);
     return {};
 }
 
@@ -363,7 +363,7 @@ Status World::set_gravity_scale(BodyId body, double scale) {
     if (Status s = check_range("scale", scale, -1e3, 1e3); !s.ok()) return s;
     wake_body(world, body.index);
     world.bodies.cold[body.index].gravity_scale = scale;
-    look_ahead(world, body.index, look_ahead_dt(world));
+    update_motion_bound(world, body.index, look_ahead_dt(world));
     return {};
 }
 
@@ -414,7 +414,7 @@ Status World::apply_force(BodyId body, Vec3 force, Vec3 point) {
     BodyWarm& warm = stir(world, body.index);
     warm.force += force;
     warm.torque += cross(point - warm.center, force);
-    look_ahead(world, body.index, look_ahead_dt(world));
+    update_motion_bound(world, body.index, look_ahead_dt(world));
     return {};
 }
 

@@ -6,7 +6,7 @@
 #include "geometry/inner_radius.h"
 #include "geometry/mass_properties.h"
 #include "geometry/outline.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -62,7 +62,7 @@ void update_mass(WorldState& world, std::uint32_t body) {
     cold.inner_radius = 1e300;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         ShapeRecord& shape = world.shapes.shapes[s];
-        derive_shape(cold, shape);
+        derive_shape_pose(cold, shape);
         if (!is_plane(shape))
             cold.radius = maximum(cold.radius, length(shape.offset) + radius_of(shape.geometry));
         if (!shape.trigger)

@@ -25,7 +25,7 @@ struct Patch {
 
 // A triangle that comes nearer than what may push there: a seam forbids its own contact, and its
 // face does not reach as far. Normally its neighbour pushes instead.
-struct Waiting {
+struct SeparationBound {
     Vec3 corner[3];  // from the shape's position
     Witness witness;
     Vec3 nearest;  // on the triangle; the witness of flat features need not lie on both
@@ -273,7 +273,7 @@ private:
 
     // A neighbour pushes in its stead where it is nearest to the shape, and as far out.
     void cover(const Vec3 corner[3], double gap) {
-        for (Waiting& w : waiting_)
+        for (SeparationBound& w : waiting_)
             if (!w.covered && gap <= gap_of(w.witness) + slack() && holds(corner, w.nearest)) {
                 w.covered = true;
                 cover(w.corner, gap);
@@ -301,8 +301,8 @@ private:
         for (std::size_t k = 0; k < patches_.size() && !waiting_.empty(); k++)
             cover(patches_[k].corner, patches_[k].deepest);
         for (;;) {
-            Waiting* next = nullptr;
-            for (Waiting& w : waiting_)
+            SeparationBound* next = nullptr;
+            for (SeparationBound& w : waiting_)
                 if (!w.covered && !(w.through && any_overlaps()) &&
                     (next == nullptr || w.witness.distance < next->witness.distance))
                     next = &w;
@@ -325,7 +325,7 @@ private:
     double size_ = 0;
     Vec3 way_out_;  // zero: not known yet
     std::vector<Patch> patches_;
-    std::vector<Waiting> waiting_;
+    std::vector<SeparationBound> waiting_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/update_contacts.h"
+#include "stages/contacts/update_contacts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,14 +11,14 @@
 #include "constraints/write_manifold.h"
 #include "foundation/prefetch.h"
 #include "jostle/physics/tuning.h"
-#include "stages/pair_ahead.h"
+#include "stages/contacts/pair_ahead.h"
+#include "stages/contacts/separation_bound.h"
 #include "stages/sweep_rule.h"
-#include "stages/waiting_rule.h"
 #include "state/contact_constraints.h"
 #include "state/frozen.h"
 #include "state/island_tiers.h"
 #include "state/links.h"
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -44,10 +44,10 @@ void note_held(WorldState& world) {
 void drop_dormant_pairs(WorldState& world) {
     if (!world.contacts.some_dormant) return;
     world.contacts.some_dormant = false;
-    std::erase_if(world.contacts.waiting, [&](const Waiting& w) {
+    std::erase_if(world.contacts.bounds, [&](const SeparationBound& w) {
         Contact& c = world.contacts.contacts[w.contact];
         if (!c.dormant) return false;
-        c.waiting = false;
+        c.has_bound = false;
         c.limit = w.limit;
         return true;
     });
@@ -56,25 +56,25 @@ void drop_dormant_pairs(WorldState& world) {
 // Takes the due entries off the waiting list.
 void take_due_pairs(StepContext& step) {
     WorldState& world = step.world;
-    FlatArray<Waiting>& waiting = world.contacts.waiting;
+    FlatArray<SeparationBound>& bounds = world.contacts.bounds;
     std::vector<std::uint8_t>& due = world.scratch.due;
-    due.resize(waiting.size());
-    step.team.run(static_cast<int>(waiting.size()), 512, [&](int begin, int end) {
+    due.resize(bounds.size());
+    step.team.run(static_cast<int>(bounds.size()), 512, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-            due[k] = is_due(world, waiting[k], step.dt) ? 1 : 0;
+            due[k] = is_due(world, bounds[k], step.dt) ? 1 : 0;
     });
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < waiting.size(); k++) {
-        if (k + 8 < waiting.size() && due[k + 8] != 0)
-            prefetch(world.contacts.contacts[waiting[k + 8].contact]);
+    for (std::size_t k = 0; k < bounds.size(); k++) {
+        if (k + 8 < bounds.size() && due[k + 8] != 0)
+            prefetch(world.contacts.contacts[bounds[k + 8].contact]);
         if (due[k] == 0) {
-            waiting[kept++] = waiting[k];
+            bounds[kept++] = bounds[k];
             continue;
         }
-        world.contacts.contacts[waiting[k].contact].waiting = false;
-        queue(world, waiting[k].contact);
+        world.contacts.contacts[bounds[k].contact].has_bound = false;
+        queue(world, bounds[k].contact);
     }
-    waiting.resize(kept);
+    bounds.resize(kept);
 }
 
 // A composite pair is looked at as a whole when any of its parts has aged.
@@ -335,7 +335,7 @@ bool boxes_overlap(const WorldState& world, const Contact& c) {
 
 // No manifold (any more): the pair waits until its bodies may have come near, or ends when its
 // boxes parted.
-void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
+void bound_or_end(WorldState& world, const ContactCheck& check, double near) {
     Contact& c = world.contacts.contacts[check.contact];
     if (c.touching) {
         report_end(world, c, world.events.contacts_ended);
@@ -347,8 +347,8 @@ void wait_or_end(WorldState& world, const ContactCheck& check, double near) {
         return;
     }
     const float* d = check.direction;
-    put_on_waiting_list(world, check.contact, check.near - near,
-                        {double{d[0]}, double{d[1]}, double{d[2]}});
+    add_separation_bound(world, check.contact, check.near - near,
+                         {double{d[0]}, double{d[1]}, double{d[2]}});
 }
 
 std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
@@ -423,7 +423,7 @@ void decide_composite(WorldState& world, ContactCheck& check) {
         else
             clear = minimum(clear, found[k].gap_ahead - margin);
     }
-    put_on_waiting_list(world, check.contact, clear);
+    add_separation_bound(world, check.contact, clear);
 }
 
 void decide(WorldState& world, ContactCheck& check) {
@@ -436,7 +436,7 @@ void decide(WorldState& world, ContactCheck& check) {
         world.scratch.new_lanes.push_back({index_of(world, check), -1});
         return;
     }
-    wait_or_end(world, check, begin_margin(world, c));
+    bound_or_end(world, check, begin_margin(world, c));
 }
 
 void wake_islands(WorldState& world) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "state/reach.h"
+#include "state/shape_proxy.h"
 
 #include <algorithm>
 
@@ -18,13 +18,13 @@ BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
 
 }  // namespace
 
-void derive_shape(const BodyCold& cold, ShapeRecord& shape) {
+void derive_shape_pose(const BodyCold& cold, ShapeRecord& shape) {
     shape.offset = shape.pose.position - cold.local_center;
     shape.axes = to_matrix(shape.pose.rotation);
     shape.aligned = shape.pose.rotation == Quat{};
 }
 
-void ask_for_pairs(WorldState& world, std::uint32_t index) {
+void buffer_move(WorldState& world, std::uint32_t index) {
     ShapeRecord& shape = world.shapes.shapes[index];
     if (shape.trigger) world.triggers.fresh.push_back(index);
     if (shape.moved) return;
@@ -32,7 +32,7 @@ void ask_for_pairs(WorldState& world, std::uint32_t index) {
     world.shapes.moved.push_back(index);
 }
 
-void enter_tree(WorldState& world, std::uint32_t index) {
+void create_proxy(WorldState& world, std::uint32_t index) {
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) {
         auto& planes = world.shapes.planes;
@@ -45,10 +45,10 @@ void enter_tree(WorldState& world, std::uint32_t index) {
         auto& triggers = world.shapes.triggers;
         triggers.insert(std::lower_bound(triggers.begin(), triggers.end(), index), index);
     }
-    ask_for_pairs(world, index);
+    buffer_move(world, index);
 }
 
-void leave_tree(WorldState& world, std::uint32_t index) {
+void destroy_proxy(WorldState& world, std::uint32_t index) {
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) {
         std::erase(world.shapes.planes, index);
@@ -76,7 +76,7 @@ void leave_tree(WorldState& world, std::uint32_t index) {
     }
 }
 
-void fatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
+void enlarge_aabb(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) return;
     shape.fat = bounds_of(placed(shape, warm));
@@ -84,17 +84,17 @@ void fatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double
         const double radius = world.bodies.cold[shape.body].radius;
         shape.fat = fat_box(shape.fat, warm.v * dt, radius);
     }
-    world.bodies.reach[shape.body].roomy_until = 0;
+    world.bodies.motion[shape.body].fits_until = 0;
 }
 
-void refatten(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
-    fatten(world, index, warm, dt);
+void enlarge_proxy(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
+    enlarge_aabb(world, index, warm, dt);
     const ShapeRecord& shape = world.shapes.shapes[index];
     if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, shape.fat);
-    ask_for_pairs(world, index);
+    buffer_move(world, index);
 }
 
-FatRoom room_in_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
     if (is_plane(shape)) return {1e300, 1e300};
     // A quarter of the margin early: manifolds begin before surfaces meet.
     const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
@@ -107,8 +107,8 @@ FatRoom room_in_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double d
     return {least(low, high), least(low + min(ahead, Vec3{}), high - max(ahead, Vec3{}))};
 }
 
-bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
-    return room_in_fat_box(shape, warm, dt).next >= 0;
+bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+    return margin_in_fat_aabb(shape, warm, dt).next >= 0;
 }
 
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
@@ -119,15 +119,15 @@ bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb
     return dot(lowest - p.position, n) <= 0;
 }
 
-void look_ahead(WorldState& world, std::uint32_t body, double dt) {
+void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     const BodyCold& cold = world.bodies.cold[body];
     const BodyWarm& warm = warm_of(world, body);
-    BodyReach& reach = world.bodies.reach[body];
+    MotionBound& motion = world.bodies.motion[body];
     // Half as much again as the present speed, and twice what gravity and forces can add.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
     const double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +
                                 length(warm.force) * cold.inverse_mass;
-    reach.reach = reach.travel + 1.5 * dt * speed + dt * dt * acceleration;
+    motion.bound = motion.travel + 1.5 * dt * speed + dt * dt * acceleration;
 }
 
 }  // namespace jostle::physics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/pair_ahead.h"
+#include "stages/contacts/pair_ahead.h"
 
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/write_manifold.h"

@@ -8,6 +8,6 @@
 namespace jostle::physics {
 
 // Whether a pair may touch in this step; if not, knows from when on to ask again.
-bool is_due(const WorldState& world, Waiting& w, double dt);
+bool is_due(const WorldState& world, SeparationBound& w, double dt);
 
 }  // namespace jostle::physics

@@ -9,28 +9,28 @@
 namespace jostle::physics {
 
 // Recomputes what is derived from the shape's pose in its body.
-void derive_shape(const BodyCold& cold, ShapeRecord& shape);
+void derive_shape_pose(const BodyCold& cold, ShapeRecord& shape);
 // Puts a new shape into its tree (or the plane list) and asks for its pairs.
-void enter_tree(WorldState& world, std::uint32_t shape);
-void leave_tree(WorldState& world, std::uint32_t shape);
+void create_proxy(WorldState& world, std::uint32_t shape);
+void destroy_proxy(WorldState& world, std::uint32_t shape);
 // Its pairs are looked for in the next step.
-void ask_for_pairs(WorldState& world, std::uint32_t shape);
+void buffer_move(WorldState& world, std::uint32_t shape);
 // The shape's new fat box, which looks ahead along the body's velocity, without telling the trees:
 // for many threads.
-void fatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
+void enlarge_aabb(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
 // ... with telling them, and asks for its pairs.
-void refatten(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
+void enlarge_proxy(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
 // How far inside its fat box the shape is, m; negative: outside by that.
-struct FatRoom {
+struct AabbMargin {
     double now;
     double next;  // when the body's velocity has taken it through the next step
 };
-FatRoom room_in_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt);
+AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt);
 // Whether the shape is in its fat box now and after the next step: pairs are found before it moves.
-bool fits_fat_box(const ShapeRecord& shape, const BodyWarm& warm, double dt);
+bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt);
 // Whether any corner of the box is below the plane.
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box);
 // How far the body's points may go in a step of dt.
-void look_ahead(WorldState& world, std::uint32_t body, double dt);
+void update_motion_bound(WorldState& world, std::uint32_t body, double dt);
 
 }  // namespace jostle::physics

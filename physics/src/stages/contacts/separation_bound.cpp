@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/waiting_rule.h"
+#include "stages/contacts/separation_bound.h"
 
 #include "jostle/physics/tuning.h"
 #include "state/links.h"
@@ -12,14 +12,15 @@ struct Slack {
     double left, next;
 };
 
-// Along a direction by what look() would see; else by the same bounds as look_ahead()'s, on their
-// motion against each other.
-Slack slack_of(const WorldState& world, const Waiting& w, double dt) {
+// Along a direction by what look() would see; else by the same bounds as update_motion_bound()'s,
+// on their motion against each other.
+Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
     const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
     const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
-    const double turned = world.bodies.reach[w.body_a].turned + world.bodies.reach[w.body_b].turned;
+    const double turned =
+        world.bodies.motion[w.body_a].turned + world.bodies.motion[w.body_b].turned;
     const double turning = length(wa.w) * a.radius + length(wb.w) * b.radius;
-    const Vec3 kept = way_apart(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
+    const Vec3 kept = direction_of(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
     if (w.directed)
         return {w.budget + dot(kept, apart) - turned,
                 dt * maximum(0, turning - dot(kept, velocity))};
@@ -34,7 +35,7 @@ Slack slack_of(const WorldState& world, const Waiting& w, double dt) {
 // Most new pairs are of bodies that fly along with each other: if the balls around them cannot
 // touch in this step, the pair waits along their centres without a look. That happens once: a look
 // ends pairs that have parted.
-bool wait_as_balls(const WorldState& world, Waiting& w, double dt) {
+bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
     // What forces do not move may have a plane, which no ball holds.
     if (a.type != BodyType::dynamic || b.type != BodyType::dynamic) return false;
@@ -42,22 +43,22 @@ bool wait_as_balls(const WorldState& world, Waiting& w, double dt) {
     const Vec3 apart = wb.center - wa.center;
     const double distance = length(apart);
     const double slack =
-        distance - a.radius - b.radius - tuning::speculative_margin - slack_held_back;
+        distance - a.radius - b.radius - tuning::speculative_margin - slack_reserve;
     if (slack <= 0) return false;
     const Vec3 direction = apart * (1 / distance);
     if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;
-    const BodyReach &ra = world.bodies.reach[w.body_a], &rb = world.bodies.reach[w.body_b];
-    measure(w, apart, direction, slack, ra, rb);
+    const MotionBound &ra = world.bodies.motion[w.body_a], &rb = world.bodies.motion[w.body_b];
+    set_separation_bound(w, apart, direction, slack, ra, rb);
     w.limit = ra.travel + rb.travel + slack;
     return true;
 }
 
 }  // namespace
 
-bool is_due(const WorldState& world, Waiting& w, double dt) {
-    const BodyReach &a = world.bodies.reach[w.body_a], &b = world.bodies.reach[w.body_b];
-    if (a.reach + b.reach <= w.limit) return false;
-    if (w.budget == Waiting::measured_by_limit) return !wait_as_balls(world, w, dt);
+bool is_due(const WorldState& world, SeparationBound& w, double dt) {
+    const MotionBound &a = world.bodies.motion[w.body_a], &b = world.bodies.motion[w.body_b];
+    if (a.bound + b.bound <= w.limit) return false;
+    if (w.budget == SeparationBound::not_measured) return !bound_by_spheres(world, w, dt);
     const Slack slack = slack_of(world, w, dt);
     w.limit = a.travel + b.travel + slack.left;
     return slack.next > slack.left;

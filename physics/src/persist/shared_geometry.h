@@ -47,7 +47,7 @@ private:
     void put(const void* data, Entry entry);
 
     std::vector<Entry> entries_;
-    std::map<const void*, std::uint32_t> indices_;  // looked up, never walked
+    std::map<const void*, std::uint32_t> indices_;  // checked up, never walked
 };
 
 }  // namespace jostle::physics

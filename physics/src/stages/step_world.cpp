@@ -3,6 +3,7 @@
 
 #include "foundation/fp_mode.h"
 #include "stages/contacts/update_contacts.h"
+#include "stages/continuous/solve_continuous.h"
 #include "stages/finalize.h"
 #include "stages/integrate_free.h"
 #include "stages/islands/link_islands.h"
@@ -10,7 +11,6 @@
 #include "stages/publish_events.h"
 #include "stages/quarantine.h"
 #include "stages/solve_constraints.h"
-#include "stages/stop_fast_bodies.h"
 #include "stages/update_pairs.h"
 #include "stages/update_sleep.h"
 #include "stages/update_triggers.h"
@@ -58,7 +58,7 @@ void step_world(WorldState& world, double dt) {
     run<link_islands>(step, Stage::link_islands);            // what hangs together
     run<integrate_free>(step, Stage::integrate_free);        // all that touches nothing
     run<finalize>(step, Stage::finalize);                    // poses, bounds, rest time
-    run<stop_fast_bodies>(step, Stage::stop_fast_bodies);    // nothing passes through a wall
+    run<solve_continuous>(step, Stage::solve_continuous);    // nothing passes through a wall
     run<quarantine>(step, Stage::quarantine);                // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);            // resting islands leave the awake set
     step.team.finish();                                      // what finalize began

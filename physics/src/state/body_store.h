@@ -71,15 +71,15 @@ struct BodyWarm {
 };
 
 // How far any point of a body can have moved since its creation, and can have moved when the next
-// step is over. A pair that does not touch is looked at again only when the sum of both exceeds its
-// limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads nothing
-// else.
+// step is over. A pair that does not touch is checked at again only when the sum of both exceeds
+// its limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads
+// nothing else.
 struct MotionBound {
     double travel = 0;  // m, never decreases
     double bound = 0;   // m
     double turned = 0;  // m: the part of `travel` that comes from turning
     // Until `travel`, the next step's included, reaches this, all shapes are within their fat
-    // boxes. Derived: 0 means that nobody has looked.
+    // boxes. Derived: 0 means that nobody has checked.
     double fits_until = 0;  // m
 };
 

@@ -13,7 +13,7 @@ void derive_shape_pose(const BodyCold& cold, ShapeRecord& shape);
 // Puts a new shape into its tree (or the plane list) and asks for its pairs.
 void create_proxy(WorldState& world, std::uint32_t shape);
 void destroy_proxy(WorldState& world, std::uint32_t shape);
-// Its pairs are looked for in the next step.
+// Its pairs are checked for in the next step.
 void buffer_move(WorldState& world, std::uint32_t shape);
 // The shape's new fat box, which looks ahead along the body's velocity, without telling the trees:
 // for many threads.

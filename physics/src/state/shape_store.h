@@ -27,7 +27,7 @@ struct ShapeRecord {
     std::uint32_t body = none;
     std::uint32_t next = none;  // shape of the same body
     Aabb fat;                   // bounds plus margin; unused by planes
-    bool moved = false;         // on ShapeStore::moved: its pairs are to be looked for
+    bool moved = false;         // on ShapeStore::moved: its pairs are to be checked for
 
     // Derived, not saved.
     Vec3 offset;             // of the shape's origin from the centre of mass, body axes

@@ -17,7 +17,7 @@ struct Inside {
 
 struct TriggerStore {
     std::vector<Inside> inside;        // rising
-    std::vector<std::uint32_t> fresh;  // triggers that are new or were moved: to be looked into
+    std::vector<std::uint32_t> fresh;  // triggers that are new or were moved: to be checked into
                                        // even where nothing moves
 };
 

@@ -19,8 +19,8 @@ const char* stage_name(Stage stage) {
             return "integrate_free";
         case Stage::finalize:
             return "finalize";
-        case Stage::stop_fast_bodies:
-            return "stop_fast_bodies";
+        case Stage::solve_continuous:
+            return "solve_continuous";
         case Stage::quarantine:
             return "quarantine";
         case Stage::update_sleep:

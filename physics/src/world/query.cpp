@@ -156,7 +156,7 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& sh
     return hit;
 }
 
-Aabb way_of(const ShapeCast& cast) {
+Aabb sweep_of_body(const ShapeCast& cast) {
     const Aabb box =
         bounds_of(placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)}));
     return grow({box.low + min(cast.motion, Vec3{}), box.high + max(cast.motion, Vec3{})}, 1e-6);
@@ -165,7 +165,7 @@ Aabb way_of(const ShapeCast& cast) {
 std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast& cast,
                                       const QueryFilter& filter) {
     std::vector<ShapeCastHit> hits;
-    for (const QueryShape& shape : shapes_near(source, way_of(cast), filter))
+    for (const QueryShape& shape : shapes_near(source, sweep_of_body(cast), filter))
         if (const auto hit = touch_of(cast, shape)) hits.push_back(*hit);
     std::sort(hits.begin(), hits.end(), [](const ShapeCastHit& x, const ShapeCastHit& y) {
         return x.fraction < y.fraction || (x.fraction == y.fraction && x.shape < y.shape);
@@ -176,7 +176,7 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
 std::optional<ShapeCastHit> first_touch(const QuerySource& source, const ShapeCast& cast,
                                         const QueryFilter& filter) {
     std::optional<ShapeCastHit> best;
-    for (const QueryShape& shape : shapes_near(source, way_of(cast), filter)) {
+    for (const QueryShape& shape : shapes_near(source, sweep_of_body(cast), filter)) {
         const auto hit = touch_of(cast, shape);
         if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
     }

@@ -35,7 +35,7 @@ TEST(Profile, a_body_in_free_flight_never_enters_the_solver) {
     run(world, 0.1);
     EXPECT_EQ(why(world, Stage::solve_constraints), "nothing touches and nothing is jointed");
     EXPECT_EQ(why(world, Stage::integrate_free), "ran");
-    EXPECT_EQ(why(world, Stage::stop_fast_bodies), "no body moved further than half its thickness");
+    EXPECT_EQ(why(world, Stage::solve_continuous), "no body moved further than half its thickness");
     EXPECT_EQ(why(world, Stage::update_triggers), "no triggers");
     EXPECT_EQ(why(world, Stage::publish_events), "nothing happened");
     EXPECT_GT(world.profile().step_ms, 0);
@@ -46,7 +46,7 @@ TEST(Profile, what_is_turned_off_says_so) {
     add(world, {.velocity = {100, 0, 0}});
     run(world, 0.1);
     EXPECT_EQ(why(world, Stage::update_sleep), "sleeping is off");
-    EXPECT_EQ(why(world, Stage::stop_fast_bodies), "continuous collision is off");
+    EXPECT_EQ(why(world, Stage::solve_continuous), "continuous collision is off");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ enum class Stage {
     solve_constraints,
     integrate_free,
     finalize,
-    stop_fast_bodies,
+    solve_continuous,
     quarantine,
     update_sleep,
     update_triggers,

@@ -45,8 +45,9 @@ private:
 
     std::vector<Entry> entries_;  // by handle
     std::vector<std::int32_t> free_;
-    std::unordered_map<std::uint64_t, std::vector<std::int32_t>> cells_;  // looked up, never walked
-                                                                          // in a way that matters
+    std::unordered_map<std::uint64_t, std::vector<std::int32_t>>
+        cells_;  // checked up, never walked
+                 // in a way that matters
     std::vector<std::int32_t> large_;
     double cell_ = 2;            // m
     std::size_t sized_for_ = 0;  // entries when the cell was chosen

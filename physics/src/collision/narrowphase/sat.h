@@ -2,7 +2,7 @@
 //
 // The separating axis of two polyhedra: the direction along which they are furthest apart, or
 // overlap least. Face normals of both and cross products of edges, of which only those that are
-// faces of the Minkowski difference are looked at (Gregorius, "The separating axis test between
+// faces of the Minkowski difference are checked at (Gregorius, "The separating axis test between
 // convex polyhedra", GDC 2013).
 #pragma once
 

@@ -36,7 +36,7 @@ double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b,
            length(cross(normal, b.turn)) * radius_b;
 }
 
-// What part of the way is looked at.
+// What part of the way is checked at.
 struct Search {
     double from, until;  // fractions of the step
     double gap;          // m

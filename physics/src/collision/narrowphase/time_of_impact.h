@@ -44,7 +44,7 @@ struct Impact {
 
 // The first fraction from `from` on, while both sweeps last, at which the shapes come within `gap`
 // of each other; any kinds. What touches at `from` has no such moment and says at_start; of shapes
-// with several parts the others may still have theirs. `until`: later ones are not looked for.
+// with several parts the others may still have theirs. `until`: later ones are not checked for.
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap,
                       double until = 1);
 

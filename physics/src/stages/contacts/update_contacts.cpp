@@ -13,7 +13,7 @@
 #include "jostle/physics/tuning.h"
 #include "stages/contacts/pair_ahead.h"
 #include "stages/contacts/separation_bound.h"
-#include "stages/sweep_rule.h"
+#include "stages/continuous/ccd_policy.h"
 #include "state/contact_constraints.h"
 #include "state/frozen.h"
 #include "state/island_tiers.h"
@@ -77,7 +77,7 @@ void take_due_pairs(StepContext& step) {
     bounds.resize(kept);
 }
 
-// A composite pair is looked at as a whole when any of its parts has aged.
+// A composite pair is checked at as a whole when any of its parts has aged.
 void take_manifolds_to_rebuild(WorldState& world) {
     const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
         for (int lane = 0; lane < 8; lane++)
@@ -126,14 +126,14 @@ double closing_way(const WorldState& world, const Contact& c, double dt) {
     return (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
 }
 
-// Whether the pair will be swept (stages/stop_fast_bodies.h). That takes a body that is fast, and
-// fast against the other.
+// Whether the pair will be swept (stages/continuous/solve_continuous.h). That takes a body that is
+// fast, and fast against the other.
 bool will_be_swept(const WorldState& world, const Contact& c, double way, double dt) {
     if (!world.def.continuous) return false;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
         if (!mover.continuous || mover.set != BodySet::awake) return false;
-        if (way <= way_without_sweep(world, mover, other)) return false;
+        if (way <= motion_without_sweep(world, mover, other)) return false;
         const BodyWarm& warm = world.bodies.awake[mover.at];
         return (length(warm.v) + length(warm.w) * mover.radius) * dt >
                tuning::sweep_fraction * mover.inner_radius;
@@ -174,7 +174,7 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
     return smallest;
 }
 
-// A composite pair is looked at a little further than it needs, so that it need not be looked at
+// A composite pair is checked at a little further than it needs, so that it need not be checked at
 // in every step.
 constexpr double composite_slack = 0.01;  // m
 
@@ -207,7 +207,8 @@ void look_at_composite(WorldState& world, ContactCheck& check, double dt) {
     check.near = closing_reach(world, c, way) + composite_slack;
     const bool swept = will_be_swept(world, c, way, dt);
     std::optional<double> meeting;
-    if (swept && is_foreseen(world, c.shape_a, c.shape_b)) meeting = time_to_meeting(world, c, dt);
+    if (swept && uses_speculative_contact(world, c.shape_a, c.shape_b))
+        meeting = time_to_meeting(world, c, dt);
     const double time = meeting && *meeting > 0 ? *meeting : time_to_middle(world, c, way, dt);
     const double way_ahead = way * time / dt;
     std::vector<PartManifold> parts;
@@ -278,7 +279,8 @@ Manifold manifold_ahead(WorldState& world, Contact& c, double dt) {
     };
     const PairAhead pair(world, c, time_to_middle(world, c, way, dt));
     const bool swept = will_be_swept(world, c, way, dt);
-    if (swept && !is_foreseen(world, c.shape_a, c.shape_b)) return within(tuning::touch_gap, pair);
+    if (swept && !uses_speculative_contact(world, c.shape_a, c.shape_b))
+        return within(tuning::touch_gap, pair);
     Approach near;
     if (c.colour < 0 || swept) {
         // Most of what moves much against each other flies past: that is cheaper to see than

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/stop_fast_bodies.h"
+#include "stages/continuous/solve_continuous.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,11 +11,11 @@
 #include "constraints/combine.h"
 #include "constraints/impact.h"
 #include "jostle/physics/tuning.h"
-#include "stages/courses.h"
-#include "stages/expectations.h"
-#include "stages/near_shapes.h"
-#include "stages/sweep_rule.h"
-#include "stages/traveller.h"
+#include "stages/continuous/ccd_candidates.h"
+#include "stages/continuous/ccd_policy.h"
+#include "stages/continuous/swept_motions.h"
+#include "stages/continuous/toi_body.h"
+#include "stages/continuous/toi_dependents.h"
 #include "state/frozen.h"
 #include "state/links.h"
 #include "state/shape_proxy.h"
@@ -23,9 +23,9 @@
 namespace jostle::physics {
 namespace {
 
-class Sweeper {
+class ToiSolver {
 public:
-    explicit Sweeper(StepContext& step) : step_(step), world_(step.world) {}
+    explicit ToiSolver(StepContext& step) : step_(step), world_(step.world) {}
 
     void run() {
         std::vector<std::uint32_t> known;
@@ -33,58 +33,58 @@ public:
             if (is_fast(i)) fast_.push_back(i);
             if (is_fast(i) || world_.scratch.thrown[i] != 0) known.push_back(i);
         }
-        courses_.note(step_, known, [&](std::uint32_t awake) { return known_way(awake); });
-        start_those_that_may_meet();
-        if (travellers_.empty()) return;
+        motions_.note(step_, known, [&](std::uint32_t awake) { return known_sweep(awake); });
+        start_toi_bodies();
+        if (bodies_.empty()) return;
         // Every impact uses up one of somebody's, and between two there are so many legs: this
         // ends.
         for (;;) {
-            look_all();
+            find_impacts();
             const std::size_t first = next_to_come();
             if (next_[first] > 1) break;
-            if (travellers_[first].fraction <= travellers_[first].sweep.until)
+            if (bodies_[first].fraction <= bodies_[first].sweep.until)
                 impact(first);
             else
                 begin_leg(first);
         }
-        for (Traveller& t : travellers_)
-            if (t.changed) arrive(world_, t, step_.dt);
+        for (ToiBody& t : bodies_)
+            if (t.changed) finish_toi(world_, t, step_.dt);
     }
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffff;
     static constexpr std::size_t crowd = 16;  // shapes near a body
 
-    // Index of the traveller that a body is, or nobody.
-    std::uint32_t traveller_of(std::uint32_t body) const {
+    // Index of the TOI body that a body is, or nobody.
+    std::uint32_t toi_body_of(std::uint32_t body) const {
         return where_.empty() ? nobody : where_[body];
     }
     std::size_t add(std::uint32_t body, bool fast) {
         if (where_.empty()) where_.resize(world_.bodies.cold.size(), nobody);
-        where_[body] = static_cast<std::uint32_t>(travellers_.size());
-        Traveller t;
+        where_[body] = static_cast<std::uint32_t>(bodies_.size());
+        ToiBody t;
         t.body = body;
         t.fast = fast;
-        travellers_.push_back(std::move(t));
+        bodies_.push_back(std::move(t));
         next_.push_back(Impact::never);
-        enlist(travellers_.size() - 1);
-        return travellers_.size() - 1;
+        enqueue_check(bodies_.size() - 1);
+        return bodies_.size() - 1;
     }
 
     void note_next(std::size_t k) {
-        const Traveller& t = travellers_[k];
+        const ToiBody& t = bodies_[k];
         next_[k] = t.fast ? std::min(t.fraction, t.sweep.until < 1 ? t.sweep.until : Impact::never)
                           : Impact::never;
     }
-    // Enters the traveller with what next_ says of it; entries that next_ contradicts are passed
+    // Enters the TOI body with what next_ says of it; entries that next_ contradicts are passed
     // over.
     void queue(std::size_t k) {
-        const Traveller& t = travellers_[k];
-        if (t.fraction <= 1) expectations_.add(world_.shapes.shapes[t.other_shape].body, k);
+        const ToiBody& t = bodies_[k];
+        if (t.fraction <= 1) dependents_.add(world_.shapes.shapes[t.other_shape].body, k);
         queue_.emplace_back(next_[k], k);
         std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
-    // The traveller to which something happens first; of several the first.
+    // The TOI body to which something happens first; of several the first.
     std::size_t next_to_come() {
         while (!queue_.empty() && queue_.front().first != next_[queue_.front().second]) {
             std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
@@ -92,78 +92,78 @@ private:
         }
         return queue_.empty() ? 0 : queue_.front().second;
     }
-    // Whether it is a body that a traveller meets next, as far as is known.
-    bool expects(std::size_t k, std::uint32_t body) const {
-        const Traveller& t = travellers_[k];
+    // Whether it is a body that a TOI body meets next, as far as is known.
+    bool meets_next(std::size_t k, std::uint32_t body) const {
+        const ToiBody& t = bodies_[k];
         return t.fraction <= 1 && world_.shapes.shapes[t.other_shape].body == body;
     }
     // Whether it looks for impacts itself, whenever it goes another way.
-    bool searches(std::size_t k) const { return travellers_[k].fast && !stays(travellers_[k]); }
-    void look_again(std::size_t k) {
-        travellers_[k].looked = false;
-        enlist(k);
+    bool searches(std::size_t k) const { return bodies_[k].fast && !is_exhausted(bodies_[k]); }
+    void recheck(std::size_t k) {
+        bodies_[k].checked = false;
+        enqueue_check(k);
     }
-    void look_also(std::size_t k, std::uint32_t body) {
-        travellers_[k].turned.push_back(body);
-        enlist(k);
+    void recheck_against(std::size_t k, std::uint32_t body) {
+        bodies_[k].turned.push_back(body);
+        enqueue_check(k);
     }
-    void enlist(std::size_t k) {
-        Traveller& t = travellers_[k];
-        if (t.fast && !t.to_look) to_look_.push_back(k);
-        t.to_look = t.fast;
+    void enqueue_check(std::size_t k) {
+        ToiBody& t = bodies_[k];
+        if (t.fast && !t.queued) to_check_.push_back(k);
+        t.queued = t.fast;
     }
 
     void begin_leg(std::size_t index) {
-        next_leg(world_, travellers_[index], step_.dt);
-        look_out_for(index);
+        next_leg(world_, bodies_[index], step_.dt);
+        update_dependents(index);
     }
 
     bool is_fast(std::uint32_t awake) const {
         return world_.scratch.fast[awake] != 0 && world_.scratch.not_finite[awake] == 0;
     }
-    Sweep known_way(std::uint32_t awake) const {
+    Sweep known_sweep(std::uint32_t awake) const {
         return even_sweep(world_.scratch.before[awake], world_.bodies.awake[awake], step_.dt);
     }
 
     // Most fast bodies fly through nothing, or along with others that fall beside them: those need
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
-    void start_those_that_may_meet() {
+    void start_toi_bodies() {
         std::vector<std::vector<std::uint32_t>>& ahead = world_.scratch.ahead;
         if (ahead.size() < fast_.size()) ahead.resize(fast_.size());
         step_.team.run(static_cast<int>(fast_.size()), 32, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-                find_met(fast_[k], ahead[k]);
+                find_contacts_on_way(fast_[k], ahead[k]);
         });
-        std::vector<std::size_t> starting;  // by traveller: index of the fast body
+        std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
             if (!ahead[k].empty() || world_.scratch.strayed[fast_[k]] != 0) starting.push_back(k);
         if (starting.empty()) return;
-        travellers_.reserve(starting.size() + starting.size() / 4);
+        bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
         step_.team.run(static_cast<int>(starting.size()), 8, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-                start(travellers_[k], ahead[starting[k]]);
+                start(bodies_[k], ahead[starting[k]]);
         });
         // All of them have set out, so it shows who passes whom by.
-        step_.team.run(static_cast<int>(travellers_.size()), 8, [&](int begin, int end) {
+        step_.team.run(static_cast<int>(bodies_.size()), 8, [&](int begin, int end) {
             for (int k = begin; k < end; k++)
-                drop_those_passed_by(travellers_[static_cast<std::size_t>(k)]);
+                drop_passed_candidates(bodies_[static_cast<std::size_t>(k)]);
         });
         step_.team.finish();  // the trees: finalize.cpp
         world_.shapes.fixed->settle();
-        for (Traveller& t : travellers_)
-            if (has_strayed(t)) near_.find(t.body, t.way, t.near);
+        for (ToiBody& t : bodies_)
+            if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
     }
-    bool has_strayed(const Traveller& t) const {
+    bool has_strayed(const ToiBody& t) const {
         return world_.scratch.strayed[world_.bodies.cold[t.body].at] != 0;
     }
     // The shapes among a fast body's contacts that it may meet.
-    void find_met(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
+    void find_contacts_on_way(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
         found.clear();
         const std::uint32_t body = world_.bodies.awake[awake].body;
         const BodyCold& cold = world_.bodies.cold[body];
-        const Course course = courses_.of(world_, body);
+        const SweptMotion motion = motions_.of(world_, body);
         const auto& contacts = world_.contacts.contacts;
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = contacts[edge / 2];
@@ -172,30 +172,30 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            if (courses_.may_meet(world_, course, cold, met, other)) found.push_back(other);
+            if (motions_.may_meet(world_, motion, cold, met, other)) found.push_back(other);
         }
     }
 
     // How a body goes on from its last impact or, without one, in the whole step.
-    Course course_now(std::uint32_t body) const {
-        const std::uint32_t known = traveller_of(body);
-        if (known == nobody) return courses_.of(world_, body);
-        const Sweep& sweep = travellers_[known].sweep;
+    SweptMotion course_now(std::uint32_t body) const {
+        const std::uint32_t known = toi_body_of(body);
+        if (known == nobody) return motions_.of(world_, body);
+        const Sweep& sweep = bodies_[known].sweep;
         return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
     }
 
-    void start(Traveller& t, const std::vector<std::uint32_t>& met) {
-        set_out(world_, t, world_.bodies.cold[t.body].at, step_.dt);
-        t.way = bounds_of_way(t);
+    void start(ToiBody& t, const std::vector<std::uint32_t>& met) {
+        begin_toi(world_, t, world_.bodies.cold[t.body].at, step_.dt);
+        t.swept = swept_aabb_of(t);
         if (has_strayed(t)) return;
-        t.near = met;
-        near_.tidy(t.body, t.near);
+        t.candidates = met;
+        candidates_.tidy(t.body, t.candidates);
     }
     // What it surely does not meet while neither goes another way; who does is put back in. Of few
     // it costs as much to ask as it saves.
-    void drop_those_passed_by(Traveller& t) const {
-        if (has_strayed(t) || t.near.size() < crowd) return;
-        std::erase_if(t.near, [&](std::uint32_t other) {
+    void drop_passed_candidates(ToiBody& t) const {
+        if (has_strayed(t) || t.candidates.size() < crowd) return;
+        std::erase_if(t.candidates, [&](std::uint32_t other) {
             const SweptShape met = swept(other, sweep_of(world_.shapes.shapes[other].body));
             for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
                  own = world_.shapes.shapes[own].next)
@@ -205,23 +205,23 @@ private:
         });
     }
     Speed speed_of(std::uint32_t body, double fraction) const {
-        const std::uint32_t known = traveller_of(body);
-        if (known != nobody) return speed_at(world_, travellers_[known], fraction, step_.dt);
+        const std::uint32_t known = toi_body_of(body);
+        if (known != nobody) return speed_at(world_, bodies_[known], fraction, step_.dt);
         const BodyWarm& warm = warm_of(world_, body);
         return {warm.v, warm.w};
     }
     Sweep sweep_of(std::uint32_t body) const {
-        const std::uint32_t known = traveller_of(body);
-        return known != nobody ? travellers_[known].sweep : way_of(body);
+        const std::uint32_t known = toi_body_of(body);
+        return known != nobody ? bodies_[known].sweep : sweep_of_body(body);
     }
     // How a body moved in this step: as it did if that is known, else back from where it is, by its
     // velocity.
-    Sweep way_of(std::uint32_t body) const {
+    Sweep sweep_of_body(std::uint32_t body) const {
         const BodyCold& cold = world_.bodies.cold[body];
         const BodyWarm& warm = warm_of(world_, body);
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
             return {0, warm.center, warm.rotation, {}, {}};
-        if (courses_.knows(cold.at)) return courses_.sweep_of(cold.at);
+        if (motions_.knows(cold.at)) return motions_.sweep_of(cold.at);
         const Vec3 motion = warm.v * step_.dt, turn = warm.w * step_.dt;
         return {0, warm.center - motion, normalized(from_rotation_vector(-turn) * warm.rotation),
                 motion, turn};
@@ -232,7 +232,7 @@ private:
         return {&s.geometry, s.offset, s.axes, world_.bodies.cold[s.body].radius, sweep};
     }
 
-    Aabb bounds_of_way(const Traveller& t) const {
+    Aabb swept_aabb_of(const ToiBody& t) const {
         if (t.sweep.until < 1) {
             const Vec3 from = t.sweep.center, to = center_at(t.sweep, 1);
             return grow({min(from, to), max(from, to)}, world_.bodies.cold[t.body].radius + 0.01);
@@ -259,53 +259,54 @@ private:
     }
 
     // A body that goes another way from now on may meet others there, and they it.
-    void find_near_anew(std::size_t index) {
-        Traveller& t = travellers_[index];
-        t.way = bounds_of_way(t);
-        t.near.clear();
-        if (t.fast) near_.find(t.body, t.way, t.near);
-        near_.set_way(t.body, t.way);
-        look_again(index);
+    void refresh_candidates(std::size_t index) {
+        ToiBody& t = bodies_[index];
+        t.swept = swept_aabb_of(t);
+        t.candidates.clear();
+        if (t.fast) candidates_.find(t.body, t.swept, t.candidates);
+        candidates_.set_swept_aabb(t.body, t.swept);
+        recheck(index);
     }
 
     // Looking reads how the others go and writes down what one meets.
-    void look_all() {
+    void find_impacts() {
         round_++;
-        for (const std::size_t k : to_look_)
-            if (!travellers_[k].looked) travellers_[k].anew_in = round_;
-        step_.team.run(static_cast<int>(to_look_.size()), 1, [&](int begin, int end) {
-            for (int k = begin; k < end; k++) look(to_look_[static_cast<std::size_t>(k)]);
+        for (const std::size_t k : to_check_)
+            if (!bodies_[k].checked) bodies_[k].anew_in = round_;
+        step_.team.run(static_cast<int>(to_check_.size()), 1, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) find_impact(to_check_[static_cast<std::size_t>(k)]);
         });
-        for (const std::size_t k : to_look_) queue(k);
-        to_look_.clear();
+        for (const std::size_t k : to_check_) queue(k);
+        to_check_.clear();
     }
-    // The first impact on the way that is left; of one that has looked, whether those that go
+    // The first impact on the way that is left; of one that has checked, whether those that go
     // another way now are met before.
-    void look(std::size_t k) {
-        Traveller& t = travellers_[k];
-        if (!t.looked) {
+    void find_impact(std::size_t k) {
+        ToiBody& t = bodies_[k];
+        if (!t.checked) {
             t.fraction = Impact::never;
             if (searches(k))
-                for (const std::uint32_t other : t.near)
-                    if (!is_looked_at_by(k, world_.shapes.shapes[other].body)) look_at(t, other);
+                for (const std::uint32_t other : t.candidates)
+                    if (!is_looked_at_by(k, world_.shapes.shapes[other].body))
+                        find_impact_with(t, other);
         } else {
             for (const std::uint32_t body : t.turned)
                 for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
                      s = world_.shapes.shapes[s].next)
-                    look_at(t, s);
+                    find_impact_with(t, s);
         }
-        t.looked = true;
-        t.to_look = false;
+        t.checked = true;
+        t.queued = false;
         t.turned.clear();
         note_next(k);
     }
 
-    // Whether the other one looks at this traveller in the same round: once is enough.
+    // Whether the other one looks at this TOI body in the same round: once is enough.
     bool is_looked_at_by(std::size_t k, std::uint32_t other) const {
-        const std::uint32_t known = traveller_of(other);
-        if (known == nobody || known >= k || travellers_[known].anew_in != round_) return false;
-        const std::vector<std::uint32_t>& near = travellers_[known].near;
-        for (std::uint32_t s = world_.bodies.cold[travellers_[k].body].first_shape; s != none;
+        const std::uint32_t known = toi_body_of(other);
+        if (known == nobody || known >= k || bodies_[known].anew_in != round_) return false;
+        const std::vector<std::uint32_t>& near = bodies_[known].candidates;
+        for (std::uint32_t s = world_.bodies.cold[bodies_[k].body].first_shape; s != none;
              s = world_.shapes.shapes[s].next)
             if (!world_.shapes.shapes[s].trigger &&
                 !std::binary_search(near.begin(), near.end(), s))
@@ -315,30 +316,30 @@ private:
 
     // What hardly moves against the other is the contact solver's. After an impact less is left to
     // it: its contacts did not foresee the new way.
-    bool moves_enough(const Traveller& t, std::uint32_t other) const {
+    bool moves_enough(const ToiBody& t, std::uint32_t other) const {
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
-        const std::uint32_t known = traveller_of(other);
-        const bool changed = t.changed || (known != nobody && travellers_[known].changed);
+        const std::uint32_t known = toi_body_of(other);
+        const bool changed = t.changed || (known != nobody && bodies_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
-        double least = way_without_sweep(world_, cold, cold_other);
+        double least = motion_without_sweep(world_, cold, cold_other);
         // Of two that search one looks, for both.
         if (known != nobody && searches(known))
-            least = minimum(least, way_without_sweep(world_, cold_other, cold));
+            least = minimum(least, motion_without_sweep(world_, cold_other, cold));
         least *= changed ? 0.4 : 0.8;
-        const Course course = course_now(other);
-        const double way = length(t.sweep.motion - course.motion) +
-                           length(t.sweep.turn) * cold.radius + course.turning;
+        const SweptMotion motion = course_now(other);
+        const double way = length(t.sweep.motion - motion.motion) +
+                           length(t.sweep.turn) * cold.radius + motion.turning;
         return way * (1 - t.sweep.from) > least;
     }
 
     // Whether one shape is met before all that are known.
-    void look_at(Traveller& t, std::uint32_t other) {
+    void find_impact_with(ToiBody& t, std::uint32_t other) {
         const std::uint32_t body = world_.shapes.shapes[other].body;
         if (!moves_enough(t, body)) return;
         const Sweep motion = sweep_of(body);
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[body];
-        const std::uint32_t known = traveller_of(body);
-        const bool turned = t.changed || (known != nobody && travellers_[known].changed);
+        const std::uint32_t known = toi_body_of(body);
+        const bool turned = t.changed || (known != nobody && bodies_[known].changed);
         const bool of_other =
             cold_other.type == BodyType::dynamic && cold_other.inner_radius < cold.inner_radius;
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
@@ -386,7 +387,7 @@ private:
     // foresaw.
     bool is_held(std::uint32_t own, std::uint32_t other) const {
         const BodyCold& cold = world_.bodies.cold[world_.shapes.shapes[own].body];
-        if (cold.constraints == 0 || !is_foreseen(world_, own, other)) return false;
+        if (cold.constraints == 0 || !uses_speculative_contact(world_, own, other)) return false;
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             const bool is_a = edge % 2 == 0;
@@ -402,7 +403,7 @@ private:
     // (A tumbling body is where its sweep is, not where its velocities point: then there may be no
     // impulse, but a new sweep from there.)
     bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<ImpactPoint>& points,
-                   const Sweep& motion, const Traveller& t, double fraction, bool at_start) const {
+                   const Sweep& motion, const ToiBody& t, double fraction, bool at_start) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
         const Vec3 ca = center_at(t.sweep, fraction), cb = center_at(motion, fraction);
@@ -436,13 +437,11 @@ private:
     }
 
     void impact(std::size_t index) {
-        const double at = travellers_[index].fraction;
-        const std::uint32_t own = travellers_[index].own_shape,
-                            other = travellers_[index].other_shape;
-        const std::uint32_t body_a = travellers_[index].body,
-                            body_b = world_.shapes.shapes[other].body;
-        const Sweep sweep_a = travellers_[index].sweep, sweep_b = sweep_of(body_b);
-        const std::vector<ImpactPoint> points = std::move(travellers_[index].points);
+        const double at = bodies_[index].fraction;
+        const std::uint32_t own = bodies_[index].own_shape, other = bodies_[index].other_shape;
+        const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
+        const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);
+        const std::vector<ImpactPoint> points = std::move(bodies_[index].points);
         if (world_.bodies.cold[body_b].frozen) {
             const BodyCold& cold_a = world_.bodies.cold[body_a];
             const double momentum = cold_a.mass * length(warm_of(world_, body_a).v);
@@ -457,61 +456,61 @@ private:
             resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb));
         report(own, other, hit);
         // What stays does not go where its velocity points: nobody may follow it there.
-        const std::uint32_t met = traveller_of(body_b);
-        if (hit.approach <= 0 && met != nobody && stays(travellers_[met]))
-            travellers_[index].impacts = tuning::sweep_impacts;
+        const std::uint32_t met = toi_body_of(body_b);
+        if (hit.approach <= 0 && met != nobody && is_exhausted(bodies_[met]))
+            bodies_[index].impacts = tuning::sweep_impacts;
         else
-            travellers_[index].impacts++;
-        look_again(index);
-        if (go_on(body_a, a, sweep_a, at)) look_out_for(where_[body_a]);
-        if (go_on(body_b, b, sweep_b, at)) look_out_for(where_[body_b]);
+            bodies_[index].impacts++;
+        recheck(index);
+        if (continue_after(body_a, a, sweep_a, at)) update_dependents(where_[body_a]);
+        if (continue_after(body_b, b, sweep_b, at)) update_dependents(where_[body_b]);
     }
 
     // Who would have met a body that goes another way now looks anew, at everything. That body
     // looks at all the others itself, if it still does: of two the one that turned last knows when
     // they meet, or of something that comes before and makes it turn again. Else they look at it.
-    void look_out_for(std::size_t index) {
-        find_near_anew(index);
-        const std::uint32_t body = travellers_[index].body;
-        if (!searches(index)) start_those_on(travellers_[index].way);
-        for (const std::size_t k : fast_travellers_met(body, travellers_[index].way)) {
-            Traveller& t = travellers_[k];
-            if (!t.looked || stays(t)) continue;
-            if (expects(k, body))
-                look_again(k);
+    void update_dependents(std::size_t index) {
+        refresh_candidates(index);
+        const std::uint32_t body = bodies_[index].body;
+        if (!searches(index)) start_bodies_on(bodies_[index].swept);
+        for (const std::size_t k : fast_toi_bodies_on(body, bodies_[index].swept)) {
+            ToiBody& t = bodies_[k];
+            if (!t.checked || is_exhausted(t)) continue;
+            if (meets_next(k, body))
+                recheck(k);
             else if (!searches(index))
-                look_also(k, body);
+                recheck_against(k, body);
         }
         // Those that would have met it where it no longer goes.
-        expectations_.take(body, [&](std::size_t k) {
-            if (next_[k] <= 1 && expects(k, body)) look_again(k);
+        dependents_.take(body, [&](std::size_t k) {
+            if (next_[k] <= 1 && meets_next(k, body)) recheck(k);
         });
     }
     // Fast bodies that had nobody to meet so far, and whose way crosses a box.
-    void start_those_on(const Aabb way) {
+    void start_bodies_on(const Aabb way) {
         std::vector<std::uint32_t> bodies;
-        near_.each_way(way, [&](std::uint32_t body) {
-            if (traveller_of(body) == nobody) bodies.push_back(body);
+        candidates_.for_each_swept(way, [&](std::uint32_t body) {
+            if (toi_body_of(body) == nobody) bodies.push_back(body);
         });
         std::sort(bodies.begin(), bodies.end());
         std::vector<std::uint32_t> met;
         for (const std::uint32_t body : bodies) {
-            Traveller& t = travellers_[add(body, true)];
-            find_met(world_.bodies.cold[body].at, met);
+            ToiBody& t = bodies_[add(body, true)];
+            find_contacts_on_way(world_.bodies.cold[body].at, met);
             start(t, met);
-            if (has_strayed(t)) near_.find(t.body, t.way, t.near);
+            if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
         }
     }
-    // The other fast travellers whose way crosses a box, in order. They know the body from now on.
-    const std::vector<std::size_t>& fast_travellers_met(std::uint32_t body, const Aabb& way) {
+    // The other fast TOI bodies whose way crosses a box, in order. They know the body from now on.
+    const std::vector<std::size_t>& fast_toi_bodies_on(std::uint32_t body, const Aabb& way) {
         met_.clear();
-        near_.each_way(way, [&](std::uint32_t other) {
-            const std::uint32_t known = traveller_of(other);
+        candidates_.for_each_swept(way, [&](std::uint32_t other) {
+            const std::uint32_t known = toi_body_of(other);
             if (other == body) return;
-            if (known != nobody && travellers_[known].fast) met_.push_back(known);
+            if (known != nobody && bodies_[known].fast) met_.push_back(known);
         });
         std::sort(met_.begin(), met_.end());
-        for (const std::size_t k : met_) near_.insert(body, travellers_[k].near);
+        for (const std::size_t k : met_) candidates_.insert(body, bodies_[k].candidates);
         return met_;
     }
 
@@ -524,36 +523,36 @@ private:
     }
 
     // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.
-    bool go_on(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at) {
+    bool continue_after(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at) {
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
-        const std::uint32_t known = traveller_of(body);
-        Traveller& t = travellers_[known == nobody ? add(body, false) : known];
-        turn_off(world_, t, at, {end.center, rotation_at(old, at), end.v, end.w}, step_.dt);
+        const std::uint32_t known = toi_body_of(body);
+        ToiBody& t = bodies_[known == nobody ? add(body, false) : known];
+        depart(world_, t, at, {end.center, rotation_at(old, at), end.v, end.w}, step_.dt);
         return true;
     }
 
     StepContext& step_;
     WorldState& world_;
     std::vector<std::uint32_t> fast_;  // awake indices, rising
-    Courses courses_;                  // in the whole step
-    NearShapes near_{world_, fast_};
-    Expectations expectations_;     // of travellers, by whom they meet next
+    SweptMotions motions_;             // in the whole step
+    CcdCandidates candidates_{world_, fast_};
+    ToiDependents dependents_;      // of TOI bodies, by whom they meet next
     std::vector<std::size_t> met_;  // scratch
-    std::vector<Traveller> travellers_;
-    std::vector<double> next_;  // by traveller: when something next happens to it
-    std::vector<std::size_t> to_look_;
+    std::vector<ToiBody> bodies_;
+    std::vector<double> next_;  // by TOI body: when something next happens to it
+    std::vector<std::size_t> to_check_;
     std::uint32_t round_ = 0;                            // of looking
-    std::vector<std::pair<double, std::size_t>> queue_;  // heap of travellers by what comes next
-    std::vector<std::uint32_t> where_;  // by body: its traveller; empty before the first
+    std::vector<std::pair<double, std::size_t>> queue_;  // heap of TOI bodies by what comes next
+    std::vector<std::uint32_t> where_;  // by body: its TOI body; empty before the first
 };
 
 }  // namespace
 
-Skipped stop_fast_bodies(StepContext& step) {
+Skipped solve_continuous(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     if (!step.world.def.continuous) return "continuous collision is off";
     if (step.world.scratch.any_fast == 0) return "no body moved further than half its thickness";
-    Sweeper(step).run();
+    ToiSolver(step).run();
     return ran;
 }
 

@@ -12,7 +12,7 @@
 
 namespace jostle::physics {
 
-class Expectations {
+class ToiDependents {
 public:
     void add(std::uint32_t body, std::size_t who) {
         if (body >= latest_.size()) latest_.resize(body + 1, nobody);

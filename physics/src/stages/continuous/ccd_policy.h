@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which pairs are swept, and who resolves their impacts. Two stages must agree on both: what
-// update_contacts foresees the contact solver resolves, all else stop_fast_bodies.
+// update_contacts foresees the contact solver resolves, all else solve_continuous.
 #pragma once
 
 #include "constraints/combine.h"
@@ -11,7 +11,7 @@
 namespace jostle::physics {
 
 // Whether a body was held by a manifold when the step began.
-inline bool was_held(const WorldState& world, const BodyCold& cold) {
+inline bool had_contacts(const WorldState& world, const BodyCold& cold) {
     const auto& held = world.scratch.held;
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
@@ -19,10 +19,11 @@ inline bool was_held(const WorldState& world, const BodyCold& cold) {
 // How far a body may move against another in a step without a sweep, m. In a crowd, where one of
 // the two already leans on others, their sizes count together: impacts there come in chains, which
 // the contact solver resolves all at once and sweeps only one after the other.
-inline double way_without_sweep(const WorldState& world, const BodyCold& mover,
-                                const BodyCold& other) {
+inline double motion_without_sweep(const WorldState& world, const BodyCold& mover,
+                                   const BodyCold& other) {
     double size = mover.inner_radius;
-    if (other.type == BodyType::dynamic && (was_held(world, mover) || was_held(world, other)))
+    if (other.type == BodyType::dynamic &&
+        (had_contacts(world, mover) || had_contacts(world, other)))
         size += other.inner_radius;
     return tuning::sweep_fraction * size;
 }
@@ -31,12 +32,13 @@ inline double way_without_sweep(const WorldState& world, const BodyCold& mover,
 // holds their bodies: from a sweep they would go on without it. What hangs on joints would leave
 // them, and what leans on others would hit them in turn. Of bodies without joints only what does
 // not bounce: what does has the rest of the step to go back, which the solver does not give it.
-inline bool is_foreseen(const WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+inline bool uses_speculative_contact(const WorldState& world, std::uint32_t shape_a,
+                                     std::uint32_t shape_b) {
     const ShapeRecord &sa = world.shapes.shapes[shape_a], &sb = world.shapes.shapes[shape_b];
     const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
     if (a.first_joint != none || b.first_joint != none) return true;
     const auto leans = [&](const BodyCold& cold) {
-        return cold.type == BodyType::dynamic && was_held(world, cold);
+        return cold.type == BodyType::dynamic && had_contacts(world, cold);
     };
     return (leans(a) || leans(b)) && pair_restitution(sa.material, sb.material) == 0;
 }

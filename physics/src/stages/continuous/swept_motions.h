@@ -14,27 +14,28 @@
 
 namespace jostle::physics {
 
-struct Course {
+struct SweptMotion {
     Vec3 center, motion;  // m: at the start, and from there to the end
     double turning = 0;   // m, of any of its points
 };
 
-class Courses {
+class SweptMotions {
 public:
-    // `known`: awake indices. way_of(awake index): its sweep from the start of the step to its end.
+    // `known`: awake indices. sweep_of_body(awake index): its sweep from the start of the step to
+    // its end.
     template <class WayOf>
     void note(StepContext& step, const std::vector<std::uint32_t>& known, WayOf&& way_of) {
         const BodyStore& bodies = step.world.bodies;
-        courses_.resize(known.size());
+        motions_.resize(known.size());
         sweeps_.resize(known.size());
         place_.assign(step.world.scratch.fast.size(), not_known);
         for (std::size_t k = 0; k < known.size(); k++)
             place_[known[k]] = static_cast<std::uint32_t>(k);
         step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
-                const Sweep& sweep = sweeps_[k] = way_of(known[k]);
+                const Sweep& sweep = sweeps_[k] = sweep_of_body(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
-                courses_[k] = {sweep.center, sweep.motion, length(sweep.turn) * radius};
+                motions_[k] = {sweep.center, sweep.motion, length(sweep.turn) * radius};
             }
         });
         dt_ = step.dt;
@@ -47,10 +48,10 @@ public:
     // Its way, if it is.
     const Sweep& sweep_of(std::uint32_t awake) const { return sweeps_[place_[awake]]; }
     // Of any body; one whose way is not known comes from where its velocity leads back to.
-    Course of(const WorldState& world, std::uint32_t body) const {
+    SweptMotion of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
         const bool awake = cold.set == BodySet::awake;
-        if (awake && knows(cold.at)) return courses_[place_[cold.at]];
+        if (awake && knows(cold.at)) return motions_[place_[cold.at]];
         const BodyWarm& warm = warm_of(world, body);
         if (!awake) return {warm.center, {}, 0};
         const Vec3 motion = warm.v * dt_;
@@ -60,19 +61,19 @@ public:
     // Whether the motions of a body and another, one of whose shapes is given, are large enough
     // against each other for a sweep and may bring them together. What moves less is the contact
     // solver's (stages/contacts/update_contacts.cpp).
-    bool may_meet(const WorldState& world, const Course& course, const BodyCold& cold,
+    bool may_meet(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
                   std::uint32_t other, std::uint32_t other_shape) const {
-        const Course met = of(world, other);
-        const double linear = length(course.motion - met.motion);
+        const SweptMotion met = of(world, other);
+        const double linear = length(motion.motion - met.motion);
         // A little less than foreseen, so that nothing falls between the two.
-        if (linear + course.turning + met.turning <
+        if (linear + motion.turning + met.turning <
             0.8 * tuning::sweep_fraction * cold.inner_radius)
             return false;
         const BodyCold& cold_other = world.bodies.cold[other];
         if (cold_other.type != BodyType::dynamic)
-            return is_on_way(world, course, cold.radius, world.shapes.shapes[other_shape]);
+            return is_on_way(world, motion, cold.radius, world.shapes.shapes[other_shape]);
         // How near their centres come, were both to move evenly.
-        const Vec3 apart = met.center - course.center, closing = course.motion - met.motion;
+        const Vec3 apart = met.center - motion.center, closing = motion.motion - met.motion;
         const double nearest =
             clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
         const double reach = cold.radius + cold_other.radius + 0.01;
@@ -80,18 +81,18 @@ public:
     }
 
 private:
-    static bool is_on_way(const WorldState& world, const Course& course, double radius,
+    static bool is_on_way(const WorldState& world, const SweptMotion& motion, double radius,
                           const ShapeRecord& shape) {
-        const Vec3 end = course.center + course.motion;
-        const Aabb way = grow({min(course.center, end), max(course.center, end)}, radius + 0.01);
+        const Vec3 end = motion.center + motion.motion;
+        const Aabb way = grow({min(motion.center, end), max(motion.center, end)}, radius + 0.01);
         return is_plane(shape) ? reaches_plane(world, shape, way) : overlap(way, shape.fat);
     }
 
     static constexpr std::uint32_t not_known = 0xffffffff;
 
-    std::vector<Course> courses_;
+    std::vector<SweptMotion> motions_;
     std::vector<Sweep> sweeps_;         // of the same
-    std::vector<std::uint32_t> place_;  // by awake index: among courses_
+    std::vector<std::uint32_t> place_;  // by awake index: among motions_
     double dt_ = 0;
 };
 

@@ -7,26 +7,26 @@
 #include <cstdint>
 #include <vector>
 
-#include "stages/fast_ways.h"
+#include "stages/continuous/swept_aabb_tree.h"
 #include "state/world_state.h"
 
 namespace jostle::physics {
 
-class NearShapes {
+class CcdCandidates {
 public:
     // `fast`: awake indices of the fast bodies; it lives as long.
-    NearShapes(const WorldState& world, const std::vector<std::uint32_t>& fast)
+    CcdCandidates(const WorldState& world, const std::vector<std::uint32_t>& fast)
         : world_(world), fast_(fast) {}
 
     // All shapes that may be in the box of a body's way, in order and once each: of two that are
     // met at the same moment the first counts.
     void find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near);
     // The body goes this way from now on.
-    void set_way(std::uint32_t body, const Aabb& way);
+    void set_swept_aabb(std::uint32_t body, const Aabb& way);
     // Calls visit(body) for the bodies whose ways cross a box, in no order.
     template <class Visit>
-    void each_way(const Aabb& box, Visit&& visit) const {
-        ways_.query(box, visit);
+    void for_each_swept(const Aabb& box, Visit&& visit) const {
+        swept_.query(box, visit);
     }
     // Puts a body's shapes into an ordered list that may know them.
     void insert(std::uint32_t body, std::vector<std::uint32_t>& near) const;
@@ -38,7 +38,7 @@ private:
 
     const WorldState& world_;
     const std::vector<std::uint32_t>& fast_;
-    FastWays ways_;
+    SweptAabbTree swept_;
     std::vector<std::uint32_t> found_;  // scratch
 };
 

@@ -10,6 +10,6 @@
 
 namespace jostle::physics {
 
-Skipped stop_fast_bodies(StepContext& step);
+Skipped solve_continuous(StepContext& step);
 
 }  // namespace jostle::physics

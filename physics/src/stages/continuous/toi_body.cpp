@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/traveller.h"
+#include "stages/continuous/toi_body.h"
 
 #include <cmath>
 
@@ -33,7 +33,7 @@ FreeSpin spin_of(const WorldState& world, std::uint32_t body, Quat rotation, Vec
     there.torque = {};
     return free_spin(there, world.bodies.cold[body], dt);
 }
-FreeSpin spin_at(const WorldState& world, const Traveller& t, double fraction, double dt) {
+FreeSpin spin_at(const WorldState& world, const ToiBody& t, double fraction, double dt) {
     return spin_of(world, t.body, t.spin_rotation, t.spin, (fraction - t.spin_at) * dt);
 }
 
@@ -42,7 +42,7 @@ bool tumbles(const BodyCold& cold) {
 }
 
 // The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
-void aim(const WorldState& world, Traveller& t, double dt) {
+void aim(const WorldState& world, ToiBody& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double from = t.sweep.from, left = 1 - from;
     t.sweep.until = 1;
@@ -68,7 +68,7 @@ Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt) {
     return {0, before.center, before.rotation, now.center - before.center, turn};
 }
 
-Speed speed_at(const WorldState& world, const Traveller& t, double fraction, double dt) {
+Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt) {
     Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
     if (!tumbles(world.bodies.cold[t.body])) return s;
     // The sweep turns evenly, a tumbling body does not. Its spin is taken over in the body's own
@@ -79,7 +79,7 @@ Speed speed_at(const WorldState& world, const Traveller& t, double fraction, dou
     return s;
 }
 
-void set_out(const WorldState& world, Traveller& t, std::uint32_t awake, double dt) {
+void begin_toi(const WorldState& world, ToiBody& t, std::uint32_t awake, double dt) {
     const BodyWarm &now = world.bodies.awake[awake], &before = world.scratch.before[awake];
     const BodyCold& cold = world.bodies.cold[now.body];
     t.sweep = even_sweep(before, now, dt);
@@ -99,7 +99,7 @@ void set_out(const WorldState& world, Traveller& t, std::uint32_t awake, double 
     aim(world, t, dt);
 }
 
-void next_leg(const WorldState& world, Traveller& t, double dt) {
+void next_leg(const WorldState& world, ToiBody& t, double dt) {
     const double at = t.sweep.until;
     const FreeSpin free = spin_at(world, t, at, dt);
     t.velocity += t.gain * (at - t.sweep.from);
@@ -110,7 +110,8 @@ void next_leg(const WorldState& world, Traveller& t, double dt) {
     aim(world, t, dt);
 }
 
-void turn_off(const WorldState& world, Traveller& t, double fraction, const Turn& turn, double dt) {
+void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& turn,
+            double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double left = 1 - fraction, time = left * dt;
     // From here on it flies, whatever held it before: the next step's contacts will see.
@@ -125,7 +126,7 @@ void turn_off(const WorldState& world, Traveller& t, double fraction, const Turn
     const Vec3 mean = turn.v + t.gain * (0.5 * left);
     t.sweep = {fraction, turn.center, turn.rotation, mean * dt, {}};
     t.changed = true;
-    if (stays(t)) {
+    if (is_exhausted(t)) {
         t.sweep.motion = {};
         return;
     }
@@ -134,12 +135,12 @@ void turn_off(const WorldState& world, Traveller& t, double fraction, const Turn
     aim(world, t, dt);
 }
 
-bool stays(const Traveller& t) {
+bool is_exhausted(const ToiBody& t) {
     return t.impacts >= tuning::sweep_impacts;
 }
 
-void arrive(WorldState& world, const Traveller& t, double dt) {
-    const bool stayed = stays(t);
+void finish_toi(WorldState& world, const ToiBody& t, double dt) {
+    const bool stayed = is_exhausted(t);
     const double until = stayed ? t.sweep.from : 1;
     const BodyCold& cold = world.bodies.cold[t.body];
     BodyWarm& warm = warm_of(world, t.body);

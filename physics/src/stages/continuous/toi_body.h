@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A body under way between two steps, as stop_fast_bodies follows it from impact to impact.
+// A body under way between two steps, as solve_continuous follows it from impact to impact.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace jostle::physics {
 
 // One end of an impact, or one body under way.
-struct Traveller {
+struct ToiBody {
     std::uint32_t body = none;
     // A tumbling body does not turn evenly: its way is cut into legs, each from where it really is
     // to where it really will be.
@@ -29,14 +29,14 @@ struct Traveller {
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
     // The first impact that is known, if any.
-    bool looked = false, to_look = false;
-    std::uint32_t anew_in = 0;          // the round in which it last looked at everything
+    bool checked = false, queued = false;
+    std::uint32_t anew_in = 0;          // the round in which it last checked at everything
     std::vector<std::uint32_t> turned;  // bodies that go another way since then
     double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;
-    Aabb way;                         // holds all that is left of it
-    std::vector<std::uint32_t> near;  // shapes that may be in it, in order and once each
+    Aabb swept;                             // holds all that is left of it
+    std::vector<std::uint32_t> candidates;  // shapes that may be in it, in order and once each
 };
 
 // From where a step found a body to where it took it.
@@ -46,23 +46,23 @@ struct Speed {
     Vec3 v, w;  // m/s, rad/s
 };
 // At a fraction of the step, from the sweep's beginning on.
-Speed speed_at(const WorldState& world, const Traveller& t, double fraction, double dt);
+Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt);
 
 // A fast body, by its index among the awake, from the beginning of the step: as the step took it.
-void set_out(const WorldState& world, Traveller& t, std::uint32_t awake, double dt);
+void begin_toi(const WorldState& world, ToiBody& t, std::uint32_t awake, double dt);
 // From the end of a leg on.
-void next_leg(const WorldState& world, Traveller& t, double dt);
+void next_leg(const WorldState& world, ToiBody& t, double dt);
 
-struct Turn {
+struct Departure {
     Vec3 center;  // m
     Quat rotation;
     Vec3 v, w;  // m/s, rad/s: from here on
 };
 // From an impact on, with another velocity. It may be fast now.
-void turn_off(const WorldState& world, Traveller& t, double fraction, const Turn& turn, double dt);
+void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& turn, double dt);
 // Whether it has used up its impacts and is where it will be when the step ends.
-bool stays(const Traveller& t);
+bool is_exhausted(const ToiBody& t);
 // Its body is where the way ends, and moves as it did there.
-void arrive(WorldState& world, const Traveller& t, double dt);
+void finish_toi(WorldState& world, const ToiBody& t, double dt);
 
 }  // namespace jostle::physics

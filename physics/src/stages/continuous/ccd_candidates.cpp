@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/near_shapes.h"
+#include "stages/continuous/ccd_candidates.h"
 
 #include <algorithm>
 
@@ -7,9 +7,9 @@
 
 namespace jostle::physics {
 
-void NearShapes::find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near) {
+void CcdCandidates::find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near) {
     note_fast();
-    ways_.query(way, [&](std::uint32_t other) {
+    swept_.query(way, [&](std::uint32_t other) {
         for (std::uint32_t s = world_.bodies.cold[other].first_shape; s != none;
              s = world_.shapes.shapes[s].next)
             near.push_back(s);
@@ -19,18 +19,18 @@ void NearShapes::find(std::uint32_t body, const Aabb& way, std::vector<std::uint
     world_.shapes.moving->query(way, 0xffffffff, found_);
     // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
     for (const std::uint32_t shape : found_)
-        if (!ways_.has(world_.shapes.shapes[shape].body)) near.push_back(shape);
+        if (!swept_.has(world_.shapes.shapes[shape].body)) near.push_back(shape);
     for (const std::uint32_t plane : world_.shapes.planes)
         if (reaches_plane(world_, world_.shapes.shapes[plane], way)) near.push_back(plane);
     tidy(body, near);
 }
 
-void NearShapes::set_way(std::uint32_t body, const Aabb& way) {
+void CcdCandidates::set_swept_aabb(std::uint32_t body, const Aabb& way) {
     note_fast();
-    ways_.set(body, way);
+    swept_.set(body, way);
 }
 
-void NearShapes::insert(std::uint32_t body, std::vector<std::uint32_t>& near) const {
+void CcdCandidates::insert(std::uint32_t body, std::vector<std::uint32_t>& near) const {
     for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
          s = world_.shapes.shapes[s].next) {
         const auto place = std::lower_bound(near.begin(), near.end(), s);
@@ -39,7 +39,7 @@ void NearShapes::insert(std::uint32_t body, std::vector<std::uint32_t>& near) co
     }
 }
 
-void NearShapes::tidy(std::uint32_t body, std::vector<std::uint32_t>& near) const {
+void CcdCandidates::tidy(std::uint32_t body, std::vector<std::uint32_t>& near) const {
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::erase_if(near, [&](std::uint32_t s) {
@@ -47,11 +47,11 @@ void NearShapes::tidy(std::uint32_t body, std::vector<std::uint32_t>& near) cons
     });
 }
 
-void NearShapes::note_fast() {
-    if (!ways_.empty()) return;
+void CcdCandidates::note_fast() {
+    if (!swept_.empty()) return;
     std::vector<std::uint32_t> bodies;
     for (const std::uint32_t i : fast_) bodies.push_back(world_.bodies.awake[i].body);
-    ways_.set_all(bodies, [&](std::uint32_t body) {
+    swept_.set_all(bodies, [&](std::uint32_t body) {
         const BodyCold& cold = world_.bodies.cold[body];
         const Vec3 from = world_.scratch.before[cold.at].center,
                    to = world_.bodies.awake[cold.at].center;

@@ -66,7 +66,7 @@ TEST(Sleeping, says_when_bodies_fall_asleep_and_wake) {
         for (const BodyId body : world.events().fell_asleep) slept += body == box;
     }
     EXPECT_EQ(slept, 1);
-    EXPECT_NEAR(step / 60.0, 0.5, 0.2);  // tuning::sleep_time
+    EXPECT_NEAR(step / 60.0, 0.5, 0.2);  // tuning::time_to_sleep
     const BodyId ball = add(world, {.geometry = Sphere{0.2}, .position = {0, 1.5, 0}});
     int woke = 0;
     for (int i = 0; i < 60; i++) {

@@ -52,26 +52,26 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
 
 }  // namespace
 
-std::optional<PrincipalBend> principal_bend(const BodyCold& cold) {
+std::optional<PrincipalRatios> principal_ratios(const BodyCold& cold) {
     const Mat3 &i = cold.inertia, &inverse = cold.inverse_inertia;
     const bool diagonal =
         i.x.y == 0 && i.x.z == 0 && i.y.x == 0 && i.y.z == 0 && i.z.x == 0 && i.z.y == 0;
     if (!diagonal) return std::nullopt;
-    return PrincipalBend{{(i.z.z - i.y.y) * inverse.x.x, (i.x.x - i.z.z) * inverse.y.y,
-                          (i.y.y - i.x.x) * inverse.z.z}};
+    return PrincipalRatios{{(i.z.z - i.y.y) * inverse.x.x, (i.x.x - i.z.z) * inverse.y.y,
+                            (i.y.y - i.x.x) * inverse.z.z}};
 }
 
-EulerStep euler_step(const PrincipalBend& bend, Vec3 w, double dt) {
+EulerStep euler_step(const PrincipalRatios& bend, Vec3 w, double dt) {
     return euler_step(BendOfPrincipal{bend.factors}, w, dt);
 }
 
 EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
-    if (const std::optional<PrincipalBend> bend = principal_bend(cold))
+    if (const std::optional<PrincipalRatios> bend = principal_ratios(cold))
         return euler_step(*bend, w, dt);
     return euler_step(BendOfAny{cold.inertia, cold.inverse_inertia}, w, dt);
 }
 
-bool tumbles(const BodyWarm& warm, const BodyCold& cold, double dt) {
+bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt) {
     constexpr double far = 0.02;  // rad
     return !cold.isotropic && cold.type == BodyType::dynamic &&
            (cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) == 0 &&

@@ -32,15 +32,15 @@ EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt);
 
 // All that they need to know of a body whose axes are the principal ones of its inertia, which
 // takes less than half the time: the ratios (I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3.
-struct PrincipalBend {
+struct PrincipalRatios {
     Vec3 factors;
 };
-std::optional<PrincipalBend> principal_bend(const BodyCold& cold);
-EulerStep euler_step(const PrincipalBend& bend, Vec3 w, double dt);
+std::optional<PrincipalRatios> principal_ratios(const BodyCold& cold);
+EulerStep euler_step(const PrincipalRatios& bend, Vec3 w, double dt);
 
 // Whether the body turns so far in dt, with an inertia so uneven, that its axes may not be taken as
 // they stood at the start.
-bool tumbles(const BodyWarm& warm, const BodyCold& cold, double dt);
+bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt);
 
 struct FreeSpin {
     Quat rotation;

@@ -52,7 +52,8 @@ void derive_all(WorldState& world) {
     derive_axes(world.bodies.awake);
     for (Island& island : world.islands.islands) derive_axes(island.sleepers);
     for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++)
-        if (world.bodies.ids.alive(i) && world.bodies.cold[i].frozen) world.bodies.frozen++;
+        if (world.bodies.ids.alive(i) && world.bodies.cold[i].asleep_in_place)
+            world.bodies.asleep_in_place++;
     derive_shapes(world);
     derive_contacts(world);
 }

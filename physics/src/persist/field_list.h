@@ -100,7 +100,7 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("isotropic", b.isotropic);
     v.field("set", b.set);
     v.field("at", b.at);
-    v.field("frozen", b.frozen);
+    v.field("frozen", b.asleep_in_place);
     v.field("first_shape", b.first_shape);
     v.field("last_shape", b.last_shape);
     v.field("first_edge", b.first_edge);
@@ -121,9 +121,9 @@ void visit_fields(V& v, BodyWarm& b) {
     visit(v, "w", b.w);
     visit(v, "force", b.force);
     visit(v, "torque", b.torque);
-    v.field("quiet", b.quiet);
-    visit(v, "swayed", b.swayed);
-    visit(v, "swung", b.swung);
+    v.field("sleep_time", b.sleep_time);
+    visit(v, "drift", b.drift);
+    visit(v, "drift_turn", b.drift_turn);
 }
 
 template <class V>

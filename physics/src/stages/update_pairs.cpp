@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "state/frozen.h"
 #include "state/links.h"
+#include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -77,9 +77,9 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
 void wake_if_all_asleep(WorldState& world, const Contact& c) {
     for (const std::uint32_t body : {c.body_a, c.body_b}) {
         const BodyCold& cold = world.bodies.cold[body];
-        if (cold.set == BodySet::awake && !cold.frozen) return;
+        if (cold.set == BodySet::awake && !cold.asleep_in_place) return;
     }
-    rouse(world, c.body_a, world.events.woke);
+    ensure_awake(world, c.body_a, world.events.woke);
 }
 
 }  // namespace

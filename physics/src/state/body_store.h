@@ -48,7 +48,8 @@ struct BodyCold {
     // Where it is and what hangs on it.
     BodySet set = BodySet::fixed;
     std::uint32_t at = 0;  // index in its set
-    bool frozen = false;   // rests in an island that moves elsewhere (state/frozen.h)
+    bool asleep_in_place =
+        false;  // rests in an island that moves elsewhere (state/partial_sleep.h)
     std::uint32_t first_shape = none,
                   last_shape = none;   // list through ShapeRecord::next, in order of creation
     std::uint32_t first_edge = none;   // list of contacts: contact * 2 + side
@@ -63,11 +64,11 @@ struct BodyWarm {
     std::uint32_t body = none;
     Vec3 center;  // of mass, m, world
     Quat rotation;
-    Vec3 v, w;           // m/s, rad/s, world
-    Vec3 force, torque;  // N, N m: for the next step, then zero
-    double quiet = 0;    // s at rest
-    Vec3 swayed, swung;  // m and rad, world, since then
-    Mat3 axes;           // to_matrix(rotation): derived, not saved
+    Vec3 v, w;               // m/s, rad/s, world
+    Vec3 force, torque;      // N, N m: for the next step, then zero
+    double sleep_time = 0;   // s at rest
+    Vec3 drift, drift_turn;  // m and rad, world, since then
+    Mat3 axes;               // to_matrix(rotation): derived, not saved
 };
 
 // How far any point of a body can have moved since its creation, and can have moved when the next
@@ -88,7 +89,7 @@ struct BodyStore {
     FlatArray<BodyCold> cold;       // by index
     FlatArray<MotionBound> motion;  // by index
     FlatArray<BodyWarm> fixed, awake;
-    std::uint32_t frozen = 0;  // how many of the awake set are; derived
+    std::uint32_t asleep_in_place = 0;  // how many of the awake set are; derived
 };
 
 inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {

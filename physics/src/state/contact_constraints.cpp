@@ -27,7 +27,7 @@ bool reports_stays(const WorldState& world, const Contact& contact) {
 
 ColourSetKey set_of_contact(const WorldState& world, const Contact& contact) {
     const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
-    if (a.frozen && (b.frozen || b.type != BodyType::dynamic)) return asleep_set;
+    if (a.asleep_in_place && (b.asleep_in_place || b.type != BodyType::dynamic)) return asleep_set;
     return world.islands.islands[a.island].colour_set;
 }
 

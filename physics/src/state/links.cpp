@@ -7,8 +7,8 @@
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
 #include "state/contact_constraints.h"
-#include "state/frozen.h"
 #include "state/island_tiers.h"
+#include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -363,8 +363,8 @@ void end_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     c.touching = false;
     for (const std::uint32_t body : {c.body_a, c.body_b})
-        if (world.bodies.cold[body].frozen)
-            world.scratch.let_go.push_back({body, mass_borne_by(world, c)});
+        if (world.bodies.cold[body].asleep_in_place)
+            world.scratch.support_lost.push_back({body, mass_borne_by(world, c)});
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole parted is seen when the step's changes are all in.
@@ -412,15 +412,15 @@ void leave_set(WorldState& world, std::uint32_t body) {
 namespace {
 
 // Those of an island that a touch leaves as they lie: all but what a kinematic body leads.
-std::vector<std::uint32_t> who_wakes_frozen(WorldState& world,
+std::vector<std::uint32_t> who_stays_asleep(WorldState& world,
                                             const std::vector<BodyWarm>& sleepers) {
     std::vector<std::uint32_t> still;
-    if (!world.def.sleeping || sleepers.size() < tuning::freeze_least) return still;
+    if (!world.def.sleeping || sleepers.size() < tuning::partial_sleep_least) return still;
     for_each_jointed(world, sleepers, [&](const JointedBodies& jointed) {
         if (!jointed.to_driver)
             still.insert(still.end(), jointed.bodies.begin(), jointed.bodies.end());
     });
-    if (still.size() < tuning::freeze_least) still.clear();
+    if (still.size() < tuning::partial_sleep_least) still.clear();
     return still;
 }
 
@@ -435,10 +435,11 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     island.sleepers = {};
     island.manifolds = {};
     for (const BodyWarm& warm : sleepers) enter_awake(world, warm);
-    const std::vector<std::uint32_t> still = who_wakes_frozen(world, sleepers);
+    const std::vector<std::uint32_t> still = who_stays_asleep(world, sleepers);
     for (const std::uint32_t body : still) hold_still(world, body);
     for (const BodyWarm& warm : sleepers)
-        if (!world.bodies.cold[warm.body].frozen) woke.push_back(body_id(world, warm.body));
+        if (!world.bodies.cold[warm.body].asleep_in_place)
+            woke.push_back(body_id(world, warm.body));
     for (const SavedContact& saved : manifolds) {
         restore_contact(world, saved);
         if (!still.empty()) keep_load(world, saved.contact);
@@ -529,8 +530,8 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
 void wake_body(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.type != BodyType::dynamic) return;
-    rouse(world, body, world.events.pending.woke);
-    warm_of(world, body).quiet = 0;
+    ensure_awake(world, body, world.events.pending.woke);
+    warm_of(world, body).sleep_time = 0;
 }
 
 void wake_neighbours(WorldState& world, std::uint32_t body) {

@@ -96,9 +96,9 @@ struct JointScratch {
 };
 
 // A body that turns far in a step, and not evenly: what each sub-step needs of it.
-struct Tumbler {
+struct GyroscopicBody {
     Mat3 axes;  // of the body at the start of the step
-    Vec3 bend;  // PrincipalBend, if its axes are the principal ones
+    Vec3 bend;  // PrincipalRatios, if its axes are the principal ones
     bool principal = false;
 };
 
@@ -166,12 +166,12 @@ struct StepScratch {
     // Both by the first store of a part.
     std::array<JointScratch, solved_set_count> joints;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
-    std::vector<std::uint8_t> tumbling;  // by hot index: whether it has a tumbler
-    std::vector<Tumbler> tumblers;       // by hot index, of those
-    std::vector<std::uint8_t> held;      // by awake body: had a manifold when the step began
-    std::vector<std::uint8_t> fast;      // by awake body: moved far, to be swept
-    std::vector<std::uint8_t> strayed;   // by awake body: fast, and not on the way that its fat
-                                         // boxes foresaw
+    std::vector<std::uint8_t> gyroscopic;  // by hot index: whether it has a gyroscopic_body
+    std::vector<GyroscopicBody> gyroscopic_bodies;  // by hot index, of those
+    std::vector<std::uint8_t> held;     // by awake body: had a manifold when the step began
+    std::vector<std::uint8_t> fast;     // by awake body: moved far, to be swept
+    std::vector<std::uint8_t> strayed;  // by awake body: fast, and not on the way that its fat
+                                        // boxes foresaw
     std::vector<std::vector<std::uint32_t>> ahead;  // by fast body: shapes it may meet
     std::vector<std::uint8_t> thrown;  // by awake body: not fast, and did not go as its velocity
                                        // says: contacts turned it round in the step
@@ -183,15 +183,16 @@ struct StepScratch {
     std::vector<std::uint8_t> not_finite;       // by awake body
     std::vector<IslandExtent> extents;          // by island
     std::vector<std::uint32_t> island_weights;  // by island
-    std::vector<double> island_quiet, island_most_quiet;
+    std::vector<double> island_sleep_time, island_longest_sleep_time;
     // By hot index: moves; or touches one that does, or is jointed to one of either.
     std::vector<std::uint8_t> restless, beside;
-    std::vector<std::uint32_t> resting;     // by island: bodies that could be frozen, or are
-    std::vector<Disturbance> hits, let_go;  // of frozen bodies: from outside; by touches that ended
-    std::vector<std::uint32_t> loads_changed, freezing;  // bodies
-    std::vector<std::uint8_t> met, seen_jointed;         // by body; zero between uses
-    std::vector<std::uint8_t> visited_jointed;           // by body
-    std::vector<std::uint32_t> jointed;                  // bodies
+    std::vector<std::uint32_t> resting;  // by island: bodies that could be frozen, or are
+    std::vector<Disturbance> hits,
+        support_lost;  // of frozen bodies: from outside; by touches that ended
+    std::vector<std::uint32_t> loads_changed, falling_asleep;  // bodies
+    std::vector<std::uint8_t> met, seen_jointed;               // by body; zero between uses
+    std::vector<std::uint8_t> visited_jointed;                 // by body
+    std::vector<std::uint32_t> jointed;                        // bodies
     std::vector<std::uint32_t> stack;
 };
 

@@ -68,7 +68,7 @@ Fault check_bodies(const WorldState& world) {
             return at("bodies", i, "is in a set that its type does not belong to");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
-        if (b.frozen && (!dynamic || b.set != BodySet::awake || b.inverse_mass != 0))
+        if (b.asleep_in_place && (!dynamic || b.set != BodySet::awake || b.inverse_mass != 0))
             return at("bodies", i, "is frozen but asleep or free to move");
         if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
         if (dynamic && !world.islands.ids.alive(b.island))
@@ -168,7 +168,7 @@ Fault check_joints(const WorldState& world) {
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
             return at("joints", i, "joins two islands");
         const auto moves = [](const BodyCold& c) { return c.type != BodyType::fixed && !c.frozen; };
-        if ((a.frozen && moves(b)) || (b.frozen && moves(a)))
+        if ((a.asleep_in_place && moves(b)) || (b.asleep_in_place && moves(a)))
             return at("joints", i, "ties a frozen body to one that moves");
     }
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
@@ -232,7 +232,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         }
         const BodyCold &own = world.bodies.cold[c.body_a], &other = world.bodies.cold[c.body_b];
         if ((c.colour_set == asleep_set) !=
-            (own.frozen && (other.frozen || other.type != BodyType::dynamic)))
+            (own.asleep_in_place && (other.asleep_in_place || other.type != BodyType::dynamic)))
             return at("contacts", i, "is solved though nobody of it moves, or the other way round");
         const GraphColour& colour =
             world.graph.sets[index_of(c.colour_set)].colours[static_cast<std::size_t>(c.colour)];

@@ -69,7 +69,7 @@ BodyState state_of(const WorldState& world, std::uint32_t index) {
             .angular_velocity = warm.w,
             .mass = cold.mass,
             .inertia = warm.axes * cold.inertia * transpose(warm.axes),
-            .awake = cold.set == BodySet::awake && !cold.frozen,
+            .awake = cold.set == BodySet::awake && !cold.asleep_in_place,
             .locks = cold.locks,
             .user_data = cold.user_data};
 }

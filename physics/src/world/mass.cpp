@@ -35,7 +35,7 @@ MassProperties mass_of_shape(const ShapeRecord& shape, bool planar) {
 
 void update_mass(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
-    ASSERT(!cold.frozen);
+    ASSERT(!cold.asleep_in_place);
     BodyWarm& warm = warm_of(world, body);
     MassProperties total;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {

@@ -36,7 +36,7 @@ WorldSummary World::summary() const {
     WorldSummary sum;
     sum.bodies = static_cast<int>(world.bodies.ids.alive_count());
     sum.shapes = static_cast<int>(world.shapes.ids.alive_count());
-    sum.awake_bodies = static_cast<int>(world.bodies.awake.size() - world.bodies.frozen);
+    sum.awake_bodies = static_cast<int>(world.bodies.awake.size() - world.bodies.asleep_in_place);
     for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {
         if (!world.bodies.ids.alive(i) || world.bodies.cold[i].type != BodyType::dynamic) continue;
         sum.dynamic_bodies++;

@@ -305,18 +305,18 @@ TEST_F(ClientLinkTest, a_full_server_says_so) {
 }
 
 TEST_F(ClientLinkTest, silence_ends_a_conversation) {
-    TestClient mute(context), quiet(context);
-    quiet.hello();
+    TestClient mute(context), sleep_time(context);
+    sleep_time.hello();
     mute.listen(4s);
     EXPECT_FALSE(mute.link.end());
     mute.listen(6s);
     ASSERT_TRUE(mute.link.end());
     EXPECT_EQ(mute.link.end()->code, AnswerCode::deadline_exceeded);
-    quiet.listen(9s);
-    EXPECT_FALSE(quiet.link.end());
-    quiet.link.wait_for_write(Clock::now() + 11s);  // it does not read either
-    ASSERT_TRUE(quiet.link.end());
-    EXPECT_EQ(quiet.link.end()->code, AnswerCode::deadline_exceeded);
+    sleep_time.listen(9s);
+    EXPECT_FALSE(sleep_time.link.end());
+    sleep_time.link.wait_for_write(Clock::now() + 11s);  // it does not read either
+    ASSERT_TRUE(sleep_time.link.end());
+    EXPECT_EQ(sleep_time.link.end()->code, AnswerCode::deadline_exceeded);
 }
 
 TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {

@@ -127,23 +127,23 @@ inline constexpr int sweep_impacts = 16;   // of one body in one step; then it s
 // --- sleep ---
 // An island sleeps when none of its bodies moved faster than this for that long: neither its centre
 // nor, about that, its surface.
-inline constexpr double sleep_speed = 0.05;  // m/s
-inline constexpr double sleep_time = 0.5;    // s
+inline constexpr double sleep_speed = 0.05;   // m/s
+inline constexpr double time_to_sleep = 0.5;  // s
 // What is faster, but not by so much, rests too while none of its points is further than this from
 // where its rest began (as Jolt measures it): a stone that rocks by a millimetre between others.
-inline constexpr double sway_speed = 0.2;  // m/s
-inline constexpr double sway = 0.004;      // m
+inline constexpr double drift_speed = 0.2;  // m/s
+inline constexpr double drift = 0.004;      // m
 // Of an island that does not sleep, what has rested this long beside nothing that has not is
 // frozen, if that are so many bodies; checked at in every so many steps.
-inline constexpr double freeze_time = 0.5;  // s
-inline constexpr int freeze_least = 16;
-inline constexpr double freeze_share = 0.8;  // of the island's bodies, at least
-inline constexpr int freeze_interval = 8;
+inline constexpr double partial_sleep_time = 0.5;  // s
+inline constexpr int partial_sleep_least = 16;
+inline constexpr double partial_sleep_share = 0.8;  // of the island's bodies, at least
+inline constexpr int partial_sleep_interval = 8;
 // A frozen body thaws when the force at a contact changes by more than this share of what it was
 // and this share of the body's weight. Forces within a heap shift all the time by less: a
 // micrometre of overlap bears half a weight.
-inline constexpr double thaw_share = 0.5;
-inline constexpr double thaw_weight = 0.5;
+inline constexpr double wake_load_share = 0.5;
+inline constexpr double wake_load_weight = 0.5;
 // What is hit thaws with so much around it that all of that together would take over the momentum
 // at this speed.
 inline constexpr double gentle_speed = 0.1;  // m/s

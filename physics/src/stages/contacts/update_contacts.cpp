@@ -15,9 +15,9 @@
 #include "stages/contacts/separation_bound.h"
 #include "stages/continuous/ccd_policy.h"
 #include "state/contact_constraints.h"
-#include "state/frozen.h"
 #include "state/island_tiers.h"
 #include "state/links.h"
+#include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -358,12 +358,12 @@ std::uint32_t index_of(const WorldState& world, const ContactCheck& check) {
 }
 
 // Whether a body sleeps or is frozen.
-bool is_still(const BodyCold& cold) {
-    return cold.set == BodySet::sleeping || cold.frozen;
+bool is_asleep(const BodyCold& cold) {
+    return cold.set == BodySet::sleeping || cold.asleep_in_place;
 }
 
-bool has_still(const WorldState& world, const Contact& c) {
-    return is_still(world.bodies.cold[c.body_a]) || is_still(world.bodies.cold[c.body_b]);
+bool has_asleep(const WorldState& world, const Contact& c) {
+    return is_asleep(world.bodies.cold[c.body_a]) || is_asleep(world.bodies.cold[c.body_b]);
 }
 
 // A kinematic body stops for nobody.
@@ -376,13 +376,13 @@ double mass_as_mover(const WorldState& world, std::uint32_t mover, std::uint32_t
 // Whether a manifold begins. One with a body that sleeps or is frozen begins only when they meet,
 // and wakes it and as much around it as the impact will stir.
 bool begins(WorldState& world, const Contact& c, double gap_ahead) {
-    if (!has_still(world, c)) return gap_ahead < tuning::speculative_margin;
+    if (!has_asleep(world, c)) return gap_ahead < tuning::speculative_margin;
     const double speed = closing_way(world, c, 1);
     // What comes to rest beside a sleeper, however near, does not wake it.
     if (gap_ahead >= (speed < tuning::sleep_speed ? 0 : tuning::wake_gap)) return false;
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
         const BodyCold& cold = world.bodies.cold[body];
-        if (!is_still(cold)) return;
+        if (!is_asleep(cold)) return;
         if (cold.set == BodySet::sleeping) world.scratch.to_wake.push_back(cold.island);
         world.scratch.hits.push_back(
             {body, mass_stirred_by(speed * mass_as_mover(world, other, body))});
@@ -394,7 +394,7 @@ bool begins(WorldState& world, const Contact& c, double gap_ahead) {
 
 // Within which gap a manifold of the pair begins, m.
 double begin_margin(const WorldState& world, const Contact& c) {
-    return has_still(world, c) ? tuning::wake_gap : tuning::speculative_margin;
+    return has_asleep(world, c) ? tuning::wake_gap : tuning::speculative_margin;
 }
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
@@ -449,8 +449,8 @@ void wake_islands(WorldState& world) {
     auto& hits = world.scratch.hits;
     std::sort(hits.begin(), hits.end());
     for (const Disturbance& hit : hits)
-        if (world.bodies.cold[hit.body].frozen)
-            thaw_around(world, hit.body, hit.mass, world.events.woke);
+        if (world.bodies.cold[hit.body].asleep_in_place)
+            wake_around(world, hit.body, hit.mass, world.events.woke);
 }
 
 // In order of shapes, so that colours and lanes do not depend on the order of the waiting list.

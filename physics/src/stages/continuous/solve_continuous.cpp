@@ -16,8 +16,8 @@
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
 #include "stages/continuous/toi_dependents.h"
-#include "state/frozen.h"
 #include "state/links.h"
+#include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -400,8 +400,8 @@ private:
     }
 
     // Whether they go on inwards there: by their velocities or, after the start, by their sweeps.
-    // (A tumbling body is where its sweep is, not where its velocities point: then there may be no
-    // impulse, but a new sweep from there.)
+    // (A gyroscopic body is where its sweep is, not where its velocities point: then there may be
+    // no impulse, but a new sweep from there.)
     bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<ImpactPoint>& points,
                    const Sweep& motion, const ToiBody& t, double fraction, bool at_start) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
@@ -442,12 +442,12 @@ private:
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);
         const std::vector<ImpactPoint> points = std::move(bodies_[index].points);
-        if (world_.bodies.cold[body_b].frozen) {
+        if (world_.bodies.cold[body_b].asleep_in_place) {
             const BodyCold& cold_a = world_.bodies.cold[body_a];
             const double momentum = cold_a.mass * length(warm_of(world_, body_a).v);
-            thaw_around(world_, body_b, mass_stirred_by(momentum), world_.events.woke);
+            wake_around(world_, body_b, mass_stirred_by(momentum), world_.events.woke);
         }
-        rouse(world_, body_b, world_.events.woke);
+        ensure_awake(world_, body_b, world_.events.woke);
         world_.scratch.not_finite.resize(world_.bodies.awake.size(), 0);
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         const Material &ma = world_.shapes.shapes[own].material,

@@ -18,12 +18,12 @@ public:
         return body < leaf_.size() && leaf_[body] != DynamicTree::null_node;
     }
 
-    // All at once: by sweep_of_body(body), each body once.
+    // All at once: by way_of(body), each body once.
     template <class WayOf>
     void set_all(const std::vector<std::uint32_t>& bodies, WayOf&& way_of) {
         for (const std::uint32_t body : bodies) {
             if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
-            leaf_[body] = tree_.add(sweep_of_body(body), body);
+            leaf_[body] = tree_.add(way_of(body), body);
         }
         tree_.rebuild();
     }

@@ -11,7 +11,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a tumbling body's
+constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a gyroscopic body's
 
 // An even turn from one attitude to the other, rad, of all that end there the one most like
 // `wished`: so that the way ends where the body does, however often it went round.
@@ -37,7 +37,7 @@ FreeSpin spin_at(const WorldState& world, const ToiBody& t, double fraction, dou
     return spin_of(world, t.body, t.spin_rotation, t.spin, (fraction - t.spin_at) * dt);
 }
 
-bool tumbles(const BodyCold& cold) {
+bool is_gyroscopic(const BodyCold& cold) {
     return cold.type == BodyType::dynamic && !cold.isotropic && cold.locks == 0;
 }
 
@@ -46,7 +46,7 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double from = t.sweep.from, left = 1 - from;
     t.sweep.until = 1;
-    if (t.fast && tumbles(cold) && t.spin != Vec3{}) {
+    if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{}) {
         // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
         const Mat3 axes = to_matrix(t.spin_rotation);
         const Vec3 w = transposed_times(axes, t.spin);
@@ -70,8 +70,8 @@ Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt) {
 
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt) {
     Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
-    if (!tumbles(world.bodies.cold[t.body])) return s;
-    // The sweep turns evenly, a tumbling body does not. Its spin is taken over in the body's own
+    if (!is_gyroscopic(world.bodies.cold[t.body])) return s;
+    // The sweep turns evenly, a gyroscopic body does not. Its spin is taken over in the body's own
     // axes: seen from a slightly wrong attitude the same angular momentum would be a thousandfold
     // spin about the thin axis of a rod.
     const FreeSpin free = spin_at(world, t, fraction, dt);
@@ -154,7 +154,7 @@ void finish_toi(WorldState& world, const ToiBody& t, double dt) {
     warm.axes = to_matrix(warm.rotation);
     warm.v = t.velocity + t.gain * (until - t.sweep.from);
     warm.w = stayed ? t.spin : t.end_spin;
-    warm.quiet = 0;
+    warm.sleep_time = 0;
     update_motion_bound(world, t.body, dt);
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         if (!fits_fat_aabb(world.shapes.shapes[s], warm, dt)) enlarge_proxy(world, s, warm, dt);

@@ -15,8 +15,8 @@ namespace jostle::physics {
 // One end of an impact, or one body under way.
 struct ToiBody {
     std::uint32_t body = none;
-    // A tumbling body does not turn evenly: its way is cut into legs, each from where it really is
-    // to where it really will be.
+    // A gyroscopic body does not turn evenly: its way is cut into legs, each from where it really
+    // is to where it really will be.
     Sweep sweep;
     Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
     // The spin and the attitude at one moment of the step; at others Euler's equations give it.

@@ -25,7 +25,7 @@ std::array<Work, tier_count> weigh_islands(WorldState& world) {
     weights.assign(world.islands.ids.size(), 0);
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
-        if (cold.island == none || cold.frozen) continue;
+        if (cold.island == none || cold.asleep_in_place) continue;
         const std::uint32_t jointed = cold.first_joint != none ? 2 : 0;
         if (cold.constraints > 0 || jointed > 0)
             weights[cold.island] += 1 + cold.constraints + jointed;
@@ -75,7 +75,8 @@ std::vector<Group> find_groups(const WorldState& world, SolverTier tier) {
     std::vector<bool> seen(world.islands.islands.size(), false);
     const std::vector<std::uint32_t>& weights = world.scratch.island_weights;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
-        if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier) continue;
+        if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier)
+            continue;
         Group& group = groups.emplace_back(Group{tied_islands(world, i, seen)});
         for (const std::uint32_t island : group.islands) group.weight += weights[island];
     }

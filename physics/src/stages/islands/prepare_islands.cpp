@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
-#include "stages/freeze_bodies.h"
 #include "stages/islands/assign_batches.h"
 #include "stages/islands/sort_constraints.h"
+#include "stages/sleep/update_partial_sleep.h"
 #include "state/contact_constraints.h"
 #include "state/island_tiers.h"
 
@@ -147,7 +147,7 @@ void choose_tiers(WorldState& world) {
 
 // ---- loads that went ----
 
-void forget_lost_loads(WorldState& world) {
+void scale_lost_loads(WorldState& world) {
     world.islands.some_lost = false;
     for (Island& island : world.islands.islands) {
         if (island.kept_load < tuning::noticed_load && !island.asleep)
@@ -161,13 +161,13 @@ void forget_lost_loads(WorldState& world) {
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return nobody_awake;
-    const bool any_frozen = world.bodies.frozen > 0;
-    thaw_bodies(step);
+    const bool any_asleep_in_place = world.bodies.asleep_in_place > 0;
+    wake_disturbed_parts(step);
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::tier_interval == 1;
     if (!look && !world.islands.some_lost)
-        return any_frozen ? ran : "islands are checked at in every eighth step";
-    if (world.islands.some_lost) forget_lost_loads(world);
+        return any_asleep_in_place ? ran : "islands are checked at in every eighth step";
+    if (world.islands.some_lost) scale_lost_loads(world);
     if (look && world.def.gravity != Vec3{}) choose_tiers(world);
     if (world.steps % tuning::batch_interval == 1) assign_batches(world);
     if (world.steps % tuning::sort_interval == 1) sort_constraints(step);

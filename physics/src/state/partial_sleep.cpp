@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "state/frozen.h"
+#include "state/partial_sleep.h"
 
 #include <algorithm>
 
@@ -84,14 +84,14 @@ double mass_borne_by(const WorldState& world, const Contact& contact) {
 
 void hold_still(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
-    ASSERT(cold.set == BodySet::awake && !cold.frozen);
-    cold.frozen = true;
+    ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
+    cold.asleep_in_place = true;
     cold.inverse_mass = 0;
     cold.inverse_inertia = diagonal({0, 0, 0});
     BodyWarm& warm = warm_of(world, body);
     warm.v = warm.w = {};
     world.bodies.motion[body].bound = world.bodies.motion[body].travel;
-    world.bodies.frozen++;
+    world.bodies.asleep_in_place++;
 }
 
 void keep_load(WorldState& world, std::uint32_t contact) {
@@ -100,7 +100,7 @@ void keep_load(WorldState& world, std::uint32_t contact) {
     for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
 }
 
-void freeze(WorldState& world, std::span<const std::uint32_t> bodies) {
+void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies)
         for_each_lane(world, body, [&](std::uint32_t contact) { keep_load(world, contact); });
     for (const std::uint32_t body : bodies) hold_still(world, body);
@@ -108,39 +108,41 @@ void freeze(WorldState& world, std::span<const std::uint32_t> bodies) {
         for_each_lane(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
-void unfreeze(WorldState& world, std::uint32_t body) {
+void wake_in_place(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
-    if (!cold.frozen) return;
-    cold.frozen = false;
+    if (!cold.asleep_in_place) return;
+    cold.asleep_in_place = false;
     invert_mass(cold);
-    world.bodies.frozen--;
+    world.bodies.asleep_in_place--;
     for_each_lane(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 namespace {
 
-// Rest times are at most `quiet` from then on.
-void thaw_jointed(WorldState& world, std::uint32_t body, double quiet, std::vector<BodyId>& woke) {
-    if (!world.bodies.cold[body].frozen) return;
+// Rest times are at most `sleep_time` from then on.
+void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
+                  std::vector<BodyId>& woke) {
+    if (!world.bodies.cold[body].asleep_in_place) return;
     for (const std::uint32_t part : jointed_with(world, body).bodies) {
-        unfreeze(world, part);
+        wake_in_place(world, part);
         BodyWarm& warm = warm_of(world, part);
-        warm.quiet = minimum(warm.quiet, quiet);
+        warm.sleep_time = minimum(warm.sleep_time, sleep_time);
         woke.push_back(body_id(world, part));
     }
 }
 
 }  // namespace
 
-void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
-    thaw_jointed(world, body, 0, woke);
+void wake_from_partial_sleep(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+    wake_jointed(world, body, 0, woke);
 }
 
-void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
-    thaw_jointed(world, body, tuning::freeze_time - tuning::freeze_interval * world.last_dt, woke);
+void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+    wake_jointed(world, body,
+                 tuning::partial_sleep_time - tuning::partial_sleep_interval * world.last_dt, woke);
 }
 
-void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
+void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
     std::vector<std::uint32_t> met{body};
     auto& seen = world.scratch.met;
     seen.resize(world.bodies.cold.size(), 0);
@@ -150,21 +152,21 @@ void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector
         for_each_lane(world, met[k], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
             const std::uint32_t other = c.body_a == met[k] ? c.body_b : c.body_a;
-            if (!world.bodies.cold[other].frozen || seen[other] != 0) return;
+            if (!world.bodies.cold[other].asleep_in_place || seen[other] != 0) return;
             seen[other] = 1;
             met.push_back(other);
             sum += world.bodies.cold[other].mass;
         });
     for (const std::uint32_t near : met) seen[near] = 0;
     std::sort(met.begin(), met.end());
-    for (const std::uint32_t near : met) thaw_briefly(world, near, woke);
-    warm_of(world, body).quiet = 0;
+    for (const std::uint32_t near : met) wake_briefly(world, near, woke);
+    warm_of(world, body).sleep_time = 0;
 }
 
-void rouse(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
+void ensure_awake(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.set == BodySet::sleeping) wake_island(world, cold.island, woke);
-    thaw(world, body, woke);
+    wake_from_partial_sleep(world, body, woke);
 }
 
 }  // namespace jostle::physics

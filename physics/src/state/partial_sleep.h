@@ -2,9 +2,9 @@
 //
 // Bodies that rest in an island that moves elsewhere. A frozen body stays in the awake set, but
 // nobody solves it: for its neighbours that move it is as good as fixed, and manifolds between
-// frozen bodies lie in a store of their own. What would move it thaws it (stages/freeze_bodies.h).
-// Bodies that joints tie together are frozen and thaw as one, so no joint has one that moves and
-// one that does not.
+// frozen bodies lie in a store of their own. What would move it thaws it
+// (stages/sleep/update_partial_sleep.h). Bodies that joints tie together are frozen and thaw as
+// one, so no joint has one that moves and one that does not.
 #pragma once
 
 #include <cstdint>
@@ -47,24 +47,24 @@ void for_each_jointed(WorldState& world, const Bodies& bodies, Visit&& visit) {
 
 // Freezes dynamic bodies of the awake set, all of those that are jointed together and to no
 // driver, and keeps the forces at their contacts.
-void freeze(WorldState& world, std::span<const std::uint32_t> bodies);
+void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies);
 
 // The two halves of that, for a caller who moves the manifolds himself: all bodies first.
 void hold_still(WorldState& world, std::uint32_t body);
 void keep_load(WorldState& world, std::uint32_t contact);
 
 // The body moves again, it alone. Its rest time goes on.
-void unfreeze(WorldState& world, std::uint32_t body);
+void wake_in_place(WorldState& world, std::uint32_t body);
 // With all that is jointed to it, and rest times begin anew.
-void thaw(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
+void wake_from_partial_sleep(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
 
 // ... and go on, but for the last steps before it would freeze: what still rests
 // soon freezes again, with what presses on it now.
-void thaw_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
+void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
 
 // Thaws the body, and briefly so much of what manifolds lead to from it, kg: an impact is felt by
 // more than the body that it hits, and what lost its support may have borne more than itself.
-void thaw_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke);
+void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke);
 
 // What would follow if it came to rest in so much at once would be slow.
 inline double mass_stirred_by(double momentum) {
@@ -72,6 +72,6 @@ inline double mass_stirred_by(double momentum) {
 }
 
 // Makes sure that a dynamic body moves: wakes its island or thaws it.
-void rouse(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
+void ensure_awake(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
 
 }  // namespace jostle::physics

@@ -10,13 +10,13 @@
 
 namespace jostle::physics {
 
-void freeze_bodies(StepContext& step);
+void put_parts_to_sleep(StepContext& step);
 
 // Before anything is solved: those who must thaw do.
-void thaw_bodies(StepContext& step);
+void wake_disturbed_parts(StepContext& step);
 
 // When it is known which touches ended in this step: nothing of that is left for the next one,
 // which may be another world's that was loaded.
-void thaw_let_go(StepContext& step);
+void wake_unsupported_parts(StepContext& step);
 
 }  // namespace jostle::physics

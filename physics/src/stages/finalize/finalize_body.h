@@ -10,11 +10,11 @@
 
 namespace jostle::physics {
 
-// Makes room for one flag per awake body; serially, before the first settle_body of a step.
-void begin_settling(WorldState& world);
+// Makes room for one flag per awake body; serially, before the first finalize_body of a step.
+void begin_finalize(WorldState& world);
 
 // A state that is not finite is not taken over: the body stays where it was, at rest, and is
 // flagged for quarantine.
-void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion);
+void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion);
 
 }  // namespace jostle::physics

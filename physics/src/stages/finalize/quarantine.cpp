@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/quarantine.h"
+#include "stages/finalize/quarantine.h"
 
 #include "state/contact_constraints.h"
 #include "state/shape_proxy.h"
@@ -9,7 +9,7 @@ namespace {
 
 // Impulses that may be as unsound as the body's state are forgotten; the manifold is rebuilt in the
 // next step.
-void forget_impulses(WorldState& world, const Contact& c) {
+void clear_impulses(WorldState& world, const Contact& c) {
     const ContactPlace place = place_of(world, c);
     const int lane = place.lane;
     for (auto& lambda : place.block->lambda) lambda[lane] = 0;
@@ -31,7 +31,7 @@ Skipped quarantine(StepContext& step) {
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.colour >= 0) forget_impulses(world, c);
+            if (c.colour >= 0) clear_impulses(world, c);
         });
         update_motion_bound(world, body, step.dt);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "stages/finalize.h"
+#include "stages/finalize/finalize.h"
 
-#include "stages/settle_body.h"
+#include "stages/finalize/finalize_body.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -11,10 +11,10 @@ Vec3 vec(const float* f) {
     return {double{f[0]}, double{f[1]}, double{f[2]}};
 }
 
-FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm, bool tumbling) {
+FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm, bool gyroscopic) {
     const Quat turn = from_rotation_vector(vec(hot.dr));
     return {vec(hot.dp), normalized(turn * warm.rotation), vec(hot.v),
-            tumbling ? rotate(turn, vec(hot.w)) : vec(hot.w)};
+            gyroscopic ? rotate(turn, vec(hot.w)) : vec(hot.w)};
 }
 
 }  // namespace
@@ -28,8 +28,9 @@ Skipped finalize(StepContext& step) {
     step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
-            const bool tumbling = scratch.tumbling[i + 1] != 0;
-            settle_body(step, i, motion_of(scratch.hot[i + 1], world.bodies.awake[i], tumbling));
+            const bool gyroscopic = scratch.gyroscopic[i + 1] != 0;
+            finalize_body(step, i,
+                          motion_of(scratch.hot[i + 1], world.bodies.awake[i], gyroscopic));
         }
     });
     // In order of the awake set.

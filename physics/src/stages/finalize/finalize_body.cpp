@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/settle_body.h"
+#include "stages/finalize/finalize_body.h"
 
 #include "jostle/physics/tuning.h"
 #include "state/shape_proxy.h"
@@ -47,16 +47,16 @@ double swing(const BodyWarm& warm, const BodyCold& cold, Vec3 turn) {
 // How long the body has rested.
 void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Quat turn,
                double dt) {
-    if (warm.quiet == 0) warm.swayed = warm.swung = {};
+    if (warm.sleep_time == 0) warm.drift = warm.drift_turn = {};
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2.0 : 2.0);
     const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
     const double way = maximum(length(motion.displacement), maximum(now, next));
-    warm.swayed += motion.displacement;
-    warm.swung += turned;
+    warm.drift += motion.displacement;
+    warm.drift_turn += turned;
     const bool still = way < tuning::sleep_speed * dt;
-    const bool sways = way < tuning::sway_speed * dt &&
-                       length(warm.swayed) + swing(warm, cold, warm.swung) < tuning::sway;
-    warm.quiet = cold.may_sleep && (still || sways) ? warm.quiet + dt : 0;
+    const bool sways = way < tuning::drift_speed * dt &&
+                       length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift;
+    warm.sleep_time = cold.may_sleep && (still || sways) ? warm.sleep_time + dt : 0;
 }
 
 // Whether a body's velocity does not lead back to where it came from, by more than a part of what
@@ -70,7 +70,7 @@ bool was_thrown(const FreeMotion& motion, Quat turn, const BodyCold& cold, doubl
 
 }  // namespace
 
-void begin_settling(WorldState& world) {
+void begin_finalize(WorldState& world) {
     world.scratch.left_fat_aabb.assign(world.bodies.awake.size(), 0);
     world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
     world.scratch.fast.assign(world.bodies.awake.size(), 0);
@@ -81,7 +81,7 @@ void begin_settling(WorldState& world) {
         world.scratch.before.resize(world.bodies.awake.size());
 }
 
-void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
+void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
     WorldState& world = step.world;
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
@@ -89,7 +89,7 @@ void settle_body(StepContext& step, std::uint32_t awake_index, const FreeMotion&
     const Vec3 center = warm.center + motion.displacement;
     if (!is_sound(motion, center)) {
         warm.v = warm.w = {};
-        warm.quiet = 0;
+        warm.sleep_time = 0;
         world.scratch.not_finite[awake_index] = 1;
         return;
     }

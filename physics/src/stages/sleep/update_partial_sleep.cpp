@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/freeze_bodies.h"
+#include "stages/sleep/update_partial_sleep.h"
 
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
 #include "state/contact_constraints.h"
-#include "state/frozen.h"
+#include "state/partial_sleep.h"
 
 namespace jostle::physics {
 namespace {
@@ -26,11 +26,12 @@ void for_each_bond(WorldState& world, Visit&& visit) {
 
 // ---- who thaws ----
 
-bool load_changed(WorldState& world, const Contact& c, std::uint32_t frozen) {
+bool is_load_changed(WorldState& world, const Contact& c, std::uint32_t frozen) {
     const BodyCold& cold = world.bodies.cold[frozen];
     const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
     const Vec3 before = load_before(c);
-    const double most = tuning::thaw_weight * weight + tuning::thaw_share * length(before);
+    const double most =
+        tuning::wake_load_weight * weight + tuning::wake_load_share * length(before);
     return length_squared(load_of(world, c) - before) > most * most;
 }
 
@@ -40,18 +41,18 @@ double momentum_of(const WorldState& world, const BodyWarm& warm, double dt) {
 }
 
 // In order of bodies: lanes must not depend on the order in which they were found.
-void thaw_hit(WorldState& world, std::vector<Disturbance>& hits) {
+void wake_hit(WorldState& world, std::vector<Disturbance>& hits) {
     std::sort(hits.begin(), hits.end());
     for (const Disturbance& hit : hits)
-        if (world.bodies.ids.alive(hit.body) && world.bodies.cold[hit.body].frozen)
-            thaw_around(world, hit.body, hit.mass, world.events.woke);
+        if (world.bodies.ids.alive(hit.body) && world.bodies.cold[hit.body].asleep_in_place)
+            wake_around(world, hit.body, hit.mass, world.events.woke);
 }
 
 // ---- who freezes ----
 
 bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
-    if (cold.frozen) return false;
-    return cold.type != BodyType::dynamic || warm.quiet < tuning::freeze_time;
+    if (cold.asleep_in_place) return false;
+    return cold.type != BodyType::dynamic || warm.sleep_time < tuning::partial_sleep_time;
 }
 
 // What is jointed together freezes as one, or not: if one of them has a mark, all get it. And what
@@ -85,44 +86,46 @@ void find_restless(WorldState& world) {
 
 }  // namespace
 
-void thaw_bodies(StepContext& step) {
+void wake_disturbed_parts(StepContext& step) {
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
     auto& hits = scratch.hits;
     auto& shifted = scratch.loads_changed;
-    if (world.bodies.frozen == 0) return;
+    if (world.bodies.asleep_in_place == 0) return;
     hits.clear();
     shifted.clear();
     // What a kinematic body carries has no rest time: update_sleep.cpp.
     for (const BodyWarm& warm : world.bodies.awake)
-        if (world.bodies.cold[warm.body].frozen && warm.quiet == 0) hits.push_back({warm.body, 0});
+        if (world.bodies.cold[warm.body].asleep_in_place && warm.sleep_time == 0)
+            hits.push_back({warm.body, 0});
     for_each_bond(world, [&](std::uint32_t contact, std::size_t a, std::size_t b) {
         const Contact& c = world.contacts.contacts[contact];
         const BodyCold &cold_a = world.bodies.cold[c.body_a], &cold_b = world.bodies.cold[c.body_b];
-        if (cold_a.frozen == cold_b.frozen) return;
-        const std::uint32_t body = cold_a.frozen ? c.body_a : c.body_b;
-        const BodyWarm& mover = world.bodies.awake[(cold_a.frozen ? b : a) - 1];
-        if (c.touching && mover.quiet == 0)
+        if (cold_a.asleep_in_place == cold_b.asleep_in_place) return;
+        const std::uint32_t body = cold_a.asleep_in_place ? c.body_a : c.body_b;
+        const BodyWarm& mover = world.bodies.awake[(cold_a.asleep_in_place ? b : a) - 1];
+        if (c.touching && mover.sleep_time == 0)
             hits.push_back({body, mass_stirred_by(momentum_of(world, mover, step.dt))});
-        else if (load_changed(world, c, body))
+        else if (is_load_changed(world, c, body))
             shifted.push_back(body);
     });
-    thaw_hit(world, hits);
+    wake_hit(world, hits);
     std::sort(shifted.begin(), shifted.end());
-    for (const std::uint32_t body : shifted) thaw_briefly(world, body, world.events.woke);
+    for (const std::uint32_t body : shifted) wake_briefly(world, body, world.events.woke);
 }
 
-void thaw_let_go(StepContext& step) {
-    thaw_hit(step.world, step.world.scratch.let_go);
-    step.world.scratch.let_go.clear();
+void wake_unsupported_parts(StepContext& step) {
+    wake_hit(step.world, step.world.scratch.support_lost);
+    step.world.scratch.support_lost.clear();
 }
 
-void freeze_bodies(StepContext& step) {
+void put_parts_to_sleep(StepContext& step) {
     WorldState& world = step.world;
-    if (world.steps % tuning::freeze_interval != 0) return;
+    if (world.steps % tuning::partial_sleep_interval != 0) return;
     StepScratch& scratch = world.scratch;
-    const bool any = std::any_of(scratch.island_most_quiet.begin(), scratch.island_most_quiet.end(),
-                                 [](double quiet) { return quiet >= tuning::freeze_time; });
+    const bool any = std::any_of(
+        scratch.island_longest_sleep_time.begin(), scratch.island_longest_sleep_time.end(),
+        [](double sleep_time) { return sleep_time >= tuning::partial_sleep_time; });
     if (!any) return;
     find_restless(world);
     // By island: how many rest among what rests.
@@ -138,18 +141,19 @@ void freeze_bodies(StepContext& step) {
     share_among_jointed(world, scratch.beside);
     // Freezing what lies in a turmoil would hold up loads that are about to shift.
     const auto calm = [&](std::uint32_t island) {
-        return count[island] >= tuning::freeze_least &&
-               count[island] >= tuning::freeze_share * world.islands.islands[island].bodies;
+        return count[island] >= tuning::partial_sleep_least &&
+               count[island] >= tuning::partial_sleep_share * world.islands.islands[island].bodies;
     };
-    auto& freezing = scratch.freezing;
-    freezing.clear();
+    auto& falling_asleep = scratch.falling_asleep;
+    falling_asleep.clear();
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const std::uint32_t body = world.bodies.awake[i].body;
         const BodyCold& cold = world.bodies.cold[body];
-        if (rests(i, cold) && !cold.frozen && calm(cold.island)) freezing.push_back(body);
+        if (rests(i, cold) && !cold.asleep_in_place && calm(cold.island))
+            falling_asleep.push_back(body);
     }
-    freeze(world, freezing);
-    for (const std::uint32_t body : freezing)
+    sleep_in_place(world, falling_asleep);
+    for (const std::uint32_t body : falling_asleep)
         world.events.fell_asleep.push_back(body_id(world, body));
 }
 

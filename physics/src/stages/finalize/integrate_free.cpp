@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "stages/integrate_free.h"
+#include "stages/finalize/integrate_free.h"
 
 #include "constraints/free_motion.h"
-#include "stages/settle_body.h"
+#include "stages/finalize/finalize_body.h"
 
 namespace jostle::physics {
 
@@ -10,12 +10,12 @@ Skipped integrate_free(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     const auto& free = world.scratch.free;
-    begin_settling(world);
+    begin_finalize(world);
     step.team.run(static_cast<int>(free.size()), 256, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = free[static_cast<std::size_t>(k)];
             const BodyWarm& warm = world.bodies.awake[i];
-            settle_body(
+            finalize_body(
                 step, i,
                 free_motion(warm, world.bodies.cold[warm.body], world.def.gravity, step.dt));
         }

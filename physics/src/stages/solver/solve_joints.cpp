@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solve_joints.h"
+#include "stages/solver/solve_joints.h"
 
 #include <algorithm>
 #include <bit>

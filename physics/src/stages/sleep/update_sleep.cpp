@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "stages/update_sleep.h"
+#include "stages/sleep/update_sleep.h"
 
 #include "jostle/physics/tuning.h"
-#include "stages/freeze_bodies.h"
-#include "state/frozen.h"
+#include "stages/sleep/update_partial_sleep.h"
 #include "state/links.h"
+#include "state/partial_sleep.h"
 
 namespace jostle::physics {
 namespace {
@@ -18,7 +18,7 @@ void keep_towed_awake(WorldState& world) {
             const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
             if (world.bodies.cold[other].type != BodyType::kinematic) return;
             const BodyWarm& driver = warm_of(world, other);
-            if (driver.v != Vec3{} || driver.w != Vec3{}) warm.quiet = 0;
+            if (driver.v != Vec3{} || driver.w != Vec3{}) warm.sleep_time = 0;
         });
     }
 }
@@ -33,7 +33,7 @@ void keep_carried_awake(WorldState& world) {
                 const Contact& contact = world.contacts.contacts[meta.contact[lane]];
                 const BodyWarm& driver = warm_of(world, contact.body_b);
                 if (driver.v != Vec3{} || driver.w != Vec3{})
-                    warm_of(world, contact.body_a).quiet = 0;
+                    warm_of(world, contact.body_a).sleep_time = 0;
             }
     });
 }
@@ -41,13 +41,15 @@ void keep_carried_awake(WorldState& world) {
 // The rest time of each awake island's most restless and most restful body.
 void measure_rest(WorldState& world) {
     StepScratch& scratch = world.scratch;
-    scratch.island_quiet.assign(world.islands.ids.size(), 1e300);
-    scratch.island_most_quiet.assign(world.islands.ids.size(), 0);
+    scratch.island_sleep_time.assign(world.islands.ids.size(), 1e300);
+    scratch.island_longest_sleep_time.assign(world.islands.ids.size(), 0);
     for (const BodyWarm& warm : world.bodies.awake) {
         const std::uint32_t island = world.bodies.cold[warm.body].island;
         if (island == none) continue;  // kinematic
-        scratch.island_quiet[island] = minimum(scratch.island_quiet[island], warm.quiet);
-        scratch.island_most_quiet[island] = maximum(scratch.island_most_quiet[island], warm.quiet);
+        scratch.island_sleep_time[island] =
+            minimum(scratch.island_sleep_time[island], warm.sleep_time);
+        scratch.island_longest_sleep_time[island] =
+            maximum(scratch.island_longest_sleep_time[island], warm.sleep_time);
     }
 }
 
@@ -105,9 +107,9 @@ void split_island(WorldState& world, std::uint32_t island) {
 void fall_asleep(WorldState& world, std::uint32_t island) {
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
          body = world.bodies.cold[body].island_next) {
-        if (!world.bodies.cold[body].frozen)
+        if (!world.bodies.cold[body].asleep_in_place)
             world.events.fell_asleep.push_back(body_id(world, body));
-        unfreeze(world, body);
+        wake_in_place(world, body);
     }
     put_island_to_sleep(world, island);
 }
@@ -118,7 +120,7 @@ Skipped update_sleep(StepContext& step) {
     WorldState& world = step.world;
     if (!world.def.sleeping) return "sleeping is off";
     if (world.bodies.awake.empty()) return nobody_awake;
-    thaw_let_go(step);
+    wake_unsupported_parts(step);
     keep_carried_awake(world);
     keep_towed_awake(world);
     measure_rest(world);
@@ -130,15 +132,15 @@ Skipped update_sleep(StepContext& step) {
     for (std::uint32_t i = 0; i < count; i++) {
         if (!world.islands.ids.alive(i) || world.islands.islands[i].asleep) continue;
         awake++;
-        if (scratch.island_most_quiet[i] < tuning::sleep_time) continue;
-        const bool all_rest = scratch.island_quiet[i] >= tuning::sleep_time;
+        if (scratch.island_longest_sleep_time[i] < tuning::time_to_sleep) continue;
+        const bool all_rest = scratch.island_sleep_time[i] >= tuning::time_to_sleep;
         if (all_rest && !world.islands.islands[i].may_be_split) {
             fall_asleep(world, i);
             awake--;
         } else if (world.islands.islands[i].may_be_split &&
                    world.steps >= world.islands.islands[i].split_at + tuning::split_interval &&
-                   (sleepiest == none ||
-                    scratch.island_most_quiet[sleepiest] < scratch.island_most_quiet[i])) {
+                   (sleepiest == none || scratch.island_longest_sleep_time[sleepiest] <
+                                             scratch.island_longest_sleep_time[i])) {
             sleepiest = i;
         }
     }
@@ -147,7 +149,7 @@ Skipped update_sleep(StepContext& step) {
     if (sleepiest != none)
         split_island(world, sleepiest);
     else
-        freeze_bodies(step);
+        put_parts_to_sleep(step);
     world.profile.islands_awake = awake;
     return ran;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stages/solve_constraints.h"
+#include "stages/solver/solve_constraints.h"
 
 #include <algorithm>
 #include <span>
@@ -8,7 +8,7 @@
 #include "constraint_graph/wide_rows.h"
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
-#include "stages/solve_joints.h"
+#include "stages/solver/solve_joints.h"
 
 namespace jostle::physics {
 namespace {
@@ -52,7 +52,7 @@ void sort_out_bodies(WorldState& world) {
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = cold_of(i);
         const bool held = cold.constraints > 0 || cold.first_joint != none;
-        if (cold.frozen) continue;
+        if (cold.asleep_in_place) continue;
         if (cold.type == BodyType::kinematic) {
             // Moved by its velocity, whatever touches it; the solver reads it when something may.
             scratch.free.push_back(i);
@@ -68,8 +68,9 @@ void sort_out_bodies(WorldState& world) {
     collect(world, scratch.in_solver, [](std::uint32_t) { return true; });
     collect(world, scratch.jointed_in_solver,
             [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
-    world.profile.bodies_frozen = static_cast<int>(world.bodies.frozen);
-    world.profile.bodies_awake = static_cast<int>(world.bodies.awake.size() - world.bodies.frozen);
+    world.profile.bodies_frozen = static_cast<int>(world.bodies.asleep_in_place);
+    world.profile.bodies_awake =
+        static_cast<int>(world.bodies.awake.size() - world.bodies.asleep_in_place);
     world.profile.bodies_in_solver =
         world.profile.bodies_awake - static_cast<int>(scratch.free.size());
     const auto bodies_of = [&](SolverTier tier) {
@@ -88,12 +89,12 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     BodyDrive& drive = world.scratch.drive[index + 1];
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
-    const bool tumbling = tumbles(warm, cold, step.dt);
-    world.scratch.tumbling[index + 1] = tumbling ? 1 : 0;
-    if (tumbling) {
-        const std::optional<PrincipalBend> bend = principal_bend(cold);
-        world.scratch.tumblers[index + 1] = {warm.axes, bend ? bend->factors : Vec3{},
-                                             bend.has_value()};
+    const bool gyroscopic = is_gyroscopic(warm, cold, step.dt);
+    world.scratch.gyroscopic[index + 1] = gyroscopic ? 1 : 0;
+    if (gyroscopic) {
+        const std::optional<PrincipalRatios> bend = principal_ratios(cold);
+        world.scratch.gyroscopic_bodies[index + 1] = {warm.axes, bend ? bend->factors : Vec3{},
+                                                      bend.has_value()};
     }
     hot = {};
     drive = {};
@@ -122,27 +123,27 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
         drive.keep[k + 3] = as_float(angular);
     }
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
-    // does. Bodies that turn far in a step take it sub-step by sub-step: tumble(). Isotropic ones
-    // have none.
-    const bool torque_alone = (cold.isotropic && cold.locks == 0) || tumbling;
+    // does. Bodies that turn far in a step take it sub-step by sub-step: integrate_gyroscopic().
+    // Isotropic ones have none.
+    const bool torque_alone = (cold.isotropic && cold.locks == 0) || gyroscopic;
     const Vec3 spin_up = torque_alone ? inertia * warm.torque
                                       : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
     put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 
-// Euler's equations for one sub-step. Within a step the spin of a tumbling body is that in the
+// Euler's equations for one sub-step. Within a step the spin of a gyroscopic body is that in the
 // frame in which it stood at the start and turns with it since; finalize() turns it back into the
 // world.
-void tumble(WorldState& world, std::uint32_t index, double h) {
+void integrate_gyroscopic(WorldState& world, std::uint32_t index, double h) {
     HotBody& hot = world.scratch.hot[index + 1];
-    const Tumbler& tumbler = world.scratch.tumblers[index + 1];
-    const Vec3 start =
-        transposed_times(tumbler.axes, {double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}});
+    const GyroscopicBody& gyroscopic_body = world.scratch.gyroscopic_bodies[index + 1];
+    const Vec3 start = transposed_times(gyroscopic_body.axes,
+                                        {double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}});
     const Vec3 end =
-        tumbler.principal
-            ? euler_step(PrincipalBend{tumbler.bend}, start, h).w
+        gyroscopic_body.principal
+            ? euler_step(PrincipalRatios{gyroscopic_body.bend}, start, h).w
             : euler_step(world.bodies.cold[world.bodies.awake[index].body], start, h).w;
-    const Vec3 change = tumbler.axes * (end - start);
+    const Vec3 change = gyroscopic_body.axes * (end - start);
     // Not an impulse: it counts among what acts without contacts.
     for (int k = 0; k < 3; k++) {
         hot.w[k] += as_float(change[k]);
@@ -240,7 +241,7 @@ void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
         solve(contacts);
         each_body(step, part, [&](std::span<const std::uint32_t> some) {
             for (const std::uint32_t hot : some)
-                if (scratch.tumbling[hot] != 0) tumble(step.world, hot - 1, h);
+                if (scratch.gyroscopic[hot] != 0) integrate_gyroscopic(step.world, hot - 1, h);
             kernel.advance(range_of(scratch, some), set.h);
         });
         kernel.advance(range_of(scratch, drivers), set.h);
@@ -318,12 +319,12 @@ Skipped solve_constraints(StepContext& step) {
     if (scratch.in_solver.all.empty()) return "nothing touches and nothing is jointed";
     scratch.hot.resize(step.world.bodies.awake.size() + 1);
     scratch.drive.resize(step.world.bodies.awake.size() + 1);
-    scratch.tumblers.resize(step.world.bodies.awake.size() + 1);
-    scratch.tumbling.assign(step.world.bodies.awake.size() + 1, 0);
+    scratch.gyroscopic_bodies.resize(step.world.bodies.awake.size() + 1);
+    scratch.gyroscopic.assign(step.world.bodies.awake.size() + 1, 0);
     // What is frozen stands still and cannot be pushed.
-    if (step.world.bodies.frozen > 0)
+    if (step.world.bodies.asleep_in_place > 0)
         for (std::size_t i = 0; i < step.world.bodies.awake.size(); i++)
-            if (step.world.bodies.cold[step.world.bodies.awake[i].body].frozen)
+            if (step.world.bodies.cold[step.world.bodies.awake[i].body].asleep_in_place)
                 scratch.hot[i + 1] = {};
     solve_parts(step, make_parts(step));
     break_joints(step);

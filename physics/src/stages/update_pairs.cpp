@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
-#include "state/links.h"
+#include "state/contact_graph.h"
+#include "state/joint_graph.h"
 #include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
+#include "state/wake.h"
 
 namespace jostle::physics {
 namespace {
@@ -28,7 +30,7 @@ void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
 void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out) {
     const ShapeStore& store = world.shapes;
     const ShapeRecord& shape = store.shapes[index];
-    if (shape.trigger) return;  // checked at by update_triggers
+    if (shape.trigger) return;  // looked at by update_triggers
     const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
     if (is_plane(shape)) {
         for (std::uint32_t other = 0; other < store.ids.size(); other++)

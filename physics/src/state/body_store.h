@@ -72,7 +72,7 @@ struct BodyWarm {
 };
 
 // How far any point of a body can have moved since its creation, and can have moved when the next
-// step is over. A pair that does not touch is checked at again only when the sum of both exceeds
+// step is over. A pair that does not touch is looked at again only when the sum of both exceeds
 // its limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads
 // nothing else.
 struct MotionBound {

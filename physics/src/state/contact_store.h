@@ -32,7 +32,7 @@ struct alignas(64) Contact {
     bool composite = false;  // has parts, below
     bool queued = false;     // within a step: already among the pairs to look at
 
-    double limit = -1;  // m: to be checked at when the motion bounds of both bodies exceeds it
+    double limit = -1;  // m: to be looked at when the motion bounds of both bodies exceeds it
     // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
     float load[3] = {};  // N, on b, when one of its bodies was frozen

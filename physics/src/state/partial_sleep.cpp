@@ -8,79 +8,29 @@
 #include "foundation/check.h"
 #include "jostle/physics/tuning.h"
 #include "state/contact_constraints.h"
-#include "state/links.h"
+#include "state/contact_load.h"
+#include "state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {
 
 template <class Visit>
-void for_each_lane(WorldState& world, std::uint32_t body, Visit&& visit) {
+void for_each_constraint(WorldState& world, std::uint32_t body, Visit&& visit) {
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
         if (world.contacts.contacts[contact].colour >= 0) visit(contact);
     });
 }
 
-// After one of its bodies froze or thawed: to the store where it belongs now. What is solved there
-// gets its effective masses anew.
+// After one of its bodies fell asleep or woke: to the colour set where it belongs now. What is
+// solved there gets its effective masses anew.
 void move_to_own_set(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
     const ColourSetKey belongs = set_of_contact(world, c);
-    if (belongs != c.colour_set) {
-        const SavedContact saved = save_contact(world, contact);
-        remove_contact(world, contact);
-        restore_contact(world, saved);
-    }
+    if (belongs != c.colour_set) move_contact(world, contact);
     if (belongs != asleep_set) rewrite_effective_mass(world, c);
 }
 
 }  // namespace
-
-JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
-    std::vector<std::uint32_t>& found = world.scratch.jointed;
-    found.assign(1, body);
-    if (world.bodies.cold[body].first_joint == none) return {found, false};
-    std::vector<std::uint8_t>& seen = world.scratch.seen_jointed;
-    seen.resize(world.bodies.cold.size(), 0);
-    seen[body] = 1;
-    bool to_driver = false;
-    for (std::size_t k = 0; k < found.size(); k++)
-        for_each_joint(world.joints, world.bodies.cold[found[k]], [&](std::uint32_t joint) {
-            const Joint& j = world.joints.joints[joint];
-            const std::uint32_t other = j.body_a == found[k] ? j.body_b : j.body_a;
-            const BodyType type = world.bodies.cold[other].type;
-            to_driver = to_driver || type == BodyType::kinematic;
-            if (type != BodyType::dynamic || seen[other] != 0) return;
-            seen[other] = 1;
-            found.push_back(other);
-        });
-    for (const std::uint32_t part : found) seen[part] = 0;
-    std::sort(found.begin(), found.end());
-    return {found, to_driver};
-}
-
-Vec3 load_of(WorldState& world, const Contact& contact) {
-    const ContactPlace place = place_of(world, contact);
-    const ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
-    double pressed = 0;
-    for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};
-    const Vec3 normal = normal_of(place);
-    const Vec3 t1 = get_lane(block.tangent, lane);
-    const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
-                         cross(normal, t1) * double{block.friction[1][lane]};
-    const std::uint32_t island = world.bodies.cold[contact.body_a].island;
-    const SolverTier tier = world.islands.islands[island].colour_set.tier;
-    return impulse * (substeps_of(tier, world.def) / world.last_dt);
-}
-
-Vec3 load_before(const Contact& c) {
-    return {double{c.load[0]}, double{c.load[1]}, double{c.load[2]}};
-}
-
-double mass_borne_by(const WorldState& world, const Contact& contact) {
-    const double gravity = length(world.def.gravity);
-    return gravity > 0 ? length(load_before(contact)) / gravity : 0;
-}
 
 void hold_still(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
@@ -94,18 +44,13 @@ void hold_still(WorldState& world, std::uint32_t body) {
     world.bodies.asleep_in_place++;
 }
 
-void keep_load(WorldState& world, std::uint32_t contact) {
-    Contact& c = world.contacts.contacts[contact];
-    const Vec3 load = load_of(world, c);
-    for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
-}
-
 void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies)
-        for_each_lane(world, body, [&](std::uint32_t contact) { keep_load(world, contact); });
+        for_each_constraint(world, body, [&](std::uint32_t contact) { save_load(world, contact); });
     for (const std::uint32_t body : bodies) hold_still(world, body);
     for (const std::uint32_t body : bodies)
-        for_each_lane(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+        for_each_constraint(world, body,
+                            [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 void wake_in_place(WorldState& world, std::uint32_t body) {
@@ -114,7 +59,8 @@ void wake_in_place(WorldState& world, std::uint32_t body) {
     cold.asleep_in_place = false;
     invert_mass(cold);
     world.bodies.asleep_in_place--;
-    for_each_lane(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+    for_each_constraint(world, body,
+                        [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 namespace {
@@ -149,7 +95,7 @@ void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector
     seen[body] = 1;
     double sum = world.bodies.cold[body].mass;
     for (std::size_t k = 0; k < met.size() && sum < mass; k++)
-        for_each_lane(world, met[k], [&](std::uint32_t contact) {
+        for_each_constraint(world, met[k], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
             const std::uint32_t other = c.body_a == met[k] ? c.body_b : c.body_a;
             if (!world.bodies.cold[other].asleep_in_place || seen[other] != 0) return;
@@ -161,12 +107,6 @@ void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector
     std::sort(met.begin(), met.end());
     for (const std::uint32_t near : met) wake_briefly(world, near, woke);
     warm_of(world, body).sleep_time = 0;
-}
-
-void ensure_awake(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
-    const BodyCold& cold = world.bodies.cold[body];
-    if (cold.set == BodySet::sleeping) wake_island(world, cold.island, woke);
-    wake_from_partial_sleep(world, body, woke);
 }
 
 }  // namespace jostle::physics

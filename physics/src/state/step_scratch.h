@@ -67,7 +67,7 @@ struct IslandExtent {
     // Sums over the bodies of where they are on the ground, from the first of them, m and m^2.
     Vec3 first;
     double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    bool settled = false;  // its tier was checked at together with another's
+    bool settled = false;  // its tier was looked at together with another's
 };
 
 // Of a frozen body: how much is to thaw with it, kg.

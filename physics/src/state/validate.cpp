@@ -69,7 +69,7 @@ Fault check_bodies(const WorldState& world) {
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
         if (b.asleep_in_place && (!dynamic || b.set != BodySet::awake || b.inverse_mass != 0))
-            return at("bodies", i, "is frozen but asleep or free to move");
+            return at("bodies", i, "sleeps in place outside the awake set");
         if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
         if (dynamic && !world.islands.ids.alive(b.island))
             return at("bodies", i, "is in an island that does not exist");
@@ -167,9 +167,9 @@ Fault check_joints(const WorldState& world) {
             return at("joints", i, "joins no dynamic body");
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
             return at("joints", i, "joins two islands");
-        const auto moves = [](const BodyCold& c) { return c.type != BodyType::fixed && !c.frozen; };
+        const auto moves = [](const BodyCold& c) { return c.type != BodyType::fixed && !c.asleep_in_place; };
         if ((a.asleep_in_place && moves(b)) || (b.asleep_in_place && moves(a)))
-            return at("joints", i, "ties a frozen body to one that moves");
+            return at("joints", i, "ties a body that sleeps in place to one that moves");
     }
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
         if (!world.bodies.ids.alive(i)) continue;

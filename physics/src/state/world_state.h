@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // All stores of one world side by side; the only place that lists them. Plain data: the functions
-// that keep the stores in agreement are in links.h, the stages in stages/.
+// that keep the stores in agreement stand beside it, the stages in stages/.
 #pragma once
 
 #include <memory>
@@ -19,6 +19,7 @@
 #include "state/shape_store.h"
 #include "state/step_scratch.h"
 #include "state/trigger_store.h"
+#include "state/wake_requests.h"
 
 namespace jostle::physics {
 
@@ -41,6 +42,7 @@ struct WorldStores {
 struct WorldState : WorldStores {
     // Not part of the state.
     EventStore events;
+    WakeRequests wake_requests;
     StepProfile profile;
     StepScratch scratch;
     std::unique_ptr<TaskTeam> team;
@@ -61,6 +63,10 @@ inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
 }
 inline const BodyWarm& warm_of(const WorldState& world, std::uint32_t body) {
     return warm_of(const_cast<WorldState&>(world), body);
+}
+
+inline bool is_dynamic(const WorldState& world, std::uint32_t body) {
+    return world.bodies.cold[body].type == BodyType::dynamic;
 }
 
 inline BodyId body_id(const WorldState& world, std::uint32_t body) {

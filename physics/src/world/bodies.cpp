@@ -5,8 +5,12 @@
 
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/world.h"
-#include "state/links.h"
+#include "state/body_sets.h"
+#include "state/contact_graph.h"
+#include "state/islands.h"
+#include "state/joint_graph.h"
 #include "state/shape_proxy.h"
+#include "state/wake.h"
 #include "world/checks.h"
 #include "world/mass.h"
 
@@ -127,7 +131,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     warm.axes = to_matrix(warm.rotation);
     obey_locks(world.bodies.cold[index], warm);
     if (def.type == BodyType::fixed)
-        enter_fixed(world, warm);
+        enter_static(world, warm);
     else
         enter_awake(world, warm);
     if (def.type == BodyType::dynamic) add_to_island(world, create_island(world), index);

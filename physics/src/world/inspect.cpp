@@ -6,7 +6,7 @@
 #include "geometry/bounds.h"
 #include "jostle/physics/world.h"
 #include "state/contact_constraints.h"
-#include "state/links.h"
+
 #include "world/checks.h"
 
 namespace jostle::physics {

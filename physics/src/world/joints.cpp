@@ -7,7 +7,9 @@
 #include "foundation/messages.h"
 #include "jostle/physics/tuning.h"
 #include "jostle/physics/world.h"
-#include "state/links.h"
+#include "state/contact_graph.h"
+#include "state/joint_graph.h"
+#include "state/wake.h"
 #include "world/checks.h"
 
 namespace jostle::physics {

@@ -78,7 +78,7 @@ inline constexpr double flat_layers = 3;
 inline constexpr int tier_interval = 8;  // steps between looks
 inline constexpr int tier_patience = 4;  // looks
 // Islands of one tier are dealt out among batches that threads solve side by side, none of less
-// bodies and manifolds than this, when one has so many times its share; checked at in every so many
+// bodies and manifolds than this, when one has so many times its share; looked at in every so many
 // steps. To move a manifold from store to store costs as much as two or three steps of it.
 inline constexpr int least_batch = 800;
 inline constexpr double batch_unequal = 1.15;
@@ -134,7 +134,7 @@ inline constexpr double time_to_sleep = 0.5;  // s
 inline constexpr double drift_speed = 0.2;  // m/s
 inline constexpr double drift = 0.004;      // m
 // Of an island that does not sleep, what has rested this long beside nothing that has not is
-// frozen, if that are so many bodies; checked at in every so many steps.
+// frozen, if that are so many bodies; looked at in every so many steps.
 inline constexpr double partial_sleep_time = 0.5;  // s
 inline constexpr int partial_sleep_least = 16;
 inline constexpr double partial_sleep_share = 0.8;  // of the island's bodies, at least

@@ -122,7 +122,7 @@ Vec3 turn_with_edges(Vec3 n, Vec3 u, Vec3 wu, Vec3 v, Vec3 wv) {
 
 // The part of a shape that a normal belongs to, from the points of it that carry a gap: none or one
 // point, or two points of an edge, or three of a face.
-struct Feature {
+struct ContactFeature {
     int points = 0;
     Vec3 first, edge;
 
@@ -165,7 +165,7 @@ Impact advance(const SweptShape& a, const SweptShape& b, const Search& way, GapA
 
 Gap gap_of(const GjkResult& g, const SweptShape& a, const SweptShape& b, double radius_a,
            double radius_b, Vec3 origin) {
-    Feature fa, fb;
+    ContactFeature fa, fb;
     for (int k = 0; k < g.simplex.count; k++) {
         fa.add(g.simplex.point[k].a);
         fb.add(g.simplex.point[k].b);

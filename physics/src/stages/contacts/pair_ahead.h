@@ -6,9 +6,9 @@
 // - Where bodies roll or rock on each other, normal and point of contact go along. A force that
 //   lags half a step behind the way which it opposes feeds it: what swings with an angular
 //   frequency of w gains w^2 dt / 4 of its amplitude in a second (a plank on a ball would double
-//   its swing in 20 s). What is in touch is checked at in the middle of the step, which makes
+//   its swing in 20 s). What is in touch is looked at in the middle of the step, which makes
 //   contacts of second order in dt, as the midpoint rule is.
-// - What comes from afar touches elsewhere than where it is nearest now. It is checked at where it
+// - What comes from afar touches elsewhere than where it is nearest now. It is looked at where it
 //   meets.
 #pragma once
 

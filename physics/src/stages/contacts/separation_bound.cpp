@@ -2,7 +2,7 @@
 #include "stages/contacts/separation_bound.h"
 
 #include "jostle/physics/tuning.h"
-#include "state/links.h"
+#include "state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {

@@ -15,9 +15,11 @@
 #include "stages/contacts/separation_bound.h"
 #include "stages/continuous/ccd_policy.h"
 #include "state/contact_constraints.h"
+#include "state/contact_graph.h"
+#include "state/island_sleep.h"
 #include "state/island_tiers.h"
-#include "state/links.h"
 #include "state/partial_sleep.h"
+#include "state/separation_bounds.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -77,7 +79,7 @@ void take_due_pairs(StepContext& step) {
     bounds.resize(kept);
 }
 
-// A composite pair is checked at as a whole when any of its parts has aged.
+// A composite pair is looked at as a whole when any of its parts has aged.
 void take_manifolds_to_rebuild(WorldState& world) {
     const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
         for (int lane = 0; lane < 8; lane++)
@@ -174,7 +176,7 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
     return smallest;
 }
 
-// A composite pair is checked at a little further than it needs, so that it need not be checked at
+// A composite pair is looked at a little further than it needs, so that it need not be looked at
 // in every step.
 constexpr double composite_slack = 0.01;  // m
 

@@ -16,9 +16,10 @@
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
 #include "stages/continuous/toi_dependents.h"
-#include "state/links.h"
+#include "state/joint_graph.h"
 #include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
+#include "state/wake.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "constraints/free_motion.h"
 #include "jostle/physics/tuning.h"
-#include "state/links.h"
+
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {

@@ -30,7 +30,7 @@ struct ToiBody {
     int impacts = 0;
     // The first impact that is known, if any.
     bool checked = false, queued = false;
-    std::uint32_t anew_in = 0;          // the round in which it last checked at everything
+    std::uint32_t anew_in = 0;          // the round in which it last looked at everything
     std::vector<std::uint32_t> turned;  // bodies that go another way since then
     double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;

@@ -5,7 +5,7 @@
 
 #include "constraint_graph/wide_rows.h"
 #include "state/contact_constraints.h"
-#include "state/links.h"
+#include "state/contact_graph.h"
 
 namespace jostle::physics {
 namespace {
@@ -57,7 +57,7 @@ void report_composites(WorldState& world) {
         if (!world.contacts.ids.alive(pair)) continue;
         Contact& c = world.contacts.contacts[pair];
         if (!c.composite) continue;
-        settle_pair(world, pair);
+        end_touch_of_pair(world, pair);
         if (c.touching || c.parts_touching == 0) continue;
         std::uint32_t first = c.first_part;
         while (!world.contacts.contacts[first].touching)

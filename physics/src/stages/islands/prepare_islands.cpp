@@ -126,7 +126,7 @@ void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
     const SolverTier common = common_need(world, tied, up);
-    // By bodies: what falls upon a heap has not been checked at for long, time and again.
+    // By bodies: what falls upon a heap has not been looked at for long, time and again.
     std::uint32_t calm = 0, all = 0;
     for (const std::uint32_t i : tied) {
         const Island& other = world.islands.islands[i];
@@ -166,7 +166,7 @@ Skipped prepare_islands(StepContext& step) {
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::tier_interval == 1;
     if (!look && !world.islands.some_lost)
-        return any_asleep_in_place ? ran : "islands are checked at in every eighth step";
+        return any_asleep_in_place ? ran : "islands are looked at in every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
     if (look && world.def.gravity != Vec3{}) choose_tiers(world);
     if (world.steps % tuning::batch_interval == 1) assign_batches(world);

@@ -5,6 +5,8 @@
 
 #include "jostle/physics/tuning.h"
 #include "state/contact_constraints.h"
+#include "state/contact_load.h"
+#include "state/joint_graph.h"
 #include "state/partial_sleep.h"
 
 namespace jostle::physics {
@@ -29,7 +31,7 @@ void for_each_bond(WorldState& world, Visit&& visit) {
 bool is_load_changed(WorldState& world, const Contact& c, std::uint32_t frozen) {
     const BodyCold& cold = world.bodies.cold[frozen];
     const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
-    const Vec3 before = load_before(c);
+    const Vec3 before = saved_load(c);
     const double most =
         tuning::wake_load_weight * weight + tuning::wake_load_share * length(before);
     return length_squared(load_of(world, c) - before) > most * most;
@@ -63,7 +65,7 @@ void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
         return marks[world.bodies.cold[body].at + 1];
     };
     for_each_jointed(world, world.bodies.awake, [&](const JointedBodies& jointed) {
-        std::uint8_t any = jointed.to_driver ? 1 : 0;
+        std::uint8_t any = jointed.to_kinematic ? 1 : 0;
         for (const std::uint32_t body : jointed.bodies) any |= mark(body);
         for (const std::uint32_t body : jointed.bodies) mark(body) = any;
     });

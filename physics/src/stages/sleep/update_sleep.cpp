@@ -3,7 +3,8 @@
 
 #include "jostle/physics/tuning.h"
 #include "stages/sleep/update_partial_sleep.h"
-#include "state/links.h"
+#include "state/island_sleep.h"
+#include "state/islands.h"
 #include "state/partial_sleep.h"
 
 namespace jostle::physics {
@@ -53,57 +54,7 @@ void measure_rest(WorldState& world) {
     }
 }
 
-// Everything that hangs together with `seed` joins `island`. Bodies not yet reached have no island.
-void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
-    std::vector<std::uint32_t>& stack = world.scratch.stack;
-    stack.assign(1, seed);
-    add_to_island(world, island, seed);
-    while (!stack.empty()) {
-        const std::uint32_t body = stack.back();
-        stack.pop_back();
-        const auto reach = [&](std::uint32_t other) {
-            const BodyCold& cold = world.bodies.cold[other];
-            if (cold.type != BodyType::dynamic || cold.island != none) return;
-            add_to_island(world, island, other);
-            stack.push_back(other);
-        };
-        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
-            const Contact& c = world.contacts.contacts[contact];
-            if (c.touching) reach(c.body_a == body ? c.body_b : c.body_a);
-        });
-        for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t joint) {
-            const Joint& j = world.joints.joints[joint];
-            reach(j.body_a == body ? j.body_b : j.body_a);
-        });
-    }
-}
-
-// Cuts an island into what still hangs together. The part of its first body keeps the island's
-// index.
-void split_island(WorldState& world, std::uint32_t island) {
-    std::vector<std::uint32_t> bodies;
-    for (std::uint32_t b = world.islands.islands[island].first; b != none;
-         b = world.bodies.cold[b].island_next)
-        bodies.push_back(b);
-    // Its parts are what it was, but for their bodies.
-    const Island& whole = world.islands.islands[island];
-    const Island like{.colour_set = whole.colour_set,
-                      .calm = whole.calm,
-                      .uneven = whole.uneven,
-                      .split_at = world.steps};
-    world.islands.islands[island] = like;
-    for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
-    bool first = true;
-    for (const std::uint32_t body : bodies) {
-        if (world.bodies.cold[body].island != none) continue;
-        const std::uint32_t part = first ? island : create_island(world);
-        world.islands.islands[part] = like;
-        flood(world, part, body);
-        first = false;
-    }
-}
-
-// Frozen bodies have been told of.
+// Of bodies that slept in place it has been told.
 void fall_asleep(WorldState& world, std::uint32_t island) {
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
          body = world.bodies.cold[body].island_next) {

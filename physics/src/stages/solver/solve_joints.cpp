@@ -8,7 +8,7 @@
 #include "constraints/joints/write_joint.h"
 #include "constraints/kernels.h"
 #include "foundation/prefetch.h"
-#include "state/links.h"
+#include "state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {

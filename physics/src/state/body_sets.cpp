@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "state/body_sets.h"
+
+#include "foundation/check.h"
+#include "state/contact_constraints.h"
+
+namespace jostle::physics {
+
+void enter_static(WorldState& world, const BodyWarm& warm) {
+    BodyCold& cold = world.bodies.cold[warm.body];
+    cold.set = BodySet::fixed;
+    cold.at = static_cast<std::uint32_t>(world.bodies.fixed.size());
+    world.bodies.fixed.push_back(warm);
+}
+
+void enter_awake(WorldState& world, const BodyWarm& warm) {
+    BodyCold& cold = world.bodies.cold[warm.body];
+    cold.set = BodySet::awake;
+    cold.at = static_cast<std::uint32_t>(world.bodies.awake.size());
+    world.bodies.awake.push_back(warm);
+}
+
+void leave_set(WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    ASSERT(cold.set != BodySet::sleeping);
+    auto& set = cold.set == BodySet::fixed ? world.bodies.fixed : world.bodies.awake;
+    const std::uint32_t hole = cold.at;
+    if (hole + 1 < set.size()) {
+        set[hole] = set.back();
+        BodyCold& moved = world.bodies.cold[set[hole].body];
+        moved.at = hole;
+        if (moved.set == BodySet::awake)
+            for_each_contact(world.contacts, moved, [&](std::uint32_t contact) {
+                const Contact& c = world.contacts.contacts[contact];
+                if (c.colour >= 0) write_body_indices(world, c);
+            });
+    }
+    set.pop_back();
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "state/contact_graph.h"
+
+#include <algorithm>
+
+#include "collision/narrowphase/collide_composite.h"
+#include "foundation/check.h"
+#include "jostle/physics/tuning.h"
+#include "state/contact_constraints.h"
+#include "state/contact_load.h"
+#include "state/islands.h"
+#include "state/separation_bounds.h"
+
+namespace jostle::physics {
+namespace {
+
+void link_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCold& body) {
+    const std::uint32_t edge = contact * 2 + side;
+    Contact& c = store.contacts[contact];
+    c.prev[side] = none;
+    c.next[side] = body.first_edge;
+    if (body.first_edge != none)
+        store.contacts[body.first_edge / 2].prev[body.first_edge % 2] = edge;
+    body.first_edge = edge;
+}
+
+void unlink_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCold& body) {
+    Contact& c = store.contacts[contact];
+    const std::uint32_t next = c.next[side], prev = c.prev[side];
+    if (next != none) store.contacts[next / 2].prev[next % 2] = prev;
+    if (prev != none)
+        store.contacts[prev / 2].next[prev % 2] = next;
+    else
+        body.first_edge = next;
+}
+
+std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+    ContactStore& store = world.contacts;
+    const std::uint32_t index = store.ids.take();
+    if (index == store.contacts.size()) store.contacts.emplace_back();
+    Contact& c = store.contacts[index];
+    c = Contact{.shape_a = shape_a,
+                .shape_b = shape_b,
+                .body_a = world.shapes.shapes[shape_a].body,
+                .body_b = world.shapes.shapes[shape_b].body};
+    ASSERT(is_dynamic(world, c.body_a));
+    link_edge(store, index, 0, world.bodies.cold[c.body_a]);
+    link_edge(store, index, 1, world.bodies.cold[c.body_b]);
+    return index;
+}
+
+void unlink_part(ContactStore& store, std::uint32_t part) {
+    std::uint32_t* at = &store.contacts[store.contacts[part].parent].first_part;
+    while (*at != part) at = &store.contacts[*at].next_part;
+    *at = store.contacts[part].next_part;
+}
+
+}  // namespace
+
+std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+    ContactStore& store = world.contacts;
+    if (!is_dynamic(world, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
+    const std::uint32_t index = new_contact(world, shape_a, shape_b);
+    store.contacts[index].composite =
+        is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
+        is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
+    store.pairs.insert(pair_key(shape_a, shape_b));
+    add_separation_bound(world, index, -1);
+    return index;
+}
+
+std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key) {
+    auto& contacts = world.contacts.contacts;
+    const std::uint32_t index =
+        new_contact(world, contacts[parent].shape_a, contacts[parent].shape_b);
+    contacts[index].parent = parent;
+    contacts[index].key = key;
+    // At the end: parts keep the order in which they came.
+    std::uint32_t* last = &contacts[parent].first_part;
+    while (*last != none) last = &contacts[*last].next_part;
+    *last = index;
+    return index;
+}
+
+void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended) {
+    ContactStore& store = world.contacts;
+    while (store.contacts[contact].first_part != none)
+        destroy_contact(world, store.contacts[contact].first_part, ended);
+    Contact& c = store.contacts[contact];
+    if (c.parent != none) {
+        if (c.touching) end_touch(world, contact);
+        unlink_part(store, contact);
+    } else if (c.touching) {
+        report_end(world, c, ended);
+        if (!c.composite) end_touch(world, contact);
+    }
+    if (c.colour >= 0) remove_contact(world, contact);
+    if (c.has_bound)
+        std::erase_if(store.bounds, [&](const SeparationBound& w) { return w.contact == contact; });
+    if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {
+        Island& island = world.islands.islands[world.bodies.cold[c.body_a].island];
+        std::erase_if(island.manifolds,
+                      [&](const SavedContact& m) { return m.contact == contact; });
+    }
+    unlink_edge(store, contact, 0, world.bodies.cold[c.body_a]);
+    unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
+    if (c.parent == none) store.pairs.erase(pair_key(c.shape_a, c.shape_b));
+    c = Contact{};
+    store.ids.give_back(contact);
+}
+
+void end_touch_of_pair(WorldState& world, std::uint32_t pair) {
+    Contact& c = world.contacts.contacts[pair];
+    if (!c.touching || c.parts_touching > 0) return;
+    c.touching = false;
+    report_end(world, c, world.events.contacts_ended);
+}
+
+void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {
+    ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
+                     body_id(world, c.body_a), body_id(world, c.body_b)});
+}
+
+namespace {
+
+// Destroying a pair takes its parts along, so the list is read first.
+template <class Which>
+void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactEnd>& ended,
+                   Which&& which) {
+    std::vector<std::uint32_t> pairs;
+    for_each_contact(world.contacts, body, [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        if (c.parent == none && which(c)) pairs.push_back(contact);
+    });
+    for (const std::uint32_t contact : pairs) destroy_contact(world, contact, ended);
+}
+
+}  // namespace
+
+namespace {
+
+// Its island bears it no more.
+void note_lost_load(WorldState& world, std::uint32_t body) {
+    const BodyCold& cold = world.bodies.cold[body];
+    if (cold.island == none || cold.constraints == 0) return;
+    Island& island = world.islands.islands[cold.island];
+    island.kept_load *= clamp(1 - cold.mass / island.mass, 0, 1);
+    world.islands.some_lost = true;
+}
+
+}  // namespace
+
+void destroy_contacts_of(WorldState& world, std::uint32_t body, std::vector<ContactEnd>& ended) {
+    note_lost_load(world, body);
+    destroy_pairs(world, world.bodies.cold[body], ended, [](const Contact&) { return true; });
+}
+
+void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape,
+                               std::vector<ContactEnd>& ended) {
+    destroy_pairs(world, world.bodies.cold[world.shapes.shapes[shape].body], ended,
+                  [&](const Contact& c) { return c.shape_a == shape || c.shape_b == shape; });
+}
+
+void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32_t other,
+                              std::vector<ContactEnd>& ended) {
+    destroy_pairs(world, world.bodies.cold[body], ended,
+                  [&](const Contact& c) { return c.body_a == other || c.body_b == other; });
+}
+
+namespace {
+
+void note_masses(WorldState& world, const Contact& c) {
+    const double a = world.bodies.cold[c.body_a].mass, b = world.bodies.cold[c.body_b].mass;
+    if (maximum(a, b) >= tuning::heavy_ratio * minimum(a, b))
+        world.islands.islands[world.bodies.cold[c.body_a].island].uneven = true;
+}
+
+}  // namespace
+
+void begin_touch(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    c.touching = true;
+    if (is_dynamic(world, c.body_b)) note_masses(world, c);
+    if (c.parent != none) world.contacts.contacts[c.parent].parts_touching++;
+    if (is_dynamic(world, c.body_b))
+        join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
+}
+
+void end_touch(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    c.touching = false;
+    for (const std::uint32_t body : {c.body_a, c.body_b})
+        if (world.bodies.cold[body].asleep_in_place)
+            world.scratch.support_lost.push_back({body, mass_borne_by(world, c)});
+    if (c.parent != none) {
+        Contact& parent = world.contacts.contacts[c.parent];
+        // Whether the pair as a whole parted is seen when the step's changes are all in.
+        parent.parts_touching--;
+        world.scratch.pairs_changed.push_back(c.parent);
+    }
+    if (is_dynamic(world, c.body_b))
+        world.islands.islands[world.bodies.cold[c.body_a].island].may_be_split = true;
+}
+
+}  // namespace jostle::physics

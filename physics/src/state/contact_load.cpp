@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "state/contact_load.h"
+
+#include "constraint_graph/wide_rows.h"
+#include "state/contact_constraints.h"
+
+namespace jostle::physics {
+
+Vec3 load_of(const WorldState& world, const Contact& contact) {
+    const ContactPlace place = place_of(world, contact);
+    const ContactConstraintWide& block = *place.block;
+    const int lane = place.lane;
+    double pressed = 0;
+    for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};
+    const Vec3 normal = normal_of(place);
+    const Vec3 t1 = get_lane(block.tangent, lane);
+    const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
+                         cross(normal, t1) * double{block.friction[1][lane]};
+    const std::uint32_t island = world.bodies.cold[contact.body_a].island;
+    const SolverTier tier = world.islands.islands[island].colour_set.tier;
+    return impulse * (substeps_of(tier, world.def) / world.last_dt);
+}
+
+Vec3 saved_load(const Contact& c) {
+    return {double{c.load[0]}, double{c.load[1]}, double{c.load[2]}};
+}
+
+double mass_borne_by(const WorldState& world, const Contact& contact) {
+    const double gravity = length(world.def.gravity);
+    return gravity > 0 ? length(saved_load(contact)) / gravity : 0;
+}
+
+void save_load(WorldState& world, std::uint32_t contact) {
+    Contact& c = world.contacts.contacts[contact];
+    const Vec3 load = load_of(world, c);
+    for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "state/islands.h"
+
+#include <algorithm>
+
+#include "foundation/check.h"
+#include "state/island_tiers.h"
+
+namespace jostle::physics {
+
+std::uint32_t create_island(WorldState& world) {
+    const std::uint32_t index = world.islands.ids.take();
+    if (index == world.islands.islands.size()) world.islands.islands.emplace_back();
+    world.islands.islands[index] = Island{};
+    return index;
+}
+
+void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t body) {
+    Island& island = world.islands.islands[island_index];
+    BodyCold& cold = world.bodies.cold[body];
+    cold.island = island_index;
+    cold.island_prev = island.last;
+    cold.island_next = none;
+    if (island.last != none)
+        world.bodies.cold[island.last].island_next = body;
+    else
+        island.first = body;
+    island.last = body;
+    island.bodies++;
+    island.mass += cold.mass;
+}
+
+void remove_from_island(WorldState& world, std::uint32_t body) {
+    BodyCold& cold = world.bodies.cold[body];
+    const std::uint32_t index = cold.island;
+    Island& island = world.islands.islands[index];
+    if (cold.island_prev != none)
+        world.bodies.cold[cold.island_prev].island_next = cold.island_next;
+    else
+        island.first = cold.island_next;
+    if (cold.island_next != none)
+        world.bodies.cold[cold.island_next].island_prev = cold.island_prev;
+    else
+        island.last = cold.island_prev;
+    cold.island = cold.island_prev = cold.island_next = none;
+    island.mass -= world.bodies.cold[body].mass;
+    if (--island.bodies == 0) {
+        island = Island{};
+        world.islands.ids.give_back(index);
+    }
+}
+
+void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (a == b) return;
+    match_sets(world, a, b);
+    const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
+    ASSERT(!ia.asleep && !ib.asleep);
+    if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);
+    Island& into = world.islands.islands[a];
+    Island& from = world.islands.islands[b];
+    for (std::uint32_t body = from.first; body != none; body = world.bodies.cold[body].island_next)
+        world.bodies.cold[body].island = a;
+    world.bodies.cold[into.last].island_next = from.first;
+    world.bodies.cold[from.first].island_prev = into.last;
+    into.last = from.last;
+    into.bodies += from.bodies;
+    into.may_be_split = into.may_be_split || from.may_be_split;
+    into.uneven = into.uneven || from.uneven;
+    into.split_at = std::max(into.split_at, from.split_at);
+    into.mass += from.mass;
+    into.kept_load = minimum(into.kept_load, from.kept_load);
+    from = Island{};
+    world.islands.ids.give_back(b);
+}
+
+namespace {
+
+// Everything that hangs together with `seed` joins `island`. Bodies not yet reached have no island.
+void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
+    std::vector<std::uint32_t>& stack = world.scratch.stack;
+    stack.assign(1, seed);
+    add_to_island(world, island, seed);
+    while (!stack.empty()) {
+        const std::uint32_t body = stack.back();
+        stack.pop_back();
+        const auto join = [&](std::uint32_t other) {
+            const BodyCold& cold = world.bodies.cold[other];
+            if (cold.type != BodyType::dynamic || cold.island != none) return;
+            add_to_island(world, island, other);
+            stack.push_back(other);
+        };
+        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            if (c.touching) join(c.body_a == body ? c.body_b : c.body_a);
+        });
+        for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t joint) {
+            const Joint& j = world.joints.joints[joint];
+            join(j.body_a == body ? j.body_b : j.body_a);
+        });
+    }
+}
+
+}  // namespace
+
+void split_island(WorldState& world, std::uint32_t island) {
+    std::vector<std::uint32_t> bodies;
+    for (std::uint32_t b = world.islands.islands[island].first; b != none;
+         b = world.bodies.cold[b].island_next)
+        bodies.push_back(b);
+    // Its parts are what it was, but for their bodies.
+    const Island& whole = world.islands.islands[island];
+    const Island like{.colour_set = whole.colour_set,
+                      .calm = whole.calm,
+                      .uneven = whole.uneven,
+                      .split_at = world.steps};
+    world.islands.islands[island] = like;
+    for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
+    bool first = true;
+    for (const std::uint32_t body : bodies) {
+        if (world.bodies.cold[body].island != none) continue;
+        const std::uint32_t part = first ? island : create_island(world);
+        world.islands.islands[part] = like;
+        flood(world, part, body);
+        first = false;
+    }
+}
+
+}  // namespace jostle::physics

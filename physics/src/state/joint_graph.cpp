@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "state/joint_graph.h"
+
+#include <algorithm>
+
+#include "state/islands.h"
+#include "state/shape_proxy.h"
+
+namespace jostle::physics {
+namespace {
+
+void link_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
+    Joint& j = store.joints[joint];
+    j.prev[side] = none;
+    j.next[side] = body.first_joint;
+    if (body.first_joint != none)
+        store.joints[body.first_joint / 2].prev[body.first_joint % 2] = joint * 2 + side;
+    body.first_joint = joint * 2 + side;
+}
+
+void unlink_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
+    const std::uint32_t next = store.joints[joint].next[side],
+                        prev = store.joints[joint].prev[side];
+    if (next != none) store.joints[next / 2].prev[next % 2] = prev;
+    if (prev != none)
+        store.joints[prev / 2].next[prev % 2] = next;
+    else
+        body.first_joint = next;
+}
+
+}  // namespace
+
+void link_joint(WorldState& world, std::uint32_t joint) {
+    const Joint& j = world.joints.joints[joint];
+    link_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
+    link_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
+    if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
+        join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
+}
+
+void destroy_joint(WorldState& world, std::uint32_t joint) {
+    Joint& j = world.joints.joints[joint];
+    const std::uint32_t a = j.body_a, b = j.body_b;
+    unlink_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
+    unlink_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
+    if (is_dynamic(world, a) && is_dynamic(world, b))
+        world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
+    const bool collided = j.collide_connected;
+    j = Joint{};
+    world.joints.ids.give_back(joint);
+    if (collided) return;
+    // Their shapes may meet from now on.
+    for (const std::uint32_t body : {a, b})
+        for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
+             s = world.shapes.shapes[s].next)
+            buffer_move(world, s);
+}
+
+bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+    if (world.bodies.cold[a].first_joint == none || world.bodies.cold[b].first_joint == none)
+        return false;
+    bool joined = false;
+    for_each_joint(world.joints, world.bodies.cold[a], [&](std::uint32_t joint) {
+        const Joint& j = world.joints.joints[joint];
+        joined = joined || (!j.collide_connected && (j.body_a == b || j.body_b == b));
+    });
+    return joined;
+}
+
+JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
+    std::vector<std::uint32_t>& found = world.scratch.jointed;
+    found.assign(1, body);
+    if (world.bodies.cold[body].first_joint == none) return {found, false};
+    std::vector<std::uint8_t>& seen = world.scratch.seen_jointed;
+    seen.resize(world.bodies.cold.size(), 0);
+    seen[body] = 1;
+    bool to_kinematic = false;
+    for (std::size_t k = 0; k < found.size(); k++)
+        for_each_joint(world.joints, world.bodies.cold[found[k]], [&](std::uint32_t joint) {
+            const Joint& j = world.joints.joints[joint];
+            const std::uint32_t other = j.body_a == found[k] ? j.body_b : j.body_a;
+            const BodyType type = world.bodies.cold[other].type;
+            to_kinematic = to_kinematic || type == BodyType::kinematic;
+            if (type != BodyType::dynamic || seen[other] != 0) return;
+            seen[other] = 1;
+            found.push_back(other);
+        });
+    for (const std::uint32_t part : found) seen[part] = 0;
+    std::sort(found.begin(), found.end());
+    return {found, to_kinematic};
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// When a pair that is apart must be looked at again: ContactStore::bounds.
+#pragma once
+
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+// What is held back of a slack, m: within a kilometre the floats of SeparationBound::apart are off
+// by less.
+inline constexpr double slack_reserve = 1e-4;
+
+// From now on by the motion of the two centres, which are `apart`, against each other: along a
+// direction, or by its length if that is zero. `a`, `b`: of the two bodies.
+void set_separation_bound(SeparationBound& bound, Vec3 apart, Vec3 direction, double slack,
+                          const MotionBound& a, const MotionBound& b);
+
+// The pair need not be looked at before its bodies may have come nearer to each other by `slack`,
+// m. A dormant contact keeps its place and limit.
+void add_separation_bound(WorldState& world, std::uint32_t contact, double slack,
+                          Vec3 direction = {});
+// A dormant contact has its bound again, as before.
+void resume_separation_bound(WorldState& world, std::uint32_t contact);
+
+}  // namespace jostle::physics

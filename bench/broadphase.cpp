@@ -28,7 +28,7 @@ const std::map<std::string, Moving> moving_names = {
 
 constexpr const char* footer = R"(
 A broad phase finds the boxes that overlap. A world keeps a fat box for each body and tells the broad phase only when a
-body has left its own. One step here: move_all() of the fat boxes that were left, settle(), query() for each that moved;
+body has left its own. One step here: move_all() of the fat boxes that were left, flush(), query() for each that moved;
 every pair found is counted once. Bodies fly straight at 0.5 to 3 m/s, 60 steps a second. All kinds replay the same
 recorded moves, turn by turn, from a copy of the same start.
 
@@ -94,7 +94,7 @@ void build(Contender& contender, const Workload& work) {
     contender.handles.clear();
     for (std::uint32_t body = 0; body < work.fat.size(); body++)
         contender.handles.push_back(index->insert(work.fat[body], body, 1));
-    index->settle();
+    index->flush();
     contender.build_ms.push_back(1e3 * (cpu_seconds() - began));
     contender.start = std::move(index);
 }
@@ -123,7 +123,7 @@ Answers replay_steps(BroadPhaseIndex& index, const Contender& contender, const W
             moved_in[move.body] = step;
         }
         index.move_all(left);
-        index.settle();
+        index.flush();
         for (const Move& move : moves) {
             found.clear();
             index.query(move.fat, 1, found);

@@ -39,9 +39,9 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
         Vec3 end = begin;
         for (int round = 0; round < 30; round++) {
             const Vec3 next = begin - bend((begin + end) * 0.5) * h;
-            const bool settled = length_squared(next - end) <= 1e-30 * length_squared(next);
+            const bool converged = length_squared(next - end) <= 1e-30 * length_squared(next);
             end = next;
-            if (settled) break;
+            if (converged) break;
         }
         const Vec3 half = (begin + end) * (0.25 * h);
         result.turn = normalized(result.turn * Quat{half.x, half.y, half.z, 1});

@@ -91,8 +91,8 @@ Skipped update_pairs(StepContext& step) {
     std::vector<std::uint32_t>& moved = world.shapes.moved;
     world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
     if (moved.empty()) return "no shape left its fat box";
-    world.shapes.fixed->settle();
-    world.shapes.moving->settle();
+    world.shapes.fixed->flush();
+    world.shapes.moving->flush();
     const std::vector<ShapePair>& pairs = find_new_pairs(step);
     for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
     moved.clear();

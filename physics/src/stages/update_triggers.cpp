@@ -65,8 +65,8 @@ TriggerEvent event_of(const WorldState& world, const Inside& pair) {
 Skipped update_triggers(StepContext& step) {
     WorldState& world = step.world;
     if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return "no triggers";
-    world.shapes.fixed->settle();
-    world.shapes.moving->settle();
+    world.shapes.fixed->flush();
+    world.shapes.moving->flush();
     std::vector<Inside> inside;
     for (const std::uint32_t trigger : world.shapes.triggers)
         look_into(world, trigger, world.scratch.found, inside);

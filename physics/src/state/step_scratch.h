@@ -31,7 +31,7 @@ struct ContactCheck {
     // begin is StepScratch::fresh[list].
     std::int32_t list = -1;
     bool goes_on = false;     // has points, and a lane that they were written to ...
-    bool settled = false;     // ... and stays in: nothing is left to decide
+    bool done = false;     // ... and stays in: nothing is left to decide
     float direction[3] = {};  // along which they are apart by `near`; zero: not known
     double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
                               // move now
@@ -67,7 +67,7 @@ struct IslandExtent {
     // Sums over the bodies of where they are on the ground, from the first of them, m and m^2.
     Vec3 first;
     double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    bool settled = false;  // its tier was looked at together with another's
+    bool tier_chosen = false;  // its tier was looked at together with another's
 };
 
 // Of a frozen body: how much is to thaw with it, kg.

@@ -42,8 +42,8 @@ public:
         }
         fixed_ = world.shapes.fixed->clone();
         moving_ = world.shapes.moving->clone();
-        fixed_->settle();
-        moving_->settle();
+        fixed_->flush();
+        moving_->flush();
     }
     std::uint64_t step() const override { return step_; }
     QueryShape shape(std::uint32_t index) const override { return shapes_[index]; }

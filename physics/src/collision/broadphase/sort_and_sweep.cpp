@@ -35,7 +35,7 @@ void SortAndSweep::move(std::int32_t handle, const Aabb& box) {
     sorted_ = false;
 }
 
-void SortAndSweep::settle() {
+void SortAndSweep::flush() {
     if (sorted_) return;
     // Insertion while the list is nearly sorted, a real sort when it is not.
     std::size_t work = 0;

@@ -4,7 +4,7 @@
 // list is put in order by insertion, which is cheap while little moved past its neighbour.
 #pragma once
 
-#include "collision/broadphase/broad_phase.h"
+#include "collision/broadphase/broad_phase_index.h"
 
 namespace jostle::physics {
 
@@ -17,7 +17,7 @@ public:
                std::vector<std::uint32_t>& found) const override;
     void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
                   const RayVisit& visit) const override;
-    void settle() override;
+    void flush() override;
     BroadPhase kind() const override { return BroadPhase::sort_and_sweep; }
     std::unique_ptr<BroadPhaseIndex> clone() const override;
     void assign(const BroadPhaseIndex& other) override;

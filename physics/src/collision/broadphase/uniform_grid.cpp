@@ -108,7 +108,7 @@ void UniformGrid::move(std::int32_t handle, const Aabb& box) {
 // up to twice that where it leaves at most one box in a hundred large: a side of three cells lies
 // in at most four, and 4^3 is cells_max. Where a few are huge that would not help, only crowd the
 // cells.
-void UniformGrid::settle() {
+void UniformGrid::flush() {
     const std::size_t count = entries_.size() - free_.size();
     if (count == 0 || (count < 2 * sized_for_ && 2 * count > sized_for_)) return;
     sized_for_ = count;

@@ -7,7 +7,7 @@
 #include <array>
 #include <unordered_map>
 
-#include "collision/broadphase/broad_phase.h"
+#include "collision/broadphase/broad_phase_index.h"
 
 namespace jostle::physics {
 
@@ -20,7 +20,7 @@ public:
                std::vector<std::uint32_t>& found) const override;
     void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
                   const RayVisit& visit) const override;
-    void settle() override;
+    void flush() override;
     BroadPhase kind() const override { return BroadPhase::uniform_grid; }
     std::unique_ptr<BroadPhaseIndex> clone() const override;
     void assign(const BroadPhaseIndex& other) override;

@@ -321,7 +321,7 @@ void look(WorldState& world, ContactCheck& check, double dt) {
     if (manifold.count > 0 && c.colour >= 0) {
         check.goes_on = true;
         write_manifold(world, c, manifold, false);
-        check.settled = is_in_its_list(world, c);
+        check.done = is_in_its_list(world, c);
     } else if (check.gap_ahead < tuning::speculative_margin) {
         check.list = world.scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
         world.scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
@@ -509,9 +509,9 @@ Skipped update_contacts(StepContext& step) {
         }
     });
     for (std::size_t k = 0; k < checks.size(); k++) {
-        if (k + 8 < checks.size() && !checks[k + 8].settled)
+        if (k + 8 < checks.size() && !checks[k + 8].done)
             prefetch(world.contacts.contacts[checks[k + 8].contact]);
-        if (!checks[k].settled) decide(world, checks[k]);
+        if (!checks[k].done) decide(world, checks[k]);
     }
     wake_islands(world);
     begin_manifolds(world);

@@ -23,7 +23,7 @@ Skipped finalize(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
     StepScratch& scratch = world.scratch;
-    // Kinematic bodies were settled with the free ones: contacts do not move them.
+    // Kinematic bodies were finalized with the free ones: contacts do not move them.
     const std::vector<std::uint32_t>& solved = scratch.in_solver.all;
     step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
@@ -48,7 +48,7 @@ Skipped finalize(StepContext& step) {
     }
     const auto tell_trees = [&shapes = world.shapes, &moves] {
         shapes.moving->move_all(moves);
-        shapes.moving->settle();
+        shapes.moving->flush();
     };
     // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
     if (moves.size() >= 256)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The end of a step for one body: new pose and velocity into its warm record, travel, rest time,
-// and whether it left its fat boxes. Touches this body only, so bodies may be settled on many
+// and whether it left its fat boxes. Touches this body only, so bodies may be finalized on many
 // threads.
 #pragma once
 

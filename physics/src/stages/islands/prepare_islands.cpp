@@ -109,7 +109,7 @@ SolverTier common_need(WorldState& world, const std::vector<std::uint32_t>& tied
         most = std::max(most, need);
         if (need <= SolverTier::heap) most_low = std::max(most_low, need);
         (need <= SolverTier::heap ? low : slender) += world.islands.islands[i].bodies;
-        world.scratch.extents[i].settled = true;
+        world.scratch.extents[i].tier_chosen = true;
     }
     if (most > SolverTier::slender) return most;
     return slender > low ? SolverTier::slender : most_low;
@@ -122,7 +122,7 @@ void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
     island.calm = need < island.colour_set.tier
                       ? std::min<std::uint8_t>(island.calm + 1, tuning::tier_patience)
                       : 0;
-    if (need == island.colour_set.tier || world.scratch.extents[index].settled) return;
+    if (need == island.colour_set.tier || world.scratch.extents[index].tier_chosen) return;
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
     const SolverTier common = common_need(world, tied, up);

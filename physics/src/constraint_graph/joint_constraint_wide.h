@@ -26,9 +26,9 @@ struct SoftRow {
 // What all kinds but the ball joint have as well; each uses a part of it. What is switched off has
 // numbers that make its impulse zero: a limit far away, a motor that may do nothing.
 struct alignas(32) JointAngularWide {
-    float frame_a[4][8], frame_b[4][8];  // x y z w, in the world
-    float turn[3][8], drive[3][8];       // impulses as `point`, N m s
-    float torque[3][8];                  // N m s over the step so far, world axes
+    float frame_a[4][8], frame_b[4][8];   // x y z w, in the world
+    float angular[3][8], friction[3][8];  // impulses as `point`, N m s
+    float torque[3][8];                   // N m s over the step so far, world axes
     float lower[8], upper[8], swing[8], spring[8], motor[8];  // impulses along the kind's own rows
     float lower_at[8], upper_at[8];                           // limits, rad or m
     float swing_at[8], spring_at[8];                          // rad; rad or m
@@ -46,17 +46,10 @@ struct JointConstraintWideMeta {
     // Hot indices of the two bodies, negative for what moves but cannot be pushed; 0: does not
     // move.
     std::int32_t a[8] = {}, b[8] = {};
-    int turns = -1;  // its JointAngularWide, unless they are ball joints
+    int angular = -1;  // its JointAngularWide, unless they are ball joints
     std::uint8_t count = 0;
     std::uint8_t uses = 0;        // JointUses
     std::uint8_t overloaded = 0;  // by lane, at the end of the step
-};
-
-// Blocks of one kind that share no body: any order, any thread. Runs go one after the other.
-struct JointRun {
-    std::uint8_t kind = 0;   // index into JointKind
-    int begin = 0, end = 0;  // blocks
-    int turns = -1;          // JointAngularWide of the first block, unless they are ball joints
 };
 
 }  // namespace jostle::physics

@@ -5,6 +5,13 @@
 // bytes, so that one row of eight bodies is one transposed load.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "constraint_graph/solver_tier.h"
+
 namespace jostle::physics {
 
 struct alignas(64) HotBody {
@@ -29,11 +36,36 @@ struct alignas(64) HotBody {
 };
 static_assert(sizeof(HotBody) == 128);
 
-// What drives a body apart from contacts, per sub-step: free = row 0 * keep + push. Lanes 6 and 7
+// What changes a body apart from contacts, per sub-step: free = row 0 * keep + push. Lanes 6 and 7
 // carry mass and spin through unchanged (keep 1, push 0). Touched by the body passes only.
-struct alignas(64) BodyDrive {
+struct alignas(64) ExternalChange {
     float keep[8];  // damping
     float push[8];  // gravity, forces and the gyroscopic change of spin, times the sub-step
+};
+
+// Hot records by hot index. [0] is nobody, whom joints may read: it stands still and cannot be
+// pushed. Below it are bodies for unused lanes, which are read and written like all others: threads
+// that work at the same time have each their own.
+class HotBodies {
+public:
+    static constexpr std::size_t spare = 2 * solved_set_count;
+
+    // Unused lanes of the colour sets of one task, by its first, and of one of its two lists.
+    static constexpr std::int32_t spare_index(std::size_t first_set, bool single) {
+        return -1 - static_cast<std::int32_t>(2 * first_set + (single ? 1 : 0));
+    }
+
+    void resize(std::size_t count) {  // nobody included
+        all_.resize(spare + count);
+        std::fill(all_.begin(), all_.begin() + spare + 1, HotBody{});
+    }
+    std::size_t size() const { return all_.size() - spare; }
+    HotBody* data() { return all_.data() + spare; }
+    HotBody& operator[](std::size_t index) { return all_[spare + index]; }
+    const HotBody& operator[](std::size_t index) const { return all_[spare + index]; }
+
+private:
+    std::vector<HotBody> all_;
 };
 
 }  // namespace jostle::physics

@@ -14,9 +14,9 @@ template <bool kFirst>
 void accelerate_range(const BodyRange& range) {
     for (int k = range.begin; k < range.end; k++) {
         HotBody& hot = range.bodies[range.indices[k]];
-        const BodyDrive& drive = range.drives[range.indices[k]];
+        const ExternalChange& external = range.external[range.indices[k]];
         const Wide now = load(hot.v);
-        const Wide free = fma(now, load(drive.keep), load(drive.push));
+        const Wide free = fma(now, load(external.keep), load(external.push));
         Wide warm = free;
         if constexpr (!kFirst) {
             Wide pushed = now - load(hot.free);

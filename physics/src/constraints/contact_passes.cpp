@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/contact_passes.h"
+#include "jostle/physics/tuning.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,34 +8,32 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int grain = 8;  // blocks that are taken at once
-
 // The blocks [begin, end) of a colour.
-void run_part(ContactPass pass, GraphColour& colour, int c, int begin, int end,
-              const ContactPart& part) {
+void run_blocks(ContactPass pass, GraphColour& colour, int c, int begin, int end,
+                const ContactTask& task) {
     if (begin >= end) return;
     pass({colour.blocks.data(), colour.metas.data(), colour.restitutions.data(),
           colour.rollings.data(), begin, end, pair_kind_of(c), is_single(c), is_overflow(c)},
-         part.bodies, part.set);
+         task.bodies, task.set);
 }
 
 // Each grain has its share of both lists: a thread meets the same bodies in each. Shares begin with
 // even blocks, because kernels take two at a time.
-void run(ContactPass pass, const ContactPart& part) {
-    for (const ColourRun& run : part.runs) {
+void run(ContactPass pass, const ContactTask& task) {
+    for (const ColourRun& run : task.runs) {
         const int total = run.blocks + run.singles;
         const auto share = [&](int blocks, int at) {
             return at == total ? blocks : static_cast<int>(std::int64_t{at} * blocks / total) & ~1;
         };
         const auto work = [&](int begin, int end) {
-            run_part(pass, *run.colour, run.number, share(run.blocks, begin),
-                     share(run.blocks, end), part);
+            run_blocks(pass, *run.colour, run.number, share(run.blocks, begin),
+                       share(run.blocks, end), task);
             if (run.singles > 0)
-                run_part(pass, *run.single, single_colours + run.number, share(run.singles, begin),
-                         share(run.singles, end), part);
+                run_blocks(pass, *run.single, single_colours + run.number,
+                           share(run.singles, begin), share(run.singles, end), task);
         };
         if (run.shared)
-            part.team.run(total, grain, work, TaskTeam::Part::own);
+            task.team.run(total, tuning::contact_grain, work, TaskTeam::Split::fixed);
         else
             work(0, total);
     }
@@ -52,14 +51,14 @@ void point_unused_lanes(GraphColour& colour, int c, std::int32_t body) {
         point(colour.blocks.back(), colour.contacts % 8);
 }
 
-bool any_bouncy(const ContactPart& part) {
+bool any_bouncy(const ContactTask& task) {
     const auto bouncy = [](const GraphColour* colour) {
         return colour != nullptr && std::any_of(colour->metas.begin(), colour->metas.end(),
                                                 [](const ContactConstraintWideMeta& meta) {
                                                     return meta.bits(LaneFlag::bounces) != 0;
                                                 });
     };
-    return std::any_of(part.runs.begin(), part.runs.end(), [&](const ColourRun& run) {
+    return std::any_of(task.runs.begin(), task.runs.end(), [&](const ColourRun& run) {
         return bouncy(run.colour) || bouncy(run.single);
     });
 }
@@ -95,34 +94,34 @@ void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
     }
 }
 
-void warm_start(const ContactPart& part) {
-    run(kernels().warm_start, part);
+void warm_start(const ContactTask& task) {
+    run(kernels().warm_start, task);
 }
 
-void solve(const ContactPart& part) {
-    run(kernels().solve, part);
+void solve(const ContactTask& task) {
+    run(kernels().solve, task);
 }
 
-void relax(const ContactPart& part, bool last) {
-    run(last ? kernels().relax_last : kernels().relax, part);
+void relax(const ContactTask& task, bool last) {
+    run(last ? kernels().relax_last : kernels().relax, task);
 }
 
-bool begin_restitution(const ContactPart& part) {
-    if (!any_bouncy(part)) return false;
-    run(kernels().begin_restitution, part);
+bool begin_restitution(const ContactTask& task) {
+    if (!any_bouncy(task)) return false;
+    run(kernels().begin_restitution, task);
     return true;
 }
 
-void predict_approaches(const ContactPart& part) {
-    run(kernels().predict_approach, part);
+void predict_approaches(const ContactTask& task) {
+    run(kernels().predict_approach, task);
 }
 
-void record_peaks(const ContactPart& part) {
-    run(kernels().record_peaks, part);
+void record_peaks(const ContactTask& task) {
+    run(kernels().record_peaks, task);
 }
 
-void apply_restitution(const ContactPart& part) {
-    run(kernels().apply_restitution, part);
+void apply_restitution(const ContactTask& task) {
+    run(kernels().apply_restitution, task);
 }
 
 }  // namespace jostle::physics

@@ -31,7 +31,7 @@ struct ContactRange {
 // Some bodies by hot index.
 struct BodyRange {
     HotBody* bodies;
-    const BodyDrive* drives;
+    const ExternalChange* external;
     const std::uint32_t* indices;
     int begin, end;
 };
@@ -39,8 +39,8 @@ struct BodyRange {
 // Some blocks of one run of joints.
 struct JointRange {
     JointConstraintWide* blocks;
-    JointAngularWide* turns;  // of the run's first block; null for kinds that have none
-    const JointConstraintWideMeta* sides;
+    JointAngularWide* angular;  // of the run's first block; null for kinds that have none
+    const JointConstraintWideMeta* metas;
     int kind;   // index into JointKind
     int first;  // block of the run
     int begin, end;

@@ -37,11 +37,11 @@ TaskTeam::~TaskTeam() {
     for (std::thread& worker : workers_) worker.join();
 }
 
-void TaskTeam::share_out(int total, int grain, Part part, Call call, void* context) {
+void TaskTeam::share_out(int total, int grain, Split split, Call call, void* context) {
     call_ = call;
     context_ = context;
     grain_ = grain;
-    part_ = part;
+    split_ = split;
     const auto begin_of = [&](int t) {
         return static_cast<int>(static_cast<std::int64_t>(total) * t / count_);
     };
@@ -70,7 +70,7 @@ void TaskTeam::take_grains(int self) {
     cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
     for (int k = 0; k < count_; k++)
         take_grains_of(cursors_[static_cast<std::size_t>((self + k) % count_)],
-                       k > 0 && part_ == Part::own);
+                       k > 0 && split_ == Split::fixed);
 }
 
 void TaskTeam::take_grains_of(Cursor& cursor, bool leave_to_owner) {

@@ -29,18 +29,18 @@ public:
     // From now on the calling thread does everything itself; the workers sleep on.
     void stay_alone(bool alone) { alone_ = alone; }
 
-    // What happens to the part of a thread that is there but not done when others are.
-    enum class Part {
-        shared,  // they help it
-        own,     // they leave it alone, for as long as it seems to get on. For passes that come
-                 // again and again over the same records: one that another thread took has to come
-                 // back from that thread's cache, which takes longer than a kernel does.
+    // What happens to the share of a thread that is there but not done when others are.
+    enum class Split {
+        free,   // they help it
+        fixed,  // they leave it alone, for as long as it seems to get on. For passes that come
+                // again and again over the same records: one that another thread took has to come
+                // back from that thread's cache, which takes longer than a kernel does.
     };
 
     // Calls fn(begin, end) over [0, total) in grains, on all threads, and returns when all are
     // done. Short ranges stay on the calling thread: a hand-over costs more than they do.
     template <class F>
-    void run(int total, int grain, F&& fn, Part part = Part::shared) {
+    void run(int total, int grain, F&& fn, Split split = Split::free) {
         if (total <= 0) return;
         if (size() == 1 || total < 4 * grain) {
             fn(0, total);
@@ -48,7 +48,7 @@ public:
         }
         using Fn = std::remove_reference_t<F>;
         share_out(
-            total, grain, part,
+            total, grain, split,
             [](void* context, int begin, int end) { (*static_cast<Fn*>(context))(begin, end); },
             const_cast<void*>(static_cast<const void*>(&fn)));
     }
@@ -62,7 +62,7 @@ public:
         };
         if (size() == 1 || count < 2) return each(0, count);
         share_out(
-            count, 1, Part::shared,
+            count, 1, Split::free,
             [](void* context, int begin, int end) {
                 (*static_cast<decltype(&each)>(context))(begin, end);
             },
@@ -88,7 +88,7 @@ private:
     };
 
     // In grains, each thread its own part of the range first.
-    void share_out(int total, int grain, Part part, Call call, void* context);
+    void share_out(int total, int grain, Split split, Call call, void* context);
     void take_grains(int self);
     void take_grains_of(Cursor& cursor, bool leave_to_owner);
     void work(int self);
@@ -106,7 +106,7 @@ private:
     Call call_ = nullptr;
     void* context_ = nullptr;
     int grain_ = 1;
-    Part part_ = Part::shared;
+    Split split_ = Split::free;
     enum class Job { idle, waiting, taken };
     alignas(64) std::atomic<Job> job_state_{Job::idle};
     std::function<void()> job_;

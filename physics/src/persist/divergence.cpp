@@ -10,6 +10,7 @@
 #include "persist/field_list.h"
 #include "persist/path.h"
 #include "persist/shared_geometry.h"
+#include "state/world_access.h"
 
 namespace jostle::physics {
 namespace {
@@ -91,9 +92,9 @@ struct Comparer {
 
 std::optional<std::string> first_difference(const World& a, const World& b) {
     Recorder recorder;
-    visit_world(recorder, const_cast<WorldState&>(a.state()));
+    visit_world(recorder, const_cast<WorldState&>(state_of(a)));
     Comparer comparer{.first = recorder.bits, .at = 0, .path = {}, .difference = {}};
-    visit_world(comparer, const_cast<WorldState&>(b.state()));
+    visit_world(comparer, const_cast<WorldState&>(state_of(b)));
     return comparer.difference;
 }
 

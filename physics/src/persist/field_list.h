@@ -261,13 +261,13 @@ void visit_fields(V& v, Joint& j) {
     v.field("break_torque", j.break_torque);
     v.field("user_data", j.user_data);
     visit(v, "point", j.point);
-    visit(v, "turn", j.turn);
+    visit(v, "angular", j.angular);
     v.field("lower", j.lower);
     v.field("upper", j.upper);
     v.field("swing_impulse", j.swing);
     v.field("spring_impulse", j.spring);
     v.field("motor", j.motor);
-    visit(v, "drive", j.drive);
+    visit(v, "friction", j.friction);
     visit(v, "force", j.force);
     visit(v, "torque", j.torque);
     for (int side = 0; side < 2; side++) {

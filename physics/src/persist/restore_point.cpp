@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "jostle/physics/world.h"
-#include "state/world_state.h"
+#include "state/world_access.h"
 
 namespace jostle::physics {
 
@@ -31,19 +31,20 @@ RestorePoint::~RestorePoint() = default;
 
 void RestorePoint::keep(const World& world) {
     if (!kept_) kept_ = std::make_unique<Kept>();
-    kept_->stores = world.state();
-    kept_->pending = world.state().events.pending;
+    kept_->stores = state_of(world);
+    kept_->pending = state_of(world).events.pending;
 }
 
 Status RestorePoint::restore(World& world) const {
     if (!kept_)
         return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
-    WorldState& state = world.state();
+    WorldState& state = state_of(world);
     const int threads = state.def.threads;
     static_cast<WorldStores&>(state) = kept_->stores;
     state.def.threads = threads;
     state.events.clear_published();
     state.events.pending = kept_->pending;
+    state.wake_requests.clear();
     return {};
 }
 

@@ -13,6 +13,7 @@
 #include "persist/path.h"
 #include "persist/shared_geometry.h"
 #include "state/validate.h"
+#include "state/world_access.h"
 
 namespace jostle::physics {
 namespace {
@@ -131,7 +132,7 @@ Error corrupt(std::string message) {
 std::vector<std::byte> save(const World& world) {
     Saver body;
     // The list is shared with loading, so it takes references; saving changes nothing.
-    auto& state = const_cast<WorldState&>(world.state());
+    auto& state = const_cast<WorldState&>(state_of(world));
     body.table.collect(state);
     body.table.write(body.out);
     visit_world(body, state);

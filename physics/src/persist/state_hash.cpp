@@ -5,6 +5,7 @@
 #include "jostle/physics/world.h"
 #include "persist/field_list.h"
 #include "persist/shared_geometry.h"
+#include "state/world_access.h"
 
 namespace jostle::physics {
 namespace {
@@ -34,7 +35,7 @@ struct HashVisitor {
 
 std::uint64_t state_hash(const World& world) {
     HashVisitor visitor;
-    visit_world(visitor, const_cast<WorldState&>(world.state()));
+    visit_world(visitor, const_cast<WorldState&>(state_of(world)));
     return visitor.hasher.value;
 }
 

@@ -16,8 +16,11 @@ using Skipped = const char*;
 inline constexpr Skipped ran = nullptr;
 inline constexpr Skipped nobody_awake = "nobody is awake";
 
+struct StepScratch;
+
 struct StepContext {
     WorldState& world;
+    StepScratch& scratch;
     TaskTeam& team;
     double dt = 0;  // s
     std::array<ContactSettings, tier_count> contacts;

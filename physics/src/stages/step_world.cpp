@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stages/step_world.h"
 
+#include "foundation/check.h"
 #include "foundation/fp_mode.h"
+#include "stages/contacts/begin_contacts.h"
 #include "stages/contacts/update_contacts.h"
 #include "stages/continuous/solve_continuous.h"
 #include "stages/finalize/finalize.h"
@@ -9,25 +11,27 @@
 #include "stages/finalize/quarantine.h"
 #include "stages/islands/link_islands.h"
 #include "stages/islands/prepare_islands.h"
+#include "stages/pairs/update_pairs.h"
+#include "stages/pairs/update_triggers.h"
 #include "stages/publish_events.h"
 #include "stages/sleep/update_sleep.h"
+#include "stages/sleep/wake_bodies.h"
 #include "stages/solver/solve_constraints.h"
-#include "stages/update_pairs.h"
-#include "stages/update_triggers.h"
+#include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
 
-StepContext begin_step(WorldState& world, double dt) {
+StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
-    world.team->stay_alone(!world.team_trial.shares(world.profile.step_ms));
-    if (world.profile.solver_tasks > 1) world.team->wake();
+    world.team->stay_alone(!world.team_trial.shares(world.team_use.step_ms));
+    if (world.team_use.solver_tasks > 1) world.team->wake();
     world.profile = {};
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     world.last_dt = dt;
-    StepContext step{world, *world.team, dt, {}};
+    StepContext step{world, scratch, *world.team, dt, {}};
     for (const SolverTier tier : all_tiers) {
         ContactSettings& set = step.contacts[index_of(tier)];
         set = contact_settings(dt, world.def, tier);
@@ -41,31 +45,40 @@ template <Skipped (*kStage)(StepContext&)>
 void run(StepContext& step, Stage name) {
     StepProfile& profile = step.world.profile;
     const auto index = static_cast<std::size_t>(name);
-    profile.stage_skipped[index] = kStage(step);
-    if (profile.stage_skipped[index] == ran) profile.stage_ms[index] = step.timer.lap_ms();
+    const Skipped skipped = kStage(step);
+    if (skipped == ran) profile.stage_ms[index] += step.timer.lap_ms();
+    // Of a stage that runs at two points: skipped when both are.
+    if (profile.stage_ms[index] == 0) profile.stage_skipped[index] = skipped;
+    if (skipped == ran) profile.stage_skipped[index] = ran;
 }
 
 }  // namespace
 
 // One step, in the order in which it happens. Each stage is one file of this folder.
-void step_world(WorldState& world, double dt) {
+void step_world(WorldState& world, StepScratch& scratch, double dt) {
     const FpModeScope fp_mode;
-    StepContext step = begin_step(world, dt);
+    StepContext step = begin_step(world, scratch, dt);
     run<update_pairs>(step, Stage::update_pairs);            // which shapes may touch
     run<update_contacts>(step, Stage::update_contacts);      // where they touch
+    run<wake_before_solve>(step, Stage::wake_bodies);        // who is disturbed
+    run<begin_contacts>(step, Stage::begin_contacts);        // new manifolds are to be solved
     run<prepare_islands>(step, Stage::prepare_islands);      // sub-steps by what an island is
     run<solve_constraints>(step, Stage::solve_constraints);  // sub-steps of all that touches
     run<link_islands>(step, Stage::link_islands);            // what hangs together
     run<integrate_free>(step, Stage::integrate_free);        // all that touches nothing
     run<finalize>(step, Stage::finalize);                    // poses, bounds, rest time
     run<solve_continuous>(step, Stage::solve_continuous);    // nothing passes through a wall
+    run<wake_after_impacts>(step, Stage::wake_bodies);       // who was hit asleep
+    run<place_toi_bodies>(step, Stage::solve_continuous);    // where impacts sent them
     run<quarantine>(step, Stage::quarantine);                // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);            // resting islands leave the awake set
     step.team.finish();                                      // what finalize began
     run<update_triggers>(step, Stage::update_triggers);      // what is inside which trigger
     run<publish_events>(step, Stage::publish_events);        // sorted, ready to read
+    ASSERT(world.wake_requests.empty());
     world.steps++;
     for (const double ms : world.profile.stage_ms) world.profile.step_ms += ms;
+    world.team_use = {world.profile.step_ms, world.profile.solver_tasks};
 }
 
 }  // namespace jostle::physics

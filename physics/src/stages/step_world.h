@@ -3,10 +3,11 @@
 // The whole step, read top to bottom.
 #pragma once
 
+#include "stages/step_scratch.h"
 #include "state/world_state.h"
 
 namespace jostle::physics {
 
-void step_world(WorldState& world, double dt);
+void step_world(WorldState& world, StepScratch& scratch, double dt);
 
 }  // namespace jostle::physics

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t none = 0xffffffff;
 
 enum class BodySet : std::uint8_t {
     fixed,     // BodyStore::fixed
-    awake,     // BodyStore::awake: moving dynamic bodies, frozen ones and all kinematic ones
+    awake,     // BodyStore::awake: dynamic bodies that move or sleep in place, all kinematic ones
     sleeping,  // Island::sleepers of its island
 };
 
@@ -34,8 +34,7 @@ struct BodyCold {
     double wanted_mass = 0;  // kg; 0: what the shapes give
     std::uint64_t user_data = 0;
 
-    // What its shapes make of it. Infinite mass and inertia are zero inverses; a frozen body's
-    // inverses are zero too.
+    // What its shapes make of it. Infinite mass and inertia are zero inverses.
     double mass = 0, inverse_mass = 0;
     Mat3 inertia = diagonal({0, 0, 0}),
          inverse_inertia = diagonal({0, 0, 0});  // about the centre, body axes

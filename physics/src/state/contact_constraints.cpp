@@ -13,7 +13,7 @@ PairKind pair_kind_with(const BodyCold& b) {
 
 InverseMass inverse_mass_of(const WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
-    if (cold.inverse_mass == 0) return {};
+    if (cold.inverse_mass == 0 || cold.asleep_in_place) return {};
     return {free_directions(cold) * cold.inverse_mass,
             world_inverse_inertia(warm_of(world, body), cold)};
 }

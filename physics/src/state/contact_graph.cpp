@@ -191,12 +191,12 @@ void end_touch(WorldState& world, std::uint32_t contact) {
     c.touching = false;
     for (const std::uint32_t body : {c.body_a, c.body_b})
         if (world.bodies.cold[body].asleep_in_place)
-            world.scratch.support_lost.push_back({body, mass_borne_by(world, c)});
+            world.wake_requests.push_back({body, mass_borne_by(world, c)});
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole parted is seen when the step's changes are all in.
         parent.parts_touching--;
-        world.scratch.pairs_changed.push_back(c.parent);
+        world.changed_pairs.push_back(c.parent);
     }
     if (is_dynamic(world, c.body_b))
         world.islands.islands[world.bodies.cold[c.body_a].island].may_be_split = true;

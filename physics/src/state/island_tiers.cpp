@@ -52,7 +52,7 @@ void stiffen(const ContactPlace& place, float stiffer, bool even) {
 }
 
 void scale_impulses(Joint& joint, double scale) {
-    for (Vec3* v : {&joint.point, &joint.turn, &joint.drive}) *v = *v * scale;
+    for (Vec3* v : {&joint.point, &joint.angular, &joint.friction}) *v = *v * scale;
     for (double* x : {&joint.lower, &joint.upper, &joint.swing, &joint.spring, &joint.motor})
         *x *= scale;
 }

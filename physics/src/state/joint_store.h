@@ -27,12 +27,12 @@ struct Joint {
     // not move): kept in the world's axes they would lag behind and push what turns. Which of them
     // mean something depends on the kind.
     Vec3 point;                   // holds the frames' origins together
-    Vec3 turn;                    // holds their directions together
+    Vec3 angular;                 // holds their directions together
     double lower = 0, upper = 0;  // of a limit, >= 0
     double swing = 0;             // of a cone, >= 0
     double spring = 0;
     double motor = 0;  // about the axis
-    Vec3 drive;        // friction
+    Vec3 friction;
     // What acted during the last step, for reports and for breaking.
     Vec3 force, torque;  // N, N m
 };

@@ -36,8 +36,6 @@ void hold_still(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
     ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
     cold.asleep_in_place = true;
-    cold.inverse_mass = 0;
-    cold.inverse_inertia = diagonal({0, 0, 0});
     BodyWarm& warm = warm_of(world, body);
     warm.v = warm.w = {};
     world.bodies.motion[body].bound = world.bodies.motion[body].travel;
@@ -57,7 +55,6 @@ void wake_in_place(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
     if (!cold.asleep_in_place) return;
     cold.asleep_in_place = false;
-    invert_mass(cold);
     world.bodies.asleep_in_place--;
     for_each_constraint(world, body,
                         [&](std::uint32_t contact) { move_to_own_set(world, contact); });

@@ -68,7 +68,7 @@ Fault check_bodies(const WorldState& world) {
             return at("bodies", i, "is in a set that its type does not belong to");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
-        if (b.asleep_in_place && (!dynamic || b.set != BodySet::awake || b.inverse_mass != 0))
+        if (b.asleep_in_place && (!dynamic || b.set != BodySet::awake))
             return at("bodies", i, "sleeps in place outside the awake set");
         if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
         if (dynamic && !world.islands.ids.alive(b.island))
@@ -167,7 +167,9 @@ Fault check_joints(const WorldState& world) {
             return at("joints", i, "joins no dynamic body");
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
             return at("joints", i, "joins two islands");
-        const auto moves = [](const BodyCold& c) { return c.type != BodyType::fixed && !c.asleep_in_place; };
+        const auto moves = [](const BodyCold& c) {
+            return c.type != BodyType::fixed && !c.asleep_in_place;
+        };
         if ((a.asleep_in_place && moves(b)) || (b.asleep_in_place && moves(a)))
             return at("joints", i, "ties a body that sleeps in place to one that moves");
     }

@@ -14,6 +14,33 @@ void ensure_awake(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
     wake_from_partial_sleep(world, body, woke);
 }
 
+void apply_wake_requests(WorldState& world, std::vector<BodyId>& woke) {
+    WakeRequests& requests = world.wake_requests;
+    // A caller may have destroyed or woken a body since.
+    std::erase_if(requests, [&](const WakeRequest& r) {
+        if (!world.bodies.ids.alive(r.body)) return true;
+        const BodyCold& cold = world.bodies.cold[r.body];
+        return cold.set != BodySet::sleeping && !cold.asleep_in_place;
+    });
+    std::sort(requests.begin(), requests.end());
+    std::vector<std::uint32_t> islands;
+    for (const WakeRequest& r : requests)
+        if (world.bodies.cold[r.body].set == BodySet::sleeping)
+            islands.push_back(world.bodies.cold[r.body].island);
+    std::sort(islands.begin(), islands.end());
+    islands.erase(std::unique(islands.begin(), islands.end()), islands.end());
+    for (const std::uint32_t island : islands) wake_island(world, island, woke);
+    for (const bool briefly : {false, true})
+        for (const WakeRequest& r : requests) {
+            if (r.briefly != briefly || !world.bodies.cold[r.body].asleep_in_place) continue;
+            if (briefly)
+                wake_briefly(world, r.body, woke);
+            else
+                wake_around(world, r.body, r.mass, woke);
+        }
+    requests.clear();
+}
+
 void wake_body(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.type != BodyType::dynamic) return;

@@ -14,10 +14,10 @@
 #include "state/body_store.h"
 #include "state/contact_store.h"
 #include "state/event_store.h"
+#include "state/graph_scratch.h"
 #include "state/island_store.h"
 #include "state/joint_store.h"
 #include "state/shape_store.h"
-#include "state/step_scratch.h"
 #include "state/trigger_store.h"
 #include "state/wake_requests.h"
 
@@ -39,14 +39,24 @@ struct WorldStores {
     IslandStore islands;
 };
 
+// How the last step used its threads. It decides who does the work of the next one, never what
+// comes of it.
+struct TeamUse {
+    double step_ms = 0;
+    int solver_tasks = 0;
+};
+
 struct WorldState : WorldStores {
     // Not part of the state.
     EventStore events;
     WakeRequests wake_requests;
     StepProfile profile;
-    StepScratch scratch;
+    // Composite pairs of which a part began or ended to touch: link_islands reports them.
+    std::vector<std::uint32_t> changed_pairs;
+    GraphScratch scratch;
     std::unique_ptr<TaskTeam> team;
     TeamTrial team_trial;
+    TeamUse team_use;
 };
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {

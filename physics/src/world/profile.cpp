@@ -9,6 +9,10 @@ const char* stage_name(Stage stage) {
             return "update_pairs";
         case Stage::update_contacts:
             return "update_contacts";
+        case Stage::wake_bodies:
+            return "wake_bodies";
+        case Stage::begin_contacts:
+            return "begin_contacts";
         case Stage::prepare_islands:
             return "prepare_islands";
         case Stage::link_islands:

@@ -9,7 +9,8 @@
 
 namespace jostle::physics {
 
-World::World(std::unique_ptr<WorldState> state) : state_(std::move(state)) {}
+World::World(std::unique_ptr<WorldState> state)
+    : state_(std::move(state)), scratch_(std::make_unique<StepScratch>()) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -26,7 +27,7 @@ Result<World> World::create(const WorldDef& def) {
 
 Status World::step(double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
-    step_world(*state_, dt);
+    step_world(*state_, *scratch_, dt);
     return {};
 }
 
@@ -46,6 +47,7 @@ Status World::set_threads(int threads) {
     state_->def.threads = threads;
     state_->team = std::make_unique<TaskTeam>(threads);
     state_->team_trial = {};
+    state_->team_use = {};
     return {};
 }
 

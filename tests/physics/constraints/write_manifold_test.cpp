@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "state/contact_constraints.h"
-#include "state/world_state.h"
+#include "state/world_access.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -30,7 +30,7 @@ struct TwoBoxes {
         for_each_contact(state().contacts, state().bodies.cold[upper.index],
                          [&](std::uint32_t index) { contact = index; });
     }
-    WorldState& state() { return world.state(); }
+    WorldState& state() { return state_of(world); }
     ContactPlace place() { return place_of(state(), state().contacts.contacts[contact]); }
     Borne borne() {
         Borne sum;

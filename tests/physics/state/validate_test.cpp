@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "jostle/physics/physics.h"
+#include "state/world_access.h"
 #include "support/random.h"
 
 namespace jostle::physics {
@@ -103,7 +104,7 @@ TEST(Validate, stores_agree_after_every_step_of_a_world_that_is_meddled_with) {
             ASSERT_TRUE(world.step(1.0 / 60).ok());
             slept += world.events().fell_asleep.size();
             woke += world.events().woke.size();
-            const auto fault = find_fault(world.state());
+            const auto fault = find_fault(state_of(world));
             ASSERT_FALSE(fault) << "seed " << seed << " step " << step << ": " << *fault;
             if (step % 100 != 99) continue;
             Result<World> loaded = load(save(world));

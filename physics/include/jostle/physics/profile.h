@@ -11,6 +11,8 @@ namespace jostle::physics {
 enum class Stage {
     update_pairs,
     update_contacts,
+    wake_bodies,
+    begin_contacts,
     prepare_islands,
     link_islands,
     solve_constraints,
@@ -22,7 +24,7 @@ enum class Stage {
     update_triggers,
     publish_events,
 };
-inline constexpr int stage_count = 12;
+inline constexpr int stage_count = 14;
 
 // The stage's name as in the enumeration.
 const char* stage_name(Stage stage);

@@ -107,6 +107,8 @@ inline constexpr double contact_patch = 0.04;
 // Slower impacts do not bounce. About twice the speed that gravity adds in one 60 Hz step: below it
 // a bounce is noise.
 inline constexpr double restitution_speed = 0.3;  // m/s
+// A kinematic body stops for nobody: what it hits wakes as if hit by so many times its mass.
+inline constexpr double kinematic_mass_ratio = 100;
 // An awake body wakes a sleeping one when it will come this near within the step.
 inline constexpr double wake_gap = 0.001;  // m
 // A contact that pressed counts as touching until its gap exceeds this.
@@ -122,7 +124,9 @@ inline constexpr double joint_damping_ratio = 2;
 inline constexpr double sweep_fraction = 0.5;
 // A sweep stops this far before the surfaces meet.
 inline constexpr double sweep_gap = 1e-4;  // m
-inline constexpr int sweep_impacts = 16;   // of one body in one step; then it stays where it is
+// With fewer shapes near a body it costs as much as it saves to ask which of them pass it by.
+inline constexpr unsigned crowded_candidates = 16;
+inline constexpr int sweep_impacts = 16;  // of one body in one step; then it stays where it is
 
 // --- sleep ---
 // An island sleeps when none of its bodies moved faster than this for that long: neither its centre
@@ -155,6 +159,23 @@ inline constexpr int split_interval = 15;
 // Beyond these a state is no longer physics but a number that ran away.
 inline constexpr double quarantine_speed = 1e6;       // m/s or rad/s
 inline constexpr double quarantine_coordinate = 1e8;  // m
+
+// --- threads ---
+// How many are taken at once where threads share a range; fewer than four grains stay on one
+// thread. A grain takes some microseconds, ten times a hand-over.
+inline constexpr int pair_grain = 64;    // shapes that ask for new pairs
+inline constexpr int bound_grain = 512;  // separation bounds
+inline constexpr int look_grain = 32;    // pairs in the narrow phase
+inline constexpr int body_grain = 256;   // bodies
+inline constexpr int joint_grain = 8;    // blocks of joints
+// With fewer blocks in a run of joints, waking another thread costs more than they do.
+inline constexpr int shared_joint_blocks = 32;
+inline constexpr int contact_grain = 8;  // blocks of contacts
+// A task of the solver of no more bodies and contacts is one thread's.
+inline constexpr unsigned light_task = 4000;
+// From so many moves on the trees are told of them beside other work: a few take less time than to
+// wake a thread.
+inline constexpr int moves_beside = 256;
 
 // --- limits of what callers may ask ---
 inline constexpr double max_coordinate = 1e7;  // m

@@ -29,6 +29,7 @@
 namespace jostle::physics {
 
 struct WorldState;
+struct StepScratch;
 
 // What a body is doing now.
 struct BodyState {
@@ -167,15 +168,13 @@ public:
     Result<Aabb> bounds(ShapeId shape) const;          // not of planes
     Result<Aabb> fat_bounds(ShapeId shape) const;
 
-    // For the library's own files (snapshot, tests): the stores behind this world.
-    const WorldState& state() const { return *state_; }
-    WorldState& state() { return *state_; }
-
 private:
     friend Result<World> load(std::span<const std::byte> bytes);
+    friend struct WorldAccess;  // the library's own files
     explicit World(std::unique_ptr<WorldState> state);
 
     std::unique_ptr<WorldState> state_;
+    std::unique_ptr<StepScratch> scratch_;  // memory that steps use again
 };
 
 }  // namespace jostle::physics

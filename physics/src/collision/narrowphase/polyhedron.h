@@ -25,7 +25,7 @@ struct Polyhedron {
     }
 };
 
-// UninitializedArray for the parts that a box or a triangle does not keep itself.
+// Space for the parts that a box or a triangle does not keep itself.
 struct PolyhedronParts {
     UninitializedArray<Vec3, 8> vertices;
     UninitializedArray<HullFace, 6> faces;

@@ -26,9 +26,9 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass) {
 }
 
 // Ball joints have none and touch none.
-JOSTLE_INLINE JointAngularWide& turns_of(const JointRange& range, int block,
-                                         JointAngularWide& nothing) {
-    return range.turns == nullptr ? nothing : range.turns[block - range.first];
+JOSTLE_INLINE JointAngularWide& angular_of(const JointRange& range, int block,
+                                           JointAngularWide& nothing) {
+    return range.angular == nullptr ? nothing : range.angular[block - range.first];
 }
 
 inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
@@ -36,7 +36,7 @@ inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, con
     with_kind(range.kind, [&](auto kind) {
         for (int k = range.begin; k < range.end; k++) {
             JointPair pair(range.blocks[k], bodies);
-            kind.warm_start(pair, range.blocks[k], turns_of(range, k, nothing));
+            kind.warm_start(pair, range.blocks[k], angular_of(range, k, nothing));
             pair.store();
         }
     });
@@ -48,14 +48,15 @@ void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep
     with_kind(range.kind, [&](auto kind) {
         for (int k = range.begin; k < range.end; k++) {
             JointConstraintWide& block = range.blocks[k];
-            JointAngularWide& turns = turns_of(range, k, nothing);
+            JointAngularWide& angular = angular_of(range, k, nothing);
             JointPair pair(block, bodies);
             const JointLoad load =
-                kind.template solve<kRelax>(pair, step, block, turns, range.sides[k].uses);
+                kind.template solve<kRelax>(pair, step, block, angular, range.metas[k].uses);
             pair.store();
             if constexpr (kRelax) {
                 store3(block.force, load3(block.force) + load.impulse);
-                if (range.turns != nullptr) store3(turns.torque, load3(turns.torque) + load.turn);
+                if (range.angular != nullptr)
+                    store3(angular.torque, load3(angular.torque) + load.angular);
             }
         }
     });

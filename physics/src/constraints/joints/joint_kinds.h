@@ -11,7 +11,7 @@ namespace jostle::physics::JOSTLE_ISA {
 
 struct JointLoad {
     Wide3 impulse;  // N s
-    Wide3 turn;     // N m s
+    Wide3 angular;     // N m s
 };
 
 struct Ball {
@@ -37,7 +37,7 @@ struct Hinge {
                                          JointAngularWide& t) {
         const Wide3 axis = z_axis(pair.a.turn * load4(t.frame_a));
         pair.push(pair.to_world(block.point));
-        pair.turn(pair.to_world(t.turn) + axis * along_axis(t));
+        pair.turn(pair.to_world(t.angular) + axis * along_axis(t));
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
@@ -61,10 +61,10 @@ struct Hinge {
                 limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - angle, t.upper);
             }
         }
-        Wide3 turn = pair.to_world(t.turn), point = pair.to_world(block.point);
+        Wide3 turn = pair.to_world(t.angular), point = pair.to_world(block.point);
         hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), turn);
         hold_points(pair, rigid<kRelax>(step), point);
-        pair.keep(t.turn, turn);
+        pair.keep(t.angular, turn);
         pair.keep(block.point, point);
         return {point, turn + axis * along_axis(t)};
     }
@@ -92,7 +92,7 @@ struct ConeTwist {
                                          JointAngularWide& t) {
         const Axes axes(pair.a.turn * load4(t.frame_a), pair.b.turn * load4(t.frame_b));
         pair.push(pair.to_world(block.point));
-        pair.turn(axes.turn(t, pair.to_world(t.drive)));
+        pair.turn(axes.turn(t, pair.to_world(t.friction)));
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
@@ -101,7 +101,7 @@ struct ConeTwist {
         const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
         const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
         const Axes axes(frame_a, frame_b);
-        Wide3 drive = pair.to_world(t.drive), point = pair.to_world(block.point);
+        Wide3 drive = pair.to_world(t.friction), point = pair.to_world(block.point);
         if ((uses & uses_motor) != 0) {
             // Friction against all turning.
             const Wide3 stop = drive - solve3(pair.turn_matrix(), pair.spin());
@@ -110,7 +110,7 @@ struct ConeTwist {
             const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
             pair.turn(stop * share - drive);
             drive = stop * share;
-            pair.keep(t.drive, drive);
+            pair.keep(t.friction, drive);
         }
         if ((uses & uses_limit) != 0) {
             const WideQuat q = conjugate(frame_a) * frame_b;
@@ -143,7 +143,7 @@ struct Fixed {
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide& t) {
         pair.push(pair.to_world(block.point));
-        pair.turn(pair.to_world(t.turn));
+        pair.turn(pair.to_world(t.angular));
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
@@ -153,11 +153,11 @@ struct Fixed {
         // round.
         const WideQuat q = pair.b.turn * load4(t.frame_b) * conjugate(pair.a.turn);
         const Wide sign = select(splat(0) > q.w, splat(-2), splat(2));
-        Wide3 turn = pair.to_world(t.turn), point = pair.to_world(block.point);
-        hold_turns(pair, soft_or_rigid<kRelax>(step, t.spring_soft), Wide3{q.x, q.y, q.z} * sign,
-                   turn);
+        Wide3 turn = pair.to_world(t.angular), point = pair.to_world(block.point);
+        hold_rotation(pair, soft_or_rigid<kRelax>(step, t.spring_soft), Wide3{q.x, q.y, q.z} * sign,
+                      turn);
         hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
-        pair.keep(t.turn, turn);
+        pair.keep(t.angular, turn);
         pair.keep(block.point, point);
         return {point, turn};
     }

@@ -180,7 +180,7 @@ JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impuls
 }
 
 // All three turns: `error` is the rotation vector from where b should be to where it is.
-JOSTLE_INLINE void hold_turns(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
+JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
     const Wide3 want = pair.spin() + error * s.bias_rate;
     const Wide3 d = -(solve3(pair.turn_matrix(), want) * s.mass_scale) - impulse * s.impulse_scale;
     impulse = impulse + d;

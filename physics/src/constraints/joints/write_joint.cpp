@@ -114,8 +114,8 @@ struct Parts {
 }  // namespace
 
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                 JointConstraintWide& block, JointAngularWide* turns, JointConstraintWideMeta& side,
-                 int lane_index) {
+                 JointConstraintWide& block, JointAngularWide* angular,
+                 JointConstraintWideMeta& meta, int lane_index) {
     const Lane lane{lane_index};
     const std::int32_t carrier = carrier_of(a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
@@ -125,28 +125,29 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     lane.put(block.arm_b, b.arm);
     lane.put(block.apart, (b.center - a.center) + (b.arm - a.arm));
     lane.put(block.point, rotate(carried, joint.point));
-    if (turns == nullptr) return;
-    lane.put(turns->turn, rotate(carried, joint.turn));
-    Parts parts{joint, a, b, h, lane, *turns};
+    if (angular == nullptr) return;
+    lane.put(angular->angular, rotate(carried, joint.angular));
+    Parts parts{joint, a, b, h, lane, *angular};
     std::visit(parts, joint.kind);
-    if ((parts.uses & uses_motor) != 0) lane.put(turns->drive, rotate(carried, joint.drive));
-    side.uses |= parts.uses;
+    if ((parts.uses & uses_motor) != 0)
+        lane.put(angular->friction, rotate(carried, joint.friction));
+    meta.uses |= parts.uses;
 }
 
 bool read_joint(Joint& joint, Quat carried, double dt, const JointConstraintWide& block,
-                const JointAngularWide* turns, int lane_index) {
+                const JointAngularWide* angular, int lane_index) {
     const Lane lane{lane_index};
     joint.point = inverse_rotate(carried, lane.get3(block.point));
     joint.force = lane.get3(block.force) * (1 / dt);
-    if (turns != nullptr) {
-        joint.turn = inverse_rotate(carried, lane.get3(turns->turn));
-        joint.drive = inverse_rotate(carried, lane.get3(turns->drive));
-        joint.lower = lane.get(turns->lower);
-        joint.upper = lane.get(turns->upper);
-        joint.swing = lane.get(turns->swing);
-        joint.spring = lane.get(turns->spring);
-        joint.motor = lane.get(turns->motor);
-        joint.torque = lane.get3(turns->torque) * (1 / dt);
+    if (angular != nullptr) {
+        joint.angular = inverse_rotate(carried, lane.get3(angular->angular));
+        joint.friction = inverse_rotate(carried, lane.get3(angular->friction));
+        joint.lower = lane.get(angular->lower);
+        joint.upper = lane.get(angular->upper);
+        joint.swing = lane.get(angular->swing);
+        joint.spring = lane.get(angular->spring);
+        joint.motor = lane.get(angular->motor);
+        joint.torque = lane.get3(angular->torque) * (1 / dt);
     }
     return (joint.break_force > 0 && length(joint.force) > joint.break_force) ||
            (joint.break_torque > 0 && length(joint.torque) > joint.break_torque);

@@ -53,8 +53,7 @@ void CcdCandidates::note_fast() {
     for (const std::uint32_t i : fast_) bodies.push_back(world_.bodies.awake[i].body);
     swept_.set_all(bodies, [&](std::uint32_t body) {
         const BodyCold& cold = world_.bodies.cold[body];
-        const Vec3 from = world_.scratch.before[cold.at].center,
-                   to = world_.bodies.awake[cold.at].center;
+        const Vec3 from = before_[cold.at].center, to = world_.bodies.awake[cold.at].center;
         return grow({min(from, to), max(from, to)}, cold.radius + 0.01);
     });
 }

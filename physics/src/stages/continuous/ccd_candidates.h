@@ -14,9 +14,11 @@ namespace jostle::physics {
 
 class CcdCandidates {
 public:
-    // `fast`: awake indices of the fast bodies; it lives as long.
-    CcdCandidates(const WorldState& world, const std::vector<std::uint32_t>& fast)
-        : world_(world), fast_(fast) {}
+    // `before`: of the step, by awake index. `fast`: awake indices of the fast bodies. Both live as
+    // long.
+    CcdCandidates(const WorldState& world, const std::vector<BodyWarm>& before,
+                  const std::vector<std::uint32_t>& fast)
+        : world_(world), before_(before), fast_(fast) {}
 
     // All shapes that may be in the box of a body's way, in order and once each: of two that are
     // met at the same moment the first counts.
@@ -37,6 +39,7 @@ private:
     void note_fast();  // once, when first needed
 
     const WorldState& world_;
+    const std::vector<BodyWarm>& before_;
     const std::vector<std::uint32_t>& fast_;
     SweptAabbTree swept_;
     std::vector<std::uint32_t> found_;  // scratch

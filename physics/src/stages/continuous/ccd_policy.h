@@ -6,24 +6,24 @@
 
 #include "constraints/combine.h"
 #include "jostle/physics/tuning.h"
-#include "state/world_state.h"
+#include "stages/step_context.h"
+#include "stages/step_scratch.h"
 
 namespace jostle::physics {
 
-// Whether a body was held by a manifold when the step began.
-inline bool had_contacts(const WorldState& world, const BodyCold& cold) {
-    const auto& held = world.scratch.held;
+// Whether a body had contacts in the constraint graph when the step began.
+inline bool had_contacts(const StepContext& step, const BodyCold& cold) {
+    const auto& held = step.scratch.contacts.had_contacts;
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
 // How far a body may move against another in a step without a sweep, m. In a crowd, where one of
 // the two already leans on others, their sizes count together: impacts there come in chains, which
 // the contact solver resolves all at once and sweeps only one after the other.
-inline double motion_without_sweep(const WorldState& world, const BodyCold& mover,
+inline double motion_without_sweep(const StepContext& step, const BodyCold& mover,
                                    const BodyCold& other) {
     double size = mover.inner_radius;
-    if (other.type == BodyType::dynamic &&
-        (had_contacts(world, mover) || had_contacts(world, other)))
+    if (other.type == BodyType::dynamic && (had_contacts(step, mover) || had_contacts(step, other)))
         size += other.inner_radius;
     return tuning::sweep_fraction * size;
 }
@@ -32,13 +32,14 @@ inline double motion_without_sweep(const WorldState& world, const BodyCold& move
 // holds their bodies: from a sweep they would go on without it. What hangs on joints would leave
 // them, and what leans on others would hit them in turn. Of bodies without joints only what does
 // not bounce: what does has the rest of the step to go back, which the solver does not give it.
-inline bool uses_speculative_contact(const WorldState& world, std::uint32_t shape_a,
+inline bool uses_speculative_contact(const StepContext& step, std::uint32_t shape_a,
                                      std::uint32_t shape_b) {
+    const WorldState& world = step.world;
     const ShapeRecord &sa = world.shapes.shapes[shape_a], &sb = world.shapes.shapes[shape_b];
     const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
     if (a.first_joint != none || b.first_joint != none) return true;
     const auto leans = [&](const BodyCold& cold) {
-        return cold.type == BodyType::dynamic && had_contacts(world, cold);
+        return cold.type == BodyType::dynamic && had_contacts(step, cold);
     };
     return (leans(a) || leans(b)) && pair_restitution(sa.material, sb.material) == 0;
 }

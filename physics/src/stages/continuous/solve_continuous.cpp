@@ -16,23 +16,23 @@
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
 #include "stages/continuous/toi_dependents.h"
+#include "stages/step_scratch.h"
 #include "state/joint_graph.h"
-#include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
-#include "state/wake.h"
 
 namespace jostle::physics {
 namespace {
 
 class ToiSolver {
 public:
-    explicit ToiSolver(StepContext& step) : step_(step), world_(step.world) {}
+    explicit ToiSolver(StepContext& step)
+        : step_(step), world_(step.world), finalize_(step.scratch.finalize) {}
 
     void run() {
         std::vector<std::uint32_t> known;
-        for (std::uint32_t i = 0; i < world_.scratch.fast.size(); i++) {
+        for (std::uint32_t i = 0; i < finalize_.fast.size(); i++) {
             if (is_fast(i)) fast_.push_back(i);
-            if (is_fast(i) || world_.scratch.thrown[i] != 0) known.push_back(i);
+            if (is_fast(i) || finalize_.thrown[i] != 0) known.push_back(i);
         }
         motions_.note(step_, known, [&](std::uint32_t awake) { return known_sweep(awake); });
         start_toi_bodies();
@@ -48,13 +48,13 @@ public:
             else
                 begin_leg(first);
         }
+        // They are placed when whom they met is awake: place_toi_bodies().
         for (ToiBody& t : bodies_)
-            if (t.changed) finish_toi(world_, t, step_.dt);
+            if (t.changed) step_.scratch.continuous.changed.push_back(std::move(t));
     }
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffff;
-    static constexpr std::size_t crowd = 16;  // shapes near a body
 
     // Index of the TOI body that a body is, or nobody.
     std::uint32_t toi_body_of(std::uint32_t body) const {
@@ -120,17 +120,17 @@ private:
     }
 
     bool is_fast(std::uint32_t awake) const {
-        return world_.scratch.fast[awake] != 0 && world_.scratch.not_finite[awake] == 0;
+        return finalize_.fast[awake] != 0 && finalize_.not_finite[awake] == 0;
     }
     Sweep known_sweep(std::uint32_t awake) const {
-        return even_sweep(world_.scratch.before[awake], world_.bodies.awake[awake], step_.dt);
+        return even_sweep(finalize_.before[awake], world_.bodies.awake[awake], step_.dt);
     }
 
     // Most fast bodies fly through nothing, or along with others that fall beside them: those need
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
     void start_toi_bodies() {
-        std::vector<std::vector<std::uint32_t>>& ahead = world_.scratch.ahead;
+        std::vector<std::vector<std::uint32_t>>& ahead = step_.scratch.continuous.ahead;
         if (ahead.size() < fast_.size()) ahead.resize(fast_.size());
         step_.team.run(static_cast<int>(fast_.size()), 32, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
@@ -138,7 +138,7 @@ private:
         });
         std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
-            if (!ahead[k].empty() || world_.scratch.strayed[fast_[k]] != 0) starting.push_back(k);
+            if (!ahead[k].empty() || finalize_.strayed[fast_[k]] != 0) starting.push_back(k);
         if (starting.empty()) return;
         bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
@@ -157,7 +157,7 @@ private:
             if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
     }
     bool has_strayed(const ToiBody& t) const {
-        return world_.scratch.strayed[world_.bodies.cold[t.body].at] != 0;
+        return finalize_.strayed[world_.bodies.cold[t.body].at] != 0;
     }
     // The shapes among a fast body's contacts that it may meet.
     void find_contacts_on_way(std::uint32_t awake, std::vector<std::uint32_t>& found) const {
@@ -178,7 +178,7 @@ private:
     }
 
     // How a body goes on from its last impact or, without one, in the whole step.
-    SweptMotion course_now(std::uint32_t body) const {
+    SweptMotion motion_now(std::uint32_t body) const {
         const std::uint32_t known = toi_body_of(body);
         if (known == nobody) return motions_.of(world_, body);
         const Sweep& sweep = bodies_[known].sweep;
@@ -186,7 +186,7 @@ private:
     }
 
     void start(ToiBody& t, const std::vector<std::uint32_t>& met) {
-        begin_toi(world_, t, world_.bodies.cold[t.body].at, step_.dt);
+        begin_toi(world_, t, finalize_.before[world_.bodies.cold[t.body].at], step_.dt);
         t.swept = swept_aabb_of(t);
         if (has_strayed(t)) return;
         t.candidates = met;
@@ -195,7 +195,7 @@ private:
     // What it surely does not meet while neither goes another way; who does is put back in. Of few
     // it costs as much to ask as it saves.
     void drop_passed_candidates(ToiBody& t) const {
-        if (has_strayed(t) || t.candidates.size() < crowd) return;
+        if (has_strayed(t) || t.candidates.size() < tuning::crowded_candidates) return;
         std::erase_if(t.candidates, [&](std::uint32_t other) {
             const SweptShape met = swept(other, sweep_of(world_.shapes.shapes[other].body));
             for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
@@ -322,12 +322,12 @@ private:
         const std::uint32_t known = toi_body_of(other);
         const bool changed = t.changed || (known != nobody && bodies_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
-        double least = motion_without_sweep(world_, cold, cold_other);
+        double least = motion_without_sweep(step_, cold, cold_other);
         // Of two that search one looks, for both.
         if (known != nobody && searches(known))
-            least = minimum(least, motion_without_sweep(world_, cold_other, cold));
+            least = minimum(least, motion_without_sweep(step_, cold_other, cold));
         least *= changed ? 0.4 : 0.8;
-        const SweptMotion motion = course_now(other);
+        const SweptMotion motion = motion_now(other);
         const double way = length(t.sweep.motion - motion.motion) +
                            length(t.sweep.turn) * cold.radius + motion.turning;
         return way * (1 - t.sweep.from) > least;
@@ -388,7 +388,7 @@ private:
     // foresaw.
     bool is_held(std::uint32_t own, std::uint32_t other) const {
         const BodyCold& cold = world_.bodies.cold[world_.shapes.shapes[own].body];
-        if (cold.constraints == 0 || !uses_speculative_contact(world_, own, other)) return false;
+        if (cold.constraints == 0 || !uses_speculative_contact(step_, own, other)) return false;
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             const bool is_a = edge % 2 == 0;
@@ -443,13 +443,7 @@ private:
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);
         const std::vector<ImpactPoint> points = std::move(bodies_[index].points);
-        if (world_.bodies.cold[body_b].asleep_in_place) {
-            const BodyCold& cold_a = world_.bodies.cold[body_a];
-            const double momentum = cold_a.mass * length(warm_of(world_, body_a).v);
-            wake_around(world_, body_b, mass_stirred_by(momentum), world_.events.woke);
-        }
-        ensure_awake(world_, body_b, world_.events.woke);
-        world_.scratch.not_finite.resize(world_.bodies.awake.size(), 0);
+        file_wake(body_a, body_b);
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         const Material &ma = world_.shapes.shapes[own].material,
                        &mb = world_.shapes.shapes[other].material;
@@ -465,6 +459,14 @@ private:
         recheck(index);
         if (continue_after(body_a, a, sweep_a, at)) update_dependents(where_[body_a]);
         if (continue_after(body_b, b, sweep_b, at)) update_dependents(where_[body_b]);
+    }
+
+    // Who is met asleep wakes when all impacts are known, with as much around it as this one stirs.
+    void file_wake(std::uint32_t body, std::uint32_t met) {
+        const BodyCold& cold = world_.bodies.cold[met];
+        if (cold.set != BodySet::sleeping && !cold.asleep_in_place) return;
+        const double momentum = world_.bodies.cold[body].mass * length(warm_of(world_, body).v);
+        world_.wake_requests.push_back({met, mass_stirred_by(momentum)});
     }
 
     // Who would have met a body that goes another way now looks anew, at everything. That body
@@ -534,9 +536,10 @@ private:
 
     StepContext& step_;
     WorldState& world_;
+    const FinalizeScratch& finalize_;  // how this step moved the awake bodies
     std::vector<std::uint32_t> fast_;  // awake indices, rising
     SweptMotions motions_;             // in the whole step
-    CcdCandidates candidates_{world_, fast_};
+    CcdCandidates candidates_{world_, finalize_.before, fast_};
     ToiDependents dependents_;      // of TOI bodies, by whom they meet next
     std::vector<std::size_t> met_;  // scratch
     std::vector<ToiBody> bodies_;
@@ -550,10 +553,18 @@ private:
 }  // namespace
 
 Skipped solve_continuous(StepContext& step) {
+    step.scratch.continuous.changed.clear();
     if (step.world.bodies.awake.empty()) return nobody_awake;
     if (!step.world.def.continuous) return "continuous collision is off";
-    if (step.world.scratch.any_fast == 0) return "no body moved further than half its thickness";
+    if (step.scratch.finalize.any_fast == 0) return "no body moved further than half its thickness";
     ToiSolver(step).run();
+    return ran;
+}
+
+Skipped place_toi_bodies(StepContext& step) {
+    const std::vector<ToiBody>& changed = step.scratch.continuous.changed;
+    if (changed.empty()) return "no impact between steps";
+    for (const ToiBody& t : changed) finish_toi(step.world, t, step.dt);
     return ran;
 }
 

@@ -10,6 +10,11 @@
 
 namespace jostle::physics {
 
+// Reads: FinalizeScratch. Files wake requests for what is met asleep, and hit events. Leaves in
+// scratch: ContinuousScratch::changed, the bodies that impacts sent another way.
 Skipped solve_continuous(StepContext& step);
+
+// Puts those where their ways end. After wake_bodies: whom they met is awake by then.
+Skipped place_toi_bodies(StepContext& step);
 
 }  // namespace jostle::physics

@@ -10,6 +10,7 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "jostle/physics/tuning.h"
 #include "stages/step_context.h"
+#include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -28,7 +29,7 @@ public:
         const BodyStore& bodies = step.world.bodies;
         motions_.resize(known.size());
         sweeps_.resize(known.size());
-        place_.assign(step.world.scratch.fast.size(), not_known);
+        place_.assign(step.scratch.finalize.fast.size(), not_known);
         for (std::size_t k = 0; k < known.size(); k++)
             place_[known[k]] = static_cast<std::uint32_t>(k);
         step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {

@@ -79,8 +79,8 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
     return s;
 }
 
-void begin_toi(const WorldState& world, ToiBody& t, std::uint32_t awake, double dt) {
-    const BodyWarm &now = world.bodies.awake[awake], &before = world.scratch.before[awake];
+void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt) {
+    const BodyWarm& now = warm_of(world, t.body);
     const BodyCold& cold = world.bodies.cold[now.body];
     t.sweep = even_sweep(before, now, dt);
     t.end_rotation = now.rotation;

@@ -48,8 +48,8 @@ struct Speed {
 // At a fraction of the step, from the sweep's beginning on.
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt);
 
-// A fast body, by its index among the awake, from the beginning of the step: as the step took it.
-void begin_toi(const WorldState& world, ToiBody& t, std::uint32_t awake, double dt);
+// A fast body from the beginning of the step, where it was `before`: as the step took it.
+void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt);
 // From the end of a leg on.
 void next_leg(const WorldState& world, ToiBody& t, double dt);
 

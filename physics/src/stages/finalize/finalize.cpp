@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/finalize.h"
+#include "jostle/physics/tuning.h"
 
 #include "stages/finalize/finalize_body.h"
+#include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -22,15 +24,15 @@ FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm, bool gyroscopic) 
 Skipped finalize(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
-    StepScratch& scratch = world.scratch;
+    const SolverScratch& solver = step.scratch.solver;
+    FinalizeScratch& scratch = step.scratch.finalize;
     // Kinematic bodies were finalized with the free ones: contacts do not move them.
-    const std::vector<std::uint32_t>& solved = scratch.in_solver.all;
-    step.team.run(static_cast<int>(solved.size()), 256, [&](int begin, int end) {
+    const std::vector<std::uint32_t>& solved = solver.bodies.all;
+    step.team.run(static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
-            const bool gyroscopic = scratch.gyroscopic[i + 1] != 0;
-            finalize_body(step, i,
-                          motion_of(scratch.hot[i + 1], world.bodies.awake[i], gyroscopic));
+            const bool gyroscopic = solver.is_gyroscopic[i + 1] != 0;
+            finalize_body(step, i, motion_of(solver.hot[i + 1], world.bodies.awake[i], gyroscopic));
         }
     });
     // In order of the awake set.
@@ -51,7 +53,7 @@ Skipped finalize(StepContext& step) {
         shapes.moving->flush();
     };
     // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
-    if (moves.size() >= 256)
+    if (moves.size() >= tuning::moves_beside)
         step.team.start(tell_trees);
     else if (!moves.empty())
         tell_trees();

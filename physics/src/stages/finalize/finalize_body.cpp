@@ -2,6 +2,7 @@
 #include "stages/finalize/finalize_body.h"
 
 #include "jostle/physics/tuning.h"
+#include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -70,19 +71,19 @@ bool was_thrown(const FreeMotion& motion, Quat turn, const BodyCold& cold, doubl
 
 }  // namespace
 
-void begin_finalize(WorldState& world) {
-    world.scratch.left_fat_aabb.assign(world.bodies.awake.size(), 0);
-    world.scratch.not_finite.assign(world.bodies.awake.size(), 0);
-    world.scratch.fast.assign(world.bodies.awake.size(), 0);
-    world.scratch.thrown.assign(world.bodies.awake.size(), 0);
-    world.scratch.strayed.assign(world.bodies.awake.size(), 0);
-    world.scratch.any_fast = 0;
-    if (world.scratch.before.size() < world.bodies.awake.size())
-        world.scratch.before.resize(world.bodies.awake.size());
+void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch) {
+    scratch.left_fat_aabb.assign(bodies.awake.size(), 0);
+    scratch.not_finite.assign(bodies.awake.size(), 0);
+    scratch.fast.assign(bodies.awake.size(), 0);
+    scratch.thrown.assign(bodies.awake.size(), 0);
+    scratch.strayed.assign(bodies.awake.size(), 0);
+    scratch.any_fast = 0;
+    if (scratch.before.size() < bodies.awake.size()) scratch.before.resize(bodies.awake.size());
 }
 
 void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
     WorldState& world = step.world;
+    FinalizeScratch& scratch = step.scratch.finalize;
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
     warm.force = warm.torque = {};
@@ -90,7 +91,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     if (!is_sound(motion, center)) {
         warm.v = warm.w = {};
         warm.sleep_time = 0;
-        world.scratch.not_finite[awake_index] = 1;
+        scratch.not_finite[awake_index] = 1;
         return;
     }
     if (cold.type == BodyType::kinematic && motion.v == Vec3{} && motion.w == Vec3{}) return;
@@ -102,27 +103,27 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const double turned = maximum(angle, length(motion.w) * step.dt) * cold.radius;
     const double way = length(motion.displacement) + turned;
     if (way > tuning::sweep_fraction * cold.inner_radius && cold.continuous) {
-        world.scratch.before[awake_index] = warm;
-        world.scratch.fast[awake_index] = 1;
-        world.scratch.any_fast = 1;
+        scratch.before[awake_index] = warm;
+        scratch.fast[awake_index] = 1;
+        scratch.any_fast = 1;
     } else if (was_thrown(motion, turn, cold, step.dt)) {
-        world.scratch.before[awake_index] = warm;
-        world.scratch.thrown[awake_index] = 1;
+        scratch.before[awake_index] = warm;
+        scratch.thrown[awake_index] = 1;
     }
     warm.center = center;
     warm.rotation = motion.rotation;
     warm.axes = to_matrix(warm.rotation);
     warm.v = motion.v;
     warm.w = motion.w;
-    if (world.scratch.fast[awake_index] != 0)
-        world.scratch.strayed[awake_index] = strayed(world, warm, cold) ? 1 : 0;
+    if (scratch.fast[awake_index] != 0)
+        scratch.strayed[awake_index] = strayed(world, warm, cold) ? 1 : 0;
     world.bodies.motion[warm.body].travel += way;
     world.bodies.motion[warm.body].turned += turned;
     update_motion_bound(world, warm.body, step.dt);
     if (world.def.sleeping && cold.type == BodyType::dynamic)
         note_rest(warm, cold, motion, turn, step.dt);
     if (!left_fat_aabb(world, warm, cold, step.dt)) return;
-    world.scratch.left_fat_aabb[awake_index] = 1;
+    scratch.left_fat_aabb[awake_index] = 1;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         enlarge_aabb(world, s, warm, step.dt);
 }

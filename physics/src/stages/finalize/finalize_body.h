@@ -6,12 +6,13 @@
 #pragma once
 
 #include "constraints/free_motion.h"
+#include "stages/finalize/finalize_scratch.h"
 #include "stages/step_context.h"
 
 namespace jostle::physics {
 
 // Makes room for one flag per awake body; serially, before the first finalize_body of a step.
-void begin_finalize(WorldState& world);
+void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch);
 
 // A state that is not finite is not taken over: the body stays where it was, at rest, and is
 // flagged for quarantine.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/quarantine.h"
 
+#include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/shape_proxy.h"
 
@@ -25,8 +26,10 @@ void clear_impulses(WorldState& world, const Contact& c) {
 Skipped quarantine(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
-    for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
-        if (world.scratch.not_finite[i] == 0) continue;
+    // What woke since then was at rest.
+    const std::vector<std::uint8_t>& not_finite = step.scratch.finalize.not_finite;
+    for (std::uint32_t i = 0; i < not_finite.size(); i++) {
+        if (not_finite[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {

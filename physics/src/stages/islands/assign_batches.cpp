@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jostle/physics/tuning.h"
+#include "stages/step_scratch.h"
 #include "state/island_tiers.h"
 
 namespace jostle::physics {
@@ -20,8 +21,8 @@ struct Work {
 
 // What an island takes: its bodies and their manifolds, those of two bodies twice, and about its
 // joints.
-std::array<Work, tier_count> weigh_islands(WorldState& world) {
-    std::vector<std::uint32_t>& weights = world.scratch.island_weights;
+std::array<Work, tier_count> weigh_islands(const WorldState& world,
+                                           std::vector<std::uint32_t>& weights) {
     weights.assign(world.islands.ids.size(), 0);
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
@@ -58,9 +59,9 @@ bool is_unequal(const Work& work) {
     if (batches < 2 || 2 * work.largest > work.all) return false;
     const auto first = work.loads.begin();
     const auto most = std::max_element(first, work.loads.end());
-    const std::uint32_t room = *most - *std::min_element(first, first + batches);
+    const std::uint32_t gap = *most - *std::min_element(first, first + batches);
     return *most * batches > tuning::batch_unequal * work.all &&
-           work.lightest[static_cast<std::size_t>(most - first)] < tuning::batch_unequal * room / 2;
+           work.lightest[static_cast<std::size_t>(most - first)] < tuning::batch_unequal * gap / 2;
 }
 
 // Islands with all that manifolds tie to them.
@@ -70,10 +71,10 @@ struct Group {
     bool stays = false;
 };
 
-std::vector<Group> find_groups(const WorldState& world, SolverTier tier) {
+std::vector<Group> find_groups(const WorldState& world, const std::vector<std::uint32_t>& weights,
+                               SolverTier tier) {
     std::vector<Group> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);
-    const std::vector<std::uint32_t>& weights = world.scratch.island_weights;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier)
             continue;
@@ -83,10 +84,11 @@ std::vector<Group> find_groups(const WorldState& world, SolverTier tier) {
     return groups;
 }
 
-// The heaviest stay where they are while there is room; the others fill up batch after batch:
+// The heaviest stay where they are while there is space; the others fill up batch after batch:
 // neighbours in the lists of bodies stay together.
-void assign(WorldState& world, SolverTier tier, const Work& work) {
-    std::vector<Group> groups = find_groups(world, tier);
+void assign(WorldState& world, const std::vector<std::uint32_t>& weights, SolverTier tier,
+            const Work& work) {
+    std::vector<Group> groups = find_groups(world, weights, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
     std::vector<std::size_t> heaviest(groups.size());
     for (std::size_t k = 0; k < groups.size(); k++) heaviest[k] = k;
@@ -111,10 +113,12 @@ void assign(WorldState& world, SolverTier tier, const Work& work) {
 
 }  // namespace
 
-void assign_batches(WorldState& world) {
-    const std::array<Work, tier_count> works = weigh_islands(world);
+void assign_batches(StepContext& step) {
+    WorldState& world = step.world;
+    std::vector<std::uint32_t>& weights = step.scratch.islands.weights;
+    const std::array<Work, tier_count> works = weigh_islands(world, weights);
     for (const SolverTier tier : all_tiers)
-        if (is_unequal(works[index_of(tier)])) assign(world, tier, works[index_of(tier)]);
+        if (is_unequal(works[index_of(tier)])) assign(world, weights, tier, works[index_of(tier)]);
 }
 
 }  // namespace jostle::physics

@@ -5,10 +5,10 @@
 // the world alone, so that every number of threads steps it alike.
 #pragma once
 
-#include "state/world_state.h"
+#include "stages/step_context.h"
 
 namespace jostle::physics {
 
-void assign_batches(WorldState& world);
+void assign_batches(StepContext& step);
 
 }  // namespace jostle::physics

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "constraint_graph/wide_rows.h"
+#include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
 
@@ -40,7 +41,7 @@ void change_touch(WorldState& world, std::uint32_t contact) {
         if (c.parent == none)
             report_begin(world, c);
         else
-            world.scratch.pairs_changed.push_back(c.parent);
+            world.changed_pairs.push_back(c.parent);
         begin_touch(world, contact);
     } else {
         if (c.parent == none) report_end(world, c, world.events.contacts_ended);
@@ -50,7 +51,7 @@ void change_touch(WorldState& world, std::uint32_t contact) {
 
 // A pair of many parts begins with the first of them and ends with the last.
 void report_composites(WorldState& world) {
-    auto& changed = world.scratch.pairs_changed;
+    auto& changed = world.changed_pairs;
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for (const std::uint32_t pair : changed) {
@@ -73,7 +74,7 @@ void report_composites(WorldState& world) {
 Skipped link_islands(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
-    auto& changes = world.scratch.touch_changes;
+    std::vector<std::uint32_t>& changes = step.scratch.islands.touch_changes;
     changes.clear();
     int manifolds = 0, touching = 0;
     for_each_colour(world.graph.sets, [&](GraphColour& colour) {

@@ -6,7 +6,7 @@
 #include "jostle/physics/tuning.h"
 #include "stages/islands/assign_batches.h"
 #include "stages/islands/sort_constraints.h"
-#include "stages/sleep/update_partial_sleep.h"
+#include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/island_tiers.h"
 
@@ -16,8 +16,7 @@ namespace {
 // ---- tier ----
 
 // What stands of each island: not what flies past or falls.
-void measure_extents(WorldState& world, Vec3 up) {
-    auto& extents = world.scratch.extents;
+void measure_extents(const WorldState& world, std::vector<IslandExtent>& extents, Vec3 up) {
     extents.assign(world.islands.ids.size(), {});
     const Vec3 east = normalized(cross(up, absolute(up.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 north = cross(east, up);
@@ -84,10 +83,11 @@ bool has_overload(WorldState& world, const Island& island, Vec3 up) {
     return false;
 }
 
-SolverTier need_of(WorldState& world, std::uint32_t index, Vec3 up) {
+SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, std::uint32_t index,
+                   Vec3 up) {
     const Island& island = world.islands.islands[index];
     if (island.uneven && has_overload(world, island, up)) return SolverTier::heavy;
-    const IslandExtent& extent = world.scratch.extents[index];
+    const IslandExtent& extent = extents[index];
     if (!is_slender(extent)) {
         const auto bodies = static_cast<int>(island.bodies);
         if (layers_of(extent) <= tuning::flat_layers)
@@ -101,31 +101,33 @@ SolverTier need_of(WorldState& world, std::uint32_t index, Vec3 up) {
 
 // What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
 // else what most of its bodies do.
-SolverTier common_need(WorldState& world, const std::vector<std::uint32_t>& tied, Vec3 up) {
+SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
+                       const std::vector<std::uint32_t>& tied, Vec3 up) {
     SolverTier most = SolverTier::flat, most_low = SolverTier::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : tied) {
-        const SolverTier need = need_of(world, i, up);
+        const SolverTier need = need_of(world, extents, i, up);
         most = std::max(most, need);
         if (need <= SolverTier::heap) most_low = std::max(most_low, need);
         (need <= SolverTier::heap ? low : slender) += world.islands.islands[i].bodies;
-        world.scratch.extents[i].tier_chosen = true;
+        extents[i].tier_chosen = true;
     }
     if (most > SolverTier::slender) return most;
     return slender > low ? SolverTier::slender : most_low;
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.
-void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
+void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uint32_t index,
+                 Vec3 up) {
     Island& island = world.islands.islands[index];
-    const SolverTier need = need_of(world, index, up);
+    const SolverTier need = need_of(world, extents, index, up);
     island.calm = need < island.colour_set.tier
                       ? std::min<std::uint8_t>(island.calm + 1, tuning::tier_patience)
                       : 0;
-    if (need == island.colour_set.tier || world.scratch.extents[index].tier_chosen) return;
+    if (need == island.colour_set.tier || extents[index].tier_chosen) return;
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
     const std::vector<std::uint32_t> tied = tied_islands(world, index);
-    const SolverTier common = common_need(world, tied, up);
+    const SolverTier common = common_need(world, extents, tied, up);
     // By bodies: what falls upon a heap has not been looked at for long, time and again.
     std::uint32_t calm = 0, all = 0;
     for (const std::uint32_t i : tied) {
@@ -137,12 +139,12 @@ void choose_tier(WorldState& world, std::uint32_t index, Vec3 up) {
         move_to_set(world, tied, {common, island.colour_set.batch});
 }
 
-void choose_tiers(WorldState& world) {
+void choose_tiers(WorldState& world, std::vector<IslandExtent>& extents) {
     const Vec3 up = -normalized(world.def.gravity);
-    measure_extents(world, up);
+    measure_extents(world, extents, up);
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
-            choose_tier(world, i, up);
+            choose_tier(world, extents, i, up);
 }
 
 // ---- loads that went ----
@@ -161,15 +163,12 @@ void scale_lost_loads(WorldState& world) {
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return nobody_awake;
-    const bool any_asleep_in_place = world.bodies.asleep_in_place > 0;
-    wake_disturbed_parts(step);
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::tier_interval == 1;
-    if (!look && !world.islands.some_lost)
-        return any_asleep_in_place ? ran : "islands are looked at in every eighth step";
+    if (!look && !world.islands.some_lost) return "islands are looked at in every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
-    if (look && world.def.gravity != Vec3{}) choose_tiers(world);
-    if (world.steps % tuning::batch_interval == 1) assign_batches(world);
+    if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands.extents);
+    if (world.steps % tuning::batch_interval == 1) assign_batches(step);
     if (world.steps % tuning::sort_interval == 1) sort_constraints(step);
     return ran;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "jostle/physics/tuning.h"
+#include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_load.h"
 #include "state/joint_graph.h"
@@ -14,7 +15,7 @@ namespace {
 
 // Calls visit(contact, hot index of a, of b) for every solved manifold of two dynamic bodies.
 template <class Visit>
-void for_each_bond(WorldState& world, Visit&& visit) {
+void for_each_bond(const WorldState& world, Visit&& visit) {
     for_each_colour(world.graph.solved(), [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::dynamic) return;
         for (std::size_t k = 0; k < colour.metas.size(); k++)
@@ -26,10 +27,8 @@ void for_each_bond(WorldState& world, Visit&& visit) {
     });
 }
 
-// ---- who thaws ----
-
-bool is_load_changed(WorldState& world, const Contact& c, std::uint32_t frozen) {
-    const BodyCold& cold = world.bodies.cold[frozen];
+bool is_load_changed(const WorldState& world, const Contact& c, std::uint32_t sleeper) {
+    const BodyCold& cold = world.bodies.cold[sleeper];
     const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
     const Vec3 before = saved_load(c);
     const double most =
@@ -42,23 +41,15 @@ double momentum_of(const WorldState& world, const BodyWarm& warm, double dt) {
     return cold.mass * (length(warm.v) + length(warm.w) * cold.radius) + length(warm.force) * dt;
 }
 
-// In order of bodies: lanes must not depend on the order in which they were found.
-void wake_hit(WorldState& world, std::vector<Disturbance>& hits) {
-    std::sort(hits.begin(), hits.end());
-    for (const Disturbance& hit : hits)
-        if (world.bodies.ids.alive(hit.body) && world.bodies.cold[hit.body].asleep_in_place)
-            wake_around(world, hit.body, hit.mass, world.events.woke);
-}
-
-// ---- who freezes ----
+// ---- who falls asleep ----
 
 bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
     if (cold.asleep_in_place) return false;
     return cold.type != BodyType::dynamic || warm.sleep_time < tuning::partial_sleep_time;
 }
 
-// What is jointed together freezes as one, or not: if one of them has a mark, all get it. And what
-// a kinematic body leads goes with it.
+// What is jointed together falls asleep as one, or not: if one of them has a mark, all get it. And
+// what a kinematic body leads goes with it.
 void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
     if (world.joints.ids.alive_count() == 0) return;
     const auto mark = [&](std::uint32_t body) -> std::uint8_t& {
@@ -72,8 +63,7 @@ void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
 }
 
 // By hot index: who does not rest, and who touches such a one.
-void find_restless(WorldState& world) {
-    StepScratch& scratch = world.scratch;
+void find_restless(const WorldState& world, SleepScratch& scratch) {
     scratch.restless.assign(world.bodies.awake.size() + 1, 0);
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyWarm& warm = world.bodies.awake[i];
@@ -88,18 +78,14 @@ void find_restless(WorldState& world) {
 
 }  // namespace
 
-void wake_disturbed_parts(StepContext& step) {
+void file_disturbances(StepContext& step) {
     WorldState& world = step.world;
-    StepScratch& scratch = world.scratch;
-    auto& hits = scratch.hits;
-    auto& shifted = scratch.loads_changed;
     if (world.bodies.asleep_in_place == 0) return;
-    hits.clear();
-    shifted.clear();
-    // What a kinematic body carries has no rest time: update_sleep.cpp.
+    WakeRequests& requests = world.wake_requests;
+    // What a kinematic body carries has no time at rest: update_sleep.cpp.
     for (const BodyWarm& warm : world.bodies.awake)
         if (world.bodies.cold[warm.body].asleep_in_place && warm.sleep_time == 0)
-            hits.push_back({warm.body, 0});
+            requests.push_back({warm.body});
     for_each_bond(world, [&](std::uint32_t contact, std::size_t a, std::size_t b) {
         const Contact& c = world.contacts.contacts[contact];
         const BodyCold &cold_a = world.bodies.cold[c.body_a], &cold_b = world.bodies.cold[c.body_b];
@@ -107,29 +93,21 @@ void wake_disturbed_parts(StepContext& step) {
         const std::uint32_t body = cold_a.asleep_in_place ? c.body_a : c.body_b;
         const BodyWarm& mover = world.bodies.awake[(cold_a.asleep_in_place ? b : a) - 1];
         if (c.touching && mover.sleep_time == 0)
-            hits.push_back({body, mass_stirred_by(momentum_of(world, mover, step.dt))});
+            requests.push_back({body, mass_stirred_by(momentum_of(world, mover, step.dt))});
         else if (is_load_changed(world, c, body))
-            shifted.push_back(body);
+            requests.push_back({.body = body, .briefly = true});
     });
-    wake_hit(world, hits);
-    std::sort(shifted.begin(), shifted.end());
-    for (const std::uint32_t body : shifted) wake_briefly(world, body, world.events.woke);
-}
-
-void wake_unsupported_parts(StepContext& step) {
-    wake_hit(step.world, step.world.scratch.support_lost);
-    step.world.scratch.support_lost.clear();
 }
 
 void put_parts_to_sleep(StepContext& step) {
     WorldState& world = step.world;
     if (world.steps % tuning::partial_sleep_interval != 0) return;
-    StepScratch& scratch = world.scratch;
-    const bool any = std::any_of(
-        scratch.island_longest_sleep_time.begin(), scratch.island_longest_sleep_time.end(),
-        [](double sleep_time) { return sleep_time >= tuning::partial_sleep_time; });
+    SleepScratch& scratch = step.scratch.sleep;
+    const bool any =
+        std::any_of(scratch.longest.begin(), scratch.longest.end(),
+                    [](double sleep_time) { return sleep_time >= tuning::partial_sleep_time; });
     if (!any) return;
-    find_restless(world);
+    find_restless(world, scratch);
     // By island: how many rest among what rests.
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
@@ -141,7 +119,7 @@ void put_parts_to_sleep(StepContext& step) {
         if (rests(i, cold)) count[cold.island]++;
     }
     share_among_jointed(world, scratch.beside);
-    // Freezing what lies in a turmoil would hold up loads that are about to shift.
+    // What sleeps in a turmoil would hold up loads that are about to shift.
     const auto calm = [&](std::uint32_t island) {
         return count[island] >= tuning::partial_sleep_least &&
                count[island] >= tuning::partial_sleep_share * world.islands.islands[island].bodies;

@@ -3,6 +3,7 @@
 
 #include "jostle/physics/tuning.h"
 #include "stages/sleep/update_partial_sleep.h"
+#include "stages/step_scratch.h"
 #include "state/island_sleep.h"
 #include "state/islands.h"
 #include "state/partial_sleep.h"
@@ -11,8 +12,8 @@ namespace jostle::physics {
 namespace {
 
 // ... and what is tied to one.
-void keep_towed_awake(WorldState& world) {
-    for (const std::uint32_t hot : world.scratch.jointed_in_solver.all) {
+void keep_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
+    for (const std::uint32_t hot : jointed) {
         BodyWarm& warm = world.bodies.awake[hot - 1];
         for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
             const Joint& j = world.joints.joints[joint];
@@ -40,17 +41,14 @@ void keep_carried_awake(WorldState& world) {
 }
 
 // The rest time of each awake island's most restless and most restful body.
-void measure_rest(WorldState& world) {
-    StepScratch& scratch = world.scratch;
-    scratch.island_sleep_time.assign(world.islands.ids.size(), 1e300);
-    scratch.island_longest_sleep_time.assign(world.islands.ids.size(), 0);
+void measure_rest(const WorldState& world, SleepScratch& scratch) {
+    scratch.shortest.assign(world.islands.ids.size(), 1e300);
+    scratch.longest.assign(world.islands.ids.size(), 0);
     for (const BodyWarm& warm : world.bodies.awake) {
         const std::uint32_t island = world.bodies.cold[warm.body].island;
         if (island == none) continue;  // kinematic
-        scratch.island_sleep_time[island] =
-            minimum(scratch.island_sleep_time[island], warm.sleep_time);
-        scratch.island_longest_sleep_time[island] =
-            maximum(scratch.island_longest_sleep_time[island], warm.sleep_time);
+        scratch.shortest[island] = minimum(scratch.shortest[island], warm.sleep_time);
+        scratch.longest[island] = maximum(scratch.longest[island], warm.sleep_time);
     }
 }
 
@@ -71,11 +69,10 @@ Skipped update_sleep(StepContext& step) {
     WorldState& world = step.world;
     if (!world.def.sleeping) return "sleeping is off";
     if (world.bodies.awake.empty()) return nobody_awake;
-    wake_unsupported_parts(step);
+    SleepScratch& scratch = step.scratch.sleep;
     keep_carried_awake(world);
-    keep_towed_awake(world);
-    measure_rest(world);
-    const StepScratch& scratch = world.scratch;
+    keep_towed_awake(world, step.scratch.solver.jointed.all);
+    measure_rest(world, scratch);
     // Splitting adds islands at the end or in holes; those wait for the next step's measure.
     const std::uint32_t count = world.islands.ids.size();
     std::uint32_t sleepiest = none;
@@ -83,15 +80,14 @@ Skipped update_sleep(StepContext& step) {
     for (std::uint32_t i = 0; i < count; i++) {
         if (!world.islands.ids.alive(i) || world.islands.islands[i].asleep) continue;
         awake++;
-        if (scratch.island_longest_sleep_time[i] < tuning::time_to_sleep) continue;
-        const bool all_rest = scratch.island_sleep_time[i] >= tuning::time_to_sleep;
+        if (scratch.longest[i] < tuning::time_to_sleep) continue;
+        const bool all_rest = scratch.shortest[i] >= tuning::time_to_sleep;
         if (all_rest && !world.islands.islands[i].may_be_split) {
             fall_asleep(world, i);
             awake--;
         } else if (world.islands.islands[i].may_be_split &&
                    world.steps >= world.islands.islands[i].split_at + tuning::split_interval &&
-                   (sleepiest == none || scratch.island_longest_sleep_time[sleepiest] <
-                                             scratch.island_longest_sleep_time[i])) {
+                   (sleepiest == none || scratch.longest[sleepiest] < scratch.longest[i])) {
             sleepiest = i;
         }
     }

@@ -8,7 +8,9 @@
 #include "constraint_graph/wide_rows.h"
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
+#include "jostle/physics/tuning.h"
 #include "stages/solver/solve_joints.h"
+#include "stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {
@@ -21,10 +23,9 @@ void put(float* row, Vec3 linear, Vec3 angular) {
 constexpr std::uint8_t no_set = 255;
 static_assert(solved_set_count < no_set);
 
-// The bodies of each store, one after the other.
+// The bodies of each colour set, one after the other.
 template <class Takes>
-void collect(const WorldState& world, ByStore& list, Takes&& takes) {
-    const std::vector<std::uint8_t>& set_of = world.scratch.set_of;
+void collect(const std::vector<std::uint8_t>& set_of, BodiesBySet& list, Takes&& takes) {
     std::array<std::uint32_t, solved_set_count> next{};
     for (std::uint32_t i = 0; i < set_of.size(); i++)
         if (set_of[i] != no_set && takes(i)) next[set_of[i]]++;
@@ -40,9 +41,10 @@ void collect(const WorldState& world, ByStore& list, Takes&& takes) {
         if (set_of[i] != no_set && takes(i)) list.all[next[set_of[i]]++] = i + 1;
 }
 
-void sort_out_bodies(WorldState& world) {
-    StepScratch& scratch = world.scratch;
-    scratch.drivers.clear();
+void sort_out_bodies(StepContext& step) {
+    WorldState& world = step.world;
+    SolverScratch& scratch = step.scratch.solver;
+    scratch.kinematic.clear();
     scratch.free.clear();
     scratch.set_of.assign(world.bodies.awake.size(), no_set);
     const auto cold_of = [&](std::uint32_t i) -> const BodyCold& {
@@ -56,17 +58,17 @@ void sort_out_bodies(WorldState& world) {
         if (cold.type == BodyType::kinematic) {
             // Moved by its velocity, whatever touches it; the solver reads it when something may.
             scratch.free.push_back(i);
-            if (held || cold.first_edge != none) scratch.drivers.push_back(i + 1);
+            if (held || cold.first_edge != none) scratch.kinematic.push_back(i + 1);
         } else if (held) {
-            const ColourSetKey store = world.islands.islands[cold.island].colour_set;
-            scratch.set_of[i] = static_cast<std::uint8_t>(index_of(store));
+            const ColourSetKey set = world.islands.islands[cold.island].colour_set;
+            scratch.set_of[i] = static_cast<std::uint8_t>(index_of(set));
             any_jointed = any_jointed || cold.first_joint != none;
         } else {
             scratch.free.push_back(i);
         }
     }
-    collect(world, scratch.in_solver, [](std::uint32_t) { return true; });
-    collect(world, scratch.jointed_in_solver,
+    collect(scratch.set_of, scratch.bodies, [](std::uint32_t) { return true; });
+    collect(scratch.set_of, scratch.jointed,
             [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
     world.profile.bodies_frozen = static_cast<int>(world.bodies.asleep_in_place);
     world.profile.bodies_awake =
@@ -75,30 +77,31 @@ void sort_out_bodies(WorldState& world) {
         world.profile.bodies_awake - static_cast<int>(scratch.free.size());
     const auto bodies_of = [&](SolverTier tier) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
-        return static_cast<int>(scratch.in_solver.of(first, first + batch_count).size());
+        return static_cast<int>(scratch.bodies.of(first, first + batch_count).size());
     };
     world.profile.bodies_flat = bodies_of(SolverTier::flat);
     world.profile.bodies_tall = bodies_of(SolverTier::tall);
     world.profile.bodies_heavy = bodies_of(SolverTier::heavy);
 }
 
-// The hot record and the drive of one body at the start of the step.
+// The hot record of one body, and what changes it apart from contacts, at the start of the step.
 void prepare_body(const StepContext& step, double h, std::uint32_t index) {
-    WorldState& world = step.world;
-    HotBody& hot = world.scratch.hot[index + 1];
-    BodyDrive& drive = world.scratch.drive[index + 1];
+    const WorldState& world = step.world;
+    SolverScratch& scratch = step.scratch.solver;
+    HotBody& hot = scratch.hot[index + 1];
+    ExternalChange& external = scratch.external[index + 1];
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
     const bool gyroscopic = is_gyroscopic(warm, cold, step.dt);
-    world.scratch.gyroscopic[index + 1] = gyroscopic ? 1 : 0;
+    scratch.is_gyroscopic[index + 1] = gyroscopic ? 1 : 0;
     if (gyroscopic) {
         const std::optional<PrincipalRatios> bend = principal_ratios(cold);
-        world.scratch.gyroscopic_bodies[index + 1] = {warm.axes, bend ? bend->factors : Vec3{},
-                                                      bend.has_value()};
+        scratch.gyroscopic[index + 1] = {warm.axes, bend ? bend->factors : Vec3{},
+                                         bend.has_value()};
     }
     hot = {};
-    drive = {};
-    for (float& keep : drive.keep) keep = 1;
+    external = {};
+    for (float& keep : external.keep) keep = 1;
     put(hot.v, warm.v, warm.w);
     if (cold.type == BodyType::kinematic) return;
     hot.inverse_mass = as_float(cold.inverse_mass);
@@ -119,8 +122,8 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     const double linear = damping_factor(cold.linear_damping, h);
     const double angular = damping_factor(cold.angular_damping, h);
     for (int k = 0; k < 3; k++) {
-        drive.keep[k] = as_float(linear);
-        drive.keep[k + 3] = as_float(angular);
+        external.keep[k] = as_float(linear);
+        external.keep[k + 3] = as_float(angular);
     }
     // The gyroscopic change of spin over the free step, spread evenly: it keeps L as the free step
     // does. Bodies that turn far in a step take it sub-step by sub-step: integrate_gyroscopic().
@@ -128,15 +131,16 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     const bool torque_alone = (cold.isotropic && cold.locks == 0) || gyroscopic;
     const Vec3 spin_up = torque_alone ? inertia * warm.torque
                                       : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
-    put(drive.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
+    put(external.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 
 // Euler's equations for one sub-step. Within a step the spin of a gyroscopic body is that in the
 // frame in which it stood at the start and turns with it since; finalize() turns it back into the
 // world.
-void integrate_gyroscopic(WorldState& world, std::uint32_t index, double h) {
-    HotBody& hot = world.scratch.hot[index + 1];
-    const GyroscopicBody& gyroscopic_body = world.scratch.gyroscopic_bodies[index + 1];
+void integrate_gyroscopic(const StepContext& step, std::uint32_t index, double h) {
+    const WorldState& world = step.world;
+    HotBody& hot = step.scratch.solver.hot[index + 1];
+    const GyroscopicBody& gyroscopic_body = step.scratch.solver.gyroscopic[index + 1];
     const Vec3 start = transposed_times(gyroscopic_body.axes,
                                         {double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}});
     const Vec3 end =
@@ -151,48 +155,50 @@ void integrate_gyroscopic(WorldState& world, std::uint32_t index, double h) {
     }
 }
 
-// ---- parts ----
+// ---- tasks ----
 
-// What is solved by itself: all that is in the stores [first, last), which are of one tier.
-struct Part {
+// What is solved by itself: all that is in the colour sets [first, last), which are of one tier.
+struct SolverTask {
     SolverTier tier;
     std::size_t first, last;
-    std::uint32_t weight;  // bodies and manifolds
+    std::uint32_t weight;  // bodies and contacts
 };
 
-Part make_part(const WorldState& world, SolverTier tier, std::size_t first, std::size_t last) {
-    Part part{tier, first, last, 0};
-    part.weight = static_cast<std::uint32_t>(world.scratch.in_solver.of(first, last).size());
+SolverTask make_task(const StepContext& step, SolverTier tier, std::size_t first,
+                     std::size_t last) {
+    SolverTask task{tier, first, last, 0};
+    task.weight = static_cast<std::uint32_t>(step.scratch.solver.bodies.of(first, last).size());
     for (std::size_t k = first; k < last; k++)
-        part.weight += static_cast<std::uint32_t>(world.graph.sets[k].contacts);
-    return part;
+        task.weight += static_cast<std::uint32_t>(step.world.graph.sets[k].contacts);
+    return task;
 }
 
-// One thread fills the lanes of joint blocks best with all batches of an tier at once; several
-// take a batch each. That changes no result: islands know nothing of each other.
-std::vector<Part> make_parts(const StepContext& step) {
-    std::vector<Part> parts;
+// One thread fills the lanes of joint blocks best with all batches of a tier at once; several take
+// a batch each. That changes no result: islands know nothing of each other.
+std::vector<SolverTask> make_tasks(const StepContext& step) {
+    std::vector<SolverTask> tasks;
     const std::size_t together = step.team.size() == 1 ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
         for (std::size_t k = first; k < first + batch_count; k += together)
-            if (!step.world.scratch.in_solver.of(k, k + together).empty())
-                parts.push_back(make_part(step.world, tier, k, k + together));
+            if (!step.scratch.solver.bodies.of(k, k + together).empty())
+                tasks.push_back(make_task(step, tier, k, k + together));
     }
-    return parts;
+    return tasks;
 }
 
-// Kinematic bodies move on in each sub-step, and whoever solves a part with one moves them.
-bool reads_drivers(const WorldState& world, const Part& part) {
-    const StepScratch& scratch = world.scratch;
-    if (scratch.drivers.empty()) return false;
+// Kinematic bodies move on in each sub-step, and whoever solves a task with one moves them.
+bool reads_kinematic(const StepContext& step, const SolverTask& task) {
+    const WorldState& world = step.world;
+    const SolverScratch& scratch = step.scratch.solver;
+    if (scratch.kinematic.empty()) return false;
     const auto jointed = [&](std::uint32_t hot) {
         return world.bodies.cold[world.bodies.awake[hot - 1].body].first_joint != none;
     };
-    if (!scratch.jointed_in_solver.of(part.first, part.last).empty() &&
-        std::any_of(scratch.drivers.begin(), scratch.drivers.end(), jointed))
+    if (!scratch.jointed.of(task.first, task.last).empty() &&
+        std::any_of(scratch.kinematic.begin(), scratch.kinematic.end(), jointed))
         return true;
-    for (std::size_t k = part.first; k < part.last; k++)
+    for (std::size_t k = task.first; k < task.last; k++)
         for (int c = 0; c < colour_count; c++)
             if (pair_kind_of(c) == PairKind::kinematic &&
                 world.graph.sets[k].colours[static_cast<std::size_t>(c)].contacts > 0)
@@ -200,133 +206,132 @@ bool reads_drivers(const WorldState& world, const Part& part) {
     return false;
 }
 
-// ---- one part ----
+// ---- one task ----
 
-// Splits the work on the dynamic bodies of a part, by hot index, among the threads.
+// Splits the work on the dynamic bodies of a task, by hot index, among the threads.
 template <class Work>
-void each_body(StepContext& step, const Part& part, Work&& work) {
-    const auto solved = step.world.scratch.in_solver.of(part.first, part.last);
+void each_body(StepContext& step, const SolverTask& task, Work&& work) {
+    const auto solved = step.scratch.solver.bodies.of(task.first, task.last);
     step.team.run(
-        static_cast<int>(solved.size()), 256,
+        static_cast<int>(solved.size()), tuning::body_grain,
         [&](int begin, int end) {
             work(solved.subspan(static_cast<std::size_t>(begin),
                                 static_cast<std::size_t>(end - begin)));
         },
-        TaskTeam::Part::own);
+        TaskTeam::Split::fixed);
 }
 
-BodyRange range_of(StepScratch& scratch, std::span<const std::uint32_t> indices) {
-    return {scratch.hot.data(), scratch.drive.data(), indices.data(), 0,
+BodyRange range_of(SolverScratch& scratch, std::span<const std::uint32_t> indices) {
+    return {scratch.hot.data(), scratch.external.data(), indices.data(), 0,
             static_cast<int>(indices.size())};
 }
 
 // Of what was prepared.
-void run_substeps(StepContext& step, const Part& part, const JointPart& joints,
-                  std::span<const std::uint32_t> drivers) {
-    StepScratch& scratch = step.world.scratch;
-    const ContactSettings& set = step.contacts[index_of(part.tier)];
+void run_substeps(StepContext& step, const SolverTask& task, const JointTask& joints,
+                  std::span<const std::uint32_t> kinematic) {
+    SolverScratch& scratch = step.scratch.solver;
+    const ContactSettings& set = step.contacts[index_of(task.tier)];
     const double h = step.dt / set.substeps;
-    const ContactPart contacts{scratch.colour_runs[part.first], scratch.hot.data(), set, step.team};
+    const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
-    const bool bouncy = begin_restitution(contacts);
+    const bool bounces = begin_restitution(contacts);
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
-        each_body(step, part, [&](std::span<const std::uint32_t> some) {
+        each_body(step, task, [&](std::span<const std::uint32_t> some) {
             (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
         });
-        if (first && bouncy) predict_approaches(contacts);
+        if (first && bounces) predict_approaches(contacts);
         // Later sub-steps are warm started by accelerate().
         if (first) warm_start(contacts);
         solve_joints(step, joints, h);
         solve(contacts);
-        each_body(step, part, [&](std::span<const std::uint32_t> some) {
+        each_body(step, task, [&](std::span<const std::uint32_t> some) {
             for (const std::uint32_t hot : some)
-                if (scratch.gyroscopic[hot] != 0) integrate_gyroscopic(step.world, hot - 1, h);
+                if (scratch.is_gyroscopic[hot] != 0) integrate_gyroscopic(step, hot - 1, h);
             kernel.advance(range_of(scratch, some), set.h);
         });
-        kernel.advance(range_of(scratch, drivers), set.h);
+        kernel.advance(range_of(scratch, kinematic), set.h);
         relax_joints(step, joints, h);
         relax(contacts, last);
-        if (bouncy) record_peaks(contacts);
+        if (bounces) record_peaks(contacts);
     }
-    if (bouncy) apply_restitution(contacts);
+    if (bounces) apply_restitution(contacts);
 }
 
-void solve_part(StepContext& step, const Part& part, std::span<const std::uint32_t> drivers) {
+void solve_task(StepContext& step, const SolverTask& task,
+                std::span<const std::uint32_t> kinematic) {
     WorldState& world = step.world;
-    StepScratch& scratch = world.scratch;
-    const double h = step.dt / step.contacts[index_of(part.tier)].substeps;
-    each_body(step, part, [&](std::span<const std::uint32_t> bodies) {
+    SolverScratch& scratch = step.scratch.solver;
+    const double h = step.dt / step.contacts[index_of(task.tier)].substeps;
+    each_body(step, task, [&](std::span<const std::uint32_t> bodies) {
         for (const std::uint32_t hot : bodies) prepare_body(step, h, hot - 1);
     });
-    for (const std::uint32_t hot : drivers) prepare_body(step, 0, hot - 1);
-    const JointPart joints{scratch.joints[part.first],
-                           scratch.jointed_in_solver.of(part.first, part.last)};
+    for (const std::uint32_t hot : kinematic) prepare_body(step, 0, hot - 1);
+    const JointTask joints{scratch.joints[task.first], scratch.jointed.of(task.first, task.last)};
     prepare_joints(step, joints, h);
-    std::vector<ColourRun>& colours = scratch.colour_runs[part.first];
-    list_runs(world.graph, part.first, part.last, colours);
+    std::vector<ColourRun>& colours = scratch.colour_runs[task.first];
+    list_runs(world.graph, task.first, task.last, colours);
     // Where threads share neither colours nor levels, passes over bodies would do nothing but carry
     // them from one cache to the other and back.
     const bool shared =
         shares_levels(joints) || std::any_of(colours.begin(), colours.end(),
                                              [](const ColourRun& run) { return run.shared; });
     TaskTeam alone(1);
-    StepContext substeps{world, shared ? step.team : alone, step.dt, step.contacts};
-    run_substeps(substeps, part, joints, drivers);
+    StepContext substeps{world, step.scratch, shared ? step.team : alone, step.dt, step.contacts};
+    run_substeps(substeps, task, joints, kinematic);
     finish_joints(step, joints);
 }
 
-// ---- all parts ----
+// ---- all tasks ----
 
-// A part that is so light, or so light a share of all, is one thread's: nobody waits for anybody
+// A task that is so light, or so light a share of all, is one thread's: nobody waits for anybody
 // until all are done. The threads share the colours of a heavier one.
-constexpr std::uint32_t light_part = 4000;
-
-void solve_parts(StepContext& step, const std::vector<Part>& parts) {
-    const std::vector<std::uint32_t>& drivers = step.world.scratch.drivers;
+void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
+    const std::vector<std::uint32_t>& kinematic = step.scratch.solver.kinematic;
     if (step.team.size() == 1) {
-        for (const Part& part : parts) solve_part(step, part, drivers);
+        for (const SolverTask& task : tasks) solve_task(step, task, kinematic);
         return;
     }
-    std::uint32_t all = 0;
-    for (const Part& part : parts) all += part.weight;
-    const auto light_share = all / (2 * static_cast<std::uint32_t>(step.team.size()));
-    std::vector<Part> tasks, shared;
-    for (const Part& part : parts) {
-        const bool light = part.weight <= std::max(light_part, light_share);
-        (light && !reads_drivers(step.world, part) ? tasks : shared).push_back(part);
+    std::uint32_t weight = 0;
+    for (const SolverTask& task : tasks) weight += task.weight;
+    const auto light_share = weight / (2 * static_cast<std::uint32_t>(step.team.size()));
+    std::vector<SolverTask> single, shared;
+    for (const SolverTask& task : tasks) {
+        const bool light = task.weight <= std::max(tuning::light_task, light_share);
+        (light && !reads_kinematic(step, task) ? single : shared).push_back(task);
     }
-    if (tasks.size() == 1) shared.push_back(std::exchange(tasks, {}).front());
+    if (single.size() == 1) shared.push_back(std::exchange(single, {}).front());
     // A batch is solved by the same thread in each step, which has its records in its cache.
-    std::stable_sort(tasks.begin(), tasks.end(), [](const Part& a, const Part& b) {
+    std::stable_sort(single.begin(), single.end(), [](const SolverTask& a, const SolverTask& b) {
         return a.first % batch_count < b.first % batch_count;
     });
-    for (const Part& part : shared) solve_part(step, part, drivers);
+    for (const SolverTask& task : shared) solve_task(step, task, kinematic);
     TaskTeam alone(1);
-    step.team.run_tasks(static_cast<int>(tasks.size()), [&](int k) {
-        StepContext own{step.world, alone, step.dt, step.contacts};
-        solve_part(own, tasks[static_cast<std::size_t>(k)], {});
+    step.team.run_tasks(static_cast<int>(single.size()), [&](int k) {
+        StepContext own{step.world, step.scratch, alone, step.dt, step.contacts};
+        solve_task(own, single[static_cast<std::size_t>(k)], {});
     });
-    step.world.profile.solver_tasks = static_cast<int>(tasks.size());
+    step.world.profile.solver_tasks = static_cast<int>(single.size());
 }
 
 }  // namespace
 
 Skipped solve_constraints(StepContext& step) {
-    if (step.world.bodies.awake.empty()) return nobody_awake;
-    StepScratch& scratch = step.world.scratch;
-    sort_out_bodies(step.world);
-    if (scratch.in_solver.all.empty()) return "nothing touches and nothing is jointed";
-    scratch.hot.resize(step.world.bodies.awake.size() + 1);
-    scratch.drive.resize(step.world.bodies.awake.size() + 1);
-    scratch.gyroscopic_bodies.resize(step.world.bodies.awake.size() + 1);
-    scratch.gyroscopic.assign(step.world.bodies.awake.size() + 1, 0);
-    // What is frozen stands still and cannot be pushed.
-    if (step.world.bodies.asleep_in_place > 0)
-        for (std::size_t i = 0; i < step.world.bodies.awake.size(); i++)
-            if (step.world.bodies.cold[step.world.bodies.awake[i].body].asleep_in_place)
-                scratch.hot[i + 1] = {};
-    solve_parts(step, make_parts(step));
+    const BodyStore& bodies = step.world.bodies;
+    if (bodies.awake.empty()) return nobody_awake;
+    SolverScratch& scratch = step.scratch.solver;
+    sort_out_bodies(step);
+    if (scratch.bodies.all.empty()) return "nothing touches and nothing is jointed";
+    const std::size_t count = bodies.awake.size() + 1;
+    scratch.hot.resize(count);
+    scratch.external.resize(count);
+    scratch.gyroscopic.resize(count);
+    scratch.is_gyroscopic.assign(count, 0);
+    // What sleeps in place stands still and cannot be pushed.
+    if (bodies.asleep_in_place > 0)
+        for (std::size_t i = 0; i < bodies.awake.size(); i++)
+            if (bodies.cold[bodies.awake[i].body].asleep_in_place) scratch.hot[i + 1] = {};
+    solve_tasks(step, make_tasks(step));
     break_joints(step);
     return ran;
 }

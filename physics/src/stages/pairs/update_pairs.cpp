@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "stages/update_pairs.h"
+#include "stages/pairs/update_pairs.h"
 
 #include <algorithm>
 
+#include "jostle/physics/tuning.h"
+#include "stages/step_scratch.h"
 #include "state/contact_graph.h"
 #include "state/joint_graph.h"
-#include "state/partial_sleep.h"
 #include "state/shape_proxy.h"
-#include "state/wake.h"
 
 namespace jostle::physics {
 namespace {
@@ -54,10 +54,10 @@ void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out
 // The new pairs of all shapes that moved, each once, in an order that depends on nothing else:
 // contact indices must not depend on the shape of a tree or on threads.
 const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
-    constexpr std::size_t chunk = 64;  // shapes
+    constexpr std::size_t chunk = tuning::pair_grain;
     const WorldState& world = step.world;
     const std::vector<std::uint32_t>& moved = world.shapes.moved;
-    std::vector<NewPairs>& parts = step.world.scratch.new_pairs;
+    std::vector<NewPairs>& parts = step.scratch.pairs.new_pairs;
     const std::size_t chunks = (moved.size() + chunk - 1) / chunk;
     if (parts.size() < chunks) parts.resize(chunks);
     for (NewPairs& part : parts) part.pairs.clear();
@@ -81,7 +81,7 @@ void wake_if_all_asleep(WorldState& world, const Contact& c) {
         const BodyCold& cold = world.bodies.cold[body];
         if (cold.set == BodySet::awake && !cold.asleep_in_place) return;
     }
-    ensure_awake(world, c.body_a, world.events.woke);
+    world.wake_requests.push_back({c.body_a});
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stages/update_triggers.h"
+#include "stages/pairs/update_triggers.h"
 
 #include <algorithm>
 
 #include "collision/narrowphase/collide_composite.h"
 #include "geometry/bounds.h"
+#include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -69,7 +70,7 @@ Skipped update_triggers(StepContext& step) {
     world.shapes.moving->flush();
     std::vector<Inside> inside;
     for (const std::uint32_t trigger : world.shapes.triggers)
-        look_into(world, trigger, world.scratch.found, inside);
+        look_into(world, trigger, step.scratch.pairs.in_trigger, inside);
     std::sort(inside.begin(), inside.end());
     inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
     const auto& before = world.triggers.inside;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "constraint_graph/joint_levels.h"
+
+#include <algorithm>
+
+#include "foundation/check.h"
+#include "jostle/physics/joint_defs.h"
+
+namespace jostle::physics {
+namespace {
+
+bool has_angular(std::uint32_t kind) {
+    return kind != JointKind(BallJoint{}).index();
+}
+
+// Returns how many there are.
+int find_levels(JointLevels& levels, std::size_t bodies) {
+    levels.reached.assign(bodies, 0);
+    std::uint32_t count = 0;
+    const auto reached = [&](std::int32_t hot) -> std::uint32_t& {
+        ASSERT(hot < static_cast<std::int32_t>(levels.reached.size()));
+        return levels.reached[static_cast<std::size_t>(std::max(hot, 0))];
+    };
+    for (LeveledJoint& joint : levels.joints) {
+        const std::uint32_t level = std::max(reached(joint.a), reached(joint.b));
+        reached(joint.a) = reached(joint.b) = level + 1;
+        levels.reached[0] = 0;  // what cannot be pushed makes nobody wait
+        count = std::max(count, level + 1);
+        joint.run = level * joint_kinds + joint.kind;
+    }
+    return static_cast<int>(count);
+}
+
+}  // namespace
+
+void assign_levels(JointLevels& levels, std::size_t bodies) {
+    const int count = find_levels(levels, bodies);
+    levels.places.assign(static_cast<std::size_t>(count) * joint_kinds, 0);
+    for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
+    levels.runs.clear();
+    int blocks = 0, angular = 0;
+    for (std::uint32_t key = 0; key < levels.places.size(); key++) {
+        const int joints = levels.places[key];
+        levels.places[key] = blocks * 8;  // the next free lane
+        if (joints == 0) continue;
+        const std::uint32_t kind = key % joint_kinds;
+        const int size = (joints + 7) / 8;
+        levels.runs.push_back({.kind = static_cast<std::uint8_t>(kind),
+                               .begin = blocks,
+                               .end = blocks + size,
+                               .angular = has_angular(kind) ? angular : -1});
+        blocks += size;
+        if (has_angular(kind)) angular += size;
+    }
+    levels.metas.assign(static_cast<std::size_t>(blocks), {});
+    for (const JointRun& run : levels.runs)
+        for (int k = run.begin; k < run.end; k++)
+            levels.metas[static_cast<std::size_t>(k)].angular =
+                run.angular < 0 ? -1 : run.angular + k - run.begin;
+    for (const LeveledJoint& joint : levels.joints) {
+        const int lane = levels.places[joint.run]++;
+        JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(lane / 8)];
+        ASSERT(meta.count < 8);
+        meta.joint[meta.count] = joint.joint;
+        meta.a[meta.count] = joint.a;
+        meta.b[meta.count] = joint.b;
+        meta.count++;
+    }
+    levels.blocks.assign(static_cast<std::size_t>(blocks), JointConstraintWide{});
+    levels.angular.assign(static_cast<std::size_t>(angular), JointAngularWide{});
+}
+
+}  // namespace jostle::physics

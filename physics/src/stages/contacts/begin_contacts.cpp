@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "stages/contacts/begin_contacts.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "constraints/write_manifold.h"
+#include "stages/step_scratch.h"
+#include "state/contact_constraints.h"
+#include "state/contact_graph.h"
+#include "state/island_tiers.h"
+
+namespace jostle::physics {
+
+// In order of shapes, so that colours and slots do not depend on the order of the bounds.
+Skipped begin_contacts(StepContext& step) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    std::vector<NewContact>& begins = scratch.begins;
+    if (world.bodies.awake.empty()) return nobody_awake;
+    if (begins.empty()) return "no manifold begins";
+    const auto key = [&](const NewContact& next) {
+        const Contact& c = world.contacts.contacts[scratch.checks[next.check].contact];
+        return std::tuple(c.shape_a, c.shape_b, next.part);
+    };
+    std::sort(begins.begin(), begins.end(),
+              [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
+    for (const NewContact& next : begins) {
+        const ContactCheck& check = scratch.checks[next.check];
+        std::uint32_t contact = check.contact;
+        const auto list = static_cast<std::size_t>(check.list);
+        const Manifold* manifold = nullptr;
+        if (next.part >= 0) {
+            const PartManifold& part =
+                scratch.parts[list][static_cast<std::size_t>(next.part)].part;
+            contact = create_part(world, check.contact, part.key);
+            manifold = &part.manifold;
+        } else {
+            manifold = &scratch.fresh[list];
+        }
+        const Contact& c = world.contacts.contacts[contact];
+        if (world.bodies.cold[c.body_b].type == BodyType::dynamic)
+            match_sets(world, world.bodies.cold[c.body_a].island,
+                       world.bodies.cold[c.body_b].island);
+        add_contact(world, contact, manifold->count == 1);
+        write_manifold(world, world.contacts.contacts[contact], *manifold, true);
+    }
+    begins.clear();
+    return ran;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "stages/contacts/choose_checks.h"
+#include "jostle/physics/tuning.h"
+
+#include "foundation/prefetch.h"
+#include "stages/contacts/separation_bound.h"
+#include "stages/step_scratch.h"
+
+namespace jostle::physics {
+namespace {
+
+void queue(ContactStore& store, ContactScratch& scratch, std::uint32_t contact) {
+    Contact& c = store.contacts[contact];
+    if (c.queued) return;
+    c.queued = true;
+    scratch.checks.push_back({.contact = contact, .list = c.composite ? scratch.part_lists++ : -1});
+}
+
+// Who leans on something, before anything changes: stages/continuous/ccd_policy.h.
+void note_contacts(const BodyStore& bodies, std::vector<std::uint8_t>& had_contacts) {
+    had_contacts.clear();
+    for (const BodyWarm& warm : bodies.awake)
+        had_contacts.push_back(bodies.cold[warm.body].constraints > 0 ? 1 : 0);
+}
+
+// Pairs whose bodies all fell asleep need no bound.
+void drop_dormant_pairs(ContactStore& store) {
+    if (!store.some_dormant) return;
+    store.some_dormant = false;
+    std::erase_if(store.bounds, [&](const SeparationBound& bound) {
+        Contact& c = store.contacts[bound.contact];
+        if (!c.dormant) return false;
+        c.has_bound = false;
+        c.limit = bound.limit;
+        return true;
+    });
+}
+
+// Takes the bounds off the list that may be used up in this step.
+void take_due_pairs(StepContext& step) {
+    WorldState& world = step.world;
+    FlatArray<SeparationBound>& bounds = world.contacts.bounds;
+    ContactScratch& scratch = step.scratch.contacts;
+    std::vector<std::uint8_t>& due = scratch.due;
+    due.resize(bounds.size());
+    step.team.run(static_cast<int>(bounds.size()), tuning::bound_grain, [&](int begin, int end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
+            due[k] = is_due(world, bounds[k], step.dt) ? 1 : 0;
+    });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < bounds.size(); k++) {
+        if (k + 8 < bounds.size() && due[k + 8] != 0)
+            prefetch(world.contacts.contacts[bounds[k + 8].contact]);
+        if (due[k] == 0) {
+            bounds[kept++] = bounds[k];
+            continue;
+        }
+        world.contacts.contacts[bounds[k].contact].has_bound = false;
+        queue(world.contacts, scratch, bounds[k].contact);
+    }
+    bounds.resize(kept);
+}
+
+// A composite pair is looked at as a whole when any of its parts needs it.
+void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph,
+                               ContactScratch& scratch) {
+    const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
+        for (int lane = 0; lane < 8; lane++)
+            if ((meta.bits(LaneFlag::needs_rebuild) >> lane & 1) != 0 && meta.contact[lane] != none)
+                prefetch(store.contacts[meta.contact[lane]]);
+    };
+    for_each_colour(graph.sets, [&](const GraphColour& colour) {
+        for (std::size_t k = 0; k < colour.metas.size(); k++) {
+            if (k + 3 < colour.metas.size()) prefetch_contacts_of(colour.metas[k + 3]);
+            const ContactConstraintWideMeta& meta = colour.metas[k];
+            if (meta.bits(LaneFlag::needs_rebuild) == 0) continue;
+            for (int lane = 0; lane < 8; lane++) {
+                if ((meta.bits(LaneFlag::needs_rebuild) >> lane & 1) == 0 ||
+                    meta.contact[lane] == none)
+                    continue;
+                const Contact& c = store.contacts[meta.contact[lane]];
+                queue(store, scratch, c.parent == none ? meta.contact[lane] : c.parent);
+            }
+        }
+    });
+}
+
+// Space for what threads will find.
+void make_space(ContactScratch& scratch) {
+    const auto lists = static_cast<std::size_t>(scratch.part_lists);
+    if (scratch.parts.size() < lists) scratch.parts.resize(lists);
+    scratch.fresh.reserve_discarding(scratch.checks.size());
+    scratch.fresh_count = 0;
+}
+
+}  // namespace
+
+void choose_checks(StepContext& step) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    scratch.checks.clear();
+    scratch.part_lists = 0;
+    note_contacts(world.bodies, scratch.had_contacts);
+    drop_dormant_pairs(world.contacts);
+    take_due_pairs(step);
+    take_manifolds_to_rebuild(world.contacts, world.graph, scratch);
+    make_space(scratch);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// What the narrow phase hands on within a step, and uses again in the next: choose_checks fills the
+// checks, look_at_pair their results, decide_contacts what begins.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "collision/narrowphase/collide_composite.h"
+#include "foundation/uninitialized_array.h"
+
+namespace jostle::physics {
+
+// One narrow phase call and what came of it. Small: there may be tens of thousands.
+struct ContactCheck {
+    std::uint32_t contact = 0;
+    // Of a composite pair: its parts are in ContactScratch::parts[list]. Else: the manifold that
+    // may begin is ContactScratch::fresh[list].
+    std::int32_t list = -1;
+    bool goes_on = false;     // has points, and a lane that they were written to ...
+    bool done = false;        // ... and stays in: nothing is left to decide
+    float direction[3] = {};  // along which they are apart by `near`; zero: not known
+    double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
+                              // move now
+    // m: the smallest gap now. Of a composite pair: everything nearer than this beyond the
+    // speculative margin is among its parts.
+    double near = 0;
+};
+
+// One manifold of a composite pair.
+struct FoundPart {
+    PartManifold part;
+    double gap_ahead = 0;
+    std::uint32_t contact = 0xffffffff;  // that had it before
+};
+
+// A manifold that enters the constraint graph: of a check, and which part of it (-1: the check's
+// own).
+struct NewContact {
+    std::uint32_t check = 0;
+    std::int32_t part = -1;
+};
+
+struct ContactScratch {
+    std::vector<std::uint8_t> due;  // by separation bound: it is used up
+    std::vector<ContactCheck> checks;
+    std::int32_t part_lists = 0;  // given to checks of composite pairs
+    // Of checks without a lane, as far as fresh_count, in any order.
+    UninitializedVector<Manifold> fresh;
+    std::atomic<int> fresh_count = 0;
+    std::vector<std::vector<FoundPart>> parts;
+    std::vector<NewContact> begins;
+    std::vector<std::uint8_t> had_contacts;  // by awake body: when the step began
+};
+
+}  // namespace jostle::physics

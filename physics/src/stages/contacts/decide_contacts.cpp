@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "stages/contacts/decide_contacts.h"
+
+#include <algorithm>
+
+#include "foundation/prefetch.h"
+#include "jostle/physics/tuning.h"
+#include "stages/contacts/pair_motion.h"
+#include "stages/step_scratch.h"
+#include "state/contact_constraints.h"
+#include "state/contact_graph.h"
+#include "state/separation_bounds.h"
+#include "state/shape_proxy.h"
+
+namespace jostle::physics {
+namespace {
+
+// A plane has no box; b is the only one that can be a plane.
+bool boxes_overlap(const WorldState& world, const Contact& c) {
+    const ShapeRecord &a = world.shapes.shapes[c.shape_a], &b = world.shapes.shapes[c.shape_b];
+    if (is_plane(b)) return reaches_plane(world, b, a.fat);
+    return overlap(a.fat, b.fat);
+}
+
+// No manifold (any more): the pair gets a separation bound, or ends when its boxes parted.
+void bound_or_end(WorldState& world, const ContactCheck& check, double near) {
+    Contact& c = world.contacts.contacts[check.contact];
+    if (c.touching) {
+        report_end(world, c, world.events.contacts_ended);
+        end_touch(world, check.contact);
+    }
+    if (c.colour >= 0) remove_contact(world, check.contact);
+    if (!boxes_overlap(world, c)) {
+        destroy_contact(world, check.contact, world.events.contacts_ended);
+        return;
+    }
+    const float* d = check.direction;
+    add_separation_bound(world, check.contact, check.near - near,
+                         {double{d[0]}, double{d[1]}, double{d[2]}});
+}
+
+// Whether a body sleeps, with its island or in place.
+bool is_asleep(const BodyCold& cold) {
+    return cold.set == BodySet::sleeping || cold.asleep_in_place;
+}
+
+bool has_asleep(const WorldState& world, const Contact& c) {
+    return is_asleep(world.bodies.cold[c.body_a]) || is_asleep(world.bodies.cold[c.body_b]);
+}
+
+// A kinematic body stops for nobody.
+double mass_as_mover(const WorldState& world, std::uint32_t mover, std::uint32_t met) {
+    const BodyCold& cold = world.bodies.cold[mover];
+    return cold.type == BodyType::dynamic
+               ? cold.mass
+               : tuning::kinematic_mass_ratio * world.bodies.cold[met].mass;
+}
+
+// Whether a manifold begins. One with a body that sleeps begins only when they meet,
+// and wakes it and as much around it as the impact will stir.
+bool begins(WorldState& world, const Contact& c, double gap_ahead) {
+    if (!has_asleep(world, c)) return gap_ahead < tuning::speculative_margin;
+    const double speed = closing_way(world, c, 1);
+    // What comes to rest beside a sleeper, however near, does not wake it.
+    if (gap_ahead >= (speed < tuning::sleep_speed ? 0 : tuning::wake_gap)) return false;
+    const auto meet = [&](std::uint32_t body, std::uint32_t other) {
+        if (is_asleep(world.bodies.cold[body]))
+            world.wake_requests.push_back(
+                {body, mass_stirred_by(speed * mass_as_mover(world, other, body))});
+    };
+    meet(c.body_a, c.body_b);
+    meet(c.body_b, c.body_a);
+    return true;
+}
+
+// Within which gap a manifold of the pair begins, m.
+double begin_margin(const WorldState& world, const Contact& c) {
+    return has_asleep(world, c) ? tuning::wake_gap : tuning::speculative_margin;
+}
+
+// Parts that found no manifold end, manifolds without a part begin one when they may touch in this
+// step, and the pair waits until something new may come near.
+void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
+    const ContactCheck& check = scratch.checks[k];
+    auto& contacts = world.contacts.contacts;
+    const auto& found = scratch.parts[static_cast<std::size_t>(check.list)];
+    for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
+        const std::uint32_t next = contacts[p].next_part;
+        const bool goes_on = std::any_of(found.begin(), found.end(),
+                                         [&](const FoundPart& f) { return f.contact == p; });
+        if (goes_on)
+            move_to_its_list(world, p);
+        else
+            destroy_contact(world, p, world.events.contacts_ended);
+        p = next;
+    }
+    if (found.empty() && !boxes_overlap(world, contacts[check.contact])) {
+        return destroy_contact(world, check.contact, world.events.contacts_ended);
+    }
+    double clear = check.near;
+    const double margin = begin_margin(world, contacts[check.contact]);
+    for (std::size_t f = 0; f < found.size(); f++) {
+        if (found[f].contact != none) continue;
+        if (begins(world, contacts[check.contact], found[f].gap_ahead))
+            scratch.begins.push_back({k, static_cast<std::int32_t>(f)});
+        else
+            clear = minimum(clear, found[f].gap_ahead - margin);
+    }
+    add_separation_bound(world, check.contact, clear);
+}
+
+void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
+    const ContactCheck& check = scratch.checks[k];
+    const Contact& c = world.contacts.contacts[check.contact];
+    if (c.composite) return decide_composite(world, scratch, k);
+    // A manifold that exists stays while it has points; a new one begins when they may meet in this
+    // step.
+    if (check.goes_on) return move_to_its_list(world, check.contact);
+    if (check.list >= 0 && begins(world, c, check.gap_ahead)) {
+        scratch.begins.push_back({k, -1});
+        return;
+    }
+    bound_or_end(world, check, begin_margin(world, c));
+}
+
+}  // namespace
+
+void decide_contacts(StepContext& step) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    std::vector<ContactCheck>& checks = scratch.checks;
+    scratch.begins.clear();
+    for (std::uint32_t k = 0; k < checks.size(); k++) {
+        if (k + 8 < checks.size() && !checks[k + 8].done)
+            prefetch(world.contacts.contacts[checks[k + 8].contact]);
+        if (!checks[k].done) decide(world, scratch, k);
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "stages/contacts/look_at_pair.h"
+
+#include <optional>
+
+#include "collision/narrowphase/collide.h"
+#include "collision/narrowphase/collide_planar.h"
+#include "constraints/write_manifold.h"
+#include "jostle/physics/tuning.h"
+#include "stages/contacts/pair_ahead.h"
+#include "stages/contacts/pair_motion.h"
+#include "stages/continuous/ccd_policy.h"
+#include "stages/step_scratch.h"
+#include "state/contact_constraints.h"
+
+namespace jostle::physics {
+namespace {
+
+// Whether the pair will be swept (stages/continuous/solve_continuous.h). That takes a body that is
+// fast, and fast against the other.
+bool will_be_swept(const StepContext& step, const Contact& c, double way) {
+    const WorldState& world = step.world;
+    if (!world.def.continuous) return false;
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
+        if (!mover.continuous || mover.set != BodySet::awake) return false;
+        if (way <= motion_without_sweep(step, mover, other)) return false;
+        const BodyWarm& warm = world.bodies.awake[mover.at];
+        return (length(warm.v) + length(warm.w) * mover.radius) * step.dt >
+               tuning::sweep_fraction * mover.inner_radius;
+    };
+    return sweeps(a, b) || sweeps(b, a);
+}
+
+// How fast two bodies come nearer to each other along a direction from a to b, m/s: their centres.
+double closing_along(const WorldState& world, const Contact& c, Vec3 direction) {
+    return dot(direction, motion_of(world, c.body_a).v - motion_of(world, c.body_b).v);
+}
+// ... and how much faster any two of their points may.
+double closing_by_turning(const WorldState& world, const Contact& c) {
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const Vec3 wa = motion_of(world, c.body_a).w, wb = motion_of(world, c.body_b).w;
+    return length(wa) * a.radius + (b.type == BodyType::fixed ? 0 : length(wb) * b.radius);
+}
+
+// How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
+// but no more than the smaller body's size: beyond that a manifold would see a plane where there is
+// an edge to fly past.
+double closing_reach(const WorldState& world, const Contact& c, double way) {
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const double size = b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
+    return minimum(way, size);
+}
+
+// The smallest gap that any point may have at the end of the step, as the bodies move now.
+double expected_gap(const WorldState& world, const Contact& c, const Manifold& m, double dt) {
+    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+    double smallest = 1e300;
+    for (int i = 0; i < m.count; i++) {
+        const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
+        const Vec3 vb = b.v + cross(b.w, m.point[i] - b.center);
+        const double closing = maximum(0, -dot(m.normal, vb - va));
+        smallest = minimum(smallest, m.gap[i] - closing * dt);
+    }
+    return smallest;
+}
+
+// A composite pair is looked at a little further than it needs, so that it need not be looked at
+// in every step.
+constexpr double composite_slack = 0.01;  // m
+
+// Finds for each part that exists the manifold that continues it: the same child, and of pieces of
+// a surface the one with the nearest normal.
+void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>& found) {
+    for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part) {
+        const Contact& part = world.contacts.contacts[p];
+        if (part.colour < 0) continue;
+        const Vec3 normal = normal_of(place_of(world, part));
+        FoundPart* best = nullptr;
+        double most = 0.9;
+        for (FoundPart& f : found) {
+            if (f.contact != none || f.part.key != part.key) continue;
+            const double like = dot(f.part.manifold.normal, normal);
+            if (like > most) {
+                most = like;
+                best = &f;
+            }
+        }
+        if (best == nullptr) continue;
+        best->contact = p;
+        write_manifold(world, part, best->part.manifold, false);
+    }
+}
+
+void look_at_composite(StepContext& step, ContactCheck& check) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    const double dt = step.dt;
+    const Contact& c = world.contacts.contacts[check.contact];
+    const double way = closing_way(world, c, dt);
+    check.near = closing_reach(world, c, way) + composite_slack;
+    const bool swept = will_be_swept(step, c, way);
+    std::optional<double> meeting;
+    if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
+        meeting = time_to_meeting(world, c, dt);
+    const double time = meeting && *meeting > 0 ? *meeting : time_to_middle(world, c, way, dt);
+    const double way_ahead = way * time / dt;
+    std::vector<PartManifold> parts;
+    const PairAhead pair(world, c, time);
+    collide_composite(pair.shape_a(), pair.shape_b(), tuning::speculative_margin + check.near,
+                      parts);
+    for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
+    check.near -= way_ahead;
+    std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(check.list)];
+    found.clear();
+    check.gap_ahead = 1e300;
+    for (const PartManifold& part : parts) {
+        if (swept && !meeting && part.manifold.distance > tuning::touch_gap) continue;
+        found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
+        check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
+    }
+    match_parts(world, c, found);
+}
+
+// How two that do not touch are nearest.
+struct Approach {
+    Vec3 normal;
+    double gap = 0;  // m
+};
+// By the manifold that they have.
+Approach approach_of(WorldState& world, const Contact& c) {
+    const ContactPlace place = place_of(world, c);
+    double gap = no_point;
+    for (const auto& row : place.block->gap) gap = minimum(gap, double{row[place.lane]});
+    return {normal_of(place), gap};
+}
+
+// m. What two will touch with is plain once they are this far in each other. A crate slides towards
+// a tile that lies flush with the one under it: before they meet the side of the tile is what parts
+// them most, and would stop it; past that it is the top. More than contacts overlap at rest.
+constexpr double just_past = 1e-3;
+
+// The points where a pair may touch in this step.
+Manifold manifold_ahead(const StepContext& step, Contact& c) {
+    WorldState& world = step.world;
+    const double dt = step.dt;
+    const double way = closing_way(world, c, dt);
+    const auto within = [&](double margin, const PairAhead& pair) {
+        const Placed &a = pair.shape_a(), &b = pair.shape_b();
+        Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
+                                      : collide(a, b, margin, c.cache);
+        pair.count_back(m, way * pair.time() / dt);
+        return m;
+    };
+    const PairAhead pair(world, c, time_to_middle(world, c, way, dt));
+    const bool swept = will_be_swept(step, c, way);
+    if (swept && !uses_speculative_contact(step, c.shape_a, c.shape_b))
+        return within(tuning::touch_gap, pair);
+    Approach near;
+    if (c.colour < 0 || swept) {
+        // Most of what moves much against each other flies past: that is cheaper to see than
+        // points.
+        const Manifold now = within(tuning::speculative_margin, pair);
+        near = {now.normal, smallest_gap(now)};
+        const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
+        if (now.count == 0 && near.normal != Vec3{} &&
+            near.gap - most * dt >= tuning::speculative_margin)
+            return now;
+        const std::optional<double> meeting =
+            swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
+        if (!meeting) return now;
+        if (*meeting > 0)
+            return within(tuning::speculative_margin,
+                          PairAhead(world, c, minimum(dt, *meeting + just_past / most)));
+    } else if (!c.touching) {
+        near = approach_of(world, c);
+    }
+    const double margin = tuning::speculative_margin + closing_reach(world, c, way);
+    const double closing = closing_along(world, c, near.normal);
+    if (!c.touching && near.gap > 0 && near.gap < closing * dt)
+        return within(margin, PairAhead(world, c, minimum(dt, (near.gap + just_past) / closing)));
+    return within(margin, pair);
+}
+
+}  // namespace
+
+void look_at_pair(StepContext& step, ContactCheck& check) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    Contact& c = world.contacts.contacts[check.contact];
+    c.queued = false;
+    if (c.composite) return look_at_composite(step, check);
+    const Manifold manifold = manifold_ahead(step, c);
+    if (manifold.count == 0)
+        for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
+    check.near = smallest_gap(manifold);
+    check.gap_ahead = expected_gap(world, c, manifold, step.dt);
+    if (manifold.count > 0 && c.colour >= 0) {
+        check.goes_on = true;
+        write_manifold(world, c, manifold, false);
+        check.done = is_in_its_list(world, c);
+    } else if (check.gap_ahead < tuning::speculative_margin) {
+        check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+        scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// The narrow phase of one pair: where it touches, or by how much it is apart. A manifold that goes
+// on is written into its lane at once; one that may begin is kept for decide_contacts.
+//
+// Reads: bodies, shapes. Writes: the pair's own lane and cache, so pairs may be looked at on many
+// threads. Leaves in scratch: the check's result, ContactScratch::fresh or parts.
+#pragma once
+
+#include "stages/contacts/contact_scratch.h"
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+void look_at_pair(StepContext& step, ContactCheck& check);
+
+}  // namespace jostle::physics

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// How the two bodies of a pair move against each other.
+#pragma once
+
+#include "state/world_state.h"
+
+namespace jostle::physics {
+
+struct BodyMotion {
+    Vec3 center, v, w;
+};
+inline BodyMotion motion_of(const WorldState& world, std::uint32_t body) {
+    const BodyWarm& warm = warm_of(world, body);
+    return {warm.center, warm.v, warm.w};
+}
+
+// How far two bodies move against each other in a step, at most.
+inline double closing_way(const WorldState& world, const Contact& c, double dt) {
+    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const BodyMotion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
+    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
+    return (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
+}
+
+}  // namespace jostle::physics

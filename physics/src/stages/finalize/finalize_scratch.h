@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// What finalize_body finds out about each awake body, for the stages after it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "collision/broadphase/broad_phase_index.h"
+#include "state/body_store.h"
+
+namespace jostle::physics {
+
+// All by awake body.
+struct FinalizeScratch {
+    std::vector<std::uint8_t> left_fat_aabb;  // some shape of it did
+    std::vector<std::uint8_t> not_finite;
+    std::vector<std::uint8_t> fast;     // moved far, to be swept
+    std::vector<std::uint8_t> strayed;  // fast, and not where its fat boxes foresaw
+    // Not fast, and did not go as its velocity says: contacts turned it round in the step.
+    std::vector<std::uint8_t> thrown;
+    std::vector<BodyWarm> before;  // before the step, of what is fast or was thrown
+    std::atomic<int> any_fast = 0;
+    std::vector<BroadPhaseIndex::Move> moves;  // of the fat boxes that were left
+};
+
+}  // namespace jostle::physics

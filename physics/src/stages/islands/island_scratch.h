@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// What prepare_islands and link_islands use again from step to step.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "jostle/physics/vec3.h"
+
+namespace jostle::physics {
+
+// What stands of an island, by its bodies' centres of mass.
+struct IslandExtent {
+    double low = 1e300, high = -1e300;  // m, upwards
+    double thickness = 0;               // m, of all bodies
+    int bodies = 0;
+    // Sums over the bodies of where they are on the ground, from the first of them, m and m^2.
+    Vec3 first;
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    bool tier_chosen = false;  // its tier was looked at together with another's
+};
+
+struct IslandScratch {
+    std::vector<IslandExtent> extents;         // by island
+    std::vector<std::uint32_t> weights;        // by island
+    std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
+};
+
+}  // namespace jostle::physics

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "stages/sleep/wake_bodies.h"
+
+#include "stages/sleep/update_partial_sleep.h"
+#include "state/wake.h"
+
+namespace jostle::physics {
+namespace {
+
+Skipped wake_filed(WorldState& world) {
+    if (world.wake_requests.empty()) return "nobody is to wake";
+    apply_wake_requests(world, world.events.woke);
+    return ran;
+}
+
+}  // namespace
+
+Skipped wake_before_solve(StepContext& step) {
+    file_disturbances(step);
+    return wake_filed(step.world);
+}
+
+Skipped wake_after_impacts(StepContext& step) {
+    return wake_filed(step.world);
+}
+
+}  // namespace jostle::physics

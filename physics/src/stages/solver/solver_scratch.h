@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// What solve_constraints and solve_joints use again from step to step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "constraint_graph/joint_levels.h"
+#include "constraint_graph/solver_body.h"
+#include "constraints/contact_passes.h"
+#include "jostle/physics/mat3.h"
+
+namespace jostle::physics {
+
+// A body that turns far in a step, and not evenly: what each sub-step needs of it.
+struct GyroscopicBody {
+    Mat3 axes;  // of the body at the start of the step
+    Vec3 bend;  // PrincipalRatios, if its axes are the principal ones
+    bool principal = false;
+};
+
+// Numbers of bodies, colour set after colour set.
+struct BodiesBySet {
+    std::vector<std::uint32_t> all;
+    std::array<std::uint32_t, solved_set_count + 1> begin{};
+
+    std::span<const std::uint32_t> of(std::size_t first, std::size_t last) const {  // sets
+        return std::span(all).subspan(begin[first], begin[last] - begin[first]);
+    }
+};
+
+struct SolverScratch {
+    HotBodies hot;                         // awake body i is [i + 1]
+    std::vector<ExternalChange> external;  // as hot
+    // Hot indices of dynamic bodies with contacts or joints, and of those of them with joints.
+    BodiesBySet bodies, jointed;
+    std::vector<std::uint8_t> set_of;  // by awake body: index of its colour set, if it is solved
+    std::vector<std::uint32_t> kinematic;  // hot indices of kinematic bodies that the solver reads
+    std::vector<std::uint32_t> free;       // the other awake bodies, and all kinematic ones
+    // Both by the first set of a task.
+    std::array<JointLevels, solved_set_count> joints;
+    std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
+    std::vector<std::uint8_t> is_gyroscopic;  // by hot index
+    std::vector<GyroscopicBody> gyroscopic;   // by hot index, of those
+};
+
+}  // namespace jostle::physics

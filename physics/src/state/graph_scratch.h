@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Memory for walks over what hangs together, used again from walk to walk. Not part of the state.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace jostle::physics {
+
+struct GraphScratch {
+    std::vector<std::uint8_t> met, seen_jointed;  // by body; zero between uses
+    std::vector<std::uint8_t> visited_jointed;    // by body
+    std::vector<std::uint32_t> jointed;           // bodies
+    std::vector<std::uint32_t> stack;
+};
+
+}  // namespace jostle::physics

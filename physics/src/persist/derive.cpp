@@ -51,9 +51,12 @@ void derive_all(WorldState& world) {
     derive_axes(world.bodies.fixed);
     derive_axes(world.bodies.awake);
     for (Island& island : world.islands.islands) derive_axes(island.sleepers);
-    for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++)
-        if (world.bodies.ids.alive(i) && world.bodies.cold[i].asleep_in_place)
-            world.bodies.asleep_in_place++;
+    for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {
+        BodyCold& cold = world.bodies.cold[i];
+        if (!world.bodies.ids.alive(i) || !cold.asleep_in_place) continue;
+        world.bodies.asleep_in_place++;
+        invert_mass(cold);  // bytes from before 2026-11-24 have zeroes there
+    }
     derive_shapes(world);
     derive_contacts(world);
 }

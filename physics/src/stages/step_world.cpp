@@ -45,11 +45,18 @@ template <Skipped (*kStage)(StepContext&)>
 void run(StepContext& step, Stage name) {
     StepProfile& profile = step.world.profile;
     const auto index = static_cast<std::size_t>(name);
-    const Skipped skipped = kStage(step);
-    if (skipped == ran) profile.stage_ms[index] += step.timer.lap_ms();
-    // Of a stage that runs at two points: skipped when both are.
-    if (profile.stage_ms[index] == 0) profile.stage_skipped[index] = skipped;
-    if (skipped == ran) profile.stage_skipped[index] = ran;
+    profile.stage_skipped[index] = kStage(step);
+    if (profile.stage_skipped[index] == ran) profile.stage_ms[index] = step.timer.lap_ms();
+}
+
+// ... of the second part of a stage: both are skipped, or the stage ran.
+template <Skipped (*kStage)(StepContext&)>
+void run_second(StepContext& step, Stage name) {
+    StepProfile& profile = step.world.profile;
+    const auto index = static_cast<std::size_t>(name);
+    if (kStage(step) != ran) return;
+    profile.stage_skipped[index] = ran;
+    profile.stage_ms[index] += step.timer.lap_ms();
 }
 
 }  // namespace
@@ -58,23 +65,23 @@ void run(StepContext& step, Stage name) {
 void step_world(WorldState& world, StepScratch& scratch, double dt) {
     const FpModeScope fp_mode;
     StepContext step = begin_step(world, scratch, dt);
-    run<update_pairs>(step, Stage::update_pairs);            // which shapes may touch
-    run<update_contacts>(step, Stage::update_contacts);      // where they touch
-    run<wake_before_solve>(step, Stage::wake_bodies);        // who is disturbed
-    run<begin_contacts>(step, Stage::begin_contacts);        // new manifolds are to be solved
-    run<prepare_islands>(step, Stage::prepare_islands);      // sub-steps by what an island is
-    run<solve_constraints>(step, Stage::solve_constraints);  // sub-steps of all that touches
-    run<link_islands>(step, Stage::link_islands);            // what hangs together
-    run<integrate_free>(step, Stage::integrate_free);        // all that touches nothing
-    run<finalize>(step, Stage::finalize);                    // poses, bounds, rest time
-    run<solve_continuous>(step, Stage::solve_continuous);    // nothing passes through a wall
-    run<wake_after_impacts>(step, Stage::wake_bodies);       // who was hit asleep
-    run<place_toi_bodies>(step, Stage::solve_continuous);    // where impacts sent them
-    run<quarantine>(step, Stage::quarantine);                // nothing that is not a number leaves
-    run<update_sleep>(step, Stage::update_sleep);            // resting islands leave the awake set
-    step.team.finish();                                      // what finalize began
-    run<update_triggers>(step, Stage::update_triggers);      // what is inside which trigger
-    run<publish_events>(step, Stage::publish_events);        // sorted, ready to read
+    run<update_pairs>(step, Stage::update_pairs);                 // which shapes may touch
+    run<update_contacts>(step, Stage::update_contacts);           // where they touch
+    run<wake_before_solve>(step, Stage::wake_bodies);             // who is disturbed
+    run<begin_contacts>(step, Stage::begin_contacts);             // new manifolds are to be solved
+    run<prepare_islands>(step, Stage::prepare_islands);           // sub-steps by what an island is
+    run<solve_constraints>(step, Stage::solve_constraints);       // sub-steps of all that touches
+    run<link_islands>(step, Stage::link_islands);                 // what hangs together
+    run<integrate_free>(step, Stage::integrate_free);             // all that touches nothing
+    run<finalize>(step, Stage::finalize);                         // poses, bounds, rest time
+    run<solve_continuous>(step, Stage::solve_continuous);         // nothing passes through a wall
+    run_second<wake_after_impacts>(step, Stage::wake_bodies);     // who was hit asleep
+    run_second<place_toi_bodies>(step, Stage::solve_continuous);  // where impacts sent them
+    run<quarantine>(step, Stage::quarantine);            // nothing that is not a number leaves
+    run<update_sleep>(step, Stage::update_sleep);        // resting islands leave the awake set
+    step.team.finish();                                  // what finalize began
+    run<update_triggers>(step, Stage::update_triggers);  // what is inside which trigger
+    run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());
     world.steps++;
     for (const double ms : world.profile.stage_ms) world.profile.step_ms += ms;

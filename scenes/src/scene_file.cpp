@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "joint_message.h"
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
@@ -71,7 +71,7 @@ private:
         if (m.has_gravity()) out.world.gravity = vector("world.gravity", m.gravity(), 1000);
         if (m.has_substeps())
             out.world.substeps =
-                static_cast<int>(number("world.substeps", m.substeps(), 1, tuning::max_substeps));
+                static_cast<int>(number("world.substeps", m.substeps(), 1, limits::max_substeps));
         if (m.has_hz()) out.hz = number("world.hz", m.hz(), 4, 1000);
         if (m.has_sleeping()) out.world.sleeping = m.sleeping();
         if (m.has_continuous()) out.world.continuous = m.continuous();
@@ -124,12 +124,12 @@ private:
                 note(path + ".type", "is not a body type");
         }
         BodyDef& b = out.body;
-        b.pose = {vector(path + ".position", m.position(), tuning::max_coordinate),
+        b.pose = {vector(path + ".position", m.position(), limits::max_coordinate),
                   rotation(path + ".rotation", m.has_rotation(), m.rotation())};
         b.linear_velocity =
-            vector(path + ".linear_velocity", m.linear_velocity(), tuning::max_speed);
+            vector(path + ".linear_velocity", m.linear_velocity(), limits::max_speed);
         b.angular_velocity =
-            vector(path + ".angular_velocity", m.angular_velocity(), tuning::max_speed);
+            vector(path + ".angular_velocity", m.angular_velocity(), limits::max_speed);
         const bool moves = !(b.linear_velocity == Vec3{}) || !(b.angular_velocity == Vec3{});
         if (b.type == BodyType::fixed && moves)
             note(path + ".type",

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/query.pb.h"
 #include "protocol/vector_message.h"
@@ -19,7 +19,7 @@ constexpr int rays_max = 1000, shapes_max = 100, points_max = 1000;  // of one r
 constexpr int hull_points_max = 1000;
 // Of one answer: what stays below the 4 MiB that clients take by default.
 constexpr std::size_t hits_max = 50000;
-constexpr double coordinate_max = physics::tuning::max_coordinate;  // m
+constexpr double coordinate_max = physics::limits::max_coordinate;  // m
 
 Answer invalid(std::string message) {
     return {AnswerCode::invalid_argument, std::move(message)};

@@ -72,10 +72,9 @@ EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
 }
 
 bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt) {
-    constexpr double far = 0.02;  // rad
     return !cold.isotropic && cold.type == BodyType::dynamic &&
            (cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) == 0 &&
-           length_squared(warm.w) * dt * dt > far * far;
+           length_squared(warm.w) * dt * dt > tuning::gyroscopic_turn * tuning::gyroscopic_turn;
 }
 
 namespace {

@@ -8,6 +8,7 @@ namespace jostle::physics {
 
 void enter_static(WorldState& world, const BodyWarm& warm) {
     BodyCold& cold = world.bodies.cold[warm.body];
+    ASSERT(cold.type == BodyType::fixed);
     cold.set = BodySet::fixed;
     cold.at = static_cast<std::uint32_t>(world.bodies.fixed.size());
     world.bodies.fixed.push_back(warm);
@@ -15,6 +16,7 @@ void enter_static(WorldState& world, const BodyWarm& warm) {
 
 void enter_awake(WorldState& world, const BodyWarm& warm) {
     BodyCold& cold = world.bodies.cold[warm.body];
+    ASSERT(cold.type != BodyType::fixed);
     cold.set = BodySet::awake;
     cold.at = static_cast<std::uint32_t>(world.bodies.awake.size());
     world.bodies.awake.push_back(warm);
@@ -25,6 +27,7 @@ void leave_set(WorldState& world, std::uint32_t body) {
     ASSERT(cold.set != BodySet::sleeping);
     auto& set = cold.set == BodySet::fixed ? world.bodies.fixed : world.bodies.awake;
     const std::uint32_t hole = cold.at;
+    ASSERT(hole < set.size() && set[hole].body == body);
     if (hole + 1 < set.size()) {
         set[hole] = set.back();
         BodyCold& moved = world.bodies.cold[set[hole].body];

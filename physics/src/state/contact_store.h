@@ -11,6 +11,7 @@
 
 #include "collision/narrowphase/collide.h"
 #include "constraint_graph/solver_tier.h"
+#include "foundation/check.h"
 #include "foundation/flat_array.h"
 #include "foundation/id_pool.h"
 #include "foundation/key_set.h"
@@ -89,6 +90,7 @@ template <class Visit>
 void for_each_contact(const ContactStore& store, const BodyCold& body, Visit&& visit) {
     for (std::uint32_t edge = body.first_edge; edge != none;) {
         const std::uint32_t contact = edge / 2;
+        ASSERT(contact < store.contacts.size());
         edge = store.contacts[contact].next[edge % 2];
         visit(contact);
     }

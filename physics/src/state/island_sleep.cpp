@@ -2,7 +2,7 @@
 #include "state/island_sleep.h"
 
 #include "foundation/check.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "state/body_sets.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -42,6 +42,7 @@ std::vector<std::uint32_t> who_stays_asleep(WorldState& world,
 void wake_island(WorldState& world, std::uint32_t island_index, std::vector<BodyId>& woke) {
     Island& island = world.islands.islands[island_index];
     if (!island.asleep) return;
+    ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = false;
     const std::vector<BodyWarm> sleepers = std::move(island.sleepers);
     const std::vector<SavedContact> manifolds = std::move(island.manifolds);
@@ -131,12 +132,14 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
         BodyCold& cold = world.bodies.cold[body];
         BodyWarm warm = world.bodies.awake[cold.at];
         warm.v = warm.w = {};
+        ASSERT(!cold.asleep_in_place && cold.constraints == 0);
         leave_set(world, body);
         cold.set = BodySet::sleeping;
         cold.at = static_cast<std::uint32_t>(island.sleepers.size());
         island.sleepers.push_back(warm);
         world.bodies.motion[body].bound = world.bodies.motion[body].travel;
     }
+    ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = true;
 }
 

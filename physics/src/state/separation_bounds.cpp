@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "state/separation_bounds.h"
 
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "state/contact_store.h"
 
 namespace jostle::physics {
@@ -15,6 +17,7 @@ void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double
 
 void add_separation_bound(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
     Contact& c = world.contacts.contacts[contact];
+    ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
     c.dormant = false;
     if (c.has_bound) return;  // was dormant meanwhile: keeps its place and limit
     c.has_bound = true;
@@ -23,7 +26,7 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
     w.limit = a.travel + b.travel + slack;
     const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
     if (slack >= 0 && length_squared(apart) <= 1e6)
-        set_separation_bound(w, apart, direction, slack - slack_reserve, a, b);
+        set_separation_bound(w, apart, direction, slack - tuning::slack_reserve, a, b);
     c.limit = w.limit;
     world.contacts.bounds.push_back(w);
 }

@@ -7,10 +7,6 @@
 
 namespace jostle::physics {
 
-// What is held back of a slack, m: within a kilometre the floats of SeparationBound::apart are off
-// by less.
-inline constexpr double slack_reserve = 1e-4;
-
 // From now on by the motion of the two centres, which are `apart`, against each other: along a
 // direction, or by its length if that is zero. `a`, `b`: of the two bodies.
 void set_separation_bound(SeparationBound& bound, Vec3 apart, Vec3 direction, double slack,

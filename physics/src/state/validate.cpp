@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
+#include "jostle/physics/limits.h"
 
 namespace jostle::physics {
 namespace {
@@ -381,7 +382,7 @@ Fault check_islands(const WorldState& world) {
 }  // namespace
 
 std::optional<std::string> find_fault(const WorldState& world) {
-    if (world.def.substeps < 1 || world.def.substeps > tuning::max_substeps)
+    if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
     if (!(world.last_dt >= 0 && world.last_dt <= 0.25)) return "world.last_dt is out of range";
     if (Fault f = check_pool("bodies", world.bodies.ids, world.bodies.cold)) return f;

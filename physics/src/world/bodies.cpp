@@ -3,7 +3,7 @@
 // Create, destroy, move and push bodies.
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/physics/world.h"
 #include "state/body_sets.h"
 #include "state/contact_graph.h"
@@ -287,8 +287,8 @@ Status World::set_pose(BodyId body, const Transform& pose) {
 Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
     WorldState& world = *state_;
     if (Status s = check_id(world, body); !s.ok()) return s;
-    if (Status s = check_vector("linear", linear, tuning::max_speed); !s.ok()) return s;
-    if (Status s = check_vector("angular", angular, tuning::max_speed); !s.ok()) return s;
+    if (Status s = check_vector("linear", linear, limits::max_speed); !s.ok()) return s;
+    if (Status s = check_vector("angular", angular, limits::max_speed); !s.ok()) return s;
     if (world.bodies.cold[body.index].type == BodyType::fixed)
         return Error{ErrorCode::failed_precondition,
                      "a fixed body has no velocity; make it kinematic instead"};
@@ -391,7 +391,7 @@ Status World::apply_impulse(BodyId body, Vec3 impulse, Vec3 point) {
     WorldState& world = *state_;
     if (Status s = check_dynamic(world, body); !s.ok()) return s;
     if (Status s = check_vector("impulse", impulse, 1e12); !s.ok()) return s;
-    if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s;
+    if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s;
     const BodyCold& cold = world.bodies.cold[body.index];
     BodyWarm& warm = stir(world, body.index);
     warm.v += scaled(impulse, free_directions(cold)) * cold.inverse_mass;
@@ -414,7 +414,7 @@ Status World::apply_force(BodyId body, Vec3 force, Vec3 point) {
     WorldState& world = *state_;
     if (Status s = check_dynamic(world, body); !s.ok()) return s;
     if (Status s = check_vector("force", force, 1e12); !s.ok()) return s;
-    if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s;
+    if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s;
     BodyWarm& warm = stir(world, body.index);
     warm.force += force;
     warm.torque += cross(point - warm.center, force);

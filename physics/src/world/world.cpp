@@ -3,7 +3,7 @@
 // World: checks arguments, changes state, calls the step.
 #include "jostle/physics/world.h"
 
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "stages/step_world.h"
 #include "world/checks.h"
 
@@ -42,7 +42,7 @@ int World::substeps() const {
 }
 
 Status World::set_threads(int threads) {
-    if (Status s = check_range("threads", threads, 1, tuning::max_threads); !s.ok()) return s;
+    if (Status s = check_range("threads", threads, 1, limits::max_threads); !s.ok()) return s;
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
     state_->team = std::make_unique<TaskTeam>(threads);

@@ -4,6 +4,7 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/gjk.h"
 #include "collision/narrowphase/segments.h"
+#include "foundation/tuning.h"
 #include "geometry/bounds.h"
 #include "geometry/bvh.h"
 #include "geometry/surface.h"
@@ -19,9 +20,6 @@ struct Gap {
     Vec3 point;       // m, world, between the surfaces
     Vec3 turn;        // a step: how the normal goes along with what it belongs to, as a guess
 };
-
-// Gaps need not be exact to advance safely: a direction that separates by nearly as much will do.
-constexpr double loose = 0.1;
 
 // Fastest closing of any two points along any direction, m per step: what is further apart than
 // they can come in the time that is left needs no better direction.
@@ -223,8 +221,9 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way
         ca = convex_at(a, pa, origin);
         cb = convex_at(b, pb, origin);
         const double radii = ca.radius + cb.radius;
-        const GjkGoal early{
-            .beyond = radii + way.gap + most * (way.until - t), .loose = loose, .radii = radii};
+        const GjkGoal early{.beyond = radii + way.gap + most * (way.until - t),
+                            .loose = tuning::loose_gap,
+                            .radii = radii};
         const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
         hint = g.normal;
         return gap_of(g, a, b, ca.radius, cb.radius, origin);
@@ -375,7 +374,7 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
                 const GjkGoal early{.beyond = c.radius + way.gap + most * (way.until - at),
-                                    .loose = loose,
+                                    .loose = tuning::loose_gap,
                                     .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
                 hint = g.normal;

@@ -11,7 +11,7 @@ namespace jostle::physics::JOSTLE_ISA {
 
 struct JointLoad {
     Wide3 impulse;  // N s
-    Wide3 angular;     // N m s
+    Wide3 angular;  // N m s
 };
 
 struct Ball {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stages/contacts/separation_bound.h"
 
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "state/separation_bounds.h"
 
 namespace jostle::physics {
@@ -43,7 +43,7 @@ bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     const Vec3 apart = wb.center - wa.center;
     const double distance = length(apart);
     const double slack =
-        distance - a.radius - b.radius - tuning::speculative_margin - slack_reserve;
+        distance - a.radius - b.radius - tuning::speculative_margin - tuning::slack_reserve;
     if (slack <= 0) return false;
     const Vec3 direction = apart * (1 / distance);
     if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "foundation/tuning.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -54,7 +55,7 @@ void CcdCandidates::note_fast() {
     swept_.set_all(bodies, [&](std::uint32_t body) {
         const BodyCold& cold = world_.bodies.cold[body];
         const Vec3 from = before_[cold.at].center, to = world_.bodies.awake[cold.at].center;
-        return grow({min(from, to), max(from, to)}, cold.radius + 0.01);
+        return grow({min(from, to), max(from, to)}, cold.radius + tuning::swept_margin);
     });
 }
 

@@ -10,7 +10,8 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
 #include "constraints/impact.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
 #include "stages/continuous/swept_motions.h"
@@ -62,6 +63,7 @@ private:
     }
     std::size_t add(std::uint32_t body, bool fast) {
         if (where_.empty()) where_.resize(world_.bodies.cold.size(), nobody);
+        ASSERT(where_[body] == nobody);
         where_[body] = static_cast<std::uint32_t>(bodies_.size());
         ToiBody t;
         t.body = body;
@@ -236,7 +238,8 @@ private:
     Aabb swept_aabb_of(const ToiBody& t) const {
         if (t.sweep.until < 1) {
             const Vec3 from = t.sweep.center, to = center_at(t.sweep, 1);
-            return grow({min(from, to), max(from, to)}, world_.bodies.cold[t.body].radius + 0.01);
+            return grow({min(from, to), max(from, to)},
+                        world_.bodies.cold[t.body].radius + tuning::swept_margin);
         }
         Aabb box{};
         bool first = true;
@@ -247,7 +250,7 @@ private:
             box = first ? own : unite(box, own);
             first = false;
         }
-        return grow(box, 0.01);
+        return grow(box, tuning::swept_margin);
     }
 
     bool may_hit(std::uint32_t own, std::uint32_t other) const {
@@ -326,7 +329,7 @@ private:
         // Of two that search one looks, for both.
         if (known != nobody && searches(known))
             least = minimum(least, motion_without_sweep(step_, cold_other, cold));
-        least *= changed ? 0.4 : 0.8;
+        least *= changed ? tuning::sweep_share_after_impact : tuning::sweep_share;
         const SweptMotion motion = motion_now(other);
         const double way = length(t.sweep.motion - motion.motion) +
                            length(t.sweep.turn) * cold.radius + motion.turning;
@@ -370,9 +373,9 @@ private:
             // the whole is in by what they lack. Of what it held only those by which it may yet go
             // through: a limb that is stopped here leaves its joints.
             SweptShape core_a = a, core_b = b;
-            for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
+            for (const double scale : tuning::swept_cores) {
                 if (!touches) break;
-                if (held && scale > 0.7) continue;
+                if (held && scale > tuning::held_core) continue;
                 (of_other ? core_b : core_a).scale = scale;
                 const Impact later =
                     time_of_impact(core_a, core_b, from, tuning::sweep_gap, t.fraction);
@@ -439,6 +442,7 @@ private:
 
     void impact(std::size_t index) {
         const double at = bodies_[index].fraction;
+        ASSERT(at >= bodies_[index].sweep.from && at <= 1);
         const std::uint32_t own = bodies_[index].own_shape, other = bodies_[index].other_shape;
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);

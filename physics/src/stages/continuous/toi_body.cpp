@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "constraints/free_motion.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
-
-constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a gyroscopic body's
 
 // An even turn from one attitude to the other, rad, of all that end there the one most like
 // `wished`: so that the way ends where the body does, however often it went round.
@@ -51,7 +50,7 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
         const Mat3 axes = to_matrix(t.spin_rotation);
         const Vec3 w = transposed_times(axes, t.spin);
         const double bend = length(cold.inverse_inertia * cross(w, cold.inertia * w));
-        const double legs = left * dt * square_root(bend / (8 * leg_error));
+        const double legs = left * dt * square_root(bend / (8 * tuning::leg_error));
         if (legs > 1) t.sweep.until = from + left / std::ceil(legs);
     }
     const bool last = t.sweep.until == 1;
@@ -113,6 +112,7 @@ void next_leg(const WorldState& world, ToiBody& t, double dt) {
 void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& turn,
             double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
+    ASSERT(cold.type == BodyType::dynamic && fraction >= 0 && fraction <= 1);
     const double left = 1 - fraction, time = left * dt;
     // From here on it flies, whatever held it before: the next step's contacts will see.
     const FreeSpin free = time > 0 ? spin_of(world, t.body, turn.rotation, turn.w, time)
@@ -140,6 +140,8 @@ bool is_exhausted(const ToiBody& t) {
 }
 
 void finish_toi(WorldState& world, const ToiBody& t, double dt) {
+    ASSERT(t.changed && world.bodies.cold[t.body].set == BodySet::awake);
+    ASSERT(!world.bodies.cold[t.body].asleep_in_place);
     const bool stayed = is_exhausted(t);
     const double until = stayed ? t.sweep.from : 1;
     const BodyCold& cold = world.bodies.cold[t.body];

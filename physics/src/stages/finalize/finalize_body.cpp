@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/finalize_body.h"
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
@@ -86,6 +87,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     FinalizeScratch& scratch = step.scratch.finalize;
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
+    ASSERT(cold.set == BodySet::awake && cold.at == awake_index && !cold.asleep_in_place);
     warm.force = warm.torque = {};
     const Vec3 center = warm.center + motion.displacement;
     if (!is_sound(motion, center)) {

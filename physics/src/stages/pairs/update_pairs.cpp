@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/contact_graph.h"
 #include "state/joint_graph.h"
@@ -30,6 +31,7 @@ void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
 void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out) {
     const ShapeStore& store = world.shapes;
     const ShapeRecord& shape = store.shapes[index];
+    ASSERT(store.ids.alive(index) && shape.moved);
     if (shape.trigger) return;  // looked at by update_triggers
     const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
     if (is_plane(shape)) {
@@ -94,6 +96,7 @@ Skipped update_pairs(StepContext& step) {
     world.shapes.fixed->flush();
     world.shapes.moving->flush();
     const std::vector<ShapePair>& pairs = find_new_pairs(step);
+    ASSERT(std::is_sorted(pairs.begin(), pairs.end()));
     for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
     moved.clear();
     for (const auto& [a, b] : pairs) {

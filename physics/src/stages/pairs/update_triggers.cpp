@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "collision/narrowphase/collide_composite.h"
+#include "foundation/check.h"
 #include "geometry/bounds.h"
 #include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
@@ -20,6 +21,7 @@ bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
 void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,
                std::vector<Inside>& inside) {
     const ShapeRecord& shape = world.shapes.shapes[trigger];
+    ASSERT(shape.trigger);
     const BodyCold& own = world.bodies.cold[shape.body];
     const auto& before = world.triggers.inside;
     const bool fresh = std::find(world.triggers.fresh.begin(), world.triggers.fresh.end(),

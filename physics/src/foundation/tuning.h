@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Every numeric constant of the solver, with its unit and its reason. SI throughout the library:
-// metres, kilograms, seconds, radians. docs/performance.md and the tests say what each was measured
-// to do.
+// Every numeric constant of the solver that was chosen, with its unit, its reason and, where it is
+// another's, its source. SI throughout the library: metres, kilograms, seconds, radians.
+// docs/lab_diary.md and the tests say what each was measured to do. What a user may set is in
+// WorldDef; what a caller may ask for at most in limits.h. Bounds of an algorithm (rounds,
+// tolerances of rounding) stand beside it.
 #pragma once
 
 namespace jostle::physics::tuning {
@@ -32,6 +34,36 @@ inline constexpr double reuse_distance = 0.004;  // m
 // where round bodies roll and are cheap to look at, sooner.
 inline constexpr double reuse_speed = 0.05;          // m/s
 inline constexpr double single_reuse_speed = 0.015;  // m/s
+
+// A composite pair is looked at a little further than it needs, so that it need not be looked at in
+// every step.
+inline constexpr double composite_slack = 0.01;  // m
+// A part of a composite pair goes on as a manifold of the same piece whose normal is this near.
+inline constexpr double same_part = 0.9;  // cosine
+// What two will touch with is plain once they are this far in each other. A crate slides towards a
+// tile that lies flush with the one under it: before they meet the side of the tile is what parts
+// them most, and would stop it; past that it is the top. More than contacts overlap at rest.
+inline constexpr double just_past = 1e-3;  // m
+// A pair that moves less in a step is looked at where it is, not where it will be.
+inline constexpr double noticed_motion = 1e-4;  // m
+// What a separation bound holds back of its slack: within a kilometre the floats of its direction
+// are off by less.
+inline constexpr double slack_reserve = 1e-4;  // m
+// Of more than four points those that overlap by this are kept first, because they bear.
+inline constexpr double bearing_overlap = 0.001;  // m
+// Pieces of a surface with normals within five degrees are one manifold, if the ground under it is
+// even to this part of the shape's size.
+inline constexpr double same_piece = 0.9962;  // cosine of 5 degrees
+inline constexpr double even_ground = 1e-3;
+// An edge of a surface still pushes along a normal that leans this far beyond what it allows.
+inline constexpr double edge_slack = 0.01;  // rad
+// Round edges that cross at a small angle touch in a long ellipse (Hertz): in two points where
+// their axes are by this part of the radius further from each other than at the nearest.
+// Derivation: narrowphase/segments.h; 1/10000 to 1/2000 were tried and are equal.
+inline constexpr double crossing_gap = 2e-4;
+// Points of a box along a capsule that are deeper by this part of the radius are points of their
+// own.
+inline constexpr double same_gap = 1e-4;
 
 // --- contact solver (soft contacts after Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024)
 // Contact frequency as a fraction of the sub-step rate. 0.125 is the quietest, 0.25 makes brick
@@ -114,6 +146,22 @@ inline constexpr double wake_gap = 0.001;  // m
 // A contact that pressed counts as touching until its gap exceeds this.
 inline constexpr double touch_gap = 0.002;  // m
 
+// Reuse of a manifold: what counts as motion besides slip. A turn against each other by the mean
+// distance of the points, at least this, m (a long body may come down beside its only point), and
+// the common turn by this, m: the normal does not follow it.
+inline constexpr float least_turn_radius = 0.3f;
+inline constexpr float common_turn_radius = 0.3f;
+// An arm follows the bodies while they moved against each other by less than this part of its
+// square: what has moved further no longer meets there.
+inline constexpr float arm_follows = 0.1f;
+// An impact's Gauss-Seidel sweeps over its points.
+inline constexpr int impact_sweeps = 12;
+
+// --- free motion ---
+// A body that turns further in a step, with an uneven inertia, takes Euler's equations sub-step by
+// sub-step.
+inline constexpr double gyroscopic_turn = 0.02;  // rad
+
 // --- joints ---
 // Joint frequency as a fraction of the sub-step rate, and its damping.
 inline constexpr double joint_stiffness = 0.25;
@@ -124,6 +172,21 @@ inline constexpr double joint_damping_ratio = 2;
 inline constexpr double sweep_fraction = 0.5;
 // A sweep stops this far before the surfaces meet.
 inline constexpr double sweep_gap = 1e-4;  // m
+// The box of a swept body is this much larger on each side.
+inline constexpr double swept_margin = 0.01;  // m
+// Of what a pair may move without a sweep the sweep looks at a little more, so that nothing falls
+// between the two; after an impact at more: contacts did not foresee the new way.
+inline constexpr double sweep_share = 0.8, sweep_share_after_impact = 0.4;
+// One end of a body may rest while the other comes down: then smaller and smaller parts of the
+// thinner body, about its middle, are swept. Of what contacts hold only those by which it may yet
+// go through.
+inline constexpr double swept_cores[] = {0.95, 0.9, 0.8, 0.65, 0.45, 0.25};
+inline constexpr double held_core = 0.7;
+// An even turn may miss a gyroscopic body's by this; else its way is cut into legs.
+inline constexpr double leg_error = 0.01;  // rad
+// Gaps need not be exact to advance safely: a direction that separates by all but this part will
+// do.
+inline constexpr double loose_gap = 0.1;
 // With fewer shapes near a body it costs as much as it saves to ask which of them pass it by.
 inline constexpr unsigned crowded_candidates = 16;
 inline constexpr int sweep_impacts = 16;  // of one body in one step; then it stays where it is
@@ -155,6 +218,9 @@ inline constexpr double gentle_speed = 0.1;  // m/s
 // flooded in each.
 inline constexpr int split_interval = 15;
 
+// A fat box is left a part of its margin early: manifolds begin before surfaces meet.
+inline constexpr double fat_margin_reserve = 0.25;
+
 // --- quarantine ---
 // Beyond these a state is no longer physics but a number that ran away.
 inline constexpr double quarantine_speed = 1e6;       // m/s or rad/s
@@ -171,17 +237,15 @@ inline constexpr int joint_grain = 8;    // blocks of joints
 // With fewer blocks in a run of joints, waking another thread costs more than they do.
 inline constexpr int shared_joint_blocks = 32;
 inline constexpr int contact_grain = 8;  // blocks of contacts
+// Steps that take longer are shared among threads without a trial: they gain, and a trial would
+// make one late. A trial that gains less is noise. Steps between trials: so many at first, at most.
+inline constexpr double long_step_ms = 2;
+inline constexpr double trial_gain = 0.95;
+inline constexpr int first_trial_pause = 8, longest_trial_pause = 512;
 // A task of the solver of no more bodies and contacts is one thread's.
 inline constexpr unsigned light_task = 4000;
 // From so many moves on the trees are told of them beside other work: a few take less time than to
 // wake a thread.
 inline constexpr int moves_beside = 256;
-
-// --- limits of what callers may ask ---
-inline constexpr double max_coordinate = 1e7;  // m
-inline constexpr double max_speed = 1e4;       // m/s and rad/s that a caller may set
-inline constexpr double max_density = 1e6;     // kg/m^3
-inline constexpr int max_substeps = 64;
-inline constexpr int max_threads = 64;
 
 }  // namespace jostle::physics::tuning

@@ -6,7 +6,8 @@
 //
 // A visitor v has: v.field(name, number&), for bools, integers, floats and enums; v.enter(name) /
 // v.enter(index) and v.leave() for the path; v.count(name, size) -> size, which a loader replaces
-// by what it reads (and bounds); and kLoading.
+// by what it reads (and bounds); v.optional(name, number&), a field that most leave at zero and
+// that joined later: saved like any other, but a zero leaves a hash as it was; and kLoading.
 #pragma once
 
 #include <string_view>
@@ -192,6 +193,7 @@ void visit_fields(V& v, ShapeRecord& s) {
     v.field("group", s.filter.group);
     v.field("trigger", s.trigger);
     v.field("report_stays", s.report_stays);
+    v.optional("user_data", s.user_data);
     v.field("body", s.body);
     v.field("next", s.next);
     visit(v, "fat", s.fat);

@@ -115,12 +115,12 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     store.ids.give_back(contact);
 }
 
-void end_touch_of_pair(WorldState& world, std::uint32_t pair) {
+void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended) {
     Contact& c = world.contacts.contacts[pair];
     ASSERT(world.contacts.ids.alive(pair) && c.parent == none);
     if (!c.touching || c.parts_touching > 0) return;
     c.touching = false;
-    report_end(world, c, world.events.contacts_ended);
+    report_end(world, c, ended);
 }
 
 void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {

@@ -86,7 +86,8 @@ std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
 
 }  // namespace
 
-void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
+void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
+                         std::vector<ContactEnd>& ended) {
     Island& island = world.islands.islands[island_index];
     ASSERT(!island.asleep && island.sleepers.empty());
     island.sleepers.reserve(island.bodies);
@@ -112,12 +113,12 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
                 if (!keep) {
                     if (c.parent != none) {
                         const std::uint32_t parent = c.parent;
-                        destroy_contact(world, contact, world.events.contacts_ended);
-                        end_touch_of_pair(world, parent);
+                        destroy_contact(world, contact, ended);
+                        end_touch_of_pair(world, parent, ended);
                         return;
                     }
                     if (c.touching) {
-                        report_end(world, c, world.events.contacts_ended);
+                        report_end(world, c, ended);
                         end_touch(world, contact);
                     }
                     add_separation_bound(world, contact, -1);

@@ -24,6 +24,7 @@ struct ShapeRecord {
     Filter filter;
     bool trigger = false;
     bool report_stays = false;
+    std::uint64_t user_data = 0;
     std::uint32_t body = none;
     std::uint32_t next = none;  // shape of the same body
     Aabb fat;                   // bounds plus margin; unused by planes

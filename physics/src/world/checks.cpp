@@ -57,6 +57,7 @@ Status check_body(const BodyDef& def) {
     if (Status s = check_range("angular_damping", def.angular_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("gravity_scale", def.gravity_scale, -1e3, 1e3); !s.ok()) return s;
     if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
+    if (Status s = check_body_type(def.type); !s.ok()) return s;
     if (def.locks >= 64) return invalid("locks has bits beyond the six axes");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
     if (def.type == BodyType::fixed && moves)
@@ -128,6 +129,43 @@ Status check_shape(const ShapeDef& def, BodyType type) {
         return invalid("density is " + text(def.density) +
                        "; a dynamic body needs a shape of density above 0 to have mass");
     return check_range("density", def.density, 1e-6, limits::max_density);
+}
+
+Status check_body_type(BodyType type) {
+    if (type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic)
+        return {};
+    return invalid("type is of no known kind");
+}
+
+Status check_body_in(const WorldState& world, const BodyDef& def) {
+    if (Status s = check_body(def); !s.ok()) return s;
+    return world.def.planar ? check_flat_body(def) : Status{};
+}
+
+Status check_shape_in(const WorldState& world, const ShapeDef& def, BodyType type) {
+    if (Status s = check_shape(def, type); !s.ok()) return s;
+    return world.def.planar ? check_flat_shape(def) : Status{};
+}
+
+Status check_shapes_in(const WorldState& world, std::span<const ShapeDef> defs, BodyType type) {
+    for (std::size_t k = 0; k < defs.size(); k++)
+        if (Status s = check_shape_in(world, defs[k], type); !s.ok()) {
+            if (defs.size() == 1) return s;
+            return Error{s.error().code, "shapes[" + std::to_string(k) + "]: " + s.error().message};
+        }
+    return {};
+}
+
+ShapeDef def_of(const ShapeRecord& shape) {
+    return {.geometry = shape.geometry,
+            .pose = shape.pose,
+            .material = shape.material,
+            .density = shape.density,
+            .mass = shape.mass,
+            .filter = shape.filter,
+            .trigger = shape.trigger,
+            .report_stays = shape.report_stays,
+            .user_data = shape.user_data};
 }
 
 Status check_id(const WorldState& world, BodyId id) {

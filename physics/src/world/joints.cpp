@@ -201,4 +201,10 @@ std::vector<JointId> World::joints_of(BodyId body) const {
     return ids;
 }
 
+Status World::set_user_data(JointId joint, std::uint64_t data) {
+    if (Status s = check_id(*state_, joint); !s.ok()) return s;
+    state_->joints.joints[joint.index].user_data = data;
+    return {};
+}
+
 }  // namespace jostle::physics

@@ -3,14 +3,31 @@
 // World: checks arguments, changes state, calls the step.
 #include "jostle/physics/world.h"
 
+#include <cstdio>
+#include <cstdlib>
+
 #include "jostle/physics/limits.h"
 #include "stages/step_world.h"
+#include "state/shape_proxy.h"
+#include "state/wake.h"
+#include "world/body_change.h"
 #include "world/checks.h"
 
 namespace jostle::physics {
 
 World::World(std::unique_ptr<WorldState> state)
     : state_(std::move(state)), scratch_(std::make_unique<StepScratch>()) {}
+World::World() : World(WorldDef{}) {}
+
+World::World(const WorldDef& def) {
+    Result<World> made = create(def);
+    if (!made.ok()) {
+        std::fprintf(stderr, "jostle: World: %s\n", made.error().message.c_str());
+        std::abort();
+    }
+    *this = std::move(*made);
+}
+
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -39,6 +56,21 @@ Vec3 World::gravity() const {
 }
 int World::substeps() const {
     return state_->def.substeps;
+}
+
+Status World::set_gravity(Vec3 gravity) {
+    WorldState& world = *state_;
+    WorldDef def = world.def;
+    def.gravity = gravity;
+    if (Status s = check_world(def); !s.ok()) return s;
+    if (gravity == world.def.gravity) return {};
+    // What lay still may fall.
+    for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
+        if (world.bodies.ids.alive(body)) wake_body(world, body);
+    world.def.gravity = gravity;
+    for (const BodyWarm& warm : world.bodies.awake)
+        update_motion_bound(world, warm.body, expected_dt(world));
+    return {};
 }
 
 Status World::set_threads(int threads) {

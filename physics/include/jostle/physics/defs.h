@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "jostle/physics/geometry.h"
 #include "jostle/physics/transform.h"
@@ -68,9 +69,10 @@ struct ShapeDef {
         1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
     double mass = 0;  // kg; above 0 it replaces the density
     Filter filter;
-    bool trigger = false;       // touches nothing; reports what is inside it. Adds no mass
-    bool report_stays = false;  // its touching contacts are listed in Events::contacts after each
-                                // step, with their impulses
+    bool trigger = false;  // touches nothing; reports what is inside it. Adds no mass
+    // Its touching contacts are listed in Events::contacts after each step, with their impulses.
+    bool report_stays = false;
+    std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 
 // Directions in which a body cannot move, as bits: along the world's axes, and about them.
@@ -93,6 +95,12 @@ struct BodyDef {
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 
+// A body with its shapes, for World::create_bodies.
+struct BodyAndShapes {
+    BodyDef body;
+    std::vector<ShapeDef> shapes;
+};
+
 // How pairs are found. The result is the same, the cost is not: docs/performance.md.
 enum class BroadPhase : std::uint8_t {
     dynamic_tree,
@@ -102,13 +110,12 @@ enum class BroadPhase : std::uint8_t {
 
 struct WorldDef {
     Vec3 gravity{0, -9.81, 0};  // m/s^2
-    // 1 to 64 solver passes per step: more is stiffer and more exact. Islands of few layers, all
-    // slow, take half as many, heaps that come to rest half as many again where bodies may sleep,
-    // towers and walls of many layers twice as many, such in which something lies on a hundredth of
-    // its mass four times.
+    // Sub-steps per step, 1 to 64: more is stiffer and more exact. Multiplied per island: flat and
+    // slow x1/2, heaps that come to rest x3/2 (where bodies may sleep), more than 40 layers on
+    // little ground x2, mass ratio over 100 on top x4.
     int substeps = 8;
-    // 1 to 64; the result has the same bits for every number. Steps of less than two milliseconds
-    // have them where a trial shows that they help (thread_trials.h).
+    // Threads per step, 1 to 64. The result has the same bits for any number. Steps of less than
+    // two milliseconds use them only where a trial shows that they help (thread_trials.h).
     int threads = 1;
     bool sleeping = true;    // bodies at rest leave the step
     bool continuous = true;  // fast bodies are swept, so that nothing tunnels

@@ -60,7 +60,7 @@ void report_composites(WorldState& world) {
         if (!world.contacts.ids.alive(pair)) continue;
         Contact& c = world.contacts.contacts[pair];
         if (!c.composite) continue;
-        end_touch_of_pair(world, pair);
+        end_touch_of_pair(world, pair, world.events.contacts_ended);
         if (c.touching || c.parts_touching == 0) continue;
         std::uint32_t first = c.first_part;
         while (!world.contacts.contacts[first].touching)

@@ -62,7 +62,7 @@ void fall_asleep(WorldState& world, std::uint32_t island) {
             world.events.fell_asleep.push_back(body_id(world, body));
         wake_in_place(world, body);
     }
-    put_island_to_sleep(world, island);
+    put_island_to_sleep(world, island, world.events.contacts_ended);
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ inline constexpr int tier_interval = 8;  // steps between looks
 inline constexpr int tier_patience = 4;  // looks
 // Islands of one tier are dealt out among batches that threads solve side by side, none of less
 // bodies and manifolds than this, when one has so many times its share; looked at in every so many
-// steps. To move a manifold from store to store costs as much as two or three steps of it.
+// steps. To move a contact from set to set costs as much as two or three steps of it.
 inline constexpr int least_batch = 800;
 inline constexpr double batch_unequal = 1.15;
 inline constexpr int batch_interval = 16;
@@ -120,7 +120,7 @@ inline constexpr int batch_interval = 16;
 inline constexpr int shared_contacts = 2000;
 // A colour is in order when no more than one in so many contacts is out of it: sorting moves all.
 inline constexpr int sorted_share = 256;
-// Steps between looks at whether the lanes of a large store lie in the order of their bodies.
+// Steps between looks at whether the contacts of a large set lie in the order of their bodies.
 inline constexpr int sort_interval = 32;
 inline constexpr double standing_speed = 0.1;  // m/s: what is faster falls; one step adds 0.16
 // An island in which a body rests on nothing but bodies of so much less mass takes four times the
@@ -201,17 +201,17 @@ inline constexpr double time_to_sleep = 0.5;  // s
 inline constexpr double drift_speed = 0.2;  // m/s
 inline constexpr double drift = 0.004;      // m
 // Of an island that does not sleep, what has rested this long beside nothing that has not is
-// frozen, if that are so many bodies; looked at in every so many steps.
+// put to sleep in place, if that are so many bodies; looked at in every so many steps.
 inline constexpr double partial_sleep_time = 0.5;  // s
 inline constexpr int partial_sleep_least = 16;
 inline constexpr double partial_sleep_share = 0.8;  // of the island's bodies, at least
 inline constexpr int partial_sleep_interval = 8;
-// A frozen body thaws when the force at a contact changes by more than this share of what it was
+// A body that sleeps in place wakes when the force at a contact changes by more than this share of what it was
 // and this share of the body's weight. Forces within a heap shift all the time by less: a
 // micrometre of overlap bears half a weight.
 inline constexpr double wake_load_share = 0.5;
 inline constexpr double wake_load_weight = 0.5;
-// What is hit thaws with so much around it that all of that together would take over the momentum
+// What is hit wakes with so much around it that all of that together would take over the momentum
 // at this speed.
 inline constexpr double gentle_speed = 0.1;  // m/s
 // An island is not cut again before so many steps: a heap in which something always rolls would be

@@ -101,7 +101,7 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("isotropic", b.isotropic);
     v.field("set", b.set);
     v.field("at", b.at);
-    v.field("frozen", b.asleep_in_place);
+    v.field("asleep_in_place", b.asleep_in_place);
     v.field("first_shape", b.first_shape);
     v.field("last_shape", b.last_shape);
     v.field("first_edge", b.first_edge);
@@ -319,7 +319,7 @@ void visit_fields(V& v, SavedContact& m) {
     v.field("needs_rebuild", m.needs_rebuild);
 }
 
-// The lanes of one colour in order: order decides the bits of a solve.
+// The contacts of one colour in order: order decides the bits of a solve.
 template <class V>
 void visit_fields(V& v, GraphColour& colour, int index) {
     const std::size_t count = v.count("contacts", static_cast<std::size_t>(colour.contacts));
@@ -445,9 +445,9 @@ void visit_world(V& v, WorldState& world) {
     v.leave();
 
     v.enter("manifolds");
-    for (std::size_t store = 0; store < world.graph.sets.size(); store++) {
-        v.enter(store);
-        visit_fields(v, world.graph.sets[store]);
+    for (std::size_t set = 0; set < world.graph.sets.size(); set++) {
+        v.enter(set);
+        visit_fields(v, world.graph.sets[set]);
         v.leave();
     }
     v.leave();

@@ -55,7 +55,7 @@ struct BodyCold {
     std::uint32_t first_joint = none;  // list of joints: joint * 2 + side
     std::uint32_t island = none;       // dynamic bodies always have one
     std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
-    std::uint64_t colours = 0;                             // colours its lanes take
+    std::uint64_t colours = 0;                             // of its contacts in the constraint graph
     std::uint32_t constraints = 0;  // contacts of it that are in the constraint graph
 };
 
@@ -72,7 +72,7 @@ struct BodyWarm {
 
 // How far any point of a body can have moved since its creation, and can have moved when the next
 // step is over. A pair that does not touch is looked at again only when the sum of both exceeds
-// its limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads
+// its limit. Indexed by body, apart from the rest because the scan over all separation bounds reads
 // nothing else.
 struct MotionBound {
     double travel = 0;  // m, never decreases

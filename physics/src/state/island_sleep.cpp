@@ -59,7 +59,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
-    // What has no manifold waits as before. A contact with another island that still sleeps is
+    // What has no manifold keeps its bound. A contact with another island that still sleeps is
     // awake now on one side.
     for (const BodyWarm& warm : sleepers)
         for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
@@ -106,7 +106,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
                 other_cold.set == BodySet::awake && !inside && !is_parked(world, other);
             if (c.colour >= 0) {
                 // A manifold with an awake outsider (near, not touching) or a kinematic one ends;
-                // the pair waits.
+                // the pair gets a bound.
                 const bool keep = inside || !other_moves;
                 if (keep) island.manifolds.push_back(save_contact(world, contact));
                 remove_contact(world, contact);

@@ -243,7 +243,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
         if (colour.metas[block].contact[c.slot % lanes_per_block(c.colour)] != i)
-            return at("contacts", i, "and its lane disagree");
+            return at("contacts", i, "and its slot disagree");
         const BodyType b = world.bodies.cold[c.body_b].type;
         const PairKind kind = b == BodyType::dynamic     ? PairKind::dynamic
                               : b == BodyType::kinematic ? PairKind::kinematic
@@ -252,7 +252,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             return at("contacts", i, "has a colour of another kind");
         if (world.bodies.cold[c.body_a].set != BodySet::awake ||
             world.bodies.cold[c.body_b].set == BodySet::sleeping)
-            return at("contacts", i, "is in the solver with a sleeping body");
+            return at("contacts", i, "is in the constraint graph with a sleeping body");
     }
     if (Fault f = check_parts(world, i)) return f;
     if (c.touching && world.bodies.cold[c.body_b].type == BodyType::dynamic &&
@@ -298,7 +298,7 @@ Fault check_contacts(const WorldState& world) {
     }
     for (std::uint32_t i = 0; i < contacts.size(); i++)
         if (world.contacts.ids.alive(i) && contacts[i].has_bound != (entries[i] != 0))
-            return at("contacts", i, "waits without an entry");
+            return at("contacts", i, "has a bound without an entry");
     return {};
 }
 
@@ -319,7 +319,7 @@ Fault check_graph(const WorldState& world) {
                 world.contacts.contacts[contact].colour != c ||
                 index_of(world.contacts.contacts[contact].colour_set) != set ||
                 world.contacts.contacts[contact].slot != slot)
-                return "manifolds: a lane of colour " + std::to_string(c) + " belongs to nobody";
+                return "graph: a slot of colour " + std::to_string(c) + " belongs to no contact";
             const Contact& owner = world.contacts.contacts[contact];
             for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;

@@ -11,7 +11,7 @@
 namespace jostle::physics {
 namespace {
 
-// The rows of a manifold, whether it is in the solver or kept by a sleeping island.
+// The rows of a manifold, whether it is in the constraint graph or kept by a sleeping island.
 template <class Row>
 void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
     constexpr int normal = 2, tangent = 5, arm = 8, x = 14, y = 18, gap = 22, lambda = 26;

@@ -27,9 +27,9 @@ private:
 };
 
 // Owns all that it shows; geometry that is shared stays shared.
-class FrozenSource final : public QuerySource {
+class CopiedSource final : public QuerySource {
 public:
-    explicit FrozenSource(const WorldState& world)
+    explicit CopiedSource(const WorldState& world)
         : step_(world.steps), planes_(world.shapes.planes) {
         const std::uint32_t count = world.shapes.ids.size();
         shapes_.resize(count);
@@ -66,7 +66,7 @@ Queries World::queries() const {
 }
 
 Queries World::query_frame() const {
-    return Queries(std::make_shared<const FrozenSource>(*state_));
+    return Queries(std::make_shared<const CopiedSource>(*state_));
 }
 
 }  // namespace jostle::physics

@@ -42,7 +42,7 @@ struct StepProfile {
     int bodies_heavy = 0;      // ... and in islands with a heavy load: four times the sub-steps
     int pairs = 0;             // shapes whose fat boxes overlap
     int pairs_checked = 0;     // narrow phase calls
-    int manifolds = 0;         // awake manifolds in the solver
+    int manifolds = 0;         // awake, in the constraint graph
     int touching = 0;          // of those, the ones that press
     int islands_awake = 0;
     int joints = 0;        // of awake bodies

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to a world between steps, or to a frozen copy of it. Answers do not depend on the broad
+// Questions to a world between steps, or to a copy of one. Answers do not depend on the broad
 // phase's internals: ties go to the lower id.
 #pragma once
 

@@ -313,7 +313,7 @@ Rod rod_around(const SweptShape& shape, double t) {
             half[i], square_root(u * u + v * v)};
 }
 
-// Whether the rods around two shapes show that they do not meet: of long thin ones that tumble
+// Whether the rods around two shapes show that they do not meet: of long thin ones that turn fast
 // past each other, whose balls say nothing, most. Cheaper than the direction of their own gap.
 bool rods_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     const Rod ra = rod_around(a, way.from), rb = rod_around(b, way.from);

@@ -230,15 +230,15 @@ struct WideRow {
     }
 };
 
-// `room`: how much there is left before the limit; negative: beyond it. `sign` times the row's
+// `left`: how much there is before the limit; negative: beyond it. `sign` times the row's
 // direction is that in which the impulse, which is kept, may push (>= 0).
 template <bool kRelax, bool kAngular>
 JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideRow<kAngular>& row,
-                             float sign, Wide room, float* kept) {
-    const WideMask free = room > splat(0);
+                             float sign, Wide left, float* kept) {
+    const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
-    const Wide bias = room * select(free, splat(step.inverse_h), s.bias_rate);
+    const Wide bias = left * select(free, splat(step.inverse_h), s.bias_rate);
     const Wide before = load(kept);
     const Wide toward = row.speed(pair) * splat(sign);
     const Wide now =

@@ -80,7 +80,7 @@ double begin_margin(const WorldState& world, const Contact& c) {
 }
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
-// step, and the pair waits until something new may come near.
+// step, and the pair gets a bound until something new may come near.
 void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     auto& contacts = world.contacts.contacts;

@@ -33,7 +33,7 @@ Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
 }
 
 // Most new pairs are of bodies that fly along with each other: if the balls around them cannot
-// touch in this step, the pair waits along their centres without a look. That happens once: a look
+// touch in this step, the pair gets a bound along their centres without a look. That happens once: a look
 // ends pairs that have parted.
 bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];

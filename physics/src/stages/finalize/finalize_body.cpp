@@ -21,13 +21,13 @@ bool is_sound(const FreeMotion& motion, Vec3 center) {
 bool left_fat_aabb(WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
     MotionBound& motion = world.bodies.motion[warm.body];
     if (motion.travel + length(warm.v) * dt <= motion.fits_until) return false;
-    AabbMargin room{1e300, 1e300};
+    AabbMargin margin{1e300, 1e300};
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         const AabbMargin own = margin_in_fat_aabb(world.shapes.shapes[s], warm, dt);
-        room = {minimum(room.now, own.now), minimum(room.next, own.next)};
+        margin = {minimum(margin.now, own.now), minimum(margin.next, own.next)};
     }
-    motion.fits_until = motion.travel + room.now;
-    return room.next < 0;
+    motion.fits_until = motion.travel + margin.now;
+    return margin.next < 0;
 }
 
 // Whether a shape of a body that moved is no longer within its fat box.

@@ -106,8 +106,8 @@ JOSTLE_INLINE Wide3 pushed(const WideSide& s, Wide3 p) {
 // What the bodies of a block have done since the start of the step: b against a, at the centre of
 // the manifold.
 struct PairMotion {
-    Wide3 moved, turned;
-    Wide3 turned_a;  // of a alone
+    Wide3 moved, rotated;
+    Wide3 rotated_a;  // of a alone
 };
 
 // The two bodies of a block and where their manifolds are.
@@ -314,8 +314,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     const Wide zero = splat(0);
     if constexpr (kRelax) solve_friction<kPair, kInertia>(m, rolling, pair);
 
-    const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.turned),
-               s2 = dot(pair.t2, motion.turned);
+    const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.rotated),
+               s2 = dot(pair.t2, motion.rotated);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     // A sweep gives each point the impulse that it wants and takes what that does to the others
@@ -418,8 +418,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         const Wide lever = max(load(m.friction_radius), splat(tuning::least_turn_radius));
         const Wide way =
             root(dot(motion.moved, motion.moved)) +
-            lever * root(dot(motion.turned, motion.turned)) +
-            splat(tuning::common_turn_radius) * root(dot(motion.turned_a, motion.turned_a));
+            lever * root(dot(motion.rotated, motion.rotated)) +
+            splat(tuning::common_turn_radius) * root(dot(motion.rotated_a, motion.rotated_a));
         const Wide age = load<ContactConstraintWideMeta>(meta.moved) + way;
         store<ContactConstraintWideMeta>(meta.moved, age);
         report.needs_rebuild =

@@ -33,7 +33,7 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
     const double wished = length(w) * absolute(dt) * 4;
     const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
     const double h = dt / parts;
-    EulerStep result{.turn = {}, .w = w};
+    EulerStep result{.rotation = {}, .w = w};
     for (int part = 0; part < parts; part++) {
         const Vec3 begin = result.w;
         Vec3 end = begin;
@@ -44,7 +44,7 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
             if (converged) break;
         }
         const Vec3 half = (begin + end) * (0.25 * h);
-        result.turn = normalized(result.turn * Quat{half.x, half.y, half.z, 1});
+        result.rotation = normalized(result.rotation * Quat{half.x, half.y, half.z, 1});
         result.w = end;
     }
     return result;
@@ -104,9 +104,9 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     const double half = 0.5 * dt;
     const Vec3 start = transposed_times(warm.axes, warm.w) +
                        cold.inverse_inertia * transposed_times(warm.axes, warm.torque) * half;
-    const EulerStep turned = euler_step(cold, start, dt);
-    const Quat rotation = normalized(warm.rotation * turned.turn);
-    Vec3 w = rotate(rotation, turned.w);
+    const EulerStep step = euler_step(cold, start, dt);
+    const Quat rotation = normalized(warm.rotation * step.rotation);
+    Vec3 w = rotate(rotation, step.w);
     if (warm.torque != Vec3{}) {
         const Mat3 axes = to_matrix(rotation);
         w += axes * (cold.inverse_inertia * transposed_times(axes, warm.torque)) * half;

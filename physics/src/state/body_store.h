@@ -55,7 +55,7 @@ struct BodyCold {
     std::uint32_t first_joint = none;  // list of joints: joint * 2 + side
     std::uint32_t island = none;       // dynamic bodies always have one
     std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
-    std::uint64_t colours = 0;                             // of its contacts in the constraint graph
+    std::uint64_t colours = 0;      // of its contacts in the constraint graph
     std::uint32_t constraints = 0;  // contacts of it that are in the constraint graph
 };
 
@@ -111,7 +111,7 @@ inline Vec3 free_directions(const BodyCold& cold) {
     return {(cold.locks & lock_x) != 0 ? 0.0 : 1.0, (cold.locks & lock_y) != 0 ? 0.0 : 1.0,
             (cold.locks & lock_z) != 0 ? 0.0 : 1.0};
 }
-inline Vec3 free_turns(const BodyCold& cold) {
+inline Vec3 free_rotations(const BodyCold& cold) {
     return {(cold.locks & lock_turn_x) != 0 ? 0.0 : 1.0,
             (cold.locks & lock_turn_y) != 0 ? 0.0 : 1.0,
             (cold.locks & lock_turn_z) != 0 ? 0.0 : 1.0};
@@ -126,7 +126,7 @@ inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
         return warm.axes * cold.inverse_inertia * transpose(warm.axes);
     }
     if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
-    const Vec3 free = free_turns(cold);
+    const Vec3 free = free_rotations(cold);
     Mat3 left = warm.axes * cold.inertia * transpose(warm.axes);
     left = {scaled(left.x, free) * free.x, scaled(left.y, free) * free.y,
             scaled(left.z, free) * free.z};

@@ -32,7 +32,7 @@ void after_push(WorldState& world, std::uint32_t body) {
 void obey_locks(const BodyCold& cold, BodyWarm& warm) {
     if (cold.locks == 0 || cold.type != BodyType::dynamic) return;
     warm.v = scaled(warm.v, free_directions(cold));
-    warm.w = scaled(warm.w, free_turns(cold));
+    warm.w = scaled(warm.w, free_rotations(cold));
 }
 
 Status check_dynamic(const WorldState& world, BodyId id) {

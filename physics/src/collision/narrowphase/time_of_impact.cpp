@@ -24,8 +24,8 @@ struct Gap {
 // Fastest closing of any two points along any direction, m per step: what is further apart than
 // they can come in the time that is left needs no better direction.
 double closing_at_most(const SweptShape& a, const SweptShape& b) {
-    return length(a.sweep.motion - b.sweep.motion) + length(a.sweep.turn) * a.radius +
-           length(b.sweep.turn) * b.radius;
+    return length(a.sweep.translation - b.sweep.translation) +
+           length(a.sweep.rotation_vector) * a.radius + length(b.sweep.rotation_vector) * b.radius;
 }
 
 // Fastest closing of any two points along a direction, m per step.
@@ -43,7 +43,7 @@ struct Search {
 // Whether the balls around the two bodies' centres never touch on the way.
 bool balls_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     const Vec3 apart = center_at(b.sweep, way.from) - center_at(a.sweep, way.from);
-    const Vec3 motion = b.sweep.motion - a.sweep.motion;
+    const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const double speed2 = length_squared(motion);
     const double nearest =
         speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, way.until - way.from) : 0;
@@ -68,10 +68,11 @@ template <class ExtentA, class ExtentB>
 double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, double t,
                  const Search& way, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
     const Vec3 n = now.normal, apart = center_at(b.sweep, t) - center_at(a.sweep, t);
-    const Vec3 motion = b.sweep.motion - a.sweep.motion;
-    const Vec3 across_a = cross(n, a.sweep.turn), across_b = cross(n, b.sweep.turn);
+    const Vec3 motion = b.sweep.translation - a.sweep.translation;
+    const Vec3 across_a = cross(n, a.sweep.rotation_vector),
+               across_b = cross(n, b.sweep.rotation_vector);
     const double high = way.until - t;
-    const double spin_a = length(a.sweep.turn), spin_b = length(b.sweep.turn);
+    const double spin_a = length(a.sweep.rotation_vector), spin_b = length(b.sweep.rotation_vector);
     const auto bend = [&](double turn) {
         const double size = 1 + turn * high;
         return spin_a * (0.5 * spin_a * size + turn) * a.radius +
@@ -171,12 +172,12 @@ Gap gap_of(const GjkResult& g, const SweptShape& a, const SweptShape& b, double 
     const Vec3 n = g.normal;
     Vec3 turn;
     if (fa.points > 2)
-        turn = cross(a.sweep.turn, n);
+        turn = cross(a.sweep.rotation_vector, n);
     else if (fb.points > 2)
-        turn = cross(b.sweep.turn, n);
+        turn = cross(b.sweep.rotation_vector, n);
     else
-        turn = turn_with_edges(n, fa.edge - n * dot(fa.edge, n), a.sweep.turn,
-                               fb.edge - n * dot(fb.edge, n), b.sweep.turn);
+        turn = turn_with_edges(n, fa.edge - n * dot(fa.edge, n), a.sweep.rotation_vector,
+                               fb.edge - n * dot(fb.edge, n), b.sweep.rotation_vector);
     return {g.distance - radius_a - radius_b, n,
             origin + (g.on_a + n * radius_a + g.on_b - n * radius_b) * 0.5, turn};
 }
@@ -283,7 +284,7 @@ Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
     const auto gap_at = [&](double t, bool) {
         ra = rod_at(a, t);
         rb = rod_at(b, t);
-        return gap_of(ra, rb, a.sweep.turn, b.sweep.turn);
+        return gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     };
     return advance(a, b, way, gap_at, [&](const Gap& now, double t, double least) {
         return safe_step(a, b, now, t, way, least, extent_of(ra, center_at(a.sweep, t)),
@@ -320,7 +321,7 @@ bool rods_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     if (maximum(ra.half - 2 * ra.radius, rb.half - 2 * rb.radius) < 0) return false;
     // Beyond doubt: further than what counts as a touch, however roughly that is measured.
     const Search wider{way.from, way.until, 3 * way.gap};
-    const Gap now = gap_of(ra, rb, a.sweep.turn, b.sweep.turn);
+    const Gap now = gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     if (now.distance <= wider.gap) return false;
     const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
     const double left = way.until - way.from;
@@ -337,8 +338,8 @@ Aabb way_in(const SweptShape& frame, const SweptShape& shape, const Search& way)
     const Aabb box = swept_bounds(shape, way.from, way.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
-    const double own = (length(frame.sweep.motion) +
-                        length(frame.sweep.turn) *
+    const double own = (length(frame.sweep.translation) +
+                        length(frame.sweep.rotation_vector) *
                             (length(half) + length(middle - center_at(frame.sweep, way.from)))) *
                        (way.until - way.from);
     const Placed p = placed_at(frame, way.from);
@@ -417,9 +418,9 @@ Placed placed_at(const SweptShape& shape, double fraction) {
 Aabb swept_bounds(const SweptShape& shape, double from, double until) {
     const Aabb start = bounds_of(placed_at(shape, from)), end = bounds_of(placed_at(shape, until));
     const Aabb both = unite(start, end);
-    if (shape.sweep.turn == Vec3{}) return both;
+    if (shape.sweep.rotation_vector == Vec3{}) return both;
     // On its way round a point stays within the chord of its arc: r (1 - cos(angle / 2)).
-    const double angle = length(shape.sweep.turn) * (until - from);
+    const double angle = length(shape.sweep.rotation_vector) * (until - from);
     const double bulge =
         angle < pi ? shape.radius * (1 - sin_cos(0.5 * angle).cos) : 2 * shape.radius;
     return grow(both, bulge);

@@ -107,7 +107,7 @@ private:
         enqueue_check(k);
     }
     void recheck_against(std::size_t k, std::uint32_t body) {
-        bodies_[k].turned.push_back(body);
+        bodies_[k].diverted.push_back(body);
         enqueue_check(k);
     }
     void enqueue_check(std::size_t k) {
@@ -184,7 +184,8 @@ private:
         const std::uint32_t known = toi_body_of(body);
         if (known == nobody) return motions_.of(world_, body);
         const Sweep& sweep = bodies_[known].sweep;
-        return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
+        return {sweep.center, sweep.translation,
+                length(sweep.rotation_vector) * world_.bodies.cold[body].radius};
     }
 
     void start(ToiBody& t, const std::vector<std::uint32_t>& met) {
@@ -294,14 +295,14 @@ private:
                     if (!is_looked_at_by(k, world_.shapes.shapes[other].body))
                         find_impact_with(t, other);
         } else {
-            for (const std::uint32_t body : t.turned)
+            for (const std::uint32_t body : t.diverted)
                 for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
                      s = world_.shapes.shapes[s].next)
                     find_impact_with(t, s);
         }
         t.checked = true;
         t.queued = false;
-        t.turned.clear();
+        t.diverted.clear();
         note_next(k);
     }
 
@@ -331,8 +332,8 @@ private:
             least = minimum(least, motion_without_sweep(step_, cold_other, cold));
         least *= changed ? tuning::sweep_share_after_impact : tuning::sweep_share;
         const SweptMotion motion = motion_now(other);
-        const double way = length(t.sweep.motion - motion.motion) +
-                           length(t.sweep.turn) * cold.radius + motion.turning;
+        const double way = length(t.sweep.translation - motion.motion) +
+                           length(t.sweep.rotation_vector) * cold.radius + motion.turning;
         return way * (1 - t.sweep.from) > least;
     }
 
@@ -416,8 +417,8 @@ private:
         for (const ImpactPoint& p : points) {
             const Vec3 ra = p.position - ca, rb = p.position - cb;
             const Vec3 u = (sb.v + cross(sb.w, rb)) - (sa.v + cross(sa.w, ra));
-            const Vec3 swept = (motion.motion + cross(motion.turn, rb)) -
-                               (t.sweep.motion + cross(t.sweep.turn, ra));
+            const Vec3 swept = (motion.translation + cross(motion.rotation_vector, rb)) -
+                               (t.sweep.translation + cross(t.sweep.rotation_vector, ra));
             if (dot(u, p.normal) < -least ||
                 (!at_start && dot(swept, p.normal) < -least * step_.dt))
                 return true;

@@ -37,7 +37,8 @@ public:
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 const Sweep& sweep = sweeps_[k] = way_of(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
-                motions_[k] = {sweep.center, sweep.motion, length(sweep.turn) * radius};
+                motions_[k] = {sweep.center, sweep.translation,
+                               length(sweep.rotation_vector) * radius};
             }
         });
         dt_ = step.dt;

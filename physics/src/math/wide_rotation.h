@@ -21,12 +21,12 @@ JOSTLE_INLINE WideQuat conjugate(WideQuat q) {
     return {-q.x, -q.y, -q.z, q.w};
 }
 // How v changes when q turns it: no digits are lost where q turns little.
-JOSTLE_INLINE Wide3 turned_by(WideQuat q, Wide3 v) {
+JOSTLE_INLINE Wide3 rotated_by(WideQuat q, Wide3 v) {
     const Wide3 u{q.x, q.y, q.z}, t = cross(u, v) * splat(2);
     return t * q.w + cross(u, t);
 }
 JOSTLE_INLINE Wide3 rotate(WideQuat q, Wide3 v) {
-    return v + turned_by(q, v);
+    return v + rotated_by(q, v);
 }
 JOSTLE_INLINE Wide3 x_axis(WideQuat q) {
     return {splat(1) - splat(2) * (q.y * q.y + q.z * q.z), splat(2) * (q.x * q.y + q.w * q.z),

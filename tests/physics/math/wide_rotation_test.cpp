@@ -3,7 +3,7 @@
 // Turns and angles in eight floats against the same in doubles.
 #define JOSTLE_SCALAR
 #define JOSTLE_ISA scalar_for_tests
-#include "math/wide_turn.h"
+#include "math/wide_rotation.h"
 
 #include <gtest/gtest.h>
 

@@ -30,8 +30,8 @@ double closing_at_most(const SweptShape& a, const SweptShape& b) {
 
 // Fastest closing of any two points along a direction, m per step.
 double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b, Vec3 normal) {
-    return dot(a.motion - b.motion, normal) + length(cross(normal, a.turn)) * radius_a +
-           length(cross(normal, b.turn)) * radius_b;
+    return dot(a.translation - b.translation, normal) + length(cross(normal, a.rotation_vector)) * radius_a +
+           length(cross(normal, b.rotation_vector)) * radius_b;
 }
 
 // What part of the way is checked at.
@@ -402,11 +402,11 @@ SweptShape child_of(const SweptShape& compound, const CompoundChild& child) {
 }  // namespace
 
 Vec3 center_at(const Sweep& s, double fraction) {
-    return s.center + s.motion * (fraction - s.from);
+    return s.center + s.translation * (fraction - s.from);
 }
 Quat rotation_at(const Sweep& s, double fraction) {
-    if (s.turn == Vec3{} || fraction == s.from) return s.rotation;
-    return from_rotation_vector(s.turn * (fraction - s.from)) * s.rotation;  // unit to rounding
+    if (s.rotation_vector == Vec3{} || fraction == s.from) return s.rotation;
+    return from_rotation_vector(s.rotation_vector * (fraction - s.from)) * s.rotation;  // unit to rounding
 }
 
 Placed placed_at(const SweptShape& shape, double fraction) {

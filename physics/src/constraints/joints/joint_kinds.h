@@ -155,7 +155,7 @@ struct Fixed {
         const Wide sign = select(splat(0) > q.w, splat(-2), splat(2));
         Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
         hold_rotation(pair, soft_or_rigid<kRelax>(step, t.spring_soft), Wide3{q.x, q.y, q.z} * sign,
-                      turn);
+                      angular);
         hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
         pair.keep(t.angular, angular);
         pair.keep(block.point, point);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/free_motion.h"
 
+#include "foundation/tuning.h"
+
 namespace jostle::physics {
 
 Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {

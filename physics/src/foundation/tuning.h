@@ -206,9 +206,9 @@ inline constexpr double partial_sleep_time = 0.5;  // s
 inline constexpr int partial_sleep_least = 16;
 inline constexpr double partial_sleep_share = 0.8;  // of the island's bodies, at least
 inline constexpr int partial_sleep_interval = 8;
-// A body that sleeps in place wakes when the force at a contact changes by more than this share of what it was
-// and this share of the body's weight. Forces within a heap shift all the time by less: a
-// micrometre of overlap bears half a weight.
+// A body that sleeps in place wakes when the force at a contact changes by more than this share of
+// what it was and this share of the body's weight. Forces within a heap shift all the time by less:
+// a micrometre of overlap bears half a weight.
 inline constexpr double wake_load_share = 0.5;
 inline constexpr double wake_load_weight = 0.5;
 // What is hit wakes with so much around it that all of that together would take over the momentum

@@ -2,8 +2,9 @@
 //
 // Contacts: one record per pair of shapes whose fat boxes overlap, from that moment until they
 // part; and one per manifold of pairs that have several. A contact is in one of three places: in a
-// slot of the constraint graph (it has a manifold), on the list of separation bounds (too far apart for one), or dormant
-// (no body of it is awake; its manifold, if any, is kept by the sleeping island).
+// slot of the constraint graph (it has a manifold), on the list of separation bounds (too far apart
+// for one), or dormant (no body of it is awake; its manifold, if any, is kept by the sleeping
+// island).
 #pragma once
 
 #include <cstdint>

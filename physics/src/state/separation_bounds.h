@@ -19,4 +19,8 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
 // A dormant contact has its bound again, as before.
 void resume_separation_bound(WorldState& world, std::uint32_t contact);
 
+// Whether a pair may touch in the next step of `dt`; if not, knows from when on to ask again.
+// Writes the bound alone: for many threads.
+bool is_due(const WorldState& world, SeparationBound& bound, double dt);
+
 }  // namespace jostle::physics

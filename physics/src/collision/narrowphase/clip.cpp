@@ -4,6 +4,7 @@
 #include "collision/narrowphase/manifold_reduction.h"
 #include "collision/narrowphase/polyhedron.h"
 #include "collision/narrowphase/segments.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

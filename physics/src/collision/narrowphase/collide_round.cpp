@@ -2,6 +2,7 @@
 #include "collision/narrowphase/collide_round.h"
 
 #include "collision/narrowphase/segments.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

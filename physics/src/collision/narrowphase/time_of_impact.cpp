@@ -30,7 +30,8 @@ double closing_at_most(const SweptShape& a, const SweptShape& b) {
 
 // Fastest closing of any two points along a direction, m per step.
 double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b, Vec3 normal) {
-    return dot(a.translation - b.translation, normal) + length(cross(normal, a.rotation_vector)) * radius_a +
+    return dot(a.translation - b.translation, normal) +
+           length(cross(normal, a.rotation_vector)) * radius_a +
            length(cross(normal, b.rotation_vector)) * radius_b;
 }
 
@@ -406,7 +407,8 @@ Vec3 center_at(const Sweep& s, double fraction) {
 }
 Quat rotation_at(const Sweep& s, double fraction) {
     if (s.rotation_vector == Vec3{} || fraction == s.from) return s.rotation;
-    return from_rotation_vector(s.rotation_vector * (fraction - s.from)) * s.rotation;  // unit to rounding
+    return from_rotation_vector(s.rotation_vector * (fraction - s.from)) *
+           s.rotation;  // unit to rounding
 }
 
 Placed placed_at(const SweptShape& shape, double fraction) {

@@ -5,8 +5,8 @@
 #include "foundation/tuning.h"
 
 #include "foundation/prefetch.h"
-#include "stages/contacts/separation_bound.h"
 #include "stages/step_scratch.h"
+#include "state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {

@@ -9,9 +9,12 @@ import pathlib
 import re
 import sys
 
-# Folder (longest prefix wins) -> floors it may include. A floor is named by its folder; "*.pb.h" files are "generated".
+# What everything may include: how errors are reported.
+BASE = "base/include"
+# Folder (longest prefix wins) -> floors it may include beside BASE. A floor is named by its folder; "*.pb.h" files are "generated".
 PUBLIC = "physics/include"
 FLOORS = {
+    BASE: [],
     "physics/include": [],
     "physics/src/foundation": [PUBLIC],
     "physics/src/math": [PUBLIC, "physics/src/foundation"],
@@ -48,7 +51,7 @@ MAY_INCLUDE_WORLD = ("server/host",)
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp")
 
-SEARCH = ["physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+SEARCH = [BASE, "physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
           "clients/cpp/include", "clients/cpp/src"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
@@ -74,7 +77,7 @@ def resolve(root, including, name):
 
 def faults(root):
     found = []
-    files = sorted(p for folder in ("physics", "proto/wire", "scenes", "sim", "server", "clients")
+    files = sorted(p for folder in ("base", "physics", "proto/wire", "scenes", "sim", "server", "clients")
                    for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
     for path in files:
         here = str(path.relative_to(root))
@@ -95,7 +98,7 @@ def faults(root):
             other = floor_of(target)
             if other.startswith(("tests", "bench")) or target.startswith(("tests/", "bench/")):
                 found.append(f"{here} includes {target}: nothing may include tests")
-            elif other != floor and other not in FLOORS[floor]:
+            elif other not in (floor, BASE) and other not in FLOORS[floor]:
                 found.append(f"{here} includes {target}: {floor} may not see {other or 'that'}")
             elif name == WORLD and floor.startswith("server/") and floor not in MAY_INCLUDE_WORLD:
                 found.append(f"{here} includes {target}: only {MAY_INCLUDE_WORLD[0]} may include the World")

@@ -10,6 +10,8 @@ HERE = pathlib.Path(__file__).parent
 CASES = [
     ("check_layers.py", "physics/src/foundation/low.h", '// SPDX-License-Identifier: MIT\n#include "state/high.h"\n',
      "physics/src/foundation/low.h includes physics/src/state/high.h"),
+    ("check_layers.py", "base/include/jostle/base/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
+     "base/include may not see physics/include"),
     ("check_layers.py", "server/rpc/a.h", '// SPDX-License-Identifier: MIT\n#include "gateway/b.h"\n',
      "server/rpc/a.h includes server/gateway/b.h"),
     ("check_layers.py", "server/session/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',

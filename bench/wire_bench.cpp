@@ -105,18 +105,17 @@ std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedF
 std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
-    wire::QuantizedFrame back;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
         const wire::Bases bases{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
         const auto began = cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], bases, {});
         const auto encoded = cpu_seconds();
-        const auto error = wire::decode_frame(back, frames[i].frame, packed, bases, {});
+        const auto back = wire::decode_frame(frames[i].frame, packed, bases, {});
         decoding += cpu_seconds() - encoded;
         encoding += encoded - began;
-        if (error || back != frames[i]) {
+        if (!back.ok() || *back != frames[i]) {
             std::fprintf(stderr, "wire-bench: frame %u did not come back: %s\n", frames[i].frame,
-                         error ? error->c_str() : "another state");
+                         back.ok() ? "another state" : back.error().message.c_str());
             return std::nullopt;
         }
         bytes += packed.size();

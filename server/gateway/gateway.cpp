@@ -46,7 +46,7 @@ struct Gateway::Impl {
                        begin_play(std::move(stream), request);
                    }} {}
 
-    std::optional<std::string> listen();
+    Status listen();
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
     void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
@@ -71,10 +71,12 @@ struct Gateway::Impl {
     std::thread thread;
 };
 
-std::optional<std::string> Gateway::Impl::listen() {
+Status Gateway::Impl::listen() {
     const auto failure = [&](std::string_view what, const beast::error_code& error) {
-        return fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT",
-                           what, settings.host, settings.port, error.message());
+        return Error{
+            ErrorCode::unavailable,
+            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT", what,
+                        settings.host, settings.port, error.message())};
     };
     beast::error_code error;
     tcp::resolver resolver(io);
@@ -91,7 +93,7 @@ std::optional<std::string> Gateway::Impl::listen() {
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error) return failure("listen on", error);
     real_port = acceptor.local_endpoint().port();
-    return std::nullopt;
+    return {};
 }
 
 void Gateway::Impl::accept() {
@@ -172,12 +174,12 @@ Gateway::~Gateway() {
     stop();
 }
 
-std::optional<std::string> Gateway::start() {
-    if (auto error = impl_->listen()) return error;
+Status Gateway::start() {
+    if (Status s = impl_->listen(); !s.ok()) return s;
     impl_->accept();
     impl_->keep_house();
     impl_->thread = std::thread([impl = impl_.get()] { impl->io.run(); });
-    return std::nullopt;
+    return {};
 }
 
 std::uint16_t Gateway::port() const {

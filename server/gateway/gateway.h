@@ -10,10 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "gateway/http_routes.h"
+#include "jostle/base/result.h"
 #include "protocol/client_link.h"
 
 namespace jostle::server {
@@ -37,7 +37,7 @@ public:
     ~Gateway();
 
     // Binds and begins to serve. An error says which address and why.
-    std::optional<std::string> start();
+    Status start();
     std::uint16_t port() const;  // the real one, after start()
 
     // Any thread: a world has a new frame, or the context began to drain.

@@ -36,15 +36,14 @@ public:
     void cut();
 
 private:
-    using Error = boost::beast::error_code;
     using Response = boost::beast::http::response<Body>;
 
     void read(std::chrono::seconds patience);
-    void on_read(Error error);
+    void on_read(boost::beast::error_code error);
     void refuse(int status, std::string text);
     void answer_on_worker(HttpRequest request);
     void write(const HttpResponse& answer);
-    void on_wrote(Error error);
+    void on_wrote(boost::beast::error_code error);
 
     boost::beast::tcp_stream stream_;
     const Services& services_;

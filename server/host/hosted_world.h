@@ -25,13 +25,13 @@ struct HostLimits {
 
 class HostedWorld {
 public:
-    static physics::Result<HostedWorld> create(const scenes::SceneDescription& scene,
-                                               const HostLimits& limits, int threads);
+    static Result<HostedWorld> create(const scenes::SceneDescription& scene,
+                                      const HostLimits& limits, int threads);
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputOutcome apply(const Command& command, std::uint32_t tick);
     // Pulls what is held, then steps.
-    physics::Status step(double dt);
+    Status step(double dt);
     // Fills what a world knows of a frame; the host adds times.
     void copy_into(Frame& frame);
     // What happened in the last step; nothing when nothing did. Before the next command.

@@ -13,8 +13,6 @@
 namespace jostle::server {
 
 namespace asio = boost::asio;
-using physics::Result;
-
 struct WorldHost::Timer {
     asio::io_context io{1};
     asio::steady_timer due{io};

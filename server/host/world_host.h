@@ -30,9 +30,9 @@ struct WorldHostSettings {
 class WorldHost {
 public:
     // Builds the world on the calling thread, then starts its own.
-    static physics::Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
-                                                             const scenes::SceneDescription& scene,
-                                                             const WorldHostSettings& settings);
+    static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
+                                                    const scenes::SceneDescription& scene,
+                                                    const WorldHostSettings& settings);
     ~WorldHost();
 
     // Any thread. False: the queue is full, the command was not taken.

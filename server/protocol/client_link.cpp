@@ -54,16 +54,17 @@ void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
     last_heard_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
     if (bytes.size() > bytes_max) {
-        return refuse(
-            {AnswerCode::resource_exhausted,
-             fmt::format("a message of {} bytes; at most {} are allowed", bytes.size(), bytes_max)},
-            now);
+        return refuse(Error{ErrorCode::resource_exhausted,
+                            fmt::format("a message of {} bytes; at most {} are allowed",
+                                        bytes.size(), bytes_max)},
+                      now);
     }
     if (admission_ && !admission_->admit_message(bytes.size(), now)) return drop_message(now);
-    const physics::Result<ClientWords> words = read_client_message(bytes);
-    if (!words.ok()) return refuse({AnswerCode::invalid_argument, words.error().message}, now);
+    const Result<ClientWords> words = read_client_message(bytes);
+    if (!words.ok()) return refuse(words.error(), now);
     if (!feed_ && !std::holds_alternative<HelloWords>(*words)) {
-        return refuse({AnswerCode::failed_precondition, "the first message must be a Hello"}, now);
+        return refuse(Error{ErrorCode::failed_precondition, "the first message must be a Hello"},
+                      now);
     }
     std::visit([&](const auto& said) { hear(said, now); }, *words);
 }
@@ -73,7 +74,7 @@ void ClientLink::drop_message(Clock::time_point now) {
     dropped_++;
     if (now - dropping_since_ < rate_notice_period) {
         if (dropped_ > flood_factor * limits_.messages_per_second) {
-            refuse({AnswerCode::resource_exhausted, "far too many messages"}, now);
+            refuse(Error{ErrorCode::resource_exhausted, "far too many messages"}, now);
         }
         return;
     }
@@ -87,14 +88,14 @@ void ClientLink::drop_message(Clock::time_point now) {
 }
 
 void ClientLink::hear(const HelloWords& hello, Clock::time_point now) {
-    if (feed_) return refuse({AnswerCode::failed_precondition, "a second Hello"}, now);
+    if (feed_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
     if (context_.draining) {
-        return refuse({AnswerCode::unavailable, "the server is going down; try another"}, now);
+        return refuse(Error{ErrorCode::unavailable, "the server is going down; try another"}, now);
     }
     if (hello.protocol != protocol_version) {
-        return refuse({AnswerCode::failed_precondition,
-                       fmt::format("hello.protocol is {}; this server speaks {}", hello.protocol,
-                                   protocol_version)},
+        return refuse(Error{ErrorCode::failed_precondition,
+                            fmt::format("hello.protocol is {}; this server speaks {}",
+                                        hello.protocol, protocol_version)},
                       now);
     }
     if (const std::shared_ptr<WorldHost> world = world_for(hello, now)) enter(world, hello, now);
@@ -106,8 +107,8 @@ std::shared_ptr<WorldHost> ClientLink::world_for(const HelloWords& hello, Clock:
     if (!hello.ticket.empty()) {
         const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
         if (!id) {
-            refuse({AnswerCode::unauthenticated,
-                    "the ticket is unknown, used or too old; ask JoinWorld for another"},
+            refuse(Error{ErrorCode::unauthenticated,
+                         "the ticket is unknown, used or too old; ask JoinWorld for another"},
                    now);
             return nullptr;
         }
@@ -115,9 +116,9 @@ std::shared_ptr<WorldHost> ClientLink::world_for(const HelloWords& hello, Clock:
     }
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
     if (!world) {
-        refuse({AnswerCode::not_found, wanted.empty()
-                                           ? "the server has no world"
-                                           : fmt::format("there is no world \"{}\"", wanted)},
+        refuse(Error{ErrorCode::not_found, wanted.empty()
+                                               ? "the server has no world"
+                                               : fmt::format("there is no world \"{}\"", wanted)},
                now);
     }
     return world;
@@ -128,8 +129,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
     const std::optional<ClientId> client = context_.sessions.enter(world->id());
     if (!client) {
         return refuse(
-            {AnswerCode::resource_exhausted,
-             fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
+            Error{ErrorCode::resource_exhausted,
+                  fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
             now);
     }
     client_ = *client;
@@ -166,19 +167,19 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
 void ClientLink::hear(const InputWords& words, Clock::time_point now) {
     const auto inputs_max = static_cast<std::size_t>(context_.config.client.inputs_per_batch_max);
     if (words.inputs.size() > inputs_max) {
-        return refuse({AnswerCode::invalid_argument,
-                       fmt::format("a batch of {} inputs; at most {} are allowed",
-                                   words.inputs.size(), inputs_max)},
+        return refuse(Error{ErrorCode::invalid_argument,
+                            fmt::format("a batch of {} inputs; at most {} are allowed",
+                                        words.inputs.size(), inputs_max)},
                       now);
     }
     if (words.ack) hear(*words.ack, now);
     client_time_us_ = words.client_time_us;
     std::uint32_t sequence = words.first_sequence;
-    for (const physics::Result<Action>& input : words.inputs) push_input(sequence++, input, now);
+    for (const Result<Action>& input : words.inputs) push_input(sequence++, input, now);
 }
 
 // What was heard before is neither applied nor answered again.
-void ClientLink::push_input(std::uint32_t sequence, const physics::Result<Action>& input,
+void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
@@ -214,22 +215,22 @@ void ClientLink::hear(const LeaveWords&, Clock::time_point now) {
 
 void ClientLink::peer_closed(Clock::time_point now) {
     waiting_.clear();
-    if (!end_) finish({AnswerCode::ok, "the client closed the stream"}, now);
+    if (!end_) finish({}, now);
 }
 
 // --- how it ends ---
 
-void ClientLink::refuse(Answer answer, Clock::time_point now) {
+void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
     log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
-             answer.message);
-    say(write_notice(NoticeKind::refused, answer.message));
-    finish(std::move(answer), now);
+             error.message);
+    say(write_notice(NoticeKind::refused, error.message));
+    finish(std::move(error), now);
 }
 
-void ClientLink::finish(Answer answer, Clock::time_point now) {
+void ClientLink::finish(Status status, Clock::time_point now) {
     if (end_) return;
-    end_ = std::move(answer);
+    end_ = std::move(status);
     end_time_ = now;
     if (client_ != 0) log_info("client {} left world {}", client_, feed_->host().id());
     leave_world();
@@ -250,7 +251,7 @@ void ClientLink::leave_world() {
 void ClientLink::keep_time(Clock::time_point now) {
     if (end_) return;
     const StreamSettings& limits = context_.config.stream;
-    if (context_.closing) return finish({AnswerCode::unavailable, "the server went down"}, now);
+    if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
     if (context_.draining && !told_draining_) {
         told_draining_ = true;
         say(write_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
@@ -258,25 +259,25 @@ void ClientLink::keep_time(Clock::time_point now) {
     }
     if (!feed_) {
         if (now - begun_ > from_seconds(limits.hello_seconds)) {
-            refuse({AnswerCode::deadline_exceeded,
-                    fmt::format("no Hello within {:g} s", limits.hello_seconds)},
+            refuse(Error{ErrorCode::deadline_exceeded,
+                         fmt::format("no Hello within {:g} s", limits.hello_seconds)},
                    now);
         }
         return;
     }
     if (now - last_heard_ > from_seconds(limits.silence_seconds)) {
-        return refuse({AnswerCode::deadline_exceeded,
-                       fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
-                                   limits.silence_seconds)},
+        return refuse(Error{ErrorCode::deadline_exceeded,
+                            fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
+                                        limits.silence_seconds)},
                       now);
     }
     if (feed_->host().stopped()) {
         say(write_notice(NoticeKind::world_closed, "the world was closed"));
-        return finish({AnswerCode::aborted, "the world was closed"}, now);
+        return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
     if (waiting_.size() > waiting_max || outcomes_.size() > outcomes_max) {
         waiting_.clear();
-        refuse({AnswerCode::resource_exhausted, "the client asks but does not read"}, now);
+        refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }
 }
 

@@ -18,7 +18,7 @@
 
 #include "base/clock.h"
 #include "host/outcome_mailbox.h"
-#include "protocol/answer.h"
+#include "jostle/base/result.h"
 #include "protocol/convert.h"
 #include "protocol/out_message.h"
 #include "protocol/play_context.h"
@@ -41,7 +41,7 @@ public:
     // The client closed its side, or the connection broke: there is nobody left to talk to.
     void peer_closed(Clock::time_point now);
     // The transport met what it cannot take: a notice, then the end.
-    void refuse(Answer answer, Clock::time_point now);
+    void refuse(Error error, Clock::time_point now);
 
     // The next message to write. Nothing: call again when a message arrived, a world has a new
     // frame or time passed.
@@ -50,9 +50,9 @@ public:
     // Keeps time as well.
     void wait_for_write(Clock::time_point now);
 
-    // Set once, when the conversation is over; the transport finishes when take_message() has
-    // nothing more.
-    const std::optional<Answer>& end() const { return end_; }
+    // Set once, when the conversation is over, to how it ended; the transport finishes when
+    // take_message() has nothing more.
+    const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
 
 private:
@@ -65,13 +65,12 @@ private:
     std::shared_ptr<WorldHost> world_for(const HelloWords& hello, Clock::time_point now);
     void enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
                Clock::time_point now);
-    void push_input(std::uint32_t sequence, const physics::Result<Action>& input,
-                    Clock::time_point now);
+    void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void keep_time(Clock::time_point now);
     void say(std::string message);
-    void finish(Answer answer, Clock::time_point now);
+    void finish(Status status, Clock::time_point now);
     void leave_world();
     void collect_outcomes();
 
@@ -85,7 +84,7 @@ private:
     const std::string peer_;
     const Clock::time_point begun_;
     Clock::time_point last_heard_;
-    std::optional<Answer> end_;
+    std::optional<Status> end_;
     Clock::time_point end_time_{};
     std::deque<OutMessage> waiting_;  // said, not yet taken; bounded
     bool told_draining_ = false;

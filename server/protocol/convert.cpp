@@ -17,10 +17,6 @@ namespace jostle::server {
 
 using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedOutputStream;
-using physics::Error;
-using physics::ErrorCode;
-using physics::Result;
-
 namespace {
 
 Error invalid(std::string message) {
@@ -38,7 +34,7 @@ Result<physics::Quat> to_rotation(const v1::Quat& q) {
 }
 
 // What may never be spawned is refused before it costs the work of building it.
-physics::Status check_kind(const v1::Shape& shape) {
+Status check_kind(const v1::Shape& shape) {
     switch (shape.kind_case()) {
         case v1::Shape::kPlane:
         case v1::Shape::kMesh:
@@ -59,7 +55,7 @@ physics::Status check_kind(const v1::Shape& shape) {
 }
 
 Result<Action> action_of(const v1::SpawnInput& spawn) {
-    if (const physics::Status kind = check_kind(spawn.shape()); !kind.ok()) return kind.error();
+    if (const Status kind = check_kind(spawn.shape()); !kind.ok()) return kind.error();
     Result<physics::ShapeDef> shape = scenes::shape_from_message(spawn.shape(), "spawn.shape");
     if (!shape.ok()) return shape.error();
     const Result<physics::Quat> rotation = to_rotation(spawn.rotation());

@@ -37,7 +37,7 @@ struct AckWords {
 };
 struct InputWords {
     std::uint32_t first_sequence = 0;
-    std::vector<physics::Result<Action>> inputs;  // an error refuses that input alone
+    std::vector<Result<Action>> inputs;  // an error refuses that input alone
     std::optional<AckWords> ack;
     std::uint32_t client_time_us = 0;
 };
@@ -49,7 +49,7 @@ struct LeaveWords {};
 using ClientWords = std::variant<HelloWords, InputWords, AckWords, PingWords, LeaveWords>;
 
 // One ClientMessage. An error refuses the whole message.
-physics::Result<ClientWords> read_client_message(std::string_view bytes);
+Result<ClientWords> read_client_message(std::string_view bytes);
 
 // --- what the server says: each function returns the bytes of one ServerMessage ---
 

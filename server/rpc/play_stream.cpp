@@ -4,8 +4,8 @@
 #include <chrono>
 #include <optional>
 
-#include "rpc/grpc_status.h"
 #include "rpc/message_bytes.h"
+#include "status/grpc_status.h"
 
 namespace jostle::server {
 
@@ -74,9 +74,9 @@ void PlayStream::advance(Clock::time_point now) {
         stream_.Write(to_byte_buffer(*message), &wrote_);
         return;
     }
-    if (const std::optional<Answer>& end = link_->end()) {
+    if (const std::optional<Status>& end = link_->end()) {
         finishing_ = true;
-        stream_.Finish(to_grpc_status(*end), &finished_tag_);
+        stream_.Finish(to_grpc(*end), &finished_tag_);
     }
 }
 

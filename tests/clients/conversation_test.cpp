@@ -120,7 +120,7 @@ TEST(Conversation, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_n
     stream.welcome();
     for (int i = 0; i < 40; i++) stream.conversation.send({});
     EXPECT_EQ(stream.next()->input().inputs_size(), 32);
-    stream.conversation.ended("gone");
+    stream.conversation.ended(Error{ErrorCode::unavailable, "gone"});
     EXPECT_FALSE(stream.next());
     stream.now += milliseconds(500);
     stream.conversation.begin(stream.now);

@@ -53,7 +53,7 @@ def main():
     compiler = os.environ.get("CXX", "c++")
     flags = flags_of(build)
     headers, sources, bad = [], 0, 0
-    for folder in ("base", "physics", "proto/wire", "scenes", "sim", "server", "clients"):
+    for folder in ("base", "physics", "proto/wire", "proto/status", "scenes", "sim", "server", "clients"):
         for path in sorted((root / folder).rglob("*.h")):
             name = str(path.relative_to(root))
             if "node_modules" in name:

@@ -27,20 +27,21 @@ FLOORS = {
     "physics/src/world": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/stages", "physics/src/persist"],
     "physics/examples": [PUBLIC],
     "proto/wire": [],
+    "proto/status": [],
     "scenes/include": [PUBLIC],
     "scenes/src": [PUBLIC, "scenes/include", "generated"],
     "sim": [PUBLIC, "scenes/include"],
     "server/base": [],
-    "server/config": ["server/base", PUBLIC],
+    "server/config": ["server/base"],
     "server/host": ["server/base", "server/config", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/config", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/config", "server/host", "server/session", PUBLIC, "proto/wire"],
     "server/protocol": ["server/base", "server/config", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],
-    "server/rpc": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
+    "server/rpc": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
     "server/app": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
-    "clients/cpp": ["proto/wire", "generated"],
+    "clients/cpp": ["proto/wire", "proto/status", "generated"],
     "clients/bot": ["clients/cpp", "generated"],
     "clients/load": ["clients/cpp", "clients/bot", "generated"],
 }
@@ -77,7 +78,7 @@ def resolve(root, including, name):
 
 def faults(root):
     found = []
-    files = sorted(p for folder in ("base", "physics", "proto/wire", "scenes", "sim", "server", "clients")
+    files = sorted(p for folder in ("base", "physics", "proto/wire", "proto/status", "scenes", "sim", "server", "clients")
                    for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
     for path in files:
         here = str(path.relative_to(root))

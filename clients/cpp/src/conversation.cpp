@@ -30,11 +30,11 @@ void Conversation::begin(Clock::time_point now) {
     next_sequence_ = 1 + static_cast<std::uint32_t>(inputs_.size());
 }
 
-void Conversation::ended(const std::string& error) {
+void Conversation::ended(const Status& end) {
     stats_.connected = false;
-    if (error.empty()) return;
+    if (end.ok()) return;
     stats_.stream_failures++;
-    stats_.last_error = error;
+    stats_.last_error = end.error().message;
 }
 
 std::uint32_t Conversation::send(v1::Input input) {
@@ -85,12 +85,12 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
 }
 
 void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {
-    if (auto error = view_.apply(snapshot)) {
+    if (const Status applied = view_.apply(snapshot); !applied.ok()) {
         // While a keyframe is on its way, what follows cannot be decoded either; one error is
         // enough.
         if (!need_keyframe_) {
             stats_.decode_errors++;
-            stats_.last_error = *error;
+            stats_.last_error = applied.error().message;
         }
         need_keyframe_ = ack_due_ = true;
         return;

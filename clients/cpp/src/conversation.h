@@ -20,8 +20,8 @@ public:
     // A new stream: hello goes first. Inputs that were not sent yet stay queued.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
-    // The stream ended; empty: in order.
-    void ended(const std::string& error);
+    // The stream ended, in order or not.
+    void ended(const Status& end);
     // The next message to write, if it is time for one.
     std::optional<std::string> take_message(Clock::time_point now);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "loop_impl.h"
+#include "status/grpc_status.h"
 
 namespace jostle::client {
 namespace {
@@ -9,6 +10,12 @@ namespace {
 // Inputs, pings and reconnects need no better; messages that arrive are handled at once.
 constexpr auto housekeeping_period = std::chrono::milliseconds(5);
 constexpr auto longest_pause = std::chrono::seconds(5);
+
+// Of a stream that nobody here wanted to end.
+Error why_it_ended(const Status& end) {
+    if (end.ok()) return {ErrorCode::aborted, "the stream ended: the server closed it"};
+    return {end.error().code, "the stream ended: " + end.error().message};
+}
 
 }  // namespace
 
@@ -103,15 +110,12 @@ void Loop::Impl::advance(Client::Impl& client, Clock::time_point now) {
 }
 
 void Loop::Impl::after_end(Client::Impl& client, Clock::time_point now) {
-    const grpc::Status status = client.connection->status();
+    const Status end = from_grpc(client.connection->status());
     client.connection.reset();
     const std::lock_guard lock(client.mutex);
     const bool wanted = client.gone || client.conversation.leaving();
     if (client.conversation.stats().connected) client.pause = std::chrono::milliseconds(250);
-    client.conversation.ended(wanted
-                                  ? std::string()
-                                  : "the stream ended: " + (status.ok() ? "the server closed it"
-                                                                        : status.error_message()));
+    client.conversation.ended(wanted ? Status() : why_it_ended(end));
     if (wanted || !client.conversation.options().reconnect) {
         client.over = true;
         return;

@@ -49,13 +49,12 @@ struct Receiver {
             return nullptr;
         };
         bases = {head[1], head[2], head[3]};
-        wire::QuantizedFrame frame;
         const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
-        const auto error = wire::decode_frame(frame, head[0], packed,
-                                              {base(head[1]), base(head[2]), base(head[3])}, {});
-        ASSERT_FALSE(error) << *error;
-        EXPECT_EQ(wire::frame_crc(frame), head[4]);
-        ring.push_back(std::move(frame));
+        auto frame =
+            wire::decode_frame(head[0], packed, {base(head[1]), base(head[2]), base(head[3])}, {});
+        ASSERT_TRUE(frame.ok()) << frame.error().message;
+        EXPECT_EQ(wire::frame_crc(*frame), head[4]);
+        ring.push_back(*std::move(frame));
         if (ring.size() > 32) ring.pop_front();
     }
     std::deque<wire::QuantizedFrame> ring;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "jostle/base/result.h"
 #include "jostle/v1/play.pb.h"
 #include "wire/frame_codec.h"
 #include "wire/quantize.h"
@@ -25,7 +26,7 @@ public:
     void apply(const v1::Roster& roster);
     // Decodes and checks. An error leaves the last good frame in place; the client should ask for a
     // keyframe.
-    std::optional<std::string> apply(const v1::Snapshot& snapshot);
+    Status apply(const v1::Snapshot& snapshot);
 
     // Frame 0 until the first snapshot.
     const wire::QuantizedFrame& frame() const { return frames_.empty() ? none_ : frames_.back(); }

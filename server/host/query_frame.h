@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A copy of a world that questions are answered from, on any thread, while the world ticks on.
-// Made by the world's thread while somebody asks (host/query_desk), with only those parts that were
-// asked for.
+// Made by the world's thread while somebody asks (host/query_broker), with only those parts that
+// were asked for.
 #pragma once
 
 #include <memory>

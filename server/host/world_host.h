@@ -13,7 +13,7 @@
 
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
-#include "host/query_desk.h"
+#include "host/query_broker.h"
 #include "host/tick_clock.h"
 
 namespace jostle::server {
@@ -83,7 +83,7 @@ private:
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
-    QueryDesk queries_;
+    QueryBroker queries_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;

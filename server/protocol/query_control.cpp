@@ -135,7 +135,7 @@ Result<QueryFramePtr> ask(const WorldDirectory& worlds, const std::string& name,
     if (world->stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
     return Error{ErrorCode::unavailable,
                  fmt::format("the world took more than {} ms for a step; ask again",
-                             QueryDesk::patience.count())};
+                             QueryBroker::patience.count())};
 }
 
 Status check_ray(const v1::Ray& ray, int number) {

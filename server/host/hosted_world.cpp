@@ -12,13 +12,17 @@ namespace {
 
 constexpr double impulse_speed_max = 20;  // m/s that one impulse may give a body
 
-void refuse(InputOutcome& outcome, InputCode code, std::string message) {
-    outcome.code = code;
-    outcome.message = std::move(message);
+Error refused(ErrorCode code, std::string message) {
+    return {code, std::move(message)};
 }
 
-void take(InputOutcome& outcome, const Status& status) {
-    if (!status.ok()) refuse(outcome, InputCode::invalid, status.error().message);
+Error no_such_entity(EntityId id) {
+    return refused(ErrorCode::not_found, "there is no entity " + std::to_string(id));
+}
+
+// What the solver says no to is an input with wrong numbers.
+Status from_solver(const Status& status) {
+    return status.ok() ? status : refused(ErrorCode::invalid_argument, status.error().message);
 }
 
 }  // namespace
@@ -75,60 +79,58 @@ void HostedWorld::remove(EntityId id) {
     static_cast<void>(world_.destroy_body(entity.body).ok());
 }
 
-const HostedWorld::Entity* HostedWorld::dynamic_entity(EntityId id, InputOutcome& outcome) const {
-    outcome.entity = id;
+Result<const HostedWorld::Entity*> HostedWorld::dynamic_entity(EntityId id) const {
     const auto at = entities_.find(id);
-    if (at == entities_.end()) {
-        refuse(outcome, InputCode::not_found, "there is no entity " + std::to_string(id));
-        return nullptr;
-    }
-    if (at->second.description->type != BodyType::dynamic) {
-        refuse(outcome, InputCode::not_allowed,
-               "entity " + std::to_string(id) + " is not dynamic; it cannot be moved");
-        return nullptr;
-    }
+    if (at == entities_.end()) return no_such_entity(id);
+    if (at->second.description->type != BodyType::dynamic)
+        return refused(ErrorCode::permission_denied,
+                       "entity " + std::to_string(id) + " is not dynamic; it cannot be moved");
     return &at->second;
 }
 
-InputOutcome HostedWorld::apply(const Command& command, std::uint32_t tick) {
-    InputOutcome outcome{.sequence = command.sequence, .tick = tick};
+InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
+    InputResult result{.sequence = command.sequence, .tick = tick};
     if (!std::holds_alternative<LeaveCommand>(command.action)) {
         Client& client = clients_[command.client];
         if (command.sequence <= client.last_sequence) {
-            refuse(outcome, InputCode::invalid,
-                   "input " + std::to_string(command.sequence) + " does not come after input " +
-                       std::to_string(client.last_sequence));
-            return outcome;
+            result.status =
+                refused(ErrorCode::invalid_argument, "input " + std::to_string(command.sequence) +
+                                                         " does not come after input " +
+                                                         std::to_string(client.last_sequence));
+            return result;
         }
         client.last_sequence = command.sequence;
     }
-    std::visit([&](const auto& action) { apply_action(action, command.client, outcome); },
-               command.action);
-    return outcome;
+    result.status = std::visit(
+        [&](const auto& action) { return apply_action(action, command.client, result.entity); },
+        command.action);
+    return result;
 }
 
-void HostedWorld::apply_action(const SpawnCommand& c, ClientId client, InputOutcome& outcome) {
+Status HostedWorld::apply_action(const SpawnCommand& c, ClientId client, EntityId& about) {
     if (static_cast<int>(entities_.size()) >= limits_.bodies_max)
-        return refuse(
-            outcome, InputCode::limit,
+        return refused(
+            ErrorCode::resource_exhausted,
             "the world is full: it holds " + std::to_string(limits_.bodies_max) + " bodies");
     if (clients_[client].bodies >= limits_.bodies_owned_max)
-        return refuse(outcome, InputCode::limit,
-                      "you own " + std::to_string(limits_.bodies_owned_max) +
-                          " bodies, the most allowed; delete some first");
+        return refused(ErrorCode::resource_exhausted,
+                       "you own " + std::to_string(limits_.bodies_owned_max) +
+                           " bodies, the most allowed; delete some first");
     const Result<BodyId> body = world_.create_body(BodyDef{.pose = c.pose,
                                                            .linear_velocity = c.linear_velocity,
                                                            .angular_velocity = c.angular_velocity},
                                                    c.shape);
-    if (!body.ok()) return refuse(outcome, InputCode::invalid, body.error().message);
+    if (!body.ok()) return from_solver(body.error());
     clients_[client].bodies++;
-    outcome.entity = add(*body, client, c.color, {});
+    about = add(*body, client, c.color, {});
+    return {};
 }
 
-void HostedWorld::apply_action(const ImpulseCommand& c, ClientId, InputOutcome& outcome) {
-    const Entity* entity = dynamic_entity(c.entity, outcome);
-    if (!entity) return;
-    const BodyState body = *world_.body(entity->body);
+Status HostedWorld::apply_action(const ImpulseCommand& c, ClientId, EntityId& about) {
+    about = c.entity;
+    const Result<const Entity*> entity = dynamic_entity(c.entity);
+    if (!entity.ok()) return entity.error();
+    const BodyState body = *world_.body((*entity)->body);
     const double most = body.mass * impulse_speed_max, size = length(c.impulse);
     const Vec3 impulse = size > most ? c.impulse * (most / size) : c.impulse;
     Vec3 point = c.point.value_or(body.center);
@@ -136,41 +138,44 @@ void HostedWorld::apply_action(const ImpulseCommand& c, ClientId, InputOutcome& 
     const Vec3 arm = point - body.center;
     const double reach = 2;
     if (length(arm) > reach) point = body.center + arm * (reach / length(arm));
-    take(outcome, world_.apply_impulse(entity->body, impulse, point));
+    return from_solver(world_.apply_impulse((*entity)->body, impulse, point));
 }
 
-void HostedWorld::apply_action(const GrabCommand& c, ClientId client, InputOutcome& outcome) {
-    const Entity* entity = dynamic_entity(c.entity, outcome);
-    if (!entity) return;
-    const BodyState body = *world_.body(entity->body);
-    clients_[client].hand = DragSpring{entity->body, apply_inverse(body.pose, c.point), c.point};
+Status HostedWorld::apply_action(const GrabCommand& c, ClientId client, EntityId& about) {
+    about = c.entity;
+    const Result<const Entity*> entity = dynamic_entity(c.entity);
+    if (!entity.ok()) return entity.error();
+    const BodyState body = *world_.body((*entity)->body);
+    clients_[client].hand = DragSpring{(*entity)->body, apply_inverse(body.pose, c.point), c.point};
+    return {};
 }
 
-void HostedWorld::apply_action(const DragCommand& c, ClientId client, InputOutcome& outcome) {
+Status HostedWorld::apply_action(const DragCommand& c, ClientId client, EntityId& about) {
     std::optional<DragSpring>& hand = clients_[client].hand;
-    if (!hand)
-        return refuse(outcome, InputCode::not_found, "you hold nothing; grab an entity first");
+    if (!hand) return refused(ErrorCode::not_found, "you hold nothing; grab an entity first");
     hand->target = c.target;
-    outcome.entity = entity_of_body_[hand->body.index];
+    about = entity_of_body_[hand->body.index];
+    return {};
 }
 
-void HostedWorld::apply_action(const ReleaseCommand&, ClientId client, InputOutcome&) {
+Status HostedWorld::apply_action(const ReleaseCommand&, ClientId client, EntityId&) {
     clients_[client].hand.reset();
+    return {};
 }
 
-void HostedWorld::apply_action(const DeleteCommand& c, ClientId client, InputOutcome& outcome) {
-    outcome.entity = c.entity;
+Status HostedWorld::apply_action(const DeleteCommand& c, ClientId client, EntityId& about) {
+    about = c.entity;
     const auto at = entities_.find(c.entity);
-    if (at == entities_.end())
-        return refuse(outcome, InputCode::not_found,
-                      "there is no entity " + std::to_string(c.entity));
+    if (at == entities_.end()) return no_such_entity(c.entity);
     if (at->second.owner != client)
-        return refuse(outcome, InputCode::not_allowed,
-                      "entity " + std::to_string(c.entity) + " is not yours");
+        return refused(ErrorCode::permission_denied,
+                       "entity " + std::to_string(c.entity) + " is not yours");
     remove(c.entity);
+    return {};
 }
 
-void HostedWorld::apply_action(const ExplodeCommand& c, ClientId, InputOutcome& outcome) {
+Status HostedWorld::apply_action(const ExplodeCommand& c, ClientId, EntityId&) {
+    Status status;
     for (const auto& [id, entity] : entities_) {
         if (entity.description->type != BodyType::dynamic) continue;
         const BodyState body = *world_.body(entity.body);
@@ -179,11 +184,13 @@ void HostedWorld::apply_action(const ExplodeCommand& c, ClientId, InputOutcome& 
         if (distance >= c.radius) continue;
         const double speed = c.speed * (1 - distance / c.radius);
         const Vec3 impulse = normalized(away) * (speed * body.mass);
-        take(outcome, world_.apply_impulse(entity.body, impulse, body.center));
+        if (Status pushed = world_.apply_impulse(entity.body, impulse, body.center); !pushed.ok())
+            status = from_solver(pushed);
     }
+    return status;
 }
 
-void HostedWorld::apply_action(const LeaveCommand& c, ClientId client, InputOutcome&) {
+Status HostedWorld::apply_action(const LeaveCommand& c, ClientId client, EntityId&) {
     if (!c.keep_bodies) {
         std::vector<EntityId> owned;
         for (const auto& [id, entity] : entities_)
@@ -191,6 +198,7 @@ void HostedWorld::apply_action(const LeaveCommand& c, ClientId client, InputOutc
         for (const EntityId id : owned) remove(id);
     }
     clients_.erase(client);
+    return {};
 }
 
 Status HostedWorld::step(double dt) {

@@ -29,7 +29,7 @@ public:
                                       const HostLimits& limits, int threads);
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
-    InputOutcome apply(const Command& command, std::uint32_t tick);
+    InputResult apply(const Command& command, std::uint32_t tick);
     // Pulls what is held, then steps.
     Status step(double dt);
     // Fills what a world knows of a frame; the host adds times.
@@ -64,17 +64,18 @@ private:
     // Of a body that lives, or that was removed since the step before the last.
     EntityId entity_of(physics::BodyId body) const;
     const std::shared_ptr<const Roster>& roster();
-    // Null with an outcome that says why, or a dynamic entity.
-    const Entity* dynamic_entity(EntityId id, InputOutcome& outcome) const;
+    // Never null.
+    Result<const Entity*> dynamic_entity(EntityId id) const;
 
-    void apply_action(const SpawnCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const ImpulseCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const GrabCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const DragCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const ReleaseCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const DeleteCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const ExplodeCommand& c, ClientId client, InputOutcome& outcome);
-    void apply_action(const LeaveCommand& c, ClientId client, InputOutcome& outcome);
+    // `about` becomes the entity that the input is about, also when it is refused.
+    Status apply_action(const SpawnCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const ImpulseCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const GrabCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const DragCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const ReleaseCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const DeleteCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const ExplodeCommand& c, ClientId client, EntityId& about);
+    Status apply_action(const LeaveCommand& c, ClientId client, EntityId& about);
 
     physics::World world_;
     HostLimits limits_;

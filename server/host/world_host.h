@@ -78,7 +78,7 @@ private:
     bool step_refused_ = false;
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<Command> batch_;
-    std::vector<InputOutcome> outcomes_;  // of batch_, one each
+    std::vector<InputResult> results_;    // of batch_, one each
     std::vector<double> recent_step_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 

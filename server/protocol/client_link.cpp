@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t events_bytes_max = 1 << 20;
 // What was said and not taken: beyond this the client does not read what it asks for.
 constexpr std::size_t waiting_max = 256;
-constexpr std::size_t outcomes_max = 4096;
+constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
 constexpr auto keyframe_period = 250ms;
@@ -135,7 +135,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
     }
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);
-    mailbox_ = std::make_shared<OutcomeMailbox>();
+    result_queue_ = std::make_shared<ResultQueue>();
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
     limits_ = context_.config.client;
@@ -183,19 +183,19 @@ void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
-    const auto refuse_input = [&](InputCode code, std::string message) {
-        outcomes_.push_back({.sequence = sequence,
-                             .code = code,
-                             .tick = considered_tick_,
-                             .message = std::move(message)});
-    };
-    if (!input.ok()) return refuse_input(InputCode::invalid, input.error().message);
-    if (const std::optional<Refusal> refusal = admission_->refuse_input(*input, now)) {
-        return refuse_input(refusal->code, refusal->message);
-    }
-    const bool taken = feed_->host().push(
-        {.client = client_, .sequence = sequence, .action = *input, .reply = mailbox_});
-    if (!taken) refuse_input(InputCode::limit, "the world has too many inputs waiting");
+    if (Status status = try_push(sequence, input, now); !status.ok())
+        results_.push_back(
+            {.sequence = sequence, .status = std::move(status), .tick = considered_tick_});
+}
+
+Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
+                            Clock::time_point now) {
+    if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
+    if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
+    if (!feed_->host().push(
+            {.client = client_, .sequence = sequence, .action = *input, .reply = result_queue_}))
+        return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
+    return {};
 }
 
 void ClientLink::hear(const AckWords& ack, Clock::time_point now) {
@@ -275,7 +275,7 @@ void ClientLink::keep_time(Clock::time_point now) {
         say(write_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
-    if (waiting_.size() > waiting_max || outcomes_.size() > outcomes_max) {
+    if (waiting_.size() > waiting_max || results_.size() > results_max) {
         waiting_.clear();
         refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }
@@ -308,7 +308,7 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
     keep_time(now);
-    if (feed_ && !end_) collect_outcomes();
+    if (feed_ && !end_) collect_results();
 }
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
@@ -320,23 +320,23 @@ void ClientLink::consider(const Frame& frame, Clock::time_point now) {
     }
     considered_tick_ = frame.tick;
     snapshot_due_ = snapshot_due_ || pacing_->may_send(frame.tick, now);
-    collect_outcomes();
+    collect_results();
 }
 
-void ClientLink::collect_outcomes() {
-    std::vector<InputOutcome> fresh = mailbox_->take();
-    outcomes_.insert(outcomes_.end(), std::make_move_iterator(fresh.begin()),
-                     std::make_move_iterator(fresh.end()));
+void ClientLink::collect_results() {
+    std::vector<InputResult> fresh = result_queue_->take();
+    results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
+                    std::make_move_iterator(fresh.end()));
 }
 
 std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
-    if (outcomes_.empty() || now - last_results_ < results_period) return std::nullopt;
+    if (results_.empty() || now - last_results_ < results_period) return std::nullopt;
     last_results_ = now;
-    for (const InputOutcome& outcome : outcomes_) {
-        answered_sequence_ = std::max(answered_sequence_, outcome.sequence);
+    for (const InputResult& result : results_) {
+        answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
-    OutMessage message{write_input_results(outcomes_), nullptr};
-    outcomes_.clear();
+    OutMessage message{write_input_results(results_), nullptr};
+    results_.clear();
     return message;
 }
 

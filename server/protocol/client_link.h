@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/clock.h"
-#include "host/outcome_mailbox.h"
+#include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/convert.h"
 #include "protocol/out_message.h"
@@ -66,13 +66,14 @@ private:
     void enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
                Clock::time_point now);
     void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
+    Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void keep_time(Clock::time_point now);
     void say(std::string message);
     void finish(Status status, Clock::time_point now);
     void leave_world();
-    void collect_outcomes();
+    void collect_results();
 
     std::optional<OutMessage> take_results(Clock::time_point now);
     std::optional<OutMessage> take_stats(Clock::time_point now);
@@ -95,9 +96,9 @@ private:
     ClientLimits limits_;
     std::optional<Admission> admission_;
     std::optional<Pacing> pacing_;
-    std::shared_ptr<OutcomeMailbox> mailbox_;
-    std::vector<InputOutcome> outcomes_;  // to be told
-    std::uint32_t last_sequence_ = 0;     // heard
+    std::shared_ptr<ResultQueue> result_queue_;
+    std::vector<InputResult> results_;  // to be told
+    std::uint32_t last_sequence_ = 0;   // heard
     std::uint32_t answered_sequence_ = 0;
     std::uint32_t client_time_us_ = 0;
     int dropped_ = 0;  // messages since dropping_since_

@@ -191,20 +191,18 @@ std::string write_head(int field_number, const google::protobuf::MessageLite& fi
     return head;
 }
 
-v1::InputCode to_message(InputCode code) {
-    switch (code) {
-        case InputCode::applied:
-            return v1::INPUT_CODE_APPLIED;
-        case InputCode::invalid:
-            return v1::INPUT_CODE_INVALID;
-        case InputCode::not_found:
+v1::InputCode input_code_of(const Status& status) {
+    if (status.ok()) return v1::INPUT_CODE_APPLIED;
+    switch (status.error().code) {
+        case ErrorCode::not_found:
             return v1::INPUT_CODE_NOT_FOUND;
-        case InputCode::not_allowed:
+        case ErrorCode::permission_denied:
             return v1::INPUT_CODE_NOT_ALLOWED;
-        case InputCode::limit:
+        case ErrorCode::resource_exhausted:
             return v1::INPUT_CODE_LIMIT;
+        default:
+            return v1::INPUT_CODE_INVALID;
     }
-    return v1::INPUT_CODE_UNSPECIFIED;
 }
 
 v1::NoticeCode to_message(NoticeKind kind) {
@@ -272,16 +270,15 @@ std::string write_roster(std::span<const std::shared_ptr<const EntityDescription
     return message.SerializeAsString();
 }
 
-std::string write_input_results(std::span<const InputOutcome> outcomes) {
+std::string write_input_results(std::span<const InputResult> results) {
     v1::ServerMessage message;
-    v1::InputResults& results = *message.mutable_input_results();
-    for (const InputOutcome& outcome : outcomes) {
-        v1::InputResult& result = *results.add_results();
-        result.set_sequence(outcome.sequence);
-        result.set_code(to_message(outcome.code));
-        result.set_tick(outcome.tick);
-        result.set_entity(outcome.entity);
-        result.set_message(outcome.message);
+    for (const InputResult& from : results) {
+        v1::InputResult& to = *message.mutable_input_results()->add_results();
+        to.set_sequence(from.sequence);
+        to.set_code(input_code_of(from.status));
+        to.set_tick(from.tick);
+        to.set_entity(from.entity);
+        if (!from.status.ok()) to.set_message(from.status.error().message);
     }
     return message.SerializeAsString();
 }

@@ -69,7 +69,7 @@ enum class NoticeKind { draining, world_closed, refused, rate_limit };
 std::string write_welcome(const WelcomeWords& words);
 std::string write_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
                          std::span<const EntityId> removed);
-std::string write_input_results(std::span<const InputOutcome> outcomes);
+std::string write_input_results(std::span<const InputResult> results);
 std::string write_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
 std::string write_world_stats(const Frame& frame, std::uint32_t clients);
 std::string write_notice(NoticeKind kind, const std::string& message);

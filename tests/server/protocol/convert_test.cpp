@@ -161,12 +161,11 @@ TEST(Convert, a_roster_carries_what_a_viewer_draws) {
 }
 
 TEST(Convert, results_and_notices_keep_code_and_words) {
-    const InputOutcome outcome{.sequence = 5,
-                               .code = InputCode::not_allowed,
-                               .tick = 77,
-                               .entity = 6,
-                               .message = "not yours"};
-    const auto results = parse(write_input_results(std::span(&outcome, 1)));
+    const InputResult refused{.sequence = 5,
+                              .status = Error{ErrorCode::permission_denied, "not yours"},
+                              .tick = 77,
+                              .entity = 6};
+    const auto results = parse(write_input_results(std::span(&refused, 1)));
     const v1::InputResult& result = results.input_results().results(0);
     EXPECT_EQ(result.sequence(), 5u);
     EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);

@@ -202,7 +202,7 @@ void ClientLink::hear(const AckWords& ack, Clock::time_point now) {
     pacing_->acked(ack.frame, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
-    cursor_.forget();
+    baselines_.reset();
 }
 
 void ClientLink::hear(const PingWords& ping, Clock::time_point now) {
@@ -363,7 +363,7 @@ std::optional<OutMessage> ClientLink::take_events() {
     }
     while (events_told_ < frame->events->count) {
         const auto& tick = ticks[events_told_ - gone];
-        if (tick->tick > cursor_.last()) return std::nullopt;
+        if (tick->tick > baselines_.last()) return std::nullopt;
         events_told_++;
         SharedBytes shared = feed_->events(tick);
         if (shared->size() <= events_bytes_max)
@@ -379,7 +379,7 @@ std::optional<OutMessage> ClientLink::take_events() {
 std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
-    if (frame->tick <= cursor_.last()) return std::nullopt;
+    if (frame->tick <= baselines_.last()) return std::nullopt;
     if (frame->roster != roster_) {
         for (SharedBytes& bytes : feed_->roster_change(roster_, frame->roster)) {
             waiting_.push_back({{}, std::move(bytes)});
@@ -387,13 +387,13 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
         roster_ = frame->roster;
         if (!waiting_.empty()) return take_message(now);
     }
-    SharedBytes shared = feed_->snapshots().encoding(frame, cursor_.bases_for(frame->tick));
+    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
     const PrivateWords own{.input_sequence = answered_sequence_,
                            .echo_client_time_us = client_time_us_,
                            .snapshots_skipped = pacing_->skipped() + skipped_waiting_};
     snapshot_due_ = false;
     considered_tick_ = std::max(considered_tick_, frame->tick);
-    cursor_.sent(frame->tick);
+    baselines_.on_sent(frame->tick);
     pacing_->sent(frame->tick, now);
     OutMessage message{write_snapshot_head(own, shared->size()), std::move(shared)};
     return message;

@@ -22,7 +22,7 @@
 #include "protocol/convert.h"
 #include "protocol/out_message.h"
 #include "protocol/play_context.h"
-#include "replication/client_cursor.h"
+#include "replication/baseline_tracker.h"
 #include "session/admission.h"
 #include "session/pacing.h"
 
@@ -104,7 +104,7 @@ private:
     int dropped_ = 0;  // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_results_{}, last_stats_{};
 
-    ClientCursor cursor_;
+    BaselineTracker baselines_;
     std::shared_ptr<const Roster> roster_;  // what the client knows
     bool wants_events_ = false;
     std::uint32_t events_told_ = 0;      // as RecentEvents counts; sent or missed

@@ -8,7 +8,7 @@
 #include <random>
 #include <thread>
 
-#include "replication/client_cursor.h"
+#include "replication/baseline_tracker.h"
 #include "session/pacing.h"
 
 namespace jostle::server {
@@ -63,7 +63,7 @@ struct Receiver {
 
 TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
     SnapshotCache cache({}, serialize);
-    ClientCursor one, two;
+    BaselineTracker one, two;
     for (std::uint32_t tick = 1; tick <= 50; ++tick) {
         const FramePtr frame = frame_at(tick);
         const SharedBytes a = cache.encoding(frame, one.bases_for(tick));
@@ -77,15 +77,15 @@ TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
 
 TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
     SnapshotCache cache({}, serialize);
-    ClientCursor cursors[3];
+    BaselineTracker trackers[3];
     Receiver receivers[3];
     const std::uint32_t every[] = {1, 3, 7};
     for (std::uint32_t tick = 1; tick <= 200; ++tick) {
         const FramePtr frame = frame_at(tick);
         for (int c = 0; c < 3; ++c) {
             if (tick % every[c] != 0) continue;
-            receivers[c].take(*cache.encoding(frame, cursors[c].bases_for(tick)));
-            cursors[c].sent(tick);
+            receivers[c].take(*cache.encoding(frame, trackers[c].bases_for(tick)));
+            trackers[c].on_sent(tick);
         }
     }
     for (int c = 0; c < 3; ++c) {
@@ -97,7 +97,7 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
 
 TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     SnapshotCache cache({}, serialize);
-    ClientCursor slow;
+    BaselineTracker slow;
     Receiver receiver;
     receiver.take(*cache.encoding(frame_at(1), slow.bases_for(1)));
     slow.sent(1);
@@ -108,16 +108,16 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     EXPECT_EQ(receiver.bases, BaseNumbers{});
 }
 
-TEST(SnapshotCache, a_cursor_that_forgot_asks_for_an_absolute_frame) {
-    ClientCursor cursor;
-    EXPECT_EQ(cursor.bases_for(5), BaseNumbers{});
-    cursor.sent(5);
-    cursor.sent(6);
-    cursor.sent(7);
-    EXPECT_EQ(cursor.bases_for(8), (BaseNumbers{7, 6, 5}));
-    EXPECT_EQ(cursor.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
-    cursor.forget();
-    EXPECT_EQ(cursor.bases_for(8), BaseNumbers{});
+TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
+    BaselineTracker baselines;
+    EXPECT_EQ(baselines.bases_for(5), BaseNumbers{});
+    baselines.on_sent(5);
+    baselines.on_sent(6);
+    baselines.on_sent(7);
+    EXPECT_EQ(baselines.bases_for(8), (BaseNumbers{7, 6, 5}));
+    EXPECT_EQ(baselines.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
+    baselines.reset();
+    EXPECT_EQ(baselines.bases_for(8), BaseNumbers{});
 }
 
 TEST(SnapshotCache, bodies_at_rest_are_silent) {
@@ -126,14 +126,14 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
         packed = s.packed.size();
         return serialize(s);
     });
-    ClientCursor cursor;
+    BaselineTracker baselines;
     for (std::uint32_t tick = 1; tick <= 5; ++tick) {
         auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         for (EntityId id = 1; id <= 1000; ++id)
             frame->entities.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
-        cache.encoding(frame, cursor.bases_for(tick));
-        cursor.sent(tick);
+        cache.encoding(frame, baselines.bases_for(tick));
+        baselines.on_sent(tick);
     }
     EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
 }
@@ -142,7 +142,7 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
     using namespace std::chrono_literals;
     constexpr std::uint32_t clients = 12, ticks = 600;
     struct Client {
-        ClientCursor cursor;
+        BaselineTracker baselines;
         Receiver receiver;
         Pacing pacing{{}, 60, 1};
         std::deque<std::uint32_t> unacked;
@@ -161,11 +161,11 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
                 for (const std::uint32_t acked : client.unacked) client.pacing.acked(acked, now);
                 client.unacked.clear();
             }
-            if (random() % 400 == 0) client.cursor.forget();  // a CRC that did not match
-            if (c > 5 && random() % 10 == 0) continue;        // a write is pending
+            if (random() % 400 == 0) client.baselines.reset();  // a CRC that did not match
+            if (c > 5 && random() % 10 == 0) continue;          // a write is pending
             if (!client.pacing.may_send(tick, now)) continue;
-            client.receiver.take(*cache.encoding(frame, client.cursor.bases_for(tick)));
-            client.cursor.sent(tick);
+            client.receiver.take(*cache.encoding(frame, client.baselines.bases_for(tick)));
+            client.baselines.on_sent(tick);
             client.pacing.sent(tick, now);
             client.unacked.push_back(tick);
             client.received++;
@@ -183,11 +183,11 @@ TEST(SnapshotCache, network_threads_may_ask_at_once) {
     std::vector<std::thread> threads;
     for (std::uint32_t t = 0; t < 4; ++t) {
         threads.emplace_back([&, t] {
-            ClientCursor cursor;
+            BaselineTracker baselines;
             Receiver receiver;
             for (std::uint32_t tick = 1 + t; tick <= 200; tick += t + 1) {
-                receiver.take(*cache.encoding(frames[tick - 1], cursor.bases_for(tick)));
-                cursor.sent(tick);
+                receiver.take(*cache.encoding(frames[tick - 1], baselines.bases_for(tick)));
+                baselines.on_sent(tick);
             }
         });
     }

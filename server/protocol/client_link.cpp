@@ -141,7 +141,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
     limits_ = context_.config.client;
     limits_.messages_per_second += world->hz() / divider;
     admission_.emplace(limits_, hello.spectator, now);
-    pacing_.emplace(context_.config.stream, world->hz(), divider);
+    flow_.emplace(context_.config.stream, world->hz(), divider);
     if (hello.events) {
         wants_events_ = true;
         world->add_event_listener();
@@ -155,7 +155,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
          .tick = frame->tick,
          .tick_hz = world->hz(),
          .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-         .ack_window = static_cast<std::uint32_t>(pacing_->window()),
+         .ack_window = static_cast<std::uint32_t>(flow_->window()),
          .quant = feed_->snapshots().spec(),
          .server_time_us = to_us(now),
          .gravity = world->gravity()}));
@@ -199,7 +199,7 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
 }
 
 void ClientLink::hear(const AckWords& ack, Clock::time_point now) {
-    pacing_->acked(ack.frame, now);
+    flow_->on_ack(ack.frame, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
@@ -314,12 +314,12 @@ void ClientLink::wait_for_write(Clock::time_point now) {
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
 void ClientLink::consider(const Frame& frame, Clock::time_point now) {
-    const auto every = static_cast<std::uint32_t>(pacing_->divider());
+    const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_waits_ && considered_tick_ != 0) {
         skipped_waiting_ += (frame.tick - 1) / every - considered_tick_ / every;
     }
     considered_tick_ = frame.tick;
-    snapshot_due_ = snapshot_due_ || pacing_->may_send(frame.tick, now);
+    snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
     collect_results();
 }
 
@@ -390,11 +390,11 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
     const PrivateWords own{.input_sequence = answered_sequence_,
                            .echo_client_time_us = client_time_us_,
-                           .snapshots_skipped = pacing_->skipped() + skipped_waiting_};
+                           .snapshots_skipped = flow_->skipped() + skipped_waiting_};
     snapshot_due_ = false;
     considered_tick_ = std::max(considered_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
-    pacing_->sent(frame->tick, now);
+    flow_->on_sent(frame->tick, now);
     OutMessage message{write_snapshot_head(own, shared->size()), std::move(shared)};
     return message;
 }

@@ -24,7 +24,7 @@
 #include "protocol/play_context.h"
 #include "replication/baseline_tracker.h"
 #include "session/admission.h"
-#include "session/pacing.h"
+#include "session/flow_control.h"
 
 namespace jostle::server {
 
@@ -95,7 +95,7 @@ private:
     std::shared_ptr<WorldFeed> feed_;
     ClientLimits limits_;
     std::optional<Admission> admission_;
-    std::optional<Pacing> pacing_;
+    std::optional<FlowControl> flow_;
     std::shared_ptr<ResultQueue> result_queue_;
     std::vector<InputResult> results_;  // to be told
     std::uint32_t last_sequence_ = 0;   // heard

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "replication/baseline_tracker.h"
-#include "session/pacing.h"
+#include "session/flow_control.h"
 
 namespace jostle::server {
 namespace {
@@ -69,8 +69,8 @@ TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
         const SharedBytes a = cache.encoding(frame, one.bases_for(tick));
         const SharedBytes b = cache.encoding(frame, two.bases_for(tick));
         EXPECT_EQ(a, b) << "the same bytes, not equal ones";
-        one.sent(tick);
-        two.sent(tick);
+        one.on_sent(tick);
+        two.on_sent(tick);
     }
     EXPECT_EQ(cache.encodings_made(), 50u);
 }
@@ -100,7 +100,7 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     BaselineTracker slow;
     Receiver receiver;
     receiver.take(*cache.encoding(frame_at(1), slow.bases_for(1)));
-    slow.sent(1);
+    slow.on_sent(1);
     for (std::uint32_t tick = 2; tick < 2 + SnapshotCache::ring; ++tick)
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
@@ -144,7 +144,7 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
     struct Client {
         BaselineTracker baselines;
         Receiver receiver;
-        Pacing pacing{{}, 60, 1};
+        FlowControl flow{{}, 60, 1};
         std::deque<std::uint32_t> unacked;
         int received = 0;
     };
@@ -158,21 +158,21 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
             Client& client = all[c];
             // The higher its number, the more rarely a client finds time to acknowledge.
             if (random() % (c + 1) == 0) {
-                for (const std::uint32_t acked : client.unacked) client.pacing.acked(acked, now);
+                for (const std::uint32_t acked : client.unacked) client.flow.on_ack(acked, now);
                 client.unacked.clear();
             }
             if (random() % 400 == 0) client.baselines.reset();  // a CRC that did not match
             if (c > 5 && random() % 10 == 0) continue;          // a write is pending
-            if (!client.pacing.may_send(tick, now)) continue;
+            if (!client.flow.may_send(tick, now)) continue;
             client.receiver.take(*cache.encoding(frame, client.baselines.bases_for(tick)));
             client.baselines.on_sent(tick);
-            client.pacing.sent(tick, now);
+            client.flow.on_sent(tick, now);
             client.unacked.push_back(tick);
             client.received++;
         }
     }
     EXPECT_EQ(all[0].received, static_cast<int>(ticks)) << "one that keeps up misses nothing";
-    EXPECT_GT(all[clients - 1].pacing.skipped(), 0u) << "one that does not is spared";
+    EXPECT_GT(all[clients - 1].flow.skipped(), 0u) << "one that does not is spared";
     for (const Client& client : all) EXPECT_GT(client.received, 50);
 }
 

@@ -91,7 +91,7 @@ void WebSocketSession::on_read(beast::error_code error) {
     if (error == websocket::error::message_too_big) {
         link_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
     } else if (error) {
-        link_->peer_closed(now);
+        link_->on_peer_closed(now);
     } else if (socket_.got_text()) {
         link_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
     } else {
@@ -107,7 +107,7 @@ void WebSocketSession::on_read(beast::error_code error) {
 void WebSocketSession::on_wrote(beast::error_code error) {
     const Clock::time_point now = Clock::now();
     writing_ = false;
-    if (error) link_->peer_closed(now);
+    if (error) link_->on_peer_closed(now);
     advance(now);
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 // Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
 constexpr std::size_t events_bytes_max = 1 << 20;
-// What was said and not taken: beyond this the client does not read what it asks for.
+// Messages to send that were not taken: beyond this the client does not read what it asks for.
 constexpr std::size_t waiting_max = 256;
 constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
@@ -41,17 +41,17 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
 }  // namespace
 
 ClientLink::ClientLink(PlayContext& context, std::string peer, Clock::time_point now)
-    : context_(context), peer_(std::move(peer)), begun_(now), last_heard_(now) {}
+    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now) {}
 
 ClientLink::~ClientLink() {
     leave_world();
 }
 
-// --- what the client says ---
+// --- what the client sends ---
 
 void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
     if (end_) return;
-    last_heard_ = now;
+    last_received_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
     if (bytes.size() > bytes_max) {
         return refuse(Error{ErrorCode::resource_exhausted,
@@ -60,13 +60,13 @@ void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
                       now);
     }
     if (admission_ && !admission_->admit_message(bytes.size(), now)) return drop_message(now);
-    const Result<ClientWords> words = read_client_message(bytes);
-    if (!words.ok()) return refuse(words.error(), now);
-    if (!feed_ && !std::holds_alternative<HelloWords>(*words)) {
+    const Result<ClientMessage> message = decode_client_message(bytes);
+    if (!message.ok()) return refuse(message.error(), now);
+    if (!feed_ && !std::holds_alternative<Hello>(*message)) {
         return refuse(Error{ErrorCode::failed_precondition, "the first message must be a Hello"},
                       now);
     }
-    std::visit([&](const auto& said) { hear(said, now); }, *words);
+    std::visit([&](const auto& decoded) { on_message(decoded, now); }, *message);
 }
 
 // Not even parsed: a flood should cost its sender more than us.
@@ -80,14 +80,14 @@ void ClientLink::drop_message(Clock::time_point now) {
     }
     dropping_since_ = now;
     dropped_ = 1;
-    say(write_notice(
+    send(encode_notice(
         NoticeKind::rate_limit,
         fmt::format("more than {:g} messages or {:g} bytes a second: what is beyond that "
                     "is dropped; put several inputs into one batch",
                     limits_.messages_per_second, limits_.bytes_per_second)));
 }
 
-void ClientLink::hear(const HelloWords& hello, Clock::time_point now) {
+void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
     if (feed_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
     if (context_.draining) {
         return refuse(Error{ErrorCode::unavailable, "the server is going down; try another"}, now);
@@ -98,33 +98,30 @@ void ClientLink::hear(const HelloWords& hello, Clock::time_point now) {
                                         hello.protocol, protocol_version)},
                       now);
     }
-    if (const std::shared_ptr<WorldHost> world = world_for(hello, now)) enter(world, hello, now);
+    const Result<std::shared_ptr<WorldHost>> world = world_for(hello, now);
+    if (!world.ok()) return refuse(world.error(), now);
+    enter(*world, hello, now);
 }
 
-// Null when there is none; the refusal has then been said.
-std::shared_ptr<WorldHost> ClientLink::world_for(const HelloWords& hello, Clock::time_point now) {
+Result<std::shared_ptr<WorldHost>> ClientLink::world_for(const Hello& hello,
+                                                         Clock::time_point now) {
     std::string wanted = hello.world;
     if (!hello.ticket.empty()) {
         const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
-        if (!id) {
-            refuse(Error{ErrorCode::unauthenticated,
-                         "the ticket is unknown, used or too old; ask JoinWorld for another"},
-                   now);
-            return nullptr;
-        }
+        if (!id)
+            return Error{ErrorCode::unauthenticated,
+                         "the ticket is unknown, used or too old; ask JoinWorld for another"};
         wanted = *id;
     }
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
-    if (!world) {
-        refuse(Error{ErrorCode::not_found, wanted.empty()
+    if (!world)
+        return Error{ErrorCode::not_found, wanted.empty()
                                                ? "the server has no world"
-                                               : fmt::format("there is no world \"{}\"", wanted)},
-               now);
-    }
+                                               : fmt::format("there is no world \"{}\"", wanted)};
     return world;
 }
 
-void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
+void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now) {
     const std::optional<ClientId> client = context_.sessions.enter(world->id());
     if (!client) {
@@ -147,8 +144,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
         world->add_event_listener();
     }
     const FramePtr frame = world->frame();
-    events_told_ = frame->events->count;
-    say(write_welcome(
+    event_cursor_ = frame->events->count;
+    send(encode_welcome(
         {.client = client_,
          .world_id = world->id(),
          .world_name = world->name(),
@@ -164,28 +161,27 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
              hello.spectator ? " as a spectator" : "");
 }
 
-void ClientLink::hear(const InputWords& words, Clock::time_point now) {
+void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
     const auto inputs_max = static_cast<std::size_t>(context_.config.client.inputs_per_batch_max);
-    if (words.inputs.size() > inputs_max) {
+    if (batch.inputs.size() > inputs_max) {
         return refuse(Error{ErrorCode::invalid_argument,
                             fmt::format("a batch of {} inputs; at most {} are allowed",
-                                        words.inputs.size(), inputs_max)},
+                                        batch.inputs.size(), inputs_max)},
                       now);
     }
-    if (words.ack) hear(*words.ack, now);
-    client_time_us_ = words.client_time_us;
-    std::uint32_t sequence = words.first_sequence;
-    for (const Result<Action>& input : words.inputs) push_input(sequence++, input, now);
+    if (batch.ack) on_message(*batch.ack, now);
+    client_time_us_ = batch.client_time_us;
+    std::uint32_t sequence = batch.first_sequence;
+    for (const Result<Action>& input : batch.inputs) push_input(sequence++, input, now);
 }
 
-// What was heard before is neither applied nor answered again.
+// What came before is neither applied nor answered again.
 void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
     if (Status status = try_push(sequence, input, now); !status.ok())
-        results_.push_back(
-            {.sequence = sequence, .status = std::move(status), .tick = considered_tick_});
+        results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
 Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
@@ -198,22 +194,22 @@ Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
     return {};
 }
 
-void ClientLink::hear(const AckWords& ack, Clock::time_point now) {
+void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
     flow_->on_ack(ack.frame, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
 }
 
-void ClientLink::hear(const PingWords& ping, Clock::time_point now) {
-    say(write_pong(ping.client_time_us, to_us(now)));
+void ClientLink::on_message(const Ping& ping, Clock::time_point now) {
+    send(encode_pong(ping.client_time_us, to_us(now)));
 }
 
-void ClientLink::hear(const LeaveWords&, Clock::time_point now) {
+void ClientLink::on_message(const Leave&, Clock::time_point now) {
     finish({}, now);
 }
 
-void ClientLink::peer_closed(Clock::time_point now) {
+void ClientLink::on_peer_closed(Clock::time_point now) {
     waiting_.clear();
     if (!end_) finish({}, now);
 }
@@ -224,7 +220,7 @@ void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
     log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
              error.message);
-    say(write_notice(NoticeKind::refused, error.message));
+    send(encode_notice(NoticeKind::refused, error.message));
     finish(std::move(error), now);
 }
 
@@ -254,8 +250,8 @@ void ClientLink::keep_time(Clock::time_point now) {
     if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
     if (context_.draining && !told_draining_) {
         told_draining_ = true;
-        say(write_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
-                                                           context_.config.drain_seconds)));
+        send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
+                                                             context_.config.drain_seconds)));
     }
     if (!feed_) {
         if (now - begun_ > from_seconds(limits.hello_seconds)) {
@@ -265,14 +261,14 @@ void ClientLink::keep_time(Clock::time_point now) {
         }
         return;
     }
-    if (now - last_heard_ > from_seconds(limits.silence_seconds)) {
+    if (now - last_received_ > from_seconds(limits.silence_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
                                         limits.silence_seconds)},
                       now);
     }
     if (feed_->host().stopped()) {
-        say(write_notice(NoticeKind::world_closed, "the world was closed"));
+        send(encode_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
     if (waiting_.size() > waiting_max || results_.size() > results_max) {
@@ -281,17 +277,17 @@ void ClientLink::keep_time(Clock::time_point now) {
     }
 }
 
-// --- what the server says ---
+// --- what the server sends ---
 
-void ClientLink::say(std::string message) {
+void ClientLink::send(std::string message) {
     waiting_.push_back({std::move(message), nullptr});
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
     keep_time(now);
     if (waiting_.empty() && feed_ && !end_) {
-        if (const FramePtr frame = feed_->host().frame(); frame->tick != considered_tick_) {
-            consider(*frame, now);
+        if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
+            on_frame(*frame, now);
         }
         write_waits_ = false;
         if (auto results = take_results(now)) return results;
@@ -313,12 +309,12 @@ void ClientLink::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
-void ClientLink::consider(const Frame& frame, Clock::time_point now) {
+void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
-    if (write_waits_ && considered_tick_ != 0) {
-        skipped_waiting_ += (frame.tick - 1) / every - considered_tick_ / every;
+    if (write_waits_ && seen_tick_ != 0) {
+        skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
     }
-    considered_tick_ = frame.tick;
+    seen_tick_ = frame.tick;
     snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
     collect_results();
 }
@@ -335,7 +331,7 @@ std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
     for (const InputResult& result : results_) {
         answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
-    OutMessage message{write_input_results(results_), nullptr};
+    OutMessage message{encode_input_results(results_), nullptr};
     results_.clear();
     return message;
 }
@@ -351,23 +347,24 @@ std::optional<OutMessage> ClientLink::take_stats(Clock::time_point now) {
 }
 
 // Events of a tick follow the first snapshot of that tick or a later one, so that the client has
-// heard of the entities. How many ticks may wait is up to the frame, which holds the newest few.
+// been told of the entities. How many ticks may wait is up to the frame, which holds the newest
+// few.
 std::optional<OutMessage> ClientLink::take_events() {
     if (!wants_events_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     const auto& ticks = frame->events->ticks;
     const std::uint32_t gone = frame->events->count - static_cast<std::uint32_t>(ticks.size());
-    if (events_told_ < gone) {
-        events_missed_ += gone - events_told_;
-        events_told_ = gone;
+    if (event_cursor_ < gone) {
+        events_missed_ += gone - event_cursor_;
+        event_cursor_ = gone;
     }
-    while (events_told_ < frame->events->count) {
-        const auto& tick = ticks[events_told_ - gone];
+    while (event_cursor_ < frame->events->count) {
+        const auto& tick = ticks[event_cursor_ - gone];
         if (tick->tick > baselines_.last()) return std::nullopt;
-        events_told_++;
+        event_cursor_++;
         SharedBytes shared = feed_->events(tick);
         if (shared->size() <= events_bytes_max)
-            return OutMessage{write_events_head(std::exchange(events_missed_, 0), shared->size()),
+            return OutMessage{encode_events_head(std::exchange(events_missed_, 0), shared->size()),
                               std::move(shared)};
         events_missed_++;
     }
@@ -388,14 +385,14 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
         if (!waiting_.empty()) return take_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
-    const PrivateWords own{.input_sequence = answered_sequence_,
-                           .echo_client_time_us = client_time_us_,
-                           .snapshots_skipped = flow_->skipped() + skipped_waiting_};
+    const Private own{.input_sequence = answered_sequence_,
+                      .echo_client_time_us = client_time_us_,
+                      .snapshots_skipped = flow_->skipped() + skipped_waiting_};
     snapshot_due_ = false;
-    considered_tick_ = std::max(considered_tick_, frame->tick);
+    seen_tick_ = std::max(seen_tick_, frame->tick);
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
-    OutMessage message{write_snapshot_head(own, shared->size()), std::move(shared)};
+    OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
     return message;
 }
 

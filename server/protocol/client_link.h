@@ -39,7 +39,7 @@ public:
     // One ClientMessage arrived.
     void receive(std::string_view bytes, Clock::time_point now);
     // The client closed its side, or the connection broke: there is nobody left to talk to.
-    void peer_closed(Clock::time_point now);
+    void on_peer_closed(Clock::time_point now);
     // The transport met what it cannot take: a notice, then the end.
     void refuse(Error error, Clock::time_point now);
 
@@ -56,21 +56,20 @@ public:
     Clock::time_point end_time() const { return end_time_; }
 
 private:
-    void hear(const HelloWords& hello, Clock::time_point now);
-    void hear(const InputWords& words, Clock::time_point now);
-    void hear(const AckWords& ack, Clock::time_point now);
-    void hear(const PingWords& ping, Clock::time_point now);
-    void hear(const LeaveWords& leave, Clock::time_point now);
+    void on_message(const Hello& hello, Clock::time_point now);
+    void on_message(const InputBatch& batch, Clock::time_point now);
+    void on_message(const Ack& ack, Clock::time_point now);
+    void on_message(const Ping& ping, Clock::time_point now);
+    void on_message(const Leave& leave, Clock::time_point now);
 
-    std::shared_ptr<WorldHost> world_for(const HelloWords& hello, Clock::time_point now);
-    void enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
-               Clock::time_point now);
+    Result<std::shared_ptr<WorldHost>> world_for(const Hello& hello, Clock::time_point now);
+    void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
     void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void keep_time(Clock::time_point now);
-    void say(std::string message);
+    void send(std::string message);
     void finish(Status status, Clock::time_point now);
     void leave_world();
     void collect_results();
@@ -79,18 +78,18 @@ private:
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
     std::optional<OutMessage> take_events();
-    void consider(const Frame& frame, Clock::time_point now);
+    void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
     const std::string peer_;
     const Clock::time_point begun_;
-    Clock::time_point last_heard_;
+    Clock::time_point last_received_;
     std::optional<Status> end_;
     Clock::time_point end_time_{};
-    std::deque<OutMessage> waiting_;  // said, not yet taken; bounded
+    std::deque<OutMessage> waiting_;  // to send, not yet taken; bounded
     bool told_draining_ = false;
 
-    // From here on: of a client that said hello.
+    // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
     std::shared_ptr<WorldFeed> feed_;
     ClientLimits limits_;
@@ -98,7 +97,7 @@ private:
     std::optional<FlowControl> flow_;
     std::shared_ptr<ResultQueue> result_queue_;
     std::vector<InputResult> results_;  // to be told
-    std::uint32_t last_sequence_ = 0;   // heard
+    std::uint32_t last_sequence_ = 0;   // received
     std::uint32_t answered_sequence_ = 0;
     std::uint32_t client_time_us_ = 0;
     int dropped_ = 0;  // messages since dropping_since_
@@ -107,9 +106,9 @@ private:
     BaselineTracker baselines_;
     std::shared_ptr<const Roster> roster_;  // what the client knows
     bool wants_events_ = false;
-    std::uint32_t events_told_ = 0;      // as RecentEvents counts; sent or missed
-    std::uint32_t events_missed_ = 0;    // since the last that were sent
-    std::uint32_t considered_tick_ = 0;  // newest frame that was decided on
+    std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
+    std::uint32_t events_missed_ = 0;  // since the last that were sent
+    std::uint32_t seen_tick_ = 0;      // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_waits_ = false;
     std::uint32_t skipped_waiting_ = 0;

@@ -99,25 +99,25 @@ Result<Action> action_of(const v1::Input& input) {
     return invalid("the input is empty, or of a kind that this server does not know");
 }
 
-AckWords words_of(const v1::Ack& ack) {
+Ack decode(const v1::Ack& ack) {
     return {ack.frame(), ack.need_keyframe()};
 }
 
-Result<ClientWords> words_of(const v1::Hello& hello) {
+Result<ClientMessage> decode(const v1::Hello& hello) {
     if (hello.name().size() > client_name_bytes_max) {
         return invalid(fmt::format("hello.name has {} bytes; at most {} are allowed",
                                    hello.name().size(), client_name_bytes_max));
     }
-    return ClientWords{HelloWords{.protocol = hello.protocol(),
-                                  .world = hello.world(),
-                                  .ticket = hello.ticket(),
-                                  .name = hello.name(),
-                                  .snapshot_hz = hello.snapshot_hz(),
-                                  .spectator = hello.spectator(),
-                                  .events = hello.events()}};
+    return ClientMessage{Hello{.protocol = hello.protocol(),
+                               .world = hello.world(),
+                               .ticket = hello.ticket(),
+                               .name = hello.name(),
+                               .snapshot_hz = hello.snapshot_hz(),
+                               .spectator = hello.spectator(),
+                               .events = hello.events()}};
 }
 
-Result<ClientWords> words_of(const v1::InputBatch& batch) {
+Result<ClientMessage> decode(const v1::InputBatch& batch) {
     const std::uint64_t first = batch.first_sequence();
     if (first == 0 && batch.inputs_size() > 0) {
         return invalid("input.first_sequence is 0; inputs are numbered from 1");
@@ -125,13 +125,13 @@ Result<ClientWords> words_of(const v1::InputBatch& batch) {
     if (first + static_cast<std::uint64_t>(batch.inputs_size()) > 0xffffffffu) {
         return invalid("input.first_sequence leaves no numbers for the inputs; join again");
     }
-    InputWords words;
-    words.first_sequence = batch.first_sequence();
-    words.client_time_us = batch.client_time_us();
-    if (batch.has_ack()) words.ack = words_of(batch.ack());
-    words.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
-    for (const v1::Input& input : batch.inputs()) words.inputs.push_back(action_of(input));
-    return ClientWords{std::move(words)};
+    InputBatch decoded;
+    decoded.first_sequence = batch.first_sequence();
+    decoded.client_time_us = batch.client_time_us();
+    if (batch.has_ack()) decoded.ack = decode(batch.ack());
+    decoded.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
+    for (const v1::Input& input : batch.inputs()) decoded.inputs.push_back(action_of(input));
+    return ClientMessage{std::move(decoded)};
 }
 
 v1::BodyType to_message(physics::BodyType type) {
@@ -221,48 +221,48 @@ v1::NoticeCode to_message(NoticeKind kind) {
 
 }  // namespace
 
-Result<ClientWords> read_client_message(std::string_view bytes) {
+Result<ClientMessage> decode_client_message(std::string_view bytes) {
     v1::ClientMessage message;
     if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
         return invalid(fmt::format("the {} bytes are not a jostle.v1.ClientMessage", bytes.size()));
     }
     switch (message.message_case()) {
         case v1::ClientMessage::kHello:
-            return words_of(message.hello());
+            return decode(message.hello());
         case v1::ClientMessage::kInput:
-            return words_of(message.input());
+            return decode(message.input());
         case v1::ClientMessage::kAck:
-            return ClientWords{words_of(message.ack())};
+            return ClientMessage{decode(message.ack())};
         case v1::ClientMessage::kPing:
-            return ClientWords{PingWords{message.ping().client_time_us()}};
+            return ClientMessage{Ping{message.ping().client_time_us()}};
         case v1::ClientMessage::kLeave:
-            return ClientWords{LeaveWords{}};
+            return ClientMessage{Leave{}};
         case v1::ClientMessage::MESSAGE_NOT_SET:
             break;
     }
     return invalid("the ClientMessage is empty, or of a kind that this server does not know");
 }
 
-std::string write_welcome(const WelcomeWords& words) {
+std::string encode_welcome(const Welcome& from) {
     v1::ServerMessage message;
     v1::Welcome& welcome = *message.mutable_welcome();
-    welcome.set_client_id(words.client);
-    welcome.set_world_id(words.world_id);
-    welcome.set_world_name(words.world_name);
-    welcome.set_tick(words.tick);
-    welcome.set_tick_hz(words.tick_hz);
-    welcome.set_snapshot_hz(words.snapshot_hz);
-    welcome.set_ack_window(words.ack_window);
+    welcome.set_client_id(from.client);
+    welcome.set_world_id(from.world_id);
+    welcome.set_world_name(from.world_name);
+    welcome.set_tick(from.tick);
+    welcome.set_tick_hz(from.tick_hz);
+    welcome.set_snapshot_hz(from.snapshot_hz);
+    welcome.set_ack_window(from.ack_window);
     v1::QuantSpec& quant = *welcome.mutable_quant();
-    quant.set_units_per_meter(static_cast<std::uint32_t>(words.quant.units_per_meter));
-    quant.set_rotation_component(static_cast<std::uint32_t>(words.quant.rotation_component));
-    welcome.set_server_time_us(words.server_time_us);
-    write_vector(*welcome.mutable_gravity(), words.gravity);
+    quant.set_units_per_meter(static_cast<std::uint32_t>(from.quant.units_per_meter));
+    quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
+    welcome.set_server_time_us(from.server_time_us);
+    write_vector(*welcome.mutable_gravity(), from.gravity);
     return message.SerializeAsString();
 }
 
-std::string write_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
-                         std::span<const EntityId> removed) {
+std::string encode_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
+                          std::span<const EntityId> removed) {
     v1::ServerMessage message;
     v1::Roster& roster = *message.mutable_roster();
     for (const auto& entity : added) set(*roster.add_added(), *entity);
@@ -270,7 +270,7 @@ std::string write_roster(std::span<const std::shared_ptr<const EntityDescription
     return message.SerializeAsString();
 }
 
-std::string write_input_results(std::span<const InputResult> results) {
+std::string encode_input_results(std::span<const InputResult> results) {
     v1::ServerMessage message;
     for (const InputResult& from : results) {
         v1::InputResult& to = *message.mutable_input_results()->add_results();
@@ -283,14 +283,14 @@ std::string write_input_results(std::span<const InputResult> results) {
     return message.SerializeAsString();
 }
 
-std::string write_pong(std::uint64_t client_time_us, std::uint64_t server_time_us) {
+std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us) {
     v1::ServerMessage message;
     message.mutable_pong()->set_client_time_us(client_time_us);
     message.mutable_pong()->set_server_time_us(server_time_us);
     return message.SerializeAsString();
 }
 
-std::string write_world_stats(const Frame& frame, std::uint32_t clients) {
+std::string encode_world_stats(const Frame& frame, std::uint32_t clients) {
     v1::ServerMessage message;
     v1::WorldStats& stats = *message.mutable_stats();
     stats.set_tick(frame.tick);
@@ -304,14 +304,14 @@ std::string write_world_stats(const Frame& frame, std::uint32_t clients) {
     return message.SerializeAsString();
 }
 
-std::string write_notice(NoticeKind kind, const std::string& text) {
+std::string encode_notice(NoticeKind kind, const std::string& text) {
     v1::ServerMessage message;
     message.mutable_notice()->set_code(to_message(kind));
     message.mutable_notice()->set_message(text);
     return message.SerializeAsString();
 }
 
-std::string write_shared_snapshot(const EncodedSnapshot& encoded) {
+std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     v1::Snapshot snapshot;
     snapshot.set_frame(encoded.frame);
     snapshot.set_base_frame(encoded.bases.base);
@@ -323,16 +323,16 @@ std::string write_shared_snapshot(const EncodedSnapshot& encoded) {
     return snapshot.SerializeAsString();
 }
 
-std::string write_snapshot_head(const PrivateWords& words, std::size_t shared_bytes) {
+std::string encode_snapshot_head(const Private& from, std::size_t shared_bytes) {
     v1::Snapshot fields;
     v1::Private& own = *fields.mutable_own();
-    own.set_input_sequence(words.input_sequence);
-    own.set_echo_client_time_us(words.echo_client_time_us);
-    own.set_snapshots_skipped(words.snapshots_skipped);
+    own.set_input_sequence(from.input_sequence);
+    own.set_echo_client_time_us(from.echo_client_time_us);
+    own.set_snapshots_skipped(from.snapshots_skipped);
     return write_head(v1::ServerMessage::kSnapshotFieldNumber, fields, shared_bytes);
 }
 
-std::string write_shared_events(const TickEvents& from) {
+std::string encode_shared_events(const TickEvents& from) {
     v1::Events events;
     events.set_tick(from.tick);
     for (const ContactHappening& c : from.began) {
@@ -366,7 +366,7 @@ std::string write_shared_events(const TickEvents& from) {
     return events.SerializeAsString();
 }
 
-std::string write_events_head(std::uint32_t missed, std::size_t shared_bytes) {
+std::string encode_events_head(std::uint32_t missed, std::size_t shared_bytes) {
     v1::Events fields;
     fields.set_missed(missed);
     return write_head(v1::ServerMessage::kEventsFieldNumber, fields, shared_bytes);

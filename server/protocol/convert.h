@@ -22,38 +22,38 @@ namespace jostle::server {
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
 
-// --- what a client says ---
+// --- what a client sends: the messages of play.proto, checked ---
 
-struct HelloWords {
+struct Hello {
     std::uint32_t protocol = 0;
     std::string world, ticket, name;
     std::uint32_t snapshot_hz = 0;  // 0: the world's rate
     bool spectator = false;
     bool events = false;
 };
-struct AckWords {
+struct Ack {
     std::uint32_t frame = 0;
     bool need_keyframe = false;
 };
-struct InputWords {
+struct InputBatch {
     std::uint32_t first_sequence = 0;
     std::vector<Result<Action>> inputs;  // an error refuses that input alone
-    std::optional<AckWords> ack;
+    std::optional<Ack> ack;
     std::uint32_t client_time_us = 0;
 };
-struct PingWords {
+struct Ping {
     std::uint64_t client_time_us = 0;
 };
-struct LeaveWords {};
+struct Leave {};
 
-using ClientWords = std::variant<HelloWords, InputWords, AckWords, PingWords, LeaveWords>;
+using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave>;
 
-// One ClientMessage. An error refuses the whole message.
-Result<ClientWords> read_client_message(std::string_view bytes);
+// The bytes of one ClientMessage. An error refuses the whole message.
+Result<ClientMessage> decode_client_message(std::string_view bytes);
 
-// --- what the server says: each function returns the bytes of one ServerMessage ---
+// --- what the server sends: each function returns the bytes of one ServerMessage ---
 
-struct WelcomeWords {
+struct Welcome {
     ClientId client = 0;
     std::string world_id, world_name;
     std::uint32_t tick = 0;
@@ -66,31 +66,31 @@ struct WelcomeWords {
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit };
 
-std::string write_welcome(const WelcomeWords& words);
-std::string write_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
-                         std::span<const EntityId> removed);
-std::string write_input_results(std::span<const InputResult> results);
-std::string write_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
-std::string write_world_stats(const Frame& frame, std::uint32_t clients);
-std::string write_notice(NoticeKind kind, const std::string& message);
+std::string encode_welcome(const Welcome& welcome);
+std::string encode_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
+                          std::span<const EntityId> removed);
+std::string encode_input_results(std::span<const InputResult> results);
+std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
+std::string encode_world_stats(const Frame& frame, std::uint32_t clients);
+std::string encode_notice(NoticeKind kind, const std::string& message);
 
 // --- snapshots and events: a shared piece and a private one, one after the other, are one
 // ServerMessage ---
 
-struct PrivateWords {
+struct Private {
     std::uint32_t input_sequence = 0;
     std::uint32_t echo_client_time_us = 0;
     std::uint32_t snapshots_skipped = 0;
 };
 
 // The fields of jostle.v1.Snapshot that all clients share.
-std::string write_shared_snapshot(const EncodedSnapshot& snapshot);
+std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
 // client's own field.
-std::string write_snapshot_head(const PrivateWords& words, std::size_t shared_bytes);
+std::string encode_snapshot_head(const Private& own, std::size_t shared_bytes);
 
 // The same for jostle.v1.Events: what a client missed is its own.
-std::string write_shared_events(const TickEvents& events);
-std::string write_events_head(std::uint32_t missed, std::size_t shared_bytes);
+std::string encode_shared_events(const TickEvents& events);
+std::string encode_events_head(std::uint32_t missed, std::size_t shared_bytes);
 
 }  // namespace jostle::server

@@ -43,11 +43,11 @@ Difference difference_of(const Roster& from, const Roster& to) {
 std::vector<SharedBytes> messages_of(const Difference& difference) {
     std::vector<SharedBytes> messages;
     if (!difference.removed.empty())
-        messages.push_back(share(write_roster({}, difference.removed)));
+        messages.push_back(share(encode_roster({}, difference.removed)));
     const std::span<const std::shared_ptr<const EntityDescription>> added = difference.added;
     for (std::size_t first = 0; first < added.size(); first += entities_per_message) {
         const std::size_t count = std::min(entities_per_message, added.size() - first);
-        messages.push_back(share(write_roster(added.subspan(first, count), {})));
+        messages.push_back(share(encode_roster(added.subspan(first, count), {})));
     }
     return messages;
 }
@@ -55,7 +55,7 @@ std::vector<SharedBytes> messages_of(const Difference& difference) {
 }  // namespace
 
 WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host)
-    : host_(std::move(host)), snapshots_(wire::QuantSpec{}, write_shared_snapshot) {}
+    : host_(std::move(host)), snapshots_(wire::QuantSpec{}, encode_shared_snapshot) {}
 
 std::vector<SharedBytes> WorldFeed::roster_change(const std::shared_ptr<const Roster>& from,
                                                   const std::shared_ptr<const Roster>& to) {
@@ -74,7 +74,7 @@ std::vector<SharedBytes> WorldFeed::roster_change(const std::shared_ptr<const Ro
 SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
     const std::lock_guard lock(mutex_);
     if (stats_frame_ != frame || stats_clients_ != clients) {
-        stats_ = share(write_world_stats(*frame, clients));
+        stats_ = share(encode_world_stats(*frame, clients));
         stats_frame_ = frame;
         stats_clients_ = clients;
     }
@@ -86,7 +86,7 @@ SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
     const auto known =
         std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
     if (known != events_.end()) return known->second;
-    SharedBytes bytes = share(write_shared_events(*tick));
+    SharedBytes bytes = share(encode_shared_events(*tick));
     if (events_.size() == RecentEvents::ticks_max) events_.pop_front();
     events_.emplace_back(tick, bytes);
     return bytes;

@@ -34,7 +34,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
     reading_ = false;
     if (!ok) {
         // The client closed its half, or the connection is gone.
-        link_->peer_closed(now);
+        link_->on_peer_closed(now);
     } else {
         copy_bytes(incoming_bytes_, incoming_);
         incoming_.Clear();
@@ -47,7 +47,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
 void PlayStream::on_wrote(bool ok, Clock::time_point now) {
     writing_ = false;
     // A write fails only when the connection is gone; the read that is in flight will fail as well.
-    if (!ok) link_->peer_closed(now);
+    if (!ok) link_->on_peer_closed(now);
     advance(now);
 }
 

@@ -35,7 +35,7 @@ protected:
 struct TestClient {
     explicit TestClient(PlayContext& context) : link(context, "test", Clock::now()) {}
 
-    void say(const v1::ClientMessage& message, Clock::duration later = 0s) {
+    void send(const v1::ClientMessage& message, Clock::duration later = 0s) {
         link.receive(message.SerializeAsString(), Clock::now() + later);
     }
     void hello(const std::function<void(v1::Hello&)>& change = [](v1::Hello&) {}) {
@@ -43,19 +43,19 @@ struct TestClient {
         message.mutable_hello()->set_protocol(1);
         change(*message.mutable_hello());
         state.wants_events = message.hello().events();
-        say(message);
+        send(message);
     }
     void ack(std::uint32_t frame, bool need_keyframe = false) {
         v1::ClientMessage message;
         message.mutable_ack()->set_frame(frame);
         message.mutable_ack()->set_need_keyframe(need_keyframe);
-        say(message);
+        send(message);
     }
     void inputs(std::uint32_t first, std::vector<v1::Input> list) {
         v1::ClientMessage message;
         message.mutable_input()->set_first_sequence(first);
         for (v1::Input& input : list) *message.mutable_input()->add_inputs() = std::move(input);
-        say(message);
+        send(message);
     }
     // Takes all that the link has to say.
     void listen(Clock::duration later = 0s) {
@@ -179,7 +179,7 @@ TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
     ASSERT_TRUE(stayer.listen_until([&] { return stayer.state.entities.contains(body); }));
     v1::ClientMessage leave;
     leave.mutable_leave();
-    leaver.say(leave);
+    leaver.send(leave);
     EXPECT_TRUE(leaver.link.end() && leaver.link.end()->ok());
     EXPECT_EQ(sessions.clients(), 1);
     EXPECT_TRUE(stayer.listen_until([&] { return !stayer.state.entities.contains(body); }));
@@ -240,7 +240,7 @@ TEST_F(ClientLinkTest, pings_are_answered) {
     client.hello();
     v1::ClientMessage ping;
     ping.mutable_ping()->set_client_time_us(42);
-    client.say(ping);
+    client.send(ping);
     client.listen();
     EXPECT_EQ(client.state.pongs, 1);
 }
@@ -268,7 +268,7 @@ TEST_F(ClientLinkTest, refuses_politely) {
         {"second hello",
          [&](TestClient& c) {
              c.hello();
-             c.say(second_hello);
+             c.send(second_hello);
          },
          ErrorCode::failed_precondition},
         {"batch",
@@ -299,7 +299,7 @@ TEST_F(ClientLinkTest, a_full_server_says_so) {
     three.hello();
     ASSERT_TRUE(three.link.end() && !three.link.end()->ok());
     EXPECT_EQ(three.link.end()->error().code, ErrorCode::resource_exhausted);
-    one.link.peer_closed(Clock::now());
+    one.link.on_peer_closed(Clock::now());
     TestClient four(context);
     four.hello();
     EXPECT_FALSE(four.link.end());
@@ -354,7 +354,7 @@ TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {
     v1::ClientMessage ping;
     ping.mutable_ping();
     for (int second = 0; second < 9 && !client.link.end(); ++second) {
-        for (int i = 0; i < 80; ++i) client.say(ping, std::chrono::seconds(second));
+        for (int i = 0; i < 80; ++i) client.send(ping, std::chrono::seconds(second));
         client.link.wait_for_write(Clock::now() + std::chrono::seconds(second));
     }
     ASSERT_TRUE(client.link.end() && !client.link.end()->ok());

@@ -13,7 +13,7 @@ namespace {
 
 template <class Words>
 Words read_as(const v1::ClientMessage& message) {
-    const auto words = read_client_message(message.SerializeAsString());
+    const auto words = decode_client_message(message.SerializeAsString());
     EXPECT_TRUE(words.ok()) << words.error().message;
     return std::get<Words>(*words);
 }
@@ -26,7 +26,7 @@ Message parse(const std::string& bytes) {
 }
 
 std::string refusal_of(const v1::ClientMessage& message) {
-    const auto words = read_client_message(message.SerializeAsString());
+    const auto words = decode_client_message(message.SerializeAsString());
     return words.ok() ? "" : words.error().message;
 }
 
@@ -53,7 +53,7 @@ TEST(Convert, reads_each_kind_of_input) {
     batch.add_inputs()->mutable_explode()->set_radius(2.5);
     batch.add_inputs();  // of no kind
 
-    const auto words = read_as<InputWords>(message);
+    const auto words = read_as<InputBatch>(message);
     EXPECT_EQ(words.first_sequence, 7u);
     EXPECT_EQ(words.client_time_us, 99u);
     EXPECT_EQ(words.ack->frame, 5u);
@@ -78,8 +78,8 @@ TEST(Convert, reads_each_kind_of_input) {
 }
 
 TEST(Convert, refuses_what_is_no_message) {
-    EXPECT_FALSE(read_client_message("\xff\xff\xff").ok());
-    EXPECT_FALSE(read_client_message("").ok());
+    EXPECT_FALSE(decode_client_message("\xff\xff\xff").ok());
+    EXPECT_FALSE(decode_client_message("").ok());
     v1::ClientMessage long_name;
     long_name.mutable_hello()->set_name(std::string(33, 'x'));
     EXPECT_NE(refusal_of(long_name).find("hello.name has 33 bytes"), std::string::npos);
@@ -100,7 +100,7 @@ TEST(Convert, a_rotation_that_is_no_number_refuses_its_input) {
         v1::SpawnInput& spawn = *message.mutable_input()->add_inputs()->mutable_spawn();
         spawn.mutable_shape()->mutable_sphere()->set_radius(1);
         spawn.mutable_rotation()->set_x(bad);
-        const auto words = read_as<InputWords>(message);
+        const auto words = read_as<InputBatch>(message);
         // 1e-200 squared is zero: no rotation, which is fine.
         EXPECT_EQ(words.inputs[0].ok(), bad == 1e-200) << bad;
     }
@@ -112,10 +112,9 @@ TEST(Convert, a_snapshot_is_its_two_pieces_one_after_the_other) {
                                   .packed = {std::byte{1}, std::byte{0}, std::byte{255}},
                                   .crc = 0xdeadbeef,
                                   .due = Clock::time_point(std::chrono::microseconds(123456))};
-    const std::string shared = write_shared_snapshot(encoded);
-    for (const PrivateWords own :
-         {PrivateWords{}, PrivateWords{0xffffffff, 0xffffffff, 0xffffffff}}) {
-        const auto message = parse(write_snapshot_head(own, shared.size()) + shared);
+    const std::string shared = encode_shared_snapshot(encoded);
+    for (const Private own : {Private{}, Private{0xffffffff, 0xffffffff, 0xffffffff}}) {
+        const auto message = parse(encode_snapshot_head(own, shared.size()) + shared);
         ASSERT_TRUE(message.has_snapshot());
         const v1::Snapshot& snapshot = message.snapshot();
         EXPECT_EQ(snapshot.frame(), 300u);
@@ -144,7 +143,7 @@ TEST(Convert, a_roster_carries_what_a_viewer_draws) {
     box.shapes.push_back(shape);
     const std::vector added{std::make_shared<const EntityDescription>(box)};
     const std::vector<EntityId> removed{2, 3};
-    const auto message = parse(write_roster(added, removed));
+    const auto message = parse(encode_roster(added, removed));
     const v1::Roster& roster = message.roster();
     ASSERT_EQ(roster.added_size(), 1);
     const v1::Entity& entity = roster.added(0);
@@ -165,14 +164,14 @@ TEST(Convert, results_and_notices_keep_code_and_words) {
                               .status = Error{ErrorCode::permission_denied, "not yours"},
                               .tick = 77,
                               .entity = 6};
-    const auto results = parse(write_input_results(std::span(&refused, 1)));
+    const auto results = parse(encode_input_results(std::span(&refused, 1)));
     const v1::InputResult& result = results.input_results().results(0);
     EXPECT_EQ(result.sequence(), 5u);
     EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);
     EXPECT_EQ(result.tick(), 77u);
     EXPECT_EQ(result.entity(), 6u);
     EXPECT_EQ(result.message(), "not yours");
-    const auto notice = parse(write_notice(NoticeKind::world_closed, "bye"));
+    const auto notice = parse(encode_notice(NoticeKind::world_closed, "bye"));
     EXPECT_EQ(notice.notice().code(), v1::NOTICE_CODE_WORLD_CLOSED);
     EXPECT_EQ(notice.notice().message(), "bye");
 }

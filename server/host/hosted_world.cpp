@@ -58,7 +58,7 @@ EntityId HostedWorld::add(BodyId body, ClientId owner, std::optional<std::uint32
     entities_.emplace(id, Entity{id, body, owner, std::move(description)});
     if (entity_of_body_.size() <= body.index) entity_of_body_.resize(body.index + 1, 0);
     entity_of_body_[body.index] = id;
-    roster_ = nullptr;
+    entity_list_ = nullptr;
     places_ = nullptr;
     return id;
 }
@@ -73,7 +73,7 @@ void HostedWorld::remove(EntityId id) {
     entity_of_body_[entity.body.index] = 0;
     removed_.emplace(entity.body, id);
     entities_.erase(at);
-    roster_ = nullptr;
+    entity_list_ = nullptr;
     places_ = nullptr;
     // The registry and the world agree, so the body is there.
     static_cast<void>(world_.destroy_body(entity.body).ok());
@@ -227,29 +227,29 @@ std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarant
     return fresh;
 }
 
-const std::shared_ptr<const Roster>& HostedWorld::roster() {
-    if (!roster_) {
-        auto roster = std::make_shared<Roster>();
-        roster->reserve(entities_.size());
-        for (const auto& [id, entity] : entities_) roster->push_back(entity.description);
-        roster_ = std::move(roster);
+const std::shared_ptr<const EntityList>& HostedWorld::entity_list() {
+    if (!entity_list_) {
+        auto entity_list = std::make_shared<EntityList>();
+        entity_list->reserve(entities_.size());
+        for (const auto& [id, entity] : entities_) entity_list->push_back(entity.description);
+        entity_list_ = std::move(entity_list);
     }
-    return roster_;
+    return entity_list_;
 }
 
 QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
     auto frame = std::make_shared<QueryFrame>();
     frame->tick = tick;
     frame->parts = parts;
-    frame->roster = roster();
-    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*roster_));
+    frame->entity_list = entity_list();
+    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*entity_list_));
     frame->places = places_;
     copy_parts(*frame, world_, entity_of_body_);
     return frame;
 }
 
 void HostedWorld::copy_into(Frame& frame) {
-    frame.roster = roster();
+    frame.entity_list = entity_list();
     world_.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());

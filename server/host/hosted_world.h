@@ -63,7 +63,7 @@ private:
     void remove(EntityId id);
     // Of a body that lives, or that was removed since the step before the last.
     EntityId entity_of(physics::BodyId body) const;
-    const std::shared_ptr<const Roster>& roster();
+    const std::shared_ptr<const EntityList>& entity_list();
     // Never null.
     Result<const Entity*> dynamic_entity(EntityId id) const;
 
@@ -85,11 +85,11 @@ private:
     // Bodies that were removed since the last step, and those that the last step's events may still
     // name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
-    std::set<EntityId> quarantined_;             // told
-    std::map<ClientId, Client> clients_;         // ordered: hands pull in order of client
-    std::shared_ptr<const Roster> roster_;       // null: changed since the last frame
-    std::shared_ptr<const ShapePlaces> places_;  // of that roster; null: not asked for yet
-    std::vector<physics::BodyState> bodies_;     // reused by copy_into
+    std::set<EntityId> quarantined_;                 // told
+    std::map<ClientId, Client> clients_;             // ordered: hands pull in order of client
+    std::shared_ptr<const EntityList> entity_list_;  // null: changed since the last frame
+    std::shared_ptr<const ShapePlaces> places_;      // of that entity list; null: not asked for yet
+    std::vector<physics::BodyState> bodies_;         // reused by copy_into
 };
 
 }  // namespace jostle::server

@@ -11,8 +11,8 @@ using namespace physics;
 namespace {
 
 template <class Event>
-ContactHappening between(const Event& event, const EntityOfBody& entity_of) {
-    ContactHappening out;
+ContactEvent between(const Event& event, const EntityOfBody& entity_of) {
+    ContactEvent out;
     out.a = entity_of(event.body_a);
     out.b = entity_of(event.body_b);
     if constexpr (requires { event.point; }) {
@@ -25,9 +25,9 @@ ContactHappening between(const Event& event, const EntityOfBody& entity_of) {
 }
 
 template <class Event>
-std::vector<ContactHappening> contacts_of(std::span<const Event> events,
-                                          const EntityOfBody& entity_of) {
-    std::vector<ContactHappening> out;
+std::vector<ContactEvent> contacts_of(std::span<const Event> events,
+                                      const EntityOfBody& entity_of) {
+    std::vector<ContactEvent> out;
     out.reserve(events.size());
     for (const Event& event : events) out.push_back(between(event, entity_of));
     // Stable: pairs of shapes of the same two entities stay in the world's order.
@@ -35,19 +35,19 @@ std::vector<ContactHappening> contacts_of(std::span<const Event> events,
     return out;
 }
 
-std::vector<TriggerHappening> triggers_of(std::span<const TriggerEvent> events,
-                                          const EntityOfBody& entity_of) {
-    std::vector<TriggerHappening> out;
+std::vector<TriggerEvent> triggers_of(std::span<const physics::TriggerEvent> events,
+                                      const EntityOfBody& entity_of) {
+    std::vector<TriggerEvent> out;
     out.reserve(events.size());
-    for (const TriggerEvent& event : events)
+    for (const physics::TriggerEvent& event : events)
         out.push_back({entity_of(event.trigger_body), entity_of(event.body)});
     std::ranges::stable_sort(out, {}, [](const auto& x) { return std::pair(x.trigger, x.entity); });
     return out;
 }
 
-std::vector<JointBreakHappening> breaks_of(std::span<const JointBreak> events,
-                                           const EntityOfBody& entity_of) {
-    std::vector<JointBreakHappening> out;
+std::vector<JointBreakEvent> breaks_of(std::span<const JointBreak> events,
+                                       const EntityOfBody& entity_of) {
+    std::vector<JointBreakEvent> out;
     out.reserve(events.size());
     for (const JointBreak& event : events)
         out.push_back(

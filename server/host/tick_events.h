@@ -16,27 +16,27 @@
 
 namespace jostle::server {
 
-struct ContactHappening {
+struct ContactEvent {
     EntityId a = 0, b = 0;
     physics::Vec3 point, normal;  // m, world; unit, from a to b. Not of ends
     double speed = 0;             // m/s of approach: of begins and hits
     double impulse = 0;           // N s over the tick: of contacts that press
 };
 
-struct TriggerHappening {
+struct TriggerEvent {
     EntityId trigger = 0, entity = 0;
 };
 
-struct JointBreakHappening {
+struct JointBreakEvent {
     EntityId a = 0, b = 0;
     double force = 0, torque = 0;  // N, N m
 };
 
 struct TickEvents {
     std::uint32_t tick = 0;
-    std::vector<ContactHappening> began, ended, contacts, hits;
-    std::vector<TriggerHappening> entered, stayed, left;
-    std::vector<JointBreakHappening> joints_broke;
+    std::vector<ContactEvent> began, ended, contacts, hits;
+    std::vector<TriggerEvent> entered, stayed, left;
+    std::vector<JointBreakEvent> joints_broke;
     std::vector<EntityId> fell_asleep, woke;
 };
 

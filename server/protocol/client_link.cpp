@@ -371,17 +371,17 @@ std::optional<OutMessage> ClientLink::take_events() {
     return std::nullopt;
 }
 
-// A roster change comes before the first snapshot that needs it, so when there is one it goes
-// first, and the snapshot is made, of the then newest frame, when it has been taken.
+// A change of the entity list comes before the first snapshot that needs it, so when there is one
+// it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
 std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= baselines_.last()) return std::nullopt;
-    if (frame->roster != roster_) {
-        for (SharedBytes& bytes : feed_->roster_change(roster_, frame->roster)) {
+    if (frame->entity_list != entity_list_) {
+        for (SharedBytes& bytes : feed_->entity_list_change(entity_list_, frame->entity_list)) {
             waiting_.push_back({{}, std::move(bytes)});
         }
-        roster_ = frame->roster;
+        entity_list_ = frame->entity_list;
         if (!waiting_.empty()) return take_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The conversation with one client, whatever the transport: hello, then inputs and acks one way,
-// rosters, results and snapshots the other, until somebody ends it. A transport hands in the
+// entity lists, results and snapshots the other, until somebody ends it. A transport hands in the
 // messages that arrive, calls take_message() when it can write and something may have changed, and
 // ends its stream when end() says so.
 //
@@ -104,7 +104,7 @@ private:
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_results_{}, last_stats_{};
 
     BaselineTracker baselines_;
-    std::shared_ptr<const Roster> roster_;  // what the client knows
+    std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     bool wants_events_ = false;
     std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;  // since the last that were sent

@@ -158,18 +158,18 @@ void set(v1::Entity& to, const EntityDescription& from) {
     to.set_mass(from.mass);
 }
 
-v1::ContactEvent& set(v1::ContactEvent& to, const ContactHappening& from) {
+v1::ContactEvent& set(v1::ContactEvent& to, const ContactEvent& from) {
     to.set_entity_a(from.a);
     to.set_entity_b(from.b);
     return to;
 }
 
-void set_place(v1::ContactEvent& to, const ContactHappening& from) {
+void set_place(v1::ContactEvent& to, const ContactEvent& from) {
     write_vector(*to.mutable_point(), from.point);
     write_vector(*to.mutable_normal(), from.normal);
 }
 
-void set(v1::TriggerEvent& to, const TriggerHappening& from) {
+void set(v1::TriggerEvent& to, const TriggerEvent& from) {
     to.set_trigger(from.trigger);
     to.set_entity(from.entity);
 }
@@ -335,26 +335,26 @@ std::string encode_snapshot_head(const Private& from, std::size_t shared_bytes) 
 std::string encode_shared_events(const TickEvents& from) {
     v1::Events events;
     events.set_tick(from.tick);
-    for (const ContactHappening& c : from.began) {
+    for (const ContactEvent& c : from.began) {
         v1::ContactEvent& contact = set(*events.add_contacts_began(), c);
         set_place(contact, c);
         contact.set_speed(c.speed);
     }
-    for (const ContactHappening& c : from.ended) set(*events.add_contacts_ended(), c);
-    for (const ContactHappening& c : from.contacts) {
+    for (const ContactEvent& c : from.ended) set(*events.add_contacts_ended(), c);
+    for (const ContactEvent& c : from.contacts) {
         v1::ContactEvent& contact = set(*events.add_contacts(), c);
         set_place(contact, c);
         contact.set_impulse(c.impulse);
     }
-    for (const ContactHappening& c : from.hits) {
+    for (const ContactEvent& c : from.hits) {
         v1::ContactEvent& contact = set(*events.add_hits(), c);
         set_place(contact, c);
         contact.set_speed(c.speed);
     }
-    for (const TriggerHappening& t : from.entered) set(*events.add_triggers_entered(), t);
-    for (const TriggerHappening& t : from.stayed) set(*events.add_triggers_stayed(), t);
-    for (const TriggerHappening& t : from.left) set(*events.add_triggers_left(), t);
-    for (const JointBreakHappening& j : from.joints_broke) {
+    for (const TriggerEvent& t : from.entered) set(*events.add_triggers_entered(), t);
+    for (const TriggerEvent& t : from.stayed) set(*events.add_triggers_stayed(), t);
+    for (const TriggerEvent& t : from.left) set(*events.add_triggers_left(), t);
+    for (const JointBreakEvent& j : from.joints_broke) {
         v1::JointBreakEvent& joint = *events.add_joints_broke();
         joint.set_entity_a(j.a);
         joint.set_entity_b(j.b);

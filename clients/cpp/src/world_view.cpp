@@ -9,12 +9,12 @@ void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
     frames_.clear();
-    roster_.clear();
+    entities_.clear();
 }
 
 void WorldView::apply(const v1::Roster& roster) {
-    for (const std::uint32_t id : roster.removed()) roster_.erase(id);
-    for (const v1::Entity& entity : roster.added()) roster_[entity.id()] = entity;
+    for (const std::uint32_t id : roster.removed()) entities_.erase(id);
+    for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
 }
 
 const wire::QuantizedFrame* WorldView::find(std::uint32_t frame) const {

@@ -50,16 +50,16 @@ protected:
 TEST_F(HostedWorldTest, a_frame_lists_entities_and_roster_alike) {
     const EntityId ball = spawn(1);
     const Frame frame = step();
-    ASSERT_EQ(frame.entities.size(), frame.roster->size());
+    ASSERT_EQ(frame.entities.size(), frame.entity_list->size());
     for (std::size_t i = 0; i < frame.entities.size(); ++i) {
-        EXPECT_EQ(frame.entities[i].id, (*frame.roster)[i]->id);
+        EXPECT_EQ(frame.entities[i].id, (*frame.entity_list)[i]->id);
         EXPECT_TRUE(i == 0 || frame.entities[i - 1].id < frame.entities[i].id);
     }
-    EXPECT_EQ(frame.roster->back()->id, ball);
-    EXPECT_EQ(frame.roster->back()->owner, 1u);
-    EXPECT_EQ(step().roster, frame.roster) << "nothing appeared or went: the same roster";
+    EXPECT_EQ(frame.entity_list->back()->id, ball);
+    EXPECT_EQ(frame.entity_list->back()->owner, 1u);
+    EXPECT_EQ(step().entity_list, frame.entity_list) << "nothing appeared or went: the same list";
     spawn(1);
-    EXPECT_NE(step().roster, frame.roster);
+    EXPECT_NE(step().entity_list, frame.entity_list);
 }
 
 TEST_F(HostedWorldTest, an_input_is_applied_at_most_once) {

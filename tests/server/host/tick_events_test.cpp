@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a world tells of its ticks: who touched whom, by entity, once per happening.
+// What a world tells of its ticks: who touched whom, by entity, once per event.
 #include "host/tick_events.h"
 
 #include <gtest/gtest.h>
@@ -100,8 +100,8 @@ TEST_F(TickEventsTest, many_balls_that_land_together_are_sorted_by_entity) {
     for (int i = 0; i < 10; i++) drop_ball(1, 40 - 3.0 * i);
     const auto began = all(run(60), &TickEvents::began);
     ASSERT_EQ(began.size(), 10u);
-    EXPECT_TRUE(std::ranges::is_sorted(
-        began, {}, [](const ContactHappening& c) { return std::pair(c.a, c.b); }));
+    EXPECT_TRUE(std::ranges::is_sorted(began, {},
+                                       [](const ContactEvent& c) { return std::pair(c.a, c.b); }));
 }
 
 TEST_F(TickEventsTest, nothing_is_told_while_nothing_happens) {

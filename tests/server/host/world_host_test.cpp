@@ -72,7 +72,7 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
     std::thread reader([&] {
         while (!done) {
             const FramePtr frame = host->frame();
-            ASSERT_EQ(frame->entities.size(), frame->roster->size());
+            ASSERT_EQ(frame->entities.size(), frame->entity_list->size());
         }
     });
     for (std::thread& thread : threads) thread.join();
@@ -91,8 +91,9 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
     done = true;
     reader.join();
     const FramePtr frame = host->frame();
-    EXPECT_EQ(std::ranges::count_if(*frame->roster, [](const auto& e) { return e->owner != 0; }),
-              clients * each);
+    EXPECT_EQ(
+        std::ranges::count_if(*frame->entity_list, [](const auto& e) { return e->owner != 0; }),
+        clients * each);
 }
 
 TEST(WorldHost, one_that_cannot_go_on_ends_alone) {

@@ -13,7 +13,7 @@
 
 #include "measure.h"
 #include "result_file.h"
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/lab_scenes.h"
 
 namespace jostle::bench {

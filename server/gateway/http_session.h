@@ -10,11 +10,13 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include "gateway/gateway.h"
+#include "gateway/gateway_settings.h"
+#include "gateway/http_routes.h"
 
 namespace jostle::server {
 

@@ -53,7 +53,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp")
 
 SEARCH = [BASE, "physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
-          "clients/cpp/include", "clients/cpp/src"]
+          "clients/cpp/include", "clients/cpp/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 

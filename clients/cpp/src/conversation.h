@@ -9,7 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "jostle/client/client.h"
+#include "jostle/base/result.h"
+#include "jostle/client/client_options.h"
+#include "jostle/client/client_stats.h"
+#include "jostle/client/clock_sync.h"
+#include "jostle/client/interpolation.h"
+#include "jostle/client/world_view.h"
 
 namespace jostle::client {
 

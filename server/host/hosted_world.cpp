@@ -2,6 +2,7 @@
 #include "host/hosted_world.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace jostle::server {
@@ -38,72 +39,47 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
     HostedWorld hosted(std::move(built->world), limits);
     for (std::size_t i = 0; i < built->bodies.size(); i++)
-        hosted.add(built->bodies[i], 0, scene.bodies[i].color, scene.bodies[i].name);
+        hosted.entities_.add(hosted.world_, built->bodies[i], 0, scene.bodies[i].color,
+                             scene.bodies[i].name);
     return hosted;
 }
 
-EntityId HostedWorld::add(BodyId body, ClientId owner, std::optional<std::uint32_t> color,
-                          std::string name) {
-    const BodyState state = *world_.body(body);
-    auto description = std::make_shared<EntityDescription>();
-    description->id = next_id_++;
-    description->type = state.type;
-    for (const ShapeId shape : world_.shapes_of(body))
-        description->shapes.push_back(*world_.shape(shape));
-    description->owner = owner;
-    description->color = color;
-    description->name = std::move(name);
-    description->mass = state.mass;
-    const EntityId id = description->id;
-    entities_.emplace(id, Entity{id, body, owner, std::move(description)});
-    if (entity_of_body_.size() <= body.index) entity_of_body_.resize(body.index + 1, 0);
-    entity_of_body_[body.index] = id;
-    entity_list_ = nullptr;
-    places_ = nullptr;
-    return id;
-}
-
 void HostedWorld::remove(EntityId id) {
-    const auto at = entities_.find(id);
-    if (at == entities_.end()) return;
-    const Entity entity = at->second;
-    for (auto& [client, state] : clients_)
-        if (state.hand && state.hand->body == entity.body) state.hand.reset();
-    if (entity.owner != 0) clients_[entity.owner].bodies--;
-    entity_of_body_[entity.body.index] = 0;
-    removed_.emplace(entity.body, id);
-    entities_.erase(at);
-    entity_list_ = nullptr;
-    places_ = nullptr;
+    const BodyId body = entities_.find(id)->body;
+    grabs_.release_body(body);
+    ownership_.remove(id);
+    entities_.remove(id);
     // The registry and the world agree, so the body is there.
-    static_cast<void>(world_.destroy_body(entity.body).ok());
+    static_cast<void>(world_.destroy_body(body).ok());
 }
 
-Result<const HostedWorld::Entity*> HostedWorld::dynamic_entity(EntityId id) const {
-    const auto at = entities_.find(id);
-    if (at == entities_.end()) return no_such_entity(id);
-    if (at->second.description->type != BodyType::dynamic)
+Result<const Entity*> HostedWorld::dynamic_entity(EntityId id) const {
+    const Entity* entity = entities_.find(id);
+    if (!entity) return no_such_entity(id);
+    if (entity->description->type != BodyType::dynamic)
         return refused(ErrorCode::permission_denied,
                        "entity " + std::to_string(id) + " is not dynamic; it cannot be moved");
-    return &at->second;
+    return entity;
+}
+
+Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
+    std::uint32_t& last = last_sequences_[client];
+    if (sequence <= last)
+        return refused(ErrorCode::invalid_argument, "input " + std::to_string(sequence) +
+                                                        " does not come after input " +
+                                                        std::to_string(last));
+    last = sequence;
+    return {};
 }
 
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
-    if (!std::holds_alternative<LeaveCommand>(command.action)) {
-        Client& client = clients_[command.client];
-        if (command.sequence <= client.last_sequence) {
-            result.status =
-                refused(ErrorCode::invalid_argument, "input " + std::to_string(command.sequence) +
-                                                         " does not come after input " +
-                                                         std::to_string(client.last_sequence));
-            return result;
-        }
-        client.last_sequence = command.sequence;
-    }
-    result.status = std::visit(
-        [&](const auto& action) { return apply_action(action, command.client, result.entity); },
-        command.action);
+    if (!std::holds_alternative<LeaveCommand>(command.action))
+        result.status = accept_sequence(command.client, command.sequence);
+    if (result.status.ok())
+        result.status = std::visit(
+            [&](const auto& action) { return apply_action(action, command.client, result.entity); },
+            command.action);
     return result;
 }
 
@@ -112,7 +88,7 @@ Status HostedWorld::apply_action(const SpawnCommand& c, ClientId client, EntityI
         return refused(
             ErrorCode::resource_exhausted,
             "the world is full: it holds " + std::to_string(limits_.bodies_max) + " bodies");
-    if (clients_[client].bodies >= limits_.bodies_owned_max)
+    if (ownership_.count(client) >= limits_.bodies_owned_max)
         return refused(ErrorCode::resource_exhausted,
                        "you own " + std::to_string(limits_.bodies_owned_max) +
                            " bodies, the most allowed; delete some first");
@@ -121,8 +97,8 @@ Status HostedWorld::apply_action(const SpawnCommand& c, ClientId client, EntityI
                                                            .angular_velocity = c.angular_velocity},
                                                    c.shape);
     if (!body.ok()) return from_solver(body.error());
-    clients_[client].bodies++;
-    about = add(*body, client, c.color, {});
+    about = entities_.add(world_, *body, client, c.color, {});
+    ownership_.add(client, about);
     return {};
 }
 
@@ -145,29 +121,26 @@ Status HostedWorld::apply_action(const GrabCommand& c, ClientId client, EntityId
     about = c.entity;
     const Result<const Entity*> entity = dynamic_entity(c.entity);
     if (!entity.ok()) return entity.error();
-    const BodyState body = *world_.body((*entity)->body);
-    clients_[client].hand = DragSpring{(*entity)->body, apply_inverse(body.pose, c.point), c.point};
+    grabs_.grab(client, *world_.body((*entity)->body), c.point);
     return {};
 }
 
 Status HostedWorld::apply_action(const DragCommand& c, ClientId client, EntityId& about) {
-    std::optional<DragSpring>& hand = clients_[client].hand;
-    if (!hand) return refused(ErrorCode::not_found, "you hold nothing; grab an entity first");
-    hand->target = c.target;
-    about = entity_of_body_[hand->body.index];
+    const std::optional<BodyId> body = grabs_.drag(client, c.target);
+    if (!body) return refused(ErrorCode::not_found, "you hold nothing; grab an entity first");
+    about = entities_.entity_of(*body);
     return {};
 }
 
 Status HostedWorld::apply_action(const ReleaseCommand&, ClientId client, EntityId&) {
-    clients_[client].hand.reset();
+    grabs_.release(client);
     return {};
 }
 
 Status HostedWorld::apply_action(const DeleteCommand& c, ClientId client, EntityId& about) {
     about = c.entity;
-    const auto at = entities_.find(c.entity);
-    if (at == entities_.end()) return no_such_entity(c.entity);
-    if (at->second.owner != client)
+    if (!entities_.find(c.entity)) return no_such_entity(c.entity);
+    if (!ownership_.owns(client, c.entity))
         return refused(ErrorCode::permission_denied,
                        "entity " + std::to_string(c.entity) + " is not yours");
     remove(c.entity);
@@ -176,7 +149,7 @@ Status HostedWorld::apply_action(const DeleteCommand& c, ClientId client, Entity
 
 Status HostedWorld::apply_action(const ExplodeCommand& c, ClientId, EntityId&) {
     Status status;
-    for (const auto& [id, entity] : entities_) {
+    for (const auto& [id, entity] : entities_.all()) {
         if (entity.description->type != BodyType::dynamic) continue;
         const BodyState body = *world_.body(entity.body);
         const Vec3 away = body.center - c.center;
@@ -191,72 +164,54 @@ Status HostedWorld::apply_action(const ExplodeCommand& c, ClientId, EntityId&) {
 }
 
 Status HostedWorld::apply_action(const LeaveCommand& c, ClientId client, EntityId&) {
-    if (!c.keep_bodies) {
-        std::vector<EntityId> owned;
-        for (const auto& [id, entity] : entities_)
-            if (entity.owner == client) owned.push_back(id);
-        for (const EntityId id : owned) remove(id);
-    }
-    clients_.erase(client);
+    if (!c.keep_bodies)
+        for (const EntityId id : ownership_.owned_by(client)) remove(id);
+    ownership_.forget(client);
+    grabs_.release(client);
+    last_sequences_.erase(client);
     return {};
 }
 
 Status HostedWorld::step(double dt) {
-    for (auto& [id, client] : clients_)
-        if (client.hand && !pull(world_, *client.hand, dt).ok()) client.hand.reset();
+    grabs_.pull_all(world_, dt);
     Status stepped = world_.step(dt);
-    if (stepped.ok()) removed_before_step_ = std::exchange(removed_, {});
+    if (stepped.ok()) entities_.on_step();
     return stepped;
 }
 
-EntityId HostedWorld::entity_of(BodyId body) const {
-    const auto at = removed_before_step_.find(body);
-    return at != removed_before_step_.end() ? at->second : entity_of_body_[body.index];
-}
-
 std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const {
-    return copy_events(world_.events(), tick, [this](BodyId body) { return entity_of(body); });
+    return copy_events(world_.events(), tick,
+                       [this](BodyId body) { return entities_.entity_of(body); });
 }
 
 std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarantined() {
     std::vector<std::shared_ptr<const EntityDescription>> fresh;
     for (const BodyId body : world_.events().quarantined) {
-        const EntityId id = entity_of(body);
-        if (quarantined_.insert(id).second) fresh.push_back(entities_.at(id).description);
+        const EntityId id = entities_.entity_of(body);
+        if (quarantined_.insert(id).second) fresh.push_back(entities_.find(id)->description);
     }
     return fresh;
-}
-
-const std::shared_ptr<const EntityList>& HostedWorld::entity_list() {
-    if (!entity_list_) {
-        auto entity_list = std::make_shared<EntityList>();
-        entity_list->reserve(entities_.size());
-        for (const auto& [id, entity] : entities_) entity_list->push_back(entity.description);
-        entity_list_ = std::move(entity_list);
-    }
-    return entity_list_;
 }
 
 QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
     auto frame = std::make_shared<QueryFrame>();
     frame->tick = tick;
     frame->parts = parts;
-    frame->entity_list = entity_list();
-    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*entity_list_));
-    frame->places = places_;
-    copy_parts(*frame, world_, entity_of_body_);
+    frame->entity_list = entities_.list();
+    frame->places = entities_.places();
+    copy_parts(*frame, world_, entities_.by_body());
     return frame;
 }
 
 void HostedWorld::copy_into(Frame& frame) {
-    frame.entity_list = entity_list();
+    frame.entity_list = entities_.list();
     world_.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());
     frame.awake = 0;
     for (const BodyState& body : bodies_) {
         frame.awake += body.awake && body.type == BodyType::dynamic ? 1 : 0;
-        frame.entities.push_back({entity_of_body_[body.id.index], body.pose, body.awake});
+        frame.entities.push_back({entities_.by_body()[body.id.index], body.pose, body.awake});
     }
     // Bodies come by index; an index that was used again holds a later entity.
     std::sort(frame.entities.begin(), frame.entities.end(),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A world with its entities, owners and hands: the only place where a command becomes a World call,
-// and where a frame is copied from a world. Owned by one thread (host/world_host).
+// A world with its entities, their owners and who holds what: the only place where a command
+// becomes a World call, and where a frame is copied from a world. Owned by one thread
+// (host/world_host).
 #pragma once
 
 #include <map>
@@ -11,8 +12,10 @@
 #include <vector>
 
 #include "host/command.h"
-#include "host/drag_spring.h"
+#include "host/entity_registry.h"
 #include "host/frame.h"
+#include "host/grabs.h"
+#include "host/ownership.h"
 #include "host/query_frame.h"
 #include "jostle/scenes/scene.h"
 
@@ -43,28 +46,12 @@ public:
     const physics::World& world() const { return world_; }
 
 private:
-    struct Entity {
-        EntityId id = 0;
-        physics::BodyId body;
-        ClientId owner = 0;
-        std::shared_ptr<const EntityDescription> description;
-    };
-    struct Client {
-        std::uint32_t last_sequence = 0;
-        int bodies = 0;
-        std::optional<DragSpring> hand;
-    };
-
     HostedWorld(physics::World world, const HostLimits& limits)
         : world_(std::move(world)), limits_(limits) {}
 
-    EntityId add(physics::BodyId body, ClientId owner, std::optional<std::uint32_t> color,
-                 std::string name);
+    Status accept_sequence(ClientId client, std::uint32_t sequence);
     void remove(EntityId id);
-    // Of a body that lives, or that was removed since the step before the last.
-    EntityId entity_of(physics::BodyId body) const;
-    const std::shared_ptr<const EntityList>& entity_list();
-    // Never null.
+    // Never null; an error says why it cannot be moved.
     Result<const Entity*> dynamic_entity(EntityId id) const;
 
     // `about` becomes the entity that the input is about, also when it is refused.
@@ -79,17 +66,12 @@ private:
 
     physics::World world_;
     HostLimits limits_;
-    EntityId next_id_ = 1;
-    std::map<EntityId, Entity> entities_;   // ordered: frames list entities by id
-    std::vector<EntityId> entity_of_body_;  // by body index; 0: none
-    // Bodies that were removed since the last step, and those that the last step's events may still
-    // name.
-    std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
-    std::set<EntityId> quarantined_;                 // told
-    std::map<ClientId, Client> clients_;             // ordered: hands pull in order of client
-    std::shared_ptr<const EntityList> entity_list_;  // null: changed since the last frame
-    std::shared_ptr<const ShapePlaces> places_;      // of that entity list; null: not asked for yet
-    std::vector<physics::BodyState> bodies_;         // reused by copy_into
+    EntityRegistry entities_;
+    Ownership ownership_;
+    Grabs grabs_;
+    std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
+    std::set<EntityId> quarantined_;                    // told
+    std::vector<physics::BodyState> bodies_;            // reused by copy_into
 };
 
 }  // namespace jostle::server

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Everything anyone may ask of a world, as plain values. Made by protocol/convert from messages,
+// Everything anyone may ask of a world, as plain values. Made by protocol/client_message,
 // checked by session/admission, queued, and turned into World calls by host/hosted_world and
 // nowhere else.
 #pragma once

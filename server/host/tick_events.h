@@ -5,7 +5,8 @@
 // entities that touches with several shapes is listed once per pair of shapes.
 #pragma once
 
-#include <compare>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,10 +33,14 @@ struct JointBreakEvent {
     double force = 0, torque = 0;  // N, N m
 };
 
+// The names are those of physics::Events and of the Events message. A new kind is a list here, a
+// row in tick_events.cpp and a row in protocol/event_message.cpp.
 struct TickEvents {
+    static constexpr std::size_t kinds = 10;
+
     std::uint32_t tick = 0;
-    std::vector<ContactEvent> began, ended, contacts, hits;
-    std::vector<TriggerEvent> entered, stayed, left;
+    std::vector<ContactEvent> contacts_began, contacts_ended, contacts, hits;
+    std::vector<TriggerEvent> triggers_entered, triggers_stayed, triggers_left;
     std::vector<JointBreakEvent> joints_broke;
     std::vector<EntityId> fell_asleep, woke;
 };

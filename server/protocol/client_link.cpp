@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "base/log.h"
+#include "protocol/event_message.h"
+#include "protocol/server_message.h"
 
 namespace jostle::server {
 

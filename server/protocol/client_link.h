@@ -19,7 +19,7 @@
 #include "base/clock.h"
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
-#include "protocol/convert.h"
+#include "protocol/client_message.h"
 #include "protocol/out_message.h"
 #include "protocol/play_context.h"
 #include "replication/baseline_tracker.h"

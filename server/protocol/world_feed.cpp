@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <span>
 
-#include "protocol/convert.h"
+#include "protocol/event_message.h"
+#include "protocol/server_message.h"
 
 namespace jostle::server {
 

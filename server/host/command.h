@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Everything anyone may ask of a world, as plain values. Made by protocol/client_message,
-// checked by session/admission, queued, and turned into World calls by host/hosted_world and
+// checked by session/admission, queued, and turned into World calls by host/apply_action and
 // nowhere else.
 #pragma once
 

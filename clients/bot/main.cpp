@@ -47,7 +47,7 @@ std::string pair(std::uint32_t a, const char* verb, std::uint32_t b) {
     return std::to_string(a) + " " + verb + " " + std::to_string(b);
 }
 
-// One line per happening: "tick 71: 5 hits 1 at 4.42 m/s".
+// One line per event: "tick 71: 5 hits 1 at 4.42 m/s".
 std::string to_lines(const jostle::v1::Events& events) {
     std::string lines;
     const auto add = [&](const std::string& what) {

@@ -50,9 +50,9 @@ struct Gateway::Impl {
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
     void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
-    void keep_house();
+    void schedule_housekeeping();
     void advance_all();
-    void cut_all();
+    void abort_all();
 
     PlayContext& context;
     const GatewaySettings settings;
@@ -129,13 +129,13 @@ void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession:
     session->start(request);
 }
 
-void Gateway::Impl::keep_house() {
+void Gateway::Impl::schedule_housekeeping() {
     if (ending) return;
     housekeeping.expires_after(housekeeping_period);
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
         advance_all();
-        keep_house();
+        schedule_housekeeping();
     });
 }
 
@@ -151,7 +151,7 @@ void Gateway::Impl::advance_all() {
     }
 }
 
-void Gateway::Impl::cut_all() {
+void Gateway::Impl::abort_all() {
     // Cancelling does not reach a timer whose handler is queued already: those look at this before
     // they start anew.
     ending = true;
@@ -160,10 +160,10 @@ void Gateway::Impl::cut_all() {
     housekeeping.cancel();
     accept_again.cancel();
     for (const auto& known : http_sessions) {
-        if (const auto session = known.lock()) session->cut();
+        if (const auto session = known.lock()) session->abort();
     }
     for (const auto& known : play_sessions) {
-        if (const auto session = known.lock()) session->cut();
+        if (const auto session = known.lock()) session->abort();
     }
 }
 
@@ -177,7 +177,7 @@ Gateway::~Gateway() {
 Status Gateway::start() {
     if (Status s = impl_->listen(); !s.ok()) return s;
     impl_->accept();
-    impl_->keep_house();
+    impl_->schedule_housekeeping();
     impl_->thread = std::thread([impl = impl_.get()] { impl->io.run(); });
     return {};
 }
@@ -198,7 +198,7 @@ void Gateway::wake() {
 // let go of the sessions, so the io_context runs out of work and its thread ends.
 void Gateway::stop() {
     if (!impl_->thread.joinable()) return;
-    asio::post(impl_->io, [impl = impl_.get()] { impl->cut_all(); });
+    asio::post(impl_->io, [impl = impl_.get()] { impl->abort_all(); });
     impl_->thread.join();
     impl_->worker.join();
 }

@@ -43,7 +43,7 @@ void HttpSession::start() {
     read(services_.settings.request_timeout);
 }
 
-void HttpSession::cut() {
+void HttpSession::abort() {
     beast::error_code ignored;
     stream_.socket().close(ignored);
 }

@@ -35,7 +35,7 @@ public:
 
     HttpSession(boost::asio::ip::tcp::socket socket, const Services& services);
     void start();
-    void cut();
+    void abort();
 
 private:
     using Response = boost::beast::http::response<Body>;

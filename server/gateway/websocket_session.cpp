@@ -116,7 +116,7 @@ void WebSocketSession::advance(Clock::time_point now) {
     if (writing_) {
         link_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its socket, for ever.
-        if (link_->end() && now >= link_->end_time() + last_write_patience) cut();
+        if (link_->end() && now >= link_->end_time() + last_write_patience) abort();
         return;
     }
     if (std::optional<OutMessage> message = link_->take_message(now)) {
@@ -138,7 +138,7 @@ void WebSocketSession::close(const Status& end) {
     socket_.async_close(reason_of(end), [self = shared_from_this()](beast::error_code) {});
 }
 
-void WebSocketSession::cut() {
+void WebSocketSession::abort() {
     beast::error_code ignored;
     socket_.next_layer().socket().close(ignored);
 }

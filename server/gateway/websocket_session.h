@@ -32,8 +32,8 @@ public:
     // Starts the next write when none is in flight and there is something to say, or closes the
     // socket.
     void advance(Clock::time_point now);
-    // The gateway stops: no more words.
-    void cut();
+    // The gateway stops: closes the socket at once.
+    void abort();
 
 private:
     void on_accepted(boost::beast::error_code error);

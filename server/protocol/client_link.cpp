@@ -246,12 +246,12 @@ void ClientLink::leave_world() {
 }
 
 // What time alone decides, and what the server as a whole decided.
-void ClientLink::keep_time(Clock::time_point now) {
+void ClientLink::check_timeouts(Clock::time_point now) {
     if (end_) return;
     const StreamSettings& limits = context_.config.stream;
     if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
-    if (context_.draining && !told_draining_) {
-        told_draining_ = true;
+    if (context_.draining && !draining_sent_) {
+        draining_sent_ = true;
         send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
                                                              context_.config.drain_seconds)));
     }
@@ -286,7 +286,7 @@ void ClientLink::send(std::string message) {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
-    keep_time(now);
+    check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
         if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
             on_frame(*frame, now);
@@ -305,7 +305,7 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
 
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
-    keep_time(now);
+    check_timeouts(now);
     if (feed_ && !end_) collect_results();
 }
 

@@ -47,7 +47,7 @@ public:
     // frame or time passed.
     std::optional<OutMessage> take_message(Clock::time_point now);
     // The transport cannot write yet: a frame that comes and goes meanwhile counts as skipped.
-    // Keeps time as well.
+    // Checks timeouts as well.
     void wait_for_write(Clock::time_point now);
 
     // Set once, when the conversation is over, to how it ended; the transport finishes when
@@ -68,7 +68,7 @@ private:
     Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     void drop_message(Clock::time_point now);
 
-    void keep_time(Clock::time_point now);
+    void check_timeouts(Clock::time_point now);
     void send(std::string message);
     void finish(Status status, Clock::time_point now);
     void leave_world();
@@ -87,7 +87,7 @@ private:
     std::optional<Status> end_;
     Clock::time_point end_time_{};
     std::deque<OutMessage> waiting_;  // to send, not yet taken; bounded
-    bool told_draining_ = false;
+    bool draining_sent_ = false;
 
     // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world

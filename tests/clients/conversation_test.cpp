@@ -224,9 +224,9 @@ TEST(Conversation, goodbye_comes_after_the_last_input) {
     stream.conversation.send({});
     stream.conversation.leave();
     EXPECT_TRUE(stream.next()->has_input());
-    EXPECT_FALSE(stream.conversation.goodbye_said());
+    EXPECT_FALSE(stream.conversation.leave_sent());
     EXPECT_TRUE(stream.next()->has_leave());
-    EXPECT_TRUE(stream.conversation.goodbye_said());
+    EXPECT_TRUE(stream.conversation.leave_sent());
     EXPECT_FALSE(stream.next());
 }
 

@@ -33,8 +33,8 @@ public:
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
-    // Hello was answered and the goodbye, if any, was handed out.
-    bool goodbye_said() const { return goodbye_said_; }
+    // Hello was answered and the Leave, if any, was handed out.
+    bool leave_sent() const { return leave_sent_; }
 
     const WorldView& view() const { return view_; }
     const ClockSync& clock() const { return clock_; }
@@ -68,7 +68,7 @@ private:
     std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
     std::uint32_t next_unsent_ = 1;    // of inputs_.front()
     bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
-    bool leaving_ = false, goodbye_said_ = false;
+    bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
     Clock::time_point last_batch_{}, next_ping_{};
 };

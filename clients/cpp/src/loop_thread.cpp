@@ -94,7 +94,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         {
             const std::lock_guard lock(client.mutex);
             message = client.conversation.take_message(now);
-            goodbye = client.conversation.goodbye_said();
+            goodbye = client.conversation.leave_sent();
         }
         if (message)
             client.connection->write(*message);

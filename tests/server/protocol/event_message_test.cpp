@@ -70,10 +70,11 @@ TEST(EventMessage, no_field_of_the_message_is_left_out) {
     v1::Events events;
     ASSERT_TRUE(events.ParseFromString(encode_shared_events(one_of_each_kind())));
     const auto* fields = v1::Events::descriptor();
-    for (int i = 0; i < fields->field_count(); i++)
-        if (fields->field(i)->is_repeated())
-            EXPECT_GT(events.GetReflection()->FieldSize(events, fields->field(i)), 0)
-                << fields->field(i)->name();
+    for (int i = 0; i < fields->field_count(); i++) {
+        const auto* field = fields->field(i);
+        if (!field->is_repeated()) continue;
+        EXPECT_GT(events.GetReflection()->FieldSize(events, field), 0) << field->name();
+    }
 }
 
 }  // namespace

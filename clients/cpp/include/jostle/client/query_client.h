@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Questions to a world that runs on a server: what does a ray hit, what overlaps a shape, what is
-// nearest. Each call blocks up to 5 s; errors are the server's words. Any thread.
+// nearest. Each call blocks up to 5 s; errors carry the server's message. Any thread.
 //
 //     client::QueryClient queries("localhost:50051", "sandbox");
 //     const auto hit = queries.cast_ray({0, 10, 0}, {0, -20, 0});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The control plane: list, create, delete and join worlds. Each call blocks up to 5 s; errors are
-// the server's words.
+// The control plane: list, create, delete and join worlds. Each call blocks up to 5 s; errors carry
+// the server's message.
 #pragma once
 
 #include <memory>

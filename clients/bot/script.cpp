@@ -87,7 +87,7 @@ Result<Script> parse_script(const std::string& text, const std::string& name) {
         if (!line.ok())
             return invalid(name + ":" + std::to_string(number) + ": " + line.error().message);
         weights += line->weight;
-        script.push_back(*std::move(line));
+        script.push_back(std::move(*line));
     }
     if (script.empty()) return invalid(name + ": there is no behaviour in it");
     if (weights <= 0) return invalid(name + ": all weights are zero");

@@ -401,7 +401,7 @@ Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const 
     Result<std::vector<EntityState>> entities =
         Decoder(packed, spec).decode(bases, spacing, max_entities);
     if (!entities.ok()) return entities.error();
-    return QuantizedFrame{.frame = frame_number, .entities = *std::move(entities)};
+    return QuantizedFrame{.frame = frame_number, .entities = std::move(*entities)};
 }
 
 std::uint32_t frame_crc(const QuantizedFrame& frame) {

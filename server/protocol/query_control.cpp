@@ -228,7 +228,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request,
         case v1::OverlapRequest::kShape: {
             Result<physics::ShapeDef> read = read_shape(request.shape(), "shape");
             if (!read.ok()) return read.error();
-            shape = *std::move(read);
+            shape = std::move(*read);
             break;
         }
         case v1::OverlapRequest::kPoint:

@@ -23,7 +23,7 @@ TEST(Result, holds_a_value_or_an_error) {
 
 TEST(Result, gives_away_what_can_only_be_moved) {
     Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
-    const std::unique_ptr<int> taken = *std::move(result);
+    const std::unique_ptr<int> taken = std::move(*result);
     EXPECT_EQ(*taken, 5);
 }
 

@@ -133,7 +133,7 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     ages_ms.push_back(age_ms(snapshot.server_time_us()));
     crc_of[snapshot.frame()] = snapshot.crc();
     newest_frame = snapshot.frame();
-    ring_.push_back(*std::move(frame));
+    ring_.push_back(std::move(*frame));
     if (ring_.size() > ring_size) ring_.pop_front();
 }
 

@@ -45,7 +45,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     if (wire::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
-    frames_.push_back(*std::move(decoded));
+    frames_.push_back(std::move(*decoded));
     if (frames_.size() > ring) frames_.pop_front();
     return {};
 }

@@ -54,7 +54,7 @@ struct Receiver {
             wire::decode_frame(head[0], packed, {base(head[1]), base(head[2]), base(head[3])}, {});
         ASSERT_TRUE(frame.ok()) << frame.error().message;
         EXPECT_EQ(wire::frame_crc(*frame), head[4]);
-        ring.push_back(*std::move(frame));
+        ring.push_back(std::move(*frame));
         if (ring.size() > 32) ring.pop_front();
     }
     std::deque<wire::QuantizedFrame> ring;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Everything anyone may ask of a world, as plain values. Made by protocol/client_message,
-// checked by session/admission, queued, and turned into World calls by host/apply_action and
-// nowhere else.
+// Everything anyone may ask of a world, as plain values. Made by protocol/client_message, checked
+// by session/admission, queued, and turned into World calls by host/apply_action and nowhere else.
+// A new kind is a command here, a case in client_message.cpp, its limits in admission.cpp and what
+// it does in apply_action.cpp; where one of them lacks, the compiler says so.
 #pragma once
 
 #include <cstdint>

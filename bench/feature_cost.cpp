@@ -153,7 +153,7 @@ struct Row {
     double percent = 0, low = 0, high = 0;  // of all rounds, of the two halves
 };
 
-Row set_separation_bound(const Feature& feature, const Flags& flags) {
+Row measure(const Feature& feature, const Flags& flags) {
     Pair all(flags.steps), odd(flags.steps), even(flags.steps);
     for (int round = 0; round < flags.rounds; round++) {
         show_progress(std::string(feature.name) + ", round " + std::to_string(round + 1));
@@ -186,7 +186,7 @@ int run(const Flags& flags) {
     std::printf("%-12s %8s %20s\n", "idle feature", "costs %", "(halves of rounds)");
     for (const Feature& feature : features) {
         if (!flags.only.empty() && std::ranges::count(flags.only, feature.name) == 0) continue;
-        const Row row = set_separation_bound(feature, flags);
+        const Row row = measure(feature, flags);
         std::printf("%-12s %8.2f   (%6.2f to %6.2f)\n", row.feature, row.percent, row.low,
                     row.high);
         std::fflush(stdout);

@@ -118,7 +118,7 @@ void go_by_bytes(Row& row, const World& world) {
     row.same = row.same && physics::state_hash(copy) == physics::state_hash(world);
 }
 
-Row set_separation_bound(const std::string& scene, int bodies, const Flags& flags) {
+Row measure(const std::string& scene, int bodies, const Flags& flags) {
     show_progress(scene + ", " + std::to_string(bodies) + " bodies");
     World world = scene == "pile" ? make_pile(bodies) : make_sleepers(bodies);
     Row row{.scene = scene, .bodies = bodies, .contacts = world.summary().contacts};
@@ -165,7 +165,7 @@ int run(const Flags& flags) {
     print_head();
     for (const std::string& scene : flags.scenes)
         for (const int bodies : flags.bodies) {
-            const Row row = set_separation_bound(scene, bodies, flags);
+            const Row row = measure(scene, bodies, flags);
             if (!row.same) {
                 std::fprintf(stderr, "jostle-bench: %s, %d bodies: the restored world differs\n",
                              scene.c_str(), bodies);

@@ -13,7 +13,7 @@
 
 #include "measure.h"
 #include "result_file.h"
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/lab_scenes.h"
 
 namespace jostle::bench {
@@ -86,7 +86,7 @@ struct Row {
     bool same = true;
 };
 
-Row set_separation_bound(const LabScene& lab_scene, const Flags& flags) {
+Row measure(const LabScene& lab_scene, const Flags& flags) {
     const SceneDescription scene = lab_scene.build();
     Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : scene.steps};
     const std::size_t count = flags.threads.size();
@@ -157,7 +157,7 @@ int run(const Flags& flags) {
     bool right = true;
     for (const LabScene& scene : lab_scenes()) {
         if (!is_chosen(scene, flags)) continue;
-        const Row row = set_separation_bound(scene, flags);
+        const Row row = measure(scene, flags);
         print_row(row);
         right = is_right(row, flags) && right;
         for (std::size_t k = 0; k < row.ms.size(); k++)

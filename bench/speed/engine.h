@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What the laboratory asks of an engine, and the engines it knows. One file each: jostle_engine,
-// bullet_engine, ode_engine. Bodies are named by their index in the scene.
+// What the laboratory asks of an engine. One file each: jostle_engine, bullet_engine, ode_engine.
+// Bodies are named by their index in the scene.
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string_view>
+#include <cstdint>
 
 #include "jostle/physics/result.h"
 #include "speed/scene_description.h"
@@ -25,18 +23,5 @@ public:
     virtual void set_velocity(std::uint32_t body, physics::Vec3 linear) = 0;  // spin stays; wakes
     virtual int awake() const = 0;  // bodies that can move and do not sleep
 };
-
-struct EngineKind {
-    const char* name;
-    const char* settings;               // what differs from its defaults, for --help
-    int most_threads;                   // 1 when there is nothing to gain from more
-    std::unique_ptr<Engine> (*make)();  // null when this build was made without it
-};
-
-// Jostle first, then its peers.
-std::span<const EngineKind> engine_kinds();
-
-// Null when there is no such engine.
-const EngineKind* find_engine_kind(std::string_view name);
 
 }  // namespace jostle::bench

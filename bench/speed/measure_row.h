@@ -3,7 +3,7 @@
 // Fills one row of the laboratory's table.
 #pragma once
 
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/lab_scenes.h"
 #include "speed/speed_row.h"
 

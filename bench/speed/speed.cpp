@@ -9,7 +9,7 @@
 
 #include "measure.h"
 #include "result_file.h"
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/growth.h"
 #include "speed/lab_scenes.h"
 #include "speed/measure_row.h"

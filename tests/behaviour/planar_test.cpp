@@ -93,7 +93,7 @@ TEST(Planar, nothing_ever_leaves_the_plane) {
     EXPECT_LT(world.summary().max_penetration, 0.01);
 }
 
-// A plank falls over on a plate, about the corner that it stands on: checked at only where that
+// A plank falls over on a plate, about the corner that it stands on: looked at only where that
 // slips, its far end came down 20 cm deep in the plate.
 TEST(Planar, plank_that_falls_over_comes_down_on_the_plate_below) {
     for (const bool plate_first : {true, false}) {

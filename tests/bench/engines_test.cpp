@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "support/near.h"
 
 namespace {

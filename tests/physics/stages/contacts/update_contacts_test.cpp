@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How often pairs are checked at.
+// How often pairs are looked at.
 #include <gtest/gtest.h>
 
 #include "support/world_builder.h"

@@ -107,7 +107,7 @@ TEST(Tiers, when_the_upper_half_is_gone_the_rest_goes_back_within_a_second_and_s
     EXPECT_NEAR(highest, 29.5, 0.01);
 }
 
-// Each of them joins the tower as an island that has not been checked at for long.
+// Each of them joins the tower as an island that has not been looked at for long.
 TEST(Tiers, what_falls_upon_it_does_not_keep_it_tall) {
     World world = make_world({.sleeping = false});
     add_floor(world);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the outcomes of one client's inputs wait until its connection takes them. The world's
+// Where the results of one client's inputs wait until its connection takes them. The world's
 // thread puts, the client's network thread takes. Bounded by what the client has in flight: each
-// accepted input yields one outcome.
+// accepted input yields one result.
 #pragma once
 
 #include <mutex>
@@ -13,20 +13,20 @@
 
 namespace jostle::server {
 
-class OutcomeMailbox {
+class ResultQueue {
 public:
-    void put(InputOutcome outcome) {
+    void put(InputResult result) {
         const std::lock_guard lock(mutex_);
-        outcomes_.push_back(std::move(outcome));
+        results_.push_back(std::move(result));
     }
-    std::vector<InputOutcome> take() {
+    std::vector<InputResult> take() {
         const std::lock_guard lock(mutex_);
-        return std::exchange(outcomes_, {});
+        return std::exchange(results_, {});
     }
 
 private:
     std::mutex mutex_;
-    std::vector<InputOutcome> outcomes_;
+    std::vector<InputResult> results_;
 };
 
 }  // namespace jostle::server

@@ -2,7 +2,7 @@
 //
 // Askers on many threads, one world that leaves copies: who asks gets a fresh one, and nobody makes
 // the world wait or work for nothing.
-#include "host/query_desk.h"
+#include "host/query_broker.h"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ QueryFramePtr copy_with(CopyParts parts, std::uint32_t tick) {
     return std::make_shared<const QueryFrame>(frame);
 }
 
-TEST(QueryDesk, nothing_is_copied_before_a_question_and_a_second_after_the_last_one) {
-    QueryDesk desk;
+TEST(QueryBroker, nothing_is_copied_before_a_question_and_a_second_after_the_last_one) {
+    QueryBroker desk;
     const auto now = Clock::now();
     EXPECT_EQ(desk.begin_tick(1, now), 0u);
     std::thread asker([&] { EXPECT_NE(desk.ask(copy_shapes | copy_bounds), nullptr); });
@@ -38,8 +38,8 @@ TEST(QueryDesk, nothing_is_copied_before_a_question_and_a_second_after_the_last_
     EXPECT_EQ(desk.begin_tick(5, asked + 1100ms), 0u);
 }
 
-TEST(QueryDesk, a_copy_of_three_ticks_ago_is_good_and_an_older_one_is_not) {
-    QueryDesk desk;
+TEST(QueryBroker, a_copy_of_three_ticks_ago_is_good_and_an_older_one_is_not) {
+    QueryBroker desk;
     desk.put(copy_with(copy_shapes, 10));
     ASSERT_NE(desk.ask(copy_shapes), nullptr);
     desk.begin_tick(13, Clock::now());
@@ -51,15 +51,15 @@ TEST(QueryDesk, a_copy_of_three_ticks_ago_is_good_and_an_older_one_is_not) {
     EXPECT_NEAR(to_ms(Clock::now() - begin), 250, 100) << "the longest that anyone waits";
 }
 
-TEST(QueryDesk, a_copy_without_the_part_is_not_good) {
-    QueryDesk desk;
+TEST(QueryBroker, a_copy_without_the_part_is_not_good) {
+    QueryBroker desk;
     desk.put(copy_with(copy_contacts, 10));
     EXPECT_EQ(desk.ask(copy_shapes), nullptr);
     EXPECT_NE(desk.ask(copy_contacts), nullptr);
 }
 
-TEST(QueryDesk, closing_answers_those_who_wait_at_once) {
-    QueryDesk desk;
+TEST(QueryBroker, closing_answers_those_who_wait_at_once) {
+    QueryBroker desk;
     std::atomic<bool> answered{false};
     const auto begin = Clock::now();
     std::thread asker([&] {

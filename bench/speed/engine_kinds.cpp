@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 
 #include "speed/bullet_engine.h"
 #include "speed/jostle_engine.h"

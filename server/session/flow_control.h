@@ -15,16 +15,16 @@
 
 namespace jostle::server {
 
-class Pacing {
+class FlowControl {
 public:
     // `hz`: ticks a second. `divider`: the client asked for every divider-th tick.
-    Pacing(const StreamSettings& settings, double hz, int divider);
+    FlowControl(const StreamSettings& settings, double hz, int divider);
 
     // Whether the snapshot of this tick should go out now. Counts a skip when only the window
     // forbids it.
     bool may_send(std::uint32_t tick, Clock::time_point now);
-    void sent(std::uint32_t frame, Clock::time_point now);
-    void acked(std::uint32_t frame, Clock::time_point now);
+    void on_sent(std::uint32_t frame, Clock::time_point now);
+    void on_ack(std::uint32_t frame, Clock::time_point now);
 
     int window() const { return window_; }
     int in_flight() const { return static_cast<int>(flights_.size()); }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "host/query_desk.h"
+#include "host/query_broker.h"
 
 #include <utility>
 
 namespace jostle::server {
 
-bool QueryDesk::is_good(CopyParts parts) const {
+bool QueryBroker::is_good(CopyParts parts) const {
     return frame_ && (frame_->parts & parts) == parts &&
            frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
 }
 
-QueryFramePtr QueryDesk::ask(CopyParts parts) {
+QueryFramePtr QueryBroker::ask(CopyParts parts) {
     const Clock::rep until = (Clock::now() + interest).time_since_epoch().count();
     for (std::size_t i = 0; i < wanted_until_.size(); i++)
         if (parts >> i & 1) wanted_until_[i].store(until, std::memory_order_relaxed);
@@ -19,7 +19,7 @@ QueryFramePtr QueryDesk::ask(CopyParts parts) {
     return !closed_ && is_good(parts) ? frame_ : nullptr;
 }
 
-CopyParts QueryDesk::begin_tick(std::uint32_t tick, Clock::time_point now) {
+CopyParts QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
     newest_tick_.store(tick, std::memory_order_relaxed);
     CopyParts parts = 0;
     for (std::size_t i = 0; i < wanted_until_.size(); i++)
@@ -29,7 +29,7 @@ CopyParts QueryDesk::begin_tick(std::uint32_t tick, Clock::time_point now) {
     return parts;
 }
 
-void QueryDesk::put(QueryFramePtr frame) {
+void QueryBroker::put(QueryFramePtr frame) {
     const bool anything = frame != nullptr;
     {
         const std::lock_guard lock(mutex_);
@@ -38,7 +38,7 @@ void QueryDesk::put(QueryFramePtr frame) {
     if (anything) changed_.notify_all();
 }
 
-void QueryDesk::close() {
+void QueryBroker::close() {
     {
         const std::lock_guard lock(mutex_);
         closed_ = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replication/client_cursor.h"
+#include "replication/baseline_tracker.h"
 
 namespace jostle::server {
 namespace {
@@ -9,7 +9,7 @@ constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 255 betwee
 
 }  // namespace
 
-BaseNumbers ClientCursor::bases_for(std::uint32_t frame) const {
+BaseNumbers BaselineTracker::bases_for(std::uint32_t frame) const {
     BaseNumbers bases;
     if (sent_.empty() || frame - sent_.back() > oldest_base) return bases;
     bases.base = sent_.back();
@@ -25,7 +25,7 @@ BaseNumbers ClientCursor::bases_for(std::uint32_t frame) const {
     return bases;
 }
 
-void ClientCursor::sent(std::uint32_t frame) {
+void BaselineTracker::on_sent(std::uint32_t frame) {
     sent_.push_back(frame);
     if (sent_.size() > client_ring) sent_.pop_front();
 }

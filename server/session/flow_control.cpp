@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "session/pacing.h"
+#include "session/flow_control.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double jitter_share_max_s = 0.2;
 
 }  // namespace
 
-Pacing::Pacing(const StreamSettings& settings, double hz, int divider)
+FlowControl::FlowControl(const StreamSettings& settings, double hz, int divider)
     : settings_(settings),
       hz_(hz),
       divider_(std::max(1, divider)),
@@ -25,7 +25,7 @@ Pacing::Pacing(const StreamSettings& settings, double hz, int divider)
     update_window({});
 }
 
-bool Pacing::may_send(std::uint32_t tick, Clock::time_point now) {
+bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
     if (slowdown_ > 1 && clean_since_ != Clock::time_point{} &&
         now - clean_since_ >= clean_before_faster) {
         slowdown_ /= 2;
@@ -38,7 +38,7 @@ bool Pacing::may_send(std::uint32_t tick, Clock::time_point now) {
     return false;
 }
 
-void Pacing::hit_window(Clock::time_point now) {
+void FlowControl::hit_window(Clock::time_point now) {
     clean_since_ = now;
     if (std::exchange(blocked_, true)) return;
     if (last_hit_ != Clock::time_point{} && now - last_hit_ <= two_hits_within &&
@@ -50,11 +50,11 @@ void Pacing::hit_window(Clock::time_point now) {
     }
 }
 
-void Pacing::sent(std::uint32_t frame, Clock::time_point now) {
+void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
     flights_.push_back({frame, now});
 }
 
-void Pacing::acked(std::uint32_t frame, Clock::time_point now) {
+void FlowControl::on_ack(std::uint32_t frame, Clock::time_point now) {
     // An ack covers all that was sent before: the stream is ordered. A frame that is not in flight
     // says nothing.
     const auto at = std::find_if(flights_.begin(), flights_.end(),
@@ -65,7 +65,7 @@ void Pacing::acked(std::uint32_t frame, Clock::time_point now) {
     blocked_ = blocked_ && in_flight() >= window_;
 }
 
-void Pacing::update_window(Clock::duration round_trip) {
+void FlowControl::update_window(Clock::duration round_trip) {
     const double rtt = std::chrono::duration<double>(round_trip).count();
     if (rtt > 0) {
         // The minimum forgets slowly, so that a route that became longer is believed after a while.

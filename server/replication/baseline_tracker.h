@@ -12,15 +12,15 @@
 
 namespace jostle::server {
 
-class ClientCursor {
+class BaselineTracker {
 public:
     // The bases for the frame that is to be sent now: the last one sent, and two older ones about
     // as far apart, because extrapolating a short step over a long one multiplies the rounding
     // noise.
     BaseNumbers bases_for(std::uint32_t frame) const;
-    void sent(std::uint32_t frame);
+    void on_sent(std::uint32_t frame);
     // The client lost track: the next snapshot is absolute.
-    void forget() { sent_.clear(); }
+    void reset() { sent_.clear(); }
     std::uint32_t last() const { return sent_.empty() ? 0 : sent_.back(); }
 
 private:

@@ -18,7 +18,7 @@
 
 namespace jostle::server {
 
-class QueryDesk {
+class QueryBroker {
 public:
     static constexpr std::uint32_t age_ticks_max = 3;  // of a copy that is good enough
     static constexpr auto patience = std::chrono::milliseconds(250);

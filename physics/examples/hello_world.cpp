@@ -7,7 +7,7 @@
 
 int main() {
     using namespace jostle::physics;
-    World world = std::move(World::create().value());
+    World world;
     const auto floor =
         world.create_body(BodyDef{.type = BodyType::fixed}, ShapeDef{.geometry = Plane{}});
     const auto ball = world.create_body(BodyDef{.pose = {.position = {0, 3, 0}}},

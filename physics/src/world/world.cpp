@@ -3,9 +3,6 @@
 // World: checks arguments, changes state, calls the step.
 #include "jostle/physics/world.h"
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "jostle/physics/limits.h"
 #include "stages/step_world.h"
 #include "state/shape_proxy.h"
@@ -19,14 +16,7 @@ World::World(std::unique_ptr<WorldState> state)
     : state_(std::move(state)), scratch_(std::make_unique<StepScratch>()) {}
 World::World() : World(WorldDef{}) {}
 
-World::World(const WorldDef& def) {
-    Result<World> made = create(def);
-    if (!made.ok()) {
-        std::fprintf(stderr, "jostle: World: %s\n", made.error().message.c_str());
-        std::abort();
-    }
-    *this = std::move(*made);
-}
+World::World(const WorldDef& def) : World(create(def).value()) {}
 
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;

@@ -5,6 +5,8 @@
 // border, and a call that returns an Error has changed nothing.
 #pragma once
 
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +35,14 @@ struct Error {
     std::string message;
 };
 
+// Who asks for the value of a result that has none made a mistake: the program ends, and says which.
+[[noreturn]] inline void end_without_value(const Error& error) {
+    std::fprintf(stderr, "jostle: a result has no value: %s\n", error.message.c_str());
+    std::abort();
+}
+
+//     World world = World::create(def).value();   // the value moves out of a temporary
+//     if (const auto body = world.create_body(def)) use(*body);
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -42,16 +52,24 @@ public:
     bool ok() const { return content_.index() == 0; }
     explicit operator bool() const { return ok(); }
 
-    // Only when ok().
-    T& value() { return std::get<0>(content_); }
-    const T& value() const { return std::get<0>(content_); }
-    T& operator*() { return value(); }
-    const T& operator*() const { return value(); }
+    // Only when ok(); else the program ends.
+    T& value() & {
+        if (!ok()) end_without_value(error());
+        return *std::get_if<0>(&content_);
+    }
+    const T& value() const& {
+        if (!ok()) end_without_value(error());
+        return *std::get_if<0>(&content_);
+    }
+    T value() && { return std::move(value()); }
+    T& operator*() & { return value(); }
+    const T& operator*() const& { return value(); }
+    T operator*() && { return std::move(value()); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 
     // Only when not ok().
-    const Error& error() const { return std::get<1>(content_); }
+    const Error& error() const { return *std::get_if<1>(&content_); }
 
 private:
     std::variant<T, Error> content_;

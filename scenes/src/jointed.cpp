@@ -82,10 +82,7 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
 }  // namespace
 
 SceneDescription ragdolls() {
-    SceneDescription scene{
-        .name = "ragdolls",
-        .description = "Twelve people of eleven bones fall down a flight of stairs.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     for (int k = 0; k < 8; k++)
         scene.bodies.push_back(
             colored(fixed_box("step", {-4 + k * 0.8, 0.2 * (8 - k), 0}, {0.4, 0.2 * (8 - k), 4}),
@@ -98,11 +95,7 @@ SceneDescription ragdolls() {
 }
 
 SceneDescription bridge() {
-    SceneDescription scene{.name = "bridge",
-                           .description =
-                               "A bridge of 20 planks, a chain with a wrecking ball, and a gate of "
-                               "boards whose joints break.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     const std::size_t left = scene.bodies.size();
     scene.bodies.push_back(fixed_box("pier", {-7, 1.5, 0}, {1, 1.5, 1.2}));
     const std::size_t right = scene.bodies.size();
@@ -160,12 +153,7 @@ SceneDescription bridge() {
 }
 
 SceneDescription workshop() {
-    SceneDescription scene{
-        .name = "workshop",
-        .description =
-            "A mixer on a motor, doors with limits and springs, weights on ropes, "
-            "rods and springs.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     const std::size_t floor = 0;
     // A drum of eight boards that a motor turns, with balls in it.
     SceneBody drum = colored(loose("drum", {0, 2.2, 0}, Box{{0.1, 0.1, 0.1}}), 0x577590);

@@ -32,7 +32,7 @@ SceneBody loose(std::string name, physics::Vec3 position, physics::Geometry geom
 physics::Geometry stone(Random& random, double radius);
 SceneBody colored(SceneBody body, std::uint32_t color);
 
-// Scenes, one function each; the catalogue lists them.
+// Scenes, one function each; the catalogue lists them with their names and descriptions.
 SceneDescription sandbox();
 SceneDescription stack();
 SceneDescription pyramid();

@@ -14,6 +14,8 @@ TEST(Catalog, every_scene_builds_and_survives_its_first_second) {
         EXPECT_FALSE(entry.description.empty());
         const auto scene = find_scene(entry.name);
         ASSERT_TRUE(scene) << entry.name;
+        EXPECT_EQ(scene->name, entry.name);
+        EXPECT_EQ(scene->description, entry.description);
         auto built = build_scene(*scene);
         ASSERT_TRUE(built.ok()) << entry.name << ": " << built.error().message;
         ASSERT_EQ(built->bodies.size(), scene->bodies.size());

@@ -48,6 +48,31 @@ constexpr Listed listed[] = {
     {{"locked", "Pistons that only rise, sliders that only slide, wheels that only turn."}, locked},
     {{"flatland", "A planar world: a pyramid, discs, sticks and a hinge, all in one plane."},
      flatland},
+    // What jostle-bench measures, by letter.
+    {{"lab_pyramid_465",
+      "A flat pyramid of 30 rows of 1 m boxes with gaps of 5 cm (laboratory a)."},
+     lab_pyramid_465},
+    {{"lab_pyramid_5050", "A flat pyramid of 100 rows of 1 m boxes without gaps (laboratory b)."},
+     lab_pyramid_5050},
+    {{"lab_boxes_1000", "10 x 10 x 10 boxes dropped in a block (laboratory c)."}, lab_boxes_1000},
+    {{"lab_pile_5000",
+      "5000 spheres, boxes and capsules poured between four walls (laboratory d)."},
+     lab_pile_5000},
+    {{"lab_player_901",
+      "900 cubes on a floor and a larger one, which jostle-bench drives through them (laboratory "
+      "e)."},
+     lab_player_901},
+    {{"lab_ragdolls_40",
+      "40 figures of 11 capsules and 10 joints fall on each other (laboratory f)."},
+     lab_ragdolls_40},
+    {{"lab_joint_grid_10000",
+      "A cloth of 100 x 100 balls and 19,794 joints hangs from seven fixed ones (laboratory g)."},
+     lab_joint_grid_10000},
+    {{"lab_asleep_10000",
+      "10,000 boxes at rest, which jostle-bench times once all are asleep (laboratory h)."},
+     lab_asleep_10000},
+    {{"lab_bullets_1000", "1000 spheres at 200 m/s against a wall of 5 cm (laboratory i)."},
+     lab_bullets_1000},
 };
 
 constexpr auto entries = [] {

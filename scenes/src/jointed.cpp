@@ -10,21 +10,6 @@ using namespace physics;
 
 namespace {
 
-// Where a frame in the world is in a body as it starts.
-Transform seen_from(const SceneBody& body, const Transform& frame) {
-    const Transform& pose = body.body.pose;
-    return {apply_inverse(pose, frame.position), conjugate(pose.rotation) * frame.rotation};
-}
-
-void join(SceneDescription& scene, const char* name, std::size_t a, std::size_t b,
-          const Transform& frame, const JointKind& kind) {
-    SceneJoint joint{.name = name, .body_a = a, .body_b = b, .joint = {}};
-    joint.joint.frame_a = seen_from(scene.bodies[a], frame);
-    joint.joint.frame_b = seen_from(scene.bodies[b], frame);
-    joint.joint.kind = kind;
-    scene.joints.push_back(joint);
-}
-
 // Turns a joint's x axis to a direction in the world.
 Quat facing(Vec3 x) {
     const Vec3 n = normalized(x), axis = cross(Vec3{1, 0, 0}, n);

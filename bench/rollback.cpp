@@ -10,11 +10,9 @@
 
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
-#include "jostle/physics/world.h"
+#include "jostle/scenes/lab.h"
 #include "measure.h"
 #include "result_file.h"
-#include "speed/jostle_engine.h"
-#include "speed/lab_scenes.h"
 
 namespace jostle::bench {
 namespace {
@@ -66,24 +64,27 @@ void must(const physics::Status& status) {
 }
 
 void step(World& world) {
-    must(world.step(step_seconds));
+    must(world.step(1.0 / 60));
 }
 
 World make_pile(int bodies) {
-    World world = must(World::create({.gravity = gravity, .sleeping = false}));
-    for (const SceneBody& body : poured_pile(bodies).bodies) must(add_body(world, body));
+    scenes::SceneDescription scene = scenes::lab_pile(bodies);
+    scene.world.sleeping = false;
+    World world = must(scenes::build_scene(scene)).world;
     for (int k = 0; k < 200; k++) step(world);
     return world;
 }
 
 World make_sleepers(int bodies) {
-    World world = must(World::create({.gravity = gravity}));
-    must(add_body(
-        world, {.form = physics::Box{{2000, 1, 2000}}, .pose = {{0, -1, 0}, {}}, .fixed = true}));
+    World world = must(World::create());
+    must(world.create_body({.type = physics::BodyType::fixed, .pose = {{0, -1, 0}, {}}},
+                           {.geometry = physics::Box{{2000, 1, 2000}}}));
     const int side = static_cast<int>(std::ceil(std::sqrt(bodies)));
     for (int k = 0; k < bodies; k++)
-        must(add_body(world, {.form = physics::Box{{0.5, 0.5, 0.5}},
-                              .pose = {{2.0 * (k % side), 0.5, 2.0 * (k / side)}, {}}}));
+        must(world.create_body({.pose = {{2.0 * (k % side), 0.5, 2.0 * (k / side)}, {}},
+                                .linear_damping = 0.05,
+                                .angular_damping = 0.05},
+                               {.geometry = physics::Box{{0.5, 0.5, 0.5}}}));
     do step(world);
     while (world.profile().bodies_awake > 0 && world.step_count() < 1000);
     return world;

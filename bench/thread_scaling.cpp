@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,21 +49,26 @@ constexpr int most_steps_to_sleep = 600;
 // A scene's world, with so many threads.
 class Contestant {
 public:
-    Contestant(const SceneDescription& scene, int threads)
-        : scene_(scene), engine_(engine_kinds().front().make()) {
-        const auto status = engine_->init(scene, threads, scene.asleep_first);
+    Contestant(const LabScene& lab_scene, scenes::SceneDescription& scene, int threads)
+        : scene_(scene),
+          asleep_first_(lab_scene.asleep_first),
+          player_(player_of(lab_scene, scene)),
+          engine_(engine_kinds().front().make()) {
+        scene.world.threads = threads;
+        scene.world.sleeping = asleep_first_;
+        const auto status = engine_->init(scene);
         if (!status) throw std::runtime_error(status.error().message);
-        if (!scene.asleep_first) return;
+        if (!asleep_first_) return;
         for (int k = 0; k < most_steps_to_sleep && engine_->awake() > 0; k++) engine_->step();
     }
 
     double time_step(int step) {
-        if (scene_.player) {
-            physics::Vec3 velocity = player_velocity(step);
-            velocity.y = engine_->velocity(*scene_.player).y;
-            engine_->set_velocity(*scene_.player, velocity);
+        if (player_) {
+            physics::Vec3 velocity = player_velocity(step * (1 / scene_.hz));
+            velocity.y = engine_->velocity(*player_).y;
+            engine_->set_velocity(*player_, velocity);
         }
-        const int count = scene_.asleep_first ? steps_per_reading_asleep : 1;
+        const int count = asleep_first_ ? steps_per_reading_asleep : 1;
         const double began = wall_seconds();
         for (int k = 0; k < count; k++) engine_->step();
         return (wall_seconds() - began) / count;
@@ -75,7 +81,9 @@ public:
     }
 
 private:
-    const SceneDescription& scene_;
+    const scenes::SceneDescription& scene_;
+    bool asleep_first_;
+    std::optional<std::uint32_t> player_;
     std::unique_ptr<Engine> engine_;
 };
 
@@ -87,14 +95,14 @@ struct Row {
 };
 
 Row measure(const LabScene& lab_scene, const Flags& flags) {
-    const SceneDescription scene = lab_scene.build();
-    Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : scene.steps};
+    scenes::SceneDescription scene = build(lab_scene);
+    Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : lab_scene.steps};
     const std::size_t count = flags.threads.size();
     std::vector<std::vector<double>> least(
         count, std::vector<double>(static_cast<std::size_t>(row.steps), 1e300));
     for (int round = 0; round < flags.rounds; round++) {
         std::vector<Contestant> all;
-        for (const int threads : flags.threads) all.emplace_back(scene, threads);
+        for (const int threads : flags.threads) all.emplace_back(lab_scene, scene, threads);
         for (int step = 0; step < row.steps; step++) {
             if (step % 20 == 0)
                 show_progress(std::string(lab_scene.letter) + " " + lab_scene.name + ", round " +

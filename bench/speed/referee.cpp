@@ -155,9 +155,9 @@ struct Bounds {
     std::uint32_t body;
 };
 
-Bounds bounds_of(const SceneDescription& scene, std::uint32_t body, const Transform& pose) {
-    const Vec3 reach = std::visit([&](const auto& shape) { return reach_of(shape, pose); },
-                                  scene.bodies[body].form);
+Bounds bounds_of(std::uint32_t body, const Primitive& primitive, const Transform& pose) {
+    const Vec3 reach =
+        std::visit([&](const auto& shape) { return reach_of(shape, pose); }, primitive);
     return {pose.position - reach, pose.position + reach, body};
 }
 
@@ -173,13 +173,13 @@ void count(Overlaps& overlaps, double depth) {
     overlaps.over_1cm += depth > 0.01 ? 1 : 0;
 }
 
-std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+std::uint64_t pair_key(std::uint64_t a, std::uint64_t b) {
+    return (std::min(a, b) << 32) | std::max(a, b);
 }
 
 }  // namespace
 
-double overlap_depth(const Form& a, const Transform& pose_a, const Form& b,
+double overlap_depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
                      const Transform& pose_b) {
     if (a.index() > b.index()) return overlap_depth(b, pose_b, a, pose_a);
     return std::visit(
@@ -193,40 +193,45 @@ double overlap_depth(const Form& a, const Transform& pose_a, const Form& b,
         a, b);
 }
 
-Referee::Referee(const SceneDescription& scene) : scene_(scene) {
-    for (const SceneJoint& joint : scene.joints) {
-        ends_.push_back({joint.a, joint.b, apply_inverse(scene.bodies[joint.a].pose, joint.anchor),
-                         apply_inverse(scene.bodies[joint.b].pose, joint.anchor)});
-        joined_.push_back(pair_key(joint.a, joint.b));
+Referee::Referee(const scenes::SceneDescription& scene) {
+    for (const scenes::SceneJoint& joint : scene.joints) {
+        ends_.push_back({joint.body_a, joint.body_b, joint.joint.frame_a.position,
+                         joint.joint.frame_b.position});
+        joined_.push_back(pair_key(joint.body_a, joint.body_b));
     }
     std::sort(joined_.begin(), joined_.end());
-    for (std::uint32_t body = 0; body < scene.bodies.size(); body++)
-        if (scene.bodies[body].collides)
-            (scene.bodies[body].fixed ? fixed_ : moving_).push_back(body);
+    for (std::uint32_t k = 0; k < scene.bodies.size(); k++) {
+        const scenes::SceneBody& body = scene.bodies[k];
+        shapes_.push_back(primitive_of(body));
+        if (collides(body)) (is_static(body) ? static_ : moving_).push_back(k);
+    }
 }
 
 bool Referee::joined(std::uint32_t a, std::uint32_t b) const {
     return std::binary_search(joined_.begin(), joined_.end(), pair_key(a, b));
 }
 
-// Sweeps along x. The few fixed bodies are large and are tried with everyone.
+// Sweeps along x. The few static bodies are large and are tried with everyone.
 Overlaps Referee::overlaps(std::span<const Transform> poses) const {
     Overlaps result;
-    std::vector<Bounds> fixed, moving;
-    for (const std::uint32_t body : fixed_) fixed.push_back(bounds_of(scene_, body, poses[body]));
+    std::vector<Bounds> standing, moving;
+    const auto bounds = [&](std::uint32_t body) {
+        return bounds_of(body, shapes_[body], poses[body]);
+    };
+    for (const std::uint32_t body : static_) standing.push_back(bounds(body));
     for (const Transform& pose : poses) result.lost += is_finite(pose) ? 0 : 1;
     for (const std::uint32_t body : moving_)
-        if (is_finite(poses[body])) moving.push_back(bounds_of(scene_, body, poses[body]));
+        if (is_finite(poses[body])) moving.push_back(bounds(body));
     std::sort(moving.begin(), moving.end(), [](const Bounds& a, const Bounds& b) {
         return a.low.x != b.low.x ? a.low.x < b.low.x : a.body < b.body;
     });
     const auto try_pair = [&](const Bounds& a, const Bounds& b) {
         if (!meet(a, b) || joined(a.body, b.body)) return;
-        count(result, overlap_depth(scene_.bodies[a.body].form, poses[a.body],
-                                    scene_.bodies[b.body].form, poses[b.body]));
+        count(result,
+              overlap_depth(shapes_[a.body], poses[a.body], shapes_[b.body], poses[b.body]));
     };
     for (std::size_t k = 0; k < moving.size(); k++) {
-        for (const Bounds& other : fixed) try_pair(moving[k], other);
+        for (const Bounds& other : standing) try_pair(moving[k], other);
         for (std::size_t l = k + 1; l < moving.size() && moving[l].low.x < moving[k].high.x; l++)
             try_pair(moving[k], moving[l]);
     }

@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "speed/scene_description.h"
+#include "speed/portable_scene.h"
 
 namespace jostle::bench {
 
 // How far one of two shapes must move for them to touch no more, m; zero or less when they do not
 // overlap. Exact for all pairs of spheres, capsules and boxes.
-double overlap_depth(const Form& a, const physics::Transform& pose_a, const Form& b,
+double overlap_depth(const Primitive& a, const physics::Transform& pose_a, const Primitive& b,
                      const physics::Transform& pose_b);
 
 struct Overlaps {
@@ -24,11 +24,11 @@ struct Overlaps {
     int lost = 0;        // bodies whose pose is not a number any more; they overlap nothing
 };
 
-// One scene's judge. Looks at each pair of which at least one is not fixed; two that a joint
-// connects are meant to overlap. The scene must outlive it.
+// One portable scene's judge. Looks at each pair of which at least one is not static; two that a
+// joint connects are meant to overlap.
 class Referee {
 public:
-    explicit Referee(const SceneDescription& scene);
+    explicit Referee(const scenes::SceneDescription& scene);
 
     Overlaps overlaps(std::span<const physics::Transform> poses) const;
     // m: furthest that the two ends of a joint are apart.
@@ -36,16 +36,16 @@ public:
 
 private:
     struct Ends {
-        std::uint32_t a, b;
+        std::size_t a, b;
         physics::Vec3 in_a, in_b;  // the anchor in the bodies' own frames
     };
 
     bool joined(std::uint32_t a, std::uint32_t b) const;
 
-    const SceneDescription& scene_;
+    std::vector<Primitive> shapes_;  // by body
     std::vector<Ends> ends_;
-    std::vector<std::uint64_t> joined_;          // pairs, smaller index in the upper half; sorted
-    std::vector<std::uint32_t> fixed_, moving_;  // bodies that collide
+    std::vector<std::uint64_t> joined_;           // pairs, smaller index in the upper half; sorted
+    std::vector<std::uint32_t> static_, moving_;  // bodies that collide
 };
 
 }  // namespace jostle::bench

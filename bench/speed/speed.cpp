@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jostle/scenes/catalog.h"
 #include "measure.h"
 #include "result_file.h"
 #include "speed/engine.h"
@@ -209,10 +210,16 @@ int run(const Flags& flags) {
     return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
 }
 
+std::string about(const LabScene& scene) {
+    for (const scenes::CatalogEntry& entry : scenes::catalog())
+        if (entry.name == scene.name) return std::string(entry.description);
+    return "";
+}
+
 std::string lists_for_help() {
     std::string text = "Scenes:\n";
     for (const LabScene& scene : lab_scenes())
-        text += std::string("  ") + scene.letter + "  " + scene.name + ": " + scene.about + "\n";
+        text += std::string("  ") + scene.letter + "  " + scene.name + ": " + about(scene) + "\n";
     text += "\nEngines (peers run on one thread, whatever --threads says):\n";
     for (const EngineKind& kind : engine_kinds())
         text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +

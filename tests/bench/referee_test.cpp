@@ -8,11 +8,13 @@
 #include <cmath>
 #include <limits>
 
+#include "parts.h"
 #include "support/random.h"
 
 namespace {
 
 using namespace jostle::bench;
+namespace scenes = jostle::scenes;
 using jostle::physics::Box;
 using jostle::physics::Capsule;
 using jostle::physics::compose;
@@ -32,7 +34,8 @@ Transform at(Vec3 position, Quat rotation = {}) {
 }
 
 // The same wherever the pair stands, however it is turned and whoever is asked first.
-double depth(const Form& a, const Transform& pose_a, const Form& b, const Transform& pose_b) {
+double depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
+             const Transform& pose_b) {
     const double here = overlap_depth(a, pose_a, b, pose_b);
     const Transform moved{{3, -2, 7}, from_axis_angle({1, 2, -3}, 1.234)};
     EXPECT_NEAR(overlap_depth(a, compose(moved, pose_a), b, compose(moved, pose_b)), here, exact);
@@ -98,7 +101,7 @@ TEST(Referee, capsule_whose_axis_is_inside_a_box) {
 }
 
 // How far a shape reaches from its centre along a unit vector.
-double reach(const Form& form, const Transform& pose, Vec3 along) {
+double reach(const Primitive& form, const Transform& pose, Vec3 along) {
     const Vec3 local = inverse_rotate(pose.rotation, along);
     if (const auto* sphere = std::get_if<Sphere>(&form)) return sphere->radius;
     if (const auto* rod = std::get_if<Capsule>(&form))
@@ -108,7 +111,7 @@ double reach(const Form& form, const Transform& pose, Vec3 along) {
 
 // The overlap is the least over all directions of the overlap of the shadows; here the least over
 // many, refined: an independent way to the same number.
-double least_shadow(const Form& a, const Transform& pose_a, const Form& b,
+double least_shadow(const Primitive& a, const Transform& pose_a, const Primitive& b,
                     const Transform& pose_b) {
     const Vec3 between = pose_b.position - pose_a.position;
     const auto shadow = [&](Vec3 n) {
@@ -127,10 +130,10 @@ double least_shadow(const Form& a, const Transform& pose_a, const Form& b,
 
 TEST(Referee, agrees_with_a_search_over_all_directions) {
     jostle::test::Random random(3);
-    const Form forms[] = {Sphere{0.3}, Capsule{0.2, 0.25}, Box{{0.3, 0.25, 0.35}}};
+    const Primitive forms[] = {Sphere{0.3}, Capsule{0.2, 0.25}, Box{{0.3, 0.25, 0.35}}};
     int overlapping = 0;
     for (int k = 0; k < 300; k++) {
-        const Form &a = forms[k % 3], &b = forms[k / 3 % 3];
+        const Primitive &a = forms[k % 3], &b = forms[k / 3 % 3];
         const Transform pose_a = at({}, random.rotation());
         const Transform pose_b = at(random.vector(0.4), random.rotation());
         const double searched = least_shadow(a, pose_a, b, pose_b);
@@ -145,14 +148,14 @@ TEST(Referee, agrees_with_a_search_over_all_directions) {
 
 // Two spheres, each 4 mm deep in the floor and 20 mm in the other.
 struct ThreeBodies {
-    SceneDescription scene;
+    scenes::SceneDescription scene;
     std::vector<Transform> poses;
 
     ThreeBodies() {
-        scene.bodies = {{.form = Box{{10, 1, 10}}, .pose = at({0, -1, 0}), .fixed = true},
-                        {.form = Sphere{0.5}, .pose = at({0, 0.496, 0})},
-                        {.form = Sphere{0.5}, .pose = at({0.98, 0.496, 0})}};
-        for (const SceneBody& body : scene.bodies) poses.push_back(body.pose);
+        scene.bodies = {scenes::fixed_box("floor", {0, -1, 0}, {10, 1, 10}),
+                        scenes::loose("left", {0, 0.496, 0}, Sphere{0.5}),
+                        scenes::loose("right", {0.98, 0.496, 0}, Sphere{0.5})};
+        for (const scenes::SceneBody& body : scene.bodies) poses.push_back(body.body.pose);
     }
 };
 
@@ -167,20 +170,20 @@ TEST(Referee, adds_up_a_scene) {
 
 TEST(Referee, passes_over_what_a_joint_connects_and_measures_its_drift) {
     ThreeBodies three;
-    three.scene.joints.push_back({.a = 2, .b = 1, .anchor = {0.5, 0.496, 0}});
+    scenes::join(three.scene, "link", 2, 1, at({0.5, 0.496, 0}), jostle::physics::BallJoint{});
     const Referee referee(three.scene);
     EXPECT_EQ(referee.overlaps(three.poses).over_1cm, 0);
     EXPECT_NEAR(referee.joint_drift(three.poses), 0, exact);
     three.poses[2].position += {0.003, 0, 0.004};
     EXPECT_NEAR(referee.joint_drift(three.poses), 0.005, exact);
     // A turn moves the anchor about the body's centre, 0.48 m away: a chord.
-    three.poses[2] = {three.scene.bodies[2].pose.position, from_axis_angle({0, 1, 0}, pi / 2)};
+    three.poses[2] = {three.scene.bodies[2].body.pose.position, from_axis_angle({0, 1, 0}, pi / 2)};
     EXPECT_NEAR(referee.joint_drift(three.poses), 0.48 * std::sqrt(2), exact);
 }
 
 TEST(Referee, passes_over_bodies_that_collide_with_nothing) {
     ThreeBodies three;
-    three.scene.bodies[2].collides = false;
+    three.scene.bodies[2].shapes[0].filter.mask = 0;
     EXPECT_EQ(Referee(three.scene).overlaps(three.poses).pairs, 1);
 }
 

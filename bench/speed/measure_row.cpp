@@ -9,8 +9,8 @@
 
 #include "measure.h"
 #include "result_file.h"
+#include "speed/accuracy_check.h"
 #include "speed/child_process.h"
-#include "speed/referee.h"
 
 namespace jostle::bench {
 namespace {
@@ -142,16 +142,16 @@ std::optional<int> count_tunnelled(const LabScene& lab_scene, const SceneDescrip
 }
 
 // The second run of the same steps: every tenth step and the last are looked at.
-void let_referee_look(SpeedRow& row, const SceneDescription& scene, Run& run) {
-    const Referee referee(scene);
+void measure_accuracy(SpeedRow& row, const SceneDescription& scene, Run& run) {
+    const AccuracyCheck check(scene);
     double peak = 0, peak_drift = 0;
     for (int k = 1; k <= row.steps; k++) {
         run.prepare(k - 1);
         run.step();
         if (k % steps_between_looks != 0 && k != row.steps) continue;
         const std::vector<Transform>& poses = run.poses();
-        const Overlaps now = referee.overlaps(poses);
-        const double drift = referee.joint_drift(poses);
+        const Penetration now = check.penetration(poses);
+        const double drift = check.joint_drift(poses);
         peak = std::max(peak, now.deepest);
         peak_drift = std::max(peak_drift, drift);
         if (k < row.steps) continue;
@@ -211,13 +211,13 @@ SpeedRow measure_row(const RowRequest& request) {
         row.failed = timed.error().message;
         return row;
     }
-    if (!request.referee) return row;
-    Run again(request, scene, "referee");
+    if (!request.accuracy) return row;
+    Run again(request, scene, "accuracy");
     if (auto status = again.start(); !status) {
         row.failed = status.error().message;
         return row;
     }
-    let_referee_look(row, scene, again);
+    measure_accuracy(row, scene, again);
     row.repeats = again.poses() == *timed;
     return row;
 }

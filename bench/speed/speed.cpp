@@ -25,7 +25,7 @@ Common to all scenes: 60 steps a second, gravity 9.81 m/s^2, density 1000 kg/m^3
 each pair, no bounce, damping 0.05 /s. Each row runs in a process of its own: its memory is its own,
 and an engine that crashes leaves a row that says so. Steps are timed alone, in processor time of
 the thread at one thread and in wall-clock time at more (column clock). A second run of the same
-steps is looked at by a referee every 10 steps, who knows the shapes' geometry and no engine.
+steps is checked for accuracy every 10 steps, by the shapes' geometry and the same for all engines.
 
 Columns: ms_mean and ms_p99 of a step; deep_mm, mean_mm and >1cm: deepest overlap, mean overlap and
 pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
@@ -51,7 +51,7 @@ struct Flags {
     std::vector<int> growth;
     int steps = 0;  // 0: the scene's own
     std::string sleep = "off";
-    bool no_referee = false;
+    bool no_accuracy = false;
     std::string json, plot;
 };
 
@@ -174,7 +174,7 @@ int run_scenes(const Flags& flags) {
                                                        .threads = contender.threads,
                                                        .steps = flags.steps,
                                                        .sleep = flags.sleep == "on",
-                                                       .referee = !flags.no_referee});
+                                                       .accuracy = !flags.no_accuracy});
             table.add(row, speed_line(row));
         }
     nlohmann::ordered_json head = file_head("speed");
@@ -251,7 +251,7 @@ void add_speed(CLI::App& app, int& status) {
     command->add_option("--sleep", flags->sleep, "Whether bodies may sleep: on or off")
         ->capture_default_str()
         ->check(CLI::IsMember({"on", "off"}));
-    command->add_flag("--no-referee", flags->no_referee, "Times only: no second run");
+    command->add_flag("--no-accuracy", flags->no_accuracy, "Times only: no second run");
     command
         ->add_option("--growth", flags->growth, "Instead of scenes: piles of so many bodies each")
         ->delimiter(',')

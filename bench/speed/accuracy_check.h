@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The referee: how wrong the poses are that an engine leaves behind, by geometry alone and the same
-// for every engine. Deepest overlap and joint drift; never inside a timing.
+// The accuracy check: how wrong the poses are that an engine leaves behind, by geometry alone and
+// the same for every engine. Penetration and joint drift; never inside a timing.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@ namespace jostle::bench {
 
 // How far one of two shapes must move for them to touch no more, m; zero or less when they do not
 // overlap. Exact for all pairs of spheres, capsules and boxes.
-double overlap_depth(const Primitive& a, const physics::Transform& pose_a, const Primitive& b,
-                     const physics::Transform& pose_b);
+double penetration_depth(const Primitive& a, const physics::Transform& pose_a, const Primitive& b,
+                         const physics::Transform& pose_b);
 
-struct Overlaps {
+struct Penetration {
     double deepest = 0;  // m
     double mean = 0;     // m, of the pairs that overlap
     int pairs = 0;       // that overlap
@@ -24,13 +24,13 @@ struct Overlaps {
     int lost = 0;        // bodies whose pose is not a number any more; they overlap nothing
 };
 
-// One portable scene's judge. Looks at each pair of which at least one is not static; two that a
-// joint connects are meant to overlap.
-class Referee {
+// Of one portable scene. Looks at each pair of which at least one is not static; two that a joint
+// connects are meant to overlap.
+class AccuracyCheck {
 public:
-    explicit Referee(const scenes::SceneDescription& scene);
+    explicit AccuracyCheck(const scenes::SceneDescription& scene);
 
-    Overlaps overlaps(std::span<const physics::Transform> poses) const;
+    Penetration penetration(std::span<const physics::Transform> poses) const;
     // m: furthest that the two ends of a joint are apart.
     double joint_drift(std::span<const physics::Transform> poses) const;
 

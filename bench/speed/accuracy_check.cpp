@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/referee.h"
+#include "speed/accuracy_check.h"
 
 #include <algorithm>
 #include <limits>
@@ -47,20 +47,20 @@ double distance(Vec3 point, const Box& box) {
     return length(max(d, {})) + inside;
 }
 
-// The smallest overlap of two shapes' shadows over the axes given to it. Over all face normals and
-// all products of edges it is the overlap of two polytopes (separating axes).
-struct Shadows {
+// The smallest overlap of two shapes' projections over the axes given to it. Over all face normals
+// and all products of edges it is the overlap of two polytopes (separating axes).
+struct SeparatingAxes {
     double least = std::numeric_limits<double>::infinity();
 
-    void look_along(Vec3 axis, Vec3 between, auto both_shadows) {
+    void try_axis(Vec3 axis, Vec3 between, auto both_radii) {
         const double size = length(axis);
         if (size < 1e-6) return;  // parallel edges; a face normal says the same
         axis = axis * (1 / size);
-        least = physics::minimum(least, both_shadows(axis) - physics::absolute(dot(axis, between)));
+        least = physics::minimum(least, both_radii(axis) - physics::absolute(dot(axis, between)));
     }
 };
 
-double half_shadow(const Mat3& axes, Vec3 half_extents, Vec3 along) {
+double projected_radius(const Mat3& axes, Vec3 half_extents, Vec3 along) {
     return dot(abs(transposed_times(axes, along)), half_extents);
 }
 
@@ -68,17 +68,18 @@ double depth(const Box& a, const Transform& pose_a, const Box& b, const Transfor
     const Mat3 in_a = to_matrix(pose_a.rotation), in_b = to_matrix(pose_b.rotation);
     const Vec3 between = pose_b.position - pose_a.position;
     const auto both = [&](Vec3 along) {
-        return half_shadow(in_a, a.half_extents, along) + half_shadow(in_b, b.half_extents, along);
+        return projected_radius(in_a, a.half_extents, along) +
+               projected_radius(in_b, b.half_extents, along);
     };
-    Shadows shadows;
+    SeparatingAxes tried;
     for (const Mat3* axes : {&in_a, &in_b})
         for (const Vec3& normal : {axes->x, axes->y, axes->z})
-            shadows.look_along(normal, between, both);
-    if (shadows.least <= 0) return shadows.least;
+            tried.try_axis(normal, between, both);
+    if (tried.least <= 0) return tried.least;
     for (const Vec3& edge_a : {in_a.x, in_a.y, in_a.z})
         for (const Vec3& edge_b : {in_b.x, in_b.y, in_b.z})
-            shadows.look_along(cross(edge_a, edge_b), between, both);
-    return shadows.least;
+            tried.try_axis(cross(edge_a, edge_b), between, both);
+    return tried.least;
 }
 
 // How deep a segment is in a box around the origin; zero or less when it misses.
@@ -87,12 +88,12 @@ double depth_of_core(const Segment& core, const Box& box) {
     const auto both = [&](Vec3 along) {
         return dot(abs(along), box.half_extents) + physics::absolute(dot(along, reach));
     };
-    Shadows shadows;
+    SeparatingAxes tried;
     for (const Vec3& edge : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-        shadows.look_along(edge, between, both);
-        shadows.look_along(cross(edge, reach), between, both);
+        tried.try_axis(edge, between, both);
+        tried.try_axis(cross(edge, reach), between, both);
     }
-    return shadows.least;
+    return tried.least;
 }
 
 // The distance to a convex shape is a convex function along a line, so a ternary search finds its
@@ -166,11 +167,11 @@ bool meet(const Bounds& a, const Bounds& b) {
            a.low.z < b.high.z && b.low.z < a.high.z;
 }
 
-void count(Overlaps& overlaps, double depth) {
+void count(Penetration& found, double depth) {
     if (depth <= 0) return;
-    overlaps.mean += (depth - overlaps.mean) / ++overlaps.pairs;
-    overlaps.deepest = physics::maximum(overlaps.deepest, depth);
-    overlaps.over_1cm += depth > 0.01 ? 1 : 0;
+    found.mean += (depth - found.mean) / ++found.pairs;
+    found.deepest = physics::maximum(found.deepest, depth);
+    found.over_1cm += depth > 0.01 ? 1 : 0;
 }
 
 std::uint64_t pair_key(std::uint64_t a, std::uint64_t b) {
@@ -179,9 +180,9 @@ std::uint64_t pair_key(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
-double overlap_depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
-                     const Transform& pose_b) {
-    if (a.index() > b.index()) return overlap_depth(b, pose_b, a, pose_a);
+double penetration_depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
+                         const Transform& pose_b) {
+    if (a.index() > b.index()) return penetration_depth(b, pose_b, a, pose_a);
     return std::visit(
         [&]<class A, class B>(const A& first, const B& second) {
             // Only the order sphere, capsule, box has a depth(); the others were turned round.
@@ -193,7 +194,7 @@ double overlap_depth(const Primitive& a, const Transform& pose_a, const Primitiv
         a, b);
 }
 
-Referee::Referee(const scenes::SceneDescription& scene) {
+AccuracyCheck::AccuracyCheck(const scenes::SceneDescription& scene) {
     for (const scenes::SceneJoint& joint : scene.joints) {
         ends_.push_back({joint.body_a, joint.body_b, joint.joint.frame_a.position,
                          joint.joint.frame_b.position});
@@ -207,13 +208,13 @@ Referee::Referee(const scenes::SceneDescription& scene) {
     }
 }
 
-bool Referee::joined(std::uint32_t a, std::uint32_t b) const {
+bool AccuracyCheck::joined(std::uint32_t a, std::uint32_t b) const {
     return std::binary_search(joined_.begin(), joined_.end(), pair_key(a, b));
 }
 
 // Sweeps along x. The few static bodies are large and are tried with everyone.
-Overlaps Referee::overlaps(std::span<const Transform> poses) const {
-    Overlaps result;
+Penetration AccuracyCheck::penetration(std::span<const Transform> poses) const {
+    Penetration result;
     std::vector<Bounds> standing, moving;
     const auto bounds = [&](std::uint32_t body) {
         return bounds_of(body, shapes_[body], poses[body]);
@@ -228,7 +229,7 @@ Overlaps Referee::overlaps(std::span<const Transform> poses) const {
     const auto try_pair = [&](const Bounds& a, const Bounds& b) {
         if (!meet(a, b) || joined(a.body, b.body)) return;
         count(result,
-              overlap_depth(shapes_[a.body], poses[a.body], shapes_[b.body], poses[b.body]));
+              penetration_depth(shapes_[a.body], poses[a.body], shapes_[b.body], poses[b.body]));
     };
     for (std::size_t k = 0; k < moving.size(); k++) {
         for (const Bounds& other : standing) try_pair(moving[k], other);
@@ -238,7 +239,7 @@ Overlaps Referee::overlaps(std::span<const Transform> poses) const {
     return result;
 }
 
-double Referee::joint_drift(std::span<const Transform> poses) const {
+double AccuracyCheck::joint_drift(std::span<const Transform> poses) const {
     double drift = 0;
     for (const Ends& ends : ends_)
         drift = physics::maximum(

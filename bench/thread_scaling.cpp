@@ -47,9 +47,9 @@ constexpr int steps_per_reading_asleep = 100;
 constexpr int most_steps_to_sleep = 600;
 
 // A scene's world, with so many threads.
-class Contestant {
+class TimedWorld {
 public:
-    Contestant(const LabScene& lab_scene, scenes::SceneDescription& scene, int threads)
+    TimedWorld(const LabScene& lab_scene, scenes::SceneDescription& scene, int threads)
         : scene_(scene),
           asleep_first_(lab_scene.asleep_first),
           player_(player_of(lab_scene, scene)),
@@ -74,7 +74,7 @@ public:
         return (wall_seconds() - began) / count;
     }
 
-    bool same_as(const Contestant& other) const {
+    bool same_as(const TimedWorld& other) const {
         for (std::uint32_t k = 0; k < scene_.bodies.size(); k++)
             if (engine_->pose(k) != other.engine_->pose(k)) return false;
         return true;
@@ -101,7 +101,7 @@ Row measure(const LabScene& lab_scene, const Flags& flags) {
     std::vector<std::vector<double>> least(
         count, std::vector<double>(static_cast<std::size_t>(row.steps), 1e300));
     for (int round = 0; round < flags.rounds; round++) {
-        std::vector<Contestant> all;
+        std::vector<TimedWorld> all;
         for (const int threads : flags.threads) all.emplace_back(lab_scene, scene, threads);
         for (int step = 0; step < row.steps; step++) {
             if (step % 20 == 0)
@@ -113,7 +113,7 @@ Row measure(const LabScene& lab_scene, const Flags& flags) {
                 ms = std::min(ms, 1e3 * all[turn].time_step(step));
             }
         }
-        for (const Contestant& one : all) row.same = row.same && one.same_as(all.front());
+        for (const TimedWorld& one : all) row.same = row.same && one.same_as(all.front());
     }
     show_progress("");
     for (const std::vector<double>& steps : least)

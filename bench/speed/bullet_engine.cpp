@@ -125,20 +125,21 @@ public:
     }
 
 private:
-    // Bodies of one form share a shape, as Bullet's manual asks for.
-    btCollisionShape* shape_of(const Primitive& form) {
+    // Bodies of one geometry share a shape, as Bullet's manual asks for.
+    btCollisionShape* shape_of(const Primitive& primitive) {
         for (const auto& [known, shape] : shapes_)
-            if (known == form) return shape.get();
-        shapes_.emplace_back(form, std::visit([](const auto& f) { return make_shape(f); }, form));
+            if (known == primitive) return shape.get();
+        shapes_.emplace_back(
+            primitive, std::visit([](const auto& shape) { return make_shape(shape); }, primitive));
         return shapes_.back().second.get();
     }
 
     void add_body(const SceneBody& body, bool sleep) {
         const physics::BodyDef& def = body.body;
-        const Primitive form = primitive_of(body);
+        const Primitive primitive = primitive_of(body);
         const SolidMass solid = is_static(body) ? SolidMass{} : solid_mass(body);
-        btRigidBody::btRigidBodyConstructionInfo info(scalar(solid.mass), nullptr, shape_of(form),
-                                                      vector(solid.inertia));
+        btRigidBody::btRigidBodyConstructionInfo info(scalar(solid.mass), nullptr,
+                                                      shape_of(primitive), vector(solid.inertia));
         info.m_startWorldTransform = transform(def.pose);
         // Bullet multiplies the two.
         info.m_friction = scalar(std::sqrt(body.shapes[0].material.friction));
@@ -150,7 +151,7 @@ private:
         rigid->setAngularVelocity(vector(def.angular_velocity));
         if (!sleep && !is_static(body)) rigid->setActivationState(DISABLE_DEACTIVATION);
         // Sweeps must be asked for: whoever would pass its own width in a step is swept.
-        if (const auto* sphere = std::get_if<physics::Sphere>(&form);
+        if (const auto* sphere = std::get_if<physics::Sphere>(&primitive);
             sphere && length(def.linear_velocity) * step_seconds_ > 2 * sphere->radius) {
             rigid->setCcdMotionThreshold(scalar(0.75 * sphere->radius));
             rigid->setCcdSweptSphereRadius(scalar(0.5 * sphere->radius));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the laboratory asks of an engine, and the engines it knows. One file each: jostle_engine,
+// What is asked of an engine under test, and the engines there are. One file each: jostle_engine,
 // bullet_engine, ode_engine. Bodies are named by their index in the scene.
 #pragma once
 

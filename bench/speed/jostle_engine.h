@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Jostle behind the laboratory's interface.
+// Jostle behind the Engine interface.
 #pragma once
 
 #include <memory>

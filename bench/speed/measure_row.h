@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fills one row of the laboratory's table.
+// Fills one row of the speed table.
 #pragma once
 
 #include "speed/engine.h"

@@ -101,13 +101,13 @@ std::vector<const LabScene*> chosen_scenes(const Flags& flags) {
 }
 
 // Jostle at every number of threads, and each peer once.
-struct Contender {
+struct Configuration {
     const EngineKind* engine;
     int threads;
 };
 
-std::vector<Contender> contenders(const Flags& flags) {
-    std::vector<Contender> chosen;
+std::vector<Configuration> configurations(const Flags& flags) {
+    std::vector<Configuration> chosen;
     for (const EngineKind& kind : engine_kinds()) {
         if (kind.most_threads > 1)
             for (const int threads : flags.threads) chosen.push_back({&kind, threads});
@@ -168,10 +168,10 @@ int run_scenes(const Flags& flags) {
     Table<SpeedRow> table;
     print_line(speed_heading());
     for (const LabScene* scene : chosen_scenes(flags))
-        for (const Contender& contender : contenders(flags)) {
+        for (const Configuration& configuration : configurations(flags)) {
             const SpeedRow row = measure_row_in_child({.scene = scene,
-                                                       .engine = contender.engine,
-                                                       .threads = contender.threads,
+                                                       .engine = configuration.engine,
+                                                       .threads = configuration.threads,
                                                        .steps = flags.steps,
                                                        .sleep = flags.sleep == "on",
                                                        .accuracy = !flags.no_accuracy});
@@ -188,9 +188,9 @@ int run_growth(const Flags& flags) {
     Table<GrowthRow> table;
     print_line(growth_heading());
     for (const int bodies : flags.growth)
-        for (const Contender& contender : contenders(flags)) {
+        for (const Configuration& configuration : configurations(flags)) {
             const GrowthRow row =
-                measure_growth_in_child(*contender.engine, contender.threads, bodies);
+                measure_growth_in_child(*configuration.engine, configuration.threads, bodies);
             table.add(row, growth_line(row));
         }
     nlohmann::ordered_json head = file_head("speed growth");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One line of the laboratory's table: a scene, an engine and a number of threads, what it cost and
+// One line of the speed table: a scene, an engine and a number of threads, what it cost and
 // how right it was. Lengths are metres, as the names say.
 #pragma once
 

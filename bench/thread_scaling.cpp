@@ -46,16 +46,14 @@ struct Flags {
 constexpr int steps_per_reading_asleep = 100;
 constexpr int most_steps_to_sleep = 600;
 
-// A scene's world, with so many threads.
+// A scene's world, with as many threads as it has when this is made.
 class TimedWorld {
 public:
-    TimedWorld(const LabScene& lab_scene, scenes::SceneDescription& scene, int threads)
+    TimedWorld(const LabScene& lab_scene, const scenes::SceneDescription& scene)
         : scene_(scene),
           asleep_first_(lab_scene.asleep_first),
           player_(player_of(lab_scene, scene)),
           engine_(engine_kinds().front().make()) {
-        scene.world.threads = threads;
-        scene.world.sleeping = asleep_first_;
         const auto status = engine_->init(scene);
         if (!status) throw std::runtime_error(status.error().message);
         if (!asleep_first_) return;
@@ -96,13 +94,17 @@ struct Row {
 
 Row measure(const LabScene& lab_scene, const Flags& flags) {
     scenes::SceneDescription scene = build(lab_scene);
+    scene.world.sleeping = lab_scene.asleep_first;
     Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : lab_scene.steps};
     const std::size_t count = flags.threads.size();
     std::vector<std::vector<double>> least(
         count, std::vector<double>(static_cast<std::size_t>(row.steps), 1e300));
     for (int round = 0; round < flags.rounds; round++) {
         std::vector<TimedWorld> all;
-        for (const int threads : flags.threads) all.emplace_back(lab_scene, scene, threads);
+        for (const int threads : flags.threads) {
+            scene.world.threads = threads;
+            all.emplace_back(lab_scene, scene);
+        }
         for (int step = 0; step < row.steps; step++) {
             if (step % 20 == 0)
                 show_progress(std::string(lab_scene.letter) + " " + lab_scene.name + ", round " +

@@ -9,6 +9,7 @@ namespace {
 
 using physics::BodyDef;
 using physics::pi;
+using physics::ShapeKind;
 using physics::Transform;
 using physics::Vec3;
 using scenes::SceneBody;
@@ -22,7 +23,8 @@ using Fault = const char*;
 
 Fault fault_of(const physics::ShapeDef& shape) {
     const physics::Filter& filter = shape.filter;
-    if (shape.geometry.index() >= std::variant_size_v<Primitive>)
+    const ShapeKind kind = kind_of(shape.geometry);
+    if (kind != ShapeKind::sphere && kind != ShapeKind::capsule && kind != ShapeKind::box)
         return "is no sphere, capsule or box";
     if (shape.pose != Transform{}) return "has a shape that is off its middle";
     if (shape.mass != 0) return "has a given mass; give it a density";

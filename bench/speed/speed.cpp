@@ -219,7 +219,8 @@ std::string about(const LabScene& scene) {
 std::string lists_for_help() {
     std::string text = "Scenes:\n";
     for (const LabScene& scene : lab_scenes())
-        text += std::string("  ") + scene.letter + "  " + scene.name + ": " + about(scene) + "\n";
+        text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
+                std::to_string(scene.steps) + " steps: " + about(scene) + "\n";
     text += "\nEngines (peers run on one thread, whatever --threads says):\n";
     for (const EngineKind& kind : engine_kinds())
         text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +

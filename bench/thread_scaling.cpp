@@ -124,7 +124,7 @@ Row measure(const LabScene& lab_scene, const Flags& flags) {
 }
 
 void print_row(const Row& row) {
-    std::printf("%s  %-10s", row.scene->letter, row.scene->name);
+    std::printf("%s  %-20s", row.scene->letter, row.scene->name);
     for (const double ms : row.ms) std::printf(" %10.5f (%.3f)", ms, ms / row.ms.front());
     std::printf("\n");
     std::fflush(stdout);
@@ -160,7 +160,7 @@ bool is_chosen(const LabScene& scene, const Flags& flags) {
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    std::printf("%-13s", "scene");
+    std::printf("%-23s", "scene");
     for (const int threads : flags.threads)
         std::printf(" %5d thread%s ms  ", threads, threads == 1 ? " " : "s");
     std::printf("\n");

@@ -20,8 +20,9 @@ constexpr EngineKind kinds[] = {
      make_jostle_engine},
     {"bullet",
      "sequential impulses, 10 iterations, single precision, one step of 1/60 s without sub-steps; "
-     "friction sqrt(0.5) each, as it multiplies; sweeps on in scene i only; a shoulder is a "
-     "btConeTwistConstraint",
+     "friction sqrt(0.5) each, as it multiplies; sweeps only spheres that start fast, so in scene "
+     "i "
+     "alone; a shoulder is a btConeTwistConstraint",
      1, make_bullet_engine},
     {"ode",
      "dWorldQuickStep, 20 iterations, double precision, default ERP and CFM; hash space, at most 4 "

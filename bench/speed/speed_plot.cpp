@@ -39,9 +39,9 @@ Groups groups_of(const std::vector<SpeedRow>& rows) {
 
 void draw_bar(Svg& svg, const SpeedRow& row, SvgPoint top, double bar_width, const char* color) {
     svg.rectangle(top, bar_width, bars_bottom - top.y, color);
-    const bool judged = row.error_m().has_value();
+    const bool checked = row.error_m().has_value();
     std::string label = short_number(row.ms_mean) + " ms";
-    if (judged) label += ", " + short_number(error_mm(row)) + " mm";
+    if (checked) label += ", " + short_number(error_mm(row)) + " mm";
     svg.text({top.x + 0.5 * bar_width + 3.5, top.y - 4}, label, {.size = 10, .upright = true});
 }
 

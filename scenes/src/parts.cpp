@@ -41,4 +41,23 @@ SceneBody colored(SceneBody body, std::uint32_t color) {
     return body;
 }
 
+namespace {
+
+// Where a frame in the world is in a body as it starts.
+Transform seen_from(const SceneBody& body, const Transform& frame) {
+    const Transform& pose = body.body.pose;
+    return {apply_inverse(pose, frame.position), conjugate(pose.rotation) * frame.rotation};
+}
+
+}  // namespace
+
+void join(SceneDescription& scene, const char* name, std::size_t a, std::size_t b,
+          const Transform& frame, const JointKind& kind) {
+    SceneJoint joint{.name = name, .body_a = a, .body_b = b, .joint = {}};
+    joint.joint.frame_a = seen_from(scene.bodies[a], frame);
+    joint.joint.frame_b = seen_from(scene.bodies[b], frame);
+    joint.joint.kind = kind;
+    scene.joints.push_back(joint);
+}
+
 }  // namespace jostle::scenes

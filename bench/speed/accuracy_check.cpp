@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "speed/referee.h"
+#include "speed/accuracy_check.h"
 
 #include <algorithm>
 #include <limits>
@@ -47,20 +47,20 @@ double distance(Vec3 point, const Box& box) {
     return length(max(d, {})) + inside;
 }
 
-// The smallest overlap of two shapes' shadows over the axes given to it. Over all face normals and
-// all products of edges it is the overlap of two polytopes (separating axes).
-struct Shadows {
+// The smallest overlap of two shapes' projections over the axes given to it. Over all face normals
+// and all products of edges it is the overlap of two polytopes (separating axes).
+struct SeparatingAxes {
     double least = std::numeric_limits<double>::infinity();
 
-    void look_along(Vec3 axis, Vec3 between, auto both_shadows) {
+    void try_axis(Vec3 axis, Vec3 between, auto both_radii) {
         const double size = length(axis);
         if (size < 1e-6) return;  // parallel edges; a face normal says the same
         axis = axis * (1 / size);
-        least = physics::minimum(least, both_shadows(axis) - physics::absolute(dot(axis, between)));
+        least = physics::minimum(least, both_radii(axis) - physics::absolute(dot(axis, between)));
     }
 };
 
-double half_shadow(const Mat3& axes, Vec3 half_extents, Vec3 along) {
+double projected_radius(const Mat3& axes, Vec3 half_extents, Vec3 along) {
     return dot(abs(transposed_times(axes, along)), half_extents);
 }
 
@@ -68,17 +68,18 @@ double depth(const Box& a, const Transform& pose_a, const Box& b, const Transfor
     const Mat3 in_a = to_matrix(pose_a.rotation), in_b = to_matrix(pose_b.rotation);
     const Vec3 between = pose_b.position - pose_a.position;
     const auto both = [&](Vec3 along) {
-        return half_shadow(in_a, a.half_extents, along) + half_shadow(in_b, b.half_extents, along);
+        return projected_radius(in_a, a.half_extents, along) +
+               projected_radius(in_b, b.half_extents, along);
     };
-    Shadows shadows;
+    SeparatingAxes tried;
     for (const Mat3* axes : {&in_a, &in_b})
         for (const Vec3& normal : {axes->x, axes->y, axes->z})
-            shadows.look_along(normal, between, both);
-    if (shadows.least <= 0) return shadows.least;
+            tried.try_axis(normal, between, both);
+    if (tried.least <= 0) return tried.least;
     for (const Vec3& edge_a : {in_a.x, in_a.y, in_a.z})
         for (const Vec3& edge_b : {in_b.x, in_b.y, in_b.z})
-            shadows.look_along(cross(edge_a, edge_b), between, both);
-    return shadows.least;
+            tried.try_axis(cross(edge_a, edge_b), between, both);
+    return tried.least;
 }
 
 // How deep a segment is in a box around the origin; zero or less when it misses.
@@ -87,12 +88,12 @@ double depth_of_core(const Segment& core, const Box& box) {
     const auto both = [&](Vec3 along) {
         return dot(abs(along), box.half_extents) + physics::absolute(dot(along, reach));
     };
-    Shadows shadows;
+    SeparatingAxes tried;
     for (const Vec3& edge : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-        shadows.look_along(edge, between, both);
-        shadows.look_along(cross(edge, reach), between, both);
+        tried.try_axis(edge, between, both);
+        tried.try_axis(cross(edge, reach), between, both);
     }
-    return shadows.least;
+    return tried.least;
 }
 
 // The distance to a convex shape is a convex function along a line, so a ternary search finds its
@@ -155,9 +156,9 @@ struct Bounds {
     std::uint32_t body;
 };
 
-Bounds bounds_of(const SceneDescription& scene, std::uint32_t body, const Transform& pose) {
-    const Vec3 reach = std::visit([&](const auto& shape) { return reach_of(shape, pose); },
-                                  scene.bodies[body].form);
+Bounds bounds_of(std::uint32_t body, const Primitive& primitive, const Transform& pose) {
+    const Vec3 reach =
+        std::visit([&](const auto& shape) { return reach_of(shape, pose); }, primitive);
     return {pose.position - reach, pose.position + reach, body};
 }
 
@@ -166,22 +167,22 @@ bool meet(const Bounds& a, const Bounds& b) {
            a.low.z < b.high.z && b.low.z < a.high.z;
 }
 
-void count(Overlaps& overlaps, double depth) {
+void count(Penetration& found, double depth) {
     if (depth <= 0) return;
-    overlaps.mean += (depth - overlaps.mean) / ++overlaps.pairs;
-    overlaps.deepest = physics::maximum(overlaps.deepest, depth);
-    overlaps.over_1cm += depth > 0.01 ? 1 : 0;
+    found.mean += (depth - found.mean) / ++found.pairs;
+    found.deepest = physics::maximum(found.deepest, depth);
+    found.over_1cm += depth > 0.01 ? 1 : 0;
 }
 
-std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+std::uint64_t pair_key(std::uint64_t a, std::uint64_t b) {
+    return (std::min(a, b) << 32) | std::max(a, b);
 }
 
 }  // namespace
 
-double overlap_depth(const Form& a, const Transform& pose_a, const Form& b,
-                     const Transform& pose_b) {
-    if (a.index() > b.index()) return overlap_depth(b, pose_b, a, pose_a);
+double penetration_depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
+                         const Transform& pose_b) {
+    if (a.index() > b.index()) return penetration_depth(b, pose_b, a, pose_a);
     return std::visit(
         [&]<class A, class B>(const A& first, const B& second) {
             // Only the order sphere, capsule, box has a depth(); the others were turned round.
@@ -193,47 +194,52 @@ double overlap_depth(const Form& a, const Transform& pose_a, const Form& b,
         a, b);
 }
 
-Referee::Referee(const SceneDescription& scene) : scene_(scene) {
-    for (const SceneJoint& joint : scene.joints) {
-        ends_.push_back({joint.a, joint.b, apply_inverse(scene.bodies[joint.a].pose, joint.anchor),
-                         apply_inverse(scene.bodies[joint.b].pose, joint.anchor)});
-        joined_.push_back(pair_key(joint.a, joint.b));
+AccuracyCheck::AccuracyCheck(const scenes::SceneDescription& scene) {
+    for (const scenes::SceneJoint& joint : scene.joints) {
+        ends_.push_back({joint.body_a, joint.body_b, joint.joint.frame_a.position,
+                         joint.joint.frame_b.position});
+        joined_.push_back(pair_key(joint.body_a, joint.body_b));
     }
     std::sort(joined_.begin(), joined_.end());
-    for (std::uint32_t body = 0; body < scene.bodies.size(); body++)
-        if (scene.bodies[body].collides)
-            (scene.bodies[body].fixed ? fixed_ : moving_).push_back(body);
+    for (std::uint32_t k = 0; k < scene.bodies.size(); k++) {
+        const scenes::SceneBody& body = scene.bodies[k];
+        shapes_.push_back(primitive_of(body));
+        if (collides(body)) (is_static(body) ? static_ : moving_).push_back(k);
+    }
 }
 
-bool Referee::joined(std::uint32_t a, std::uint32_t b) const {
+bool AccuracyCheck::joined(std::uint32_t a, std::uint32_t b) const {
     return std::binary_search(joined_.begin(), joined_.end(), pair_key(a, b));
 }
 
-// Sweeps along x. The few fixed bodies are large and are tried with everyone.
-Overlaps Referee::overlaps(std::span<const Transform> poses) const {
-    Overlaps result;
-    std::vector<Bounds> fixed, moving;
-    for (const std::uint32_t body : fixed_) fixed.push_back(bounds_of(scene_, body, poses[body]));
+// Sweeps along x. The few static bodies are large and are tried with everyone.
+Penetration AccuracyCheck::penetration(std::span<const Transform> poses) const {
+    Penetration result;
+    std::vector<Bounds> standing, moving;
+    const auto bounds = [&](std::uint32_t body) {
+        return bounds_of(body, shapes_[body], poses[body]);
+    };
+    for (const std::uint32_t body : static_) standing.push_back(bounds(body));
     for (const Transform& pose : poses) result.lost += is_finite(pose) ? 0 : 1;
     for (const std::uint32_t body : moving_)
-        if (is_finite(poses[body])) moving.push_back(bounds_of(scene_, body, poses[body]));
+        if (is_finite(poses[body])) moving.push_back(bounds(body));
     std::sort(moving.begin(), moving.end(), [](const Bounds& a, const Bounds& b) {
         return a.low.x != b.low.x ? a.low.x < b.low.x : a.body < b.body;
     });
     const auto try_pair = [&](const Bounds& a, const Bounds& b) {
         if (!meet(a, b) || joined(a.body, b.body)) return;
-        count(result, overlap_depth(scene_.bodies[a.body].form, poses[a.body],
-                                    scene_.bodies[b.body].form, poses[b.body]));
+        count(result,
+              penetration_depth(shapes_[a.body], poses[a.body], shapes_[b.body], poses[b.body]));
     };
     for (std::size_t k = 0; k < moving.size(); k++) {
-        for (const Bounds& other : fixed) try_pair(moving[k], other);
+        for (const Bounds& other : standing) try_pair(moving[k], other);
         for (std::size_t l = k + 1; l < moving.size() && moving[l].low.x < moving[k].high.x; l++)
             try_pair(moving[k], moving[l]);
     }
     return result;
 }
 
-double Referee::joint_drift(std::span<const Transform> poses) const {
+double AccuracyCheck::joint_drift(std::span<const Transform> poses) const {
     double drift = 0;
     for (const Ends& ends : ends_)
         drift = physics::maximum(

@@ -70,7 +70,7 @@ void add_joint(World& world) {
 }
 
 void add_trigger(World& world) {
-    add(world, BodyType::fixed, {far, 5, 0}, {.trigger = true});
+    add(world, BodyType::static_body, {far, 5, 0}, {.trigger = true});
 }
 
 void add_reporter(World& world) {
@@ -93,7 +93,7 @@ void add_mesh(World& world) {
             triangles.push_back({at + 11, at + 1, at + 12});
         }
     const Mesh mesh{must(build_mesh(corners, triangles))};
-    add(world, BodyType::fixed, {far, 3, 0}, {.geometry = mesh});
+    add(world, BodyType::static_body, {far, 3, 0}, {.geometry = mesh});
     add(world, BodyType::dynamic, {far, 3.5, 0}, {});
 }
 
@@ -109,10 +109,10 @@ constexpr Feature features[] = {{"nothing", nullptr},     {"continuous", nullptr
 World make_world(const Feature* feature) {
     const bool continuous = feature != nullptr && feature->name == std::string("continuous");
     World world = must(World::create({.continuous = continuous}));
-    add(world, BodyType::fixed, {0, -1, 0}, {.geometry = Box{{2000, 1, 2000}}});
+    add(world, BodyType::static_body, {0, -1, 0}, {.geometry = Box{{2000, 1, 2000}}});
     for (int k = 0; k < 1000; k++)
         must(world.create_body({.pose = {{1.5 * (k % 10), 0.5 + k / 100, 1.5 * (k / 10 % 10)}, {}},
-                                .may_sleep = false},
+                                .sleep_allowed = false},
                                ShapeDef{}));
     if (feature != nullptr && feature->add != nullptr) feature->add(world);
     for (int k = 0; k < 200; k++)

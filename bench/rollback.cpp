@@ -77,7 +77,7 @@ World make_pile(int bodies) {
 
 World make_asleep(int bodies) {
     World world = must(World::create());
-    must(world.create_body({.type = physics::BodyType::fixed, .pose = {{0, -1, 0}, {}}},
+    must(world.create_body({.type = physics::BodyType::static_body, .pose = {{0, -1, 0}, {}}},
                            {.geometry = physics::Box{{2000, 1, 2000}}}));
     const int side = static_cast<int>(std::ceil(std::sqrt(bodies)));
     for (int k = 0; k < bodies; k++)

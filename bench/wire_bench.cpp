@@ -102,8 +102,7 @@ std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedF
 }
 
 // Every age-th frame, as a client at that share of the world's rate gets them.
-std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames,
-                                            std::size_t age) {
+std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {

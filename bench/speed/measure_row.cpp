@@ -54,18 +54,18 @@ public:
     }
     void step() { engine_->step(); }
     void look_for_sleep(int steps_done) {
-        if (may_sleep() && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
+        if (sleep_allowed() && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
     }
     // Who is driven does not sleep: after so many steps it is let go.
     void let_player_go(int steps_done) {
-        if (!may_sleep() || !player_) return;
+        if (!sleep_allowed() || !player_) return;
         for (int k = 1; k <= most_steps_to_sleep && !asleep_at_; k++) {
             step();
             look_for_sleep(steps_done + k);
         }
     }
 
-    bool may_sleep() const { return scene_.world.sleeping; }
+    bool sleep_allowed() const { return scene_.world.sleeping; }
     int awake() const { return engine_->awake(); }
     int moving() const {
         int count = 0;
@@ -185,7 +185,7 @@ physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowReques
     row.ms_p99 = rounded(percentile_99(ms));
     row.clock = clock.name();
     row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
-    if (run.may_sleep()) {
+    if (run.sleep_allowed()) {
         row.awake_at_end = run.awake();
         row.moving_at_end = run.moving();
     }

@@ -42,7 +42,7 @@ Fault fault_of(const SceneBody& body) {
     if (def.gravity_scale != 1) return "has a gravity of its own";
     if (def.locks != 0) return "has locked axes";
     if (def.mass != 0) return "has a given mass; give it a density";
-    if (!def.may_sleep) return "may not sleep";
+    if (!def.sleep_allowed) return "may not sleep";
     if (body.shapes.size() != 1) return "has not one shape";
     return fault_of(body.shapes[0]);
 }
@@ -129,7 +129,7 @@ Primitive primitive_of(const SceneBody& body) {
 }
 
 bool is_static(const SceneBody& body) {
-    return body.body.type == physics::BodyType::fixed;
+    return body.body.type == physics::BodyType::static_body;
 }
 
 bool collides(const SceneBody& body) {

@@ -9,7 +9,7 @@ int main() {
     using namespace jostle::physics;
     World world;
     const auto floor =
-        world.create_body(BodyDef{.type = BodyType::fixed}, ShapeDef{.geometry = Plane{}});
+        world.create_body(BodyDef{.type = BodyType::static_body}, ShapeDef{.geometry = Plane{}});
     const auto ball = world.create_body(BodyDef{.pose = {.position = {0, 3, 0}}},
                                         ShapeDef{.geometry = Sphere{.radius = 0.5}});
     if (!floor.ok() || !ball.ok()) return 1;

@@ -109,13 +109,13 @@ SceneDescription locked() {
     for (int k = 0; k < 5; k++) {
         SceneBody piston = colored(
             loose("piston", {-4 + 2.0 * k, 0.6 + 0.4 * k, -2}, Box{{0.6, 0.5, 0.6}}), 0x4f86c6);
-        piston.body.locks =
-            static_cast<AxisLocks>(lock_x | lock_z | lock_turn_x | lock_turn_y | lock_turn_z);
+        piston.body.locks = static_cast<AxisLocks>(lock_x | lock_z | lock_rotation_x |
+                                                   lock_rotation_y | lock_rotation_z);
         scene.bodies.push_back(piston);
         SceneBody slider =
             colored(loose("slider", {-4 + 2.0 * k, 0.3, 1}, Box{{0.4, 0.28, 0.4}}), 0x81b29a);
         slider.body.locks =
-            static_cast<AxisLocks>(lock_z | lock_turn_x | lock_turn_y | lock_turn_z);
+            static_cast<AxisLocks>(lock_z | lock_rotation_x | lock_rotation_y | lock_rotation_z);
         slider.body.linear_velocity = {k % 2 == 0 ? 2.0 : -2.0, 0, 0};
         slider.shapes[0].material = {.friction = 0.02, .restitution = 0.9};
         scene.bodies.push_back(slider);
@@ -123,9 +123,9 @@ SceneDescription locked() {
                                         from_axis_angle({1, 0, 0}, pi / 2)),
                                   0xe07a5f);
         wheel.body.locks =
-            static_cast<AxisLocks>(lock_x | lock_y | lock_z | lock_turn_x | lock_turn_y);
+            static_cast<AxisLocks>(lock_x | lock_y | lock_z | lock_rotation_x | lock_rotation_y);
         wheel.body.angular_velocity = {0, 0, 2.0 + k};
-        wheel.body.may_sleep = false;
+        wheel.body.sleep_allowed = false;
         scene.bodies.push_back(wheel);
     }
     for (int i = 0; i < 20; i++)

@@ -77,10 +77,10 @@ SceneDescription poured(int count, int side, double half_width) {
     return finished(std::move(scene));
 }
 
-// A joint between two fixed bodies holds nothing, and engines differ in whether they take it.
+// A joint between two static bodies holds nothing, and engines differ in whether they take it.
 void join_in_the_middle(SceneDescription& scene, std::size_t a, std::size_t b) {
     const BodyDef &one = scene.bodies[a].body, &other = scene.bodies[b].body;
-    if (one.type == BodyType::fixed && other.type == BodyType::fixed) return;
+    if (one.type == BodyType::static_body && other.type == BodyType::static_body) return;
     join(scene, "joint", a, b, {(one.pose.position + other.pose.position) * 0.5, {}}, BallJoint{});
 }
 
@@ -149,7 +149,7 @@ SceneDescription lab_joint_grid_10000() {
             const std::size_t index = scene.bodies.size();
             const Vec3 at{1.0 * static_cast<double>(x), -1.0 * static_cast<double>(y), 0};
             SceneBody ball = loose("ball", at, Sphere{0.4});
-            if (y == 0 && x >= 47 && x <= 53) ball.body.type = BodyType::fixed;
+            if (y == 0 && x >= 47 && x <= 53) ball.body.type = BodyType::static_body;
             ball.shapes[0].filter.mask = 0;  // it collides with nothing
             scene.bodies.push_back(ball);
             if (y > 0) join_in_the_middle(scene, index - 1, index);

@@ -9,7 +9,7 @@ using namespace physics;
 
 SceneBody fixed_box(std::string name, Vec3 center, Vec3 half_extents, Quat rotation) {
     return {.name = std::move(name),
-            .body = {.type = BodyType::fixed, .pose = {center, rotation}},
+            .body = {.type = BodyType::static_body, .pose = {center, rotation}},
             .shapes = {{.geometry = Box{half_extents}}},
             .color = {}};
 }

@@ -4,8 +4,8 @@
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
-#include "jostle/physics/mesh.h"
 #include "jostle/physics/limits.h"
+#include "jostle/physics/mesh.h"
 #include "jostle/v1/scene.pb.h"
 #include "shape_reader.h"
 

@@ -12,8 +12,8 @@ namespace {
 
 v1::BodyType to_message(physics::BodyType type) {
     switch (type) {
-        case physics::BodyType::fixed:
-            return v1::BODY_TYPE_FIXED;
+        case physics::BodyType::static_body:
+            return v1::BODY_TYPE_STATIC;
         case physics::BodyType::kinematic:
             return v1::BODY_TYPE_KINEMATIC;
         case physics::BodyType::dynamic:

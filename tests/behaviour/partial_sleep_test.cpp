@@ -29,13 +29,13 @@ struct GuardedWall {
                                              .position = {c + shift(r), 0.25 + 0.5 * r, 0}}));
         guard = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
                             .position = {shift(rows - 1), 0.2 + 0.5 * rows, 0},
-                            .may_sleep = false});
+                            .sleep_allowed = false});
     }
     BodyId brick(int columns, int row, int column) const {
         return bricks[static_cast<std::size_t>(row * columns + column)];
     }
     bool awake(BodyId body) const { return must(world.body(body)).awake; }
-    int asleep() const { return world.profile().bodies_frozen; }
+    int asleep() const { return world.profile().bodies_asleep_in_place; }
 };
 
 TEST(PartialSleep, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
@@ -90,15 +90,16 @@ TEST(PartialSleep, a_weight_is_felt_through_a_sleeping_stack) {
     // a stack at its free end.
     World world = make_world();
     add_floor(world);
-    add(world, {.geometry = Box{{2, 1, 1}}, .position = {-2, 1, 0}, .type = BodyType::fixed});
+    add(world, {.geometry = Box{{2, 1, 1}}, .position = {-2, 1, 0}, .type = BodyType::static_body});
     const BodyId plank = add(world, {.geometry = Box{{2, 0.1, 0.5}}, .position = {-0.2, 2.1, 0}});
     for (int k = 0; k < 10; k++)
         add(world, {.geometry = Box{{0.25, 0.1, 0.25}}, .position = {-1.9, 2.3 + 0.2 * k, 0}});
     for (int k = 0; k < 8; k++)
         add(world, {.geometry = Box{{0.25, 0.1, 0.25}}, .position = {1.5, 2.3 + 0.2 * k, 0}});
-    add(world, {.geometry = Box{{0.1, 0.1, 0.1}}, .position = {-0.5, 2.3, 0}, .may_sleep = false});
+    add(world,
+        {.geometry = Box{{0.1, 0.1, 0.1}}, .position = {-0.5, 2.3, 0}, .sleep_allowed = false});
     run(world, 6);
-    ASSERT_GE(world.profile().bodies_frozen, 14);
+    ASSERT_GE(world.profile().bodies_asleep_in_place, 14);
     ASSERT_NEAR(position_of(world, plank).y, 2.1, 0.01);
     add(world, {.geometry = Box{{0.25, 0.25, 0.25}}, .position = {1.5, 4.05, 0}, .density = 8000});
     run(world, 2);
@@ -158,9 +159,9 @@ double momentum_after_hit(Rest rest) {
     World world = block_of_boxes(rest != Rest::none);
     if (rest != Rest::asleep)
         add(world,
-            {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .may_sleep = false});
+            {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .sleep_allowed = false});
     run(world, 5);
-    EXPECT_EQ(world.profile().bodies_frozen > 40, rest == Rest::in_place);
+    EXPECT_EQ(world.profile().bodies_asleep_in_place > 40, rest == Rest::in_place);
     EXPECT_EQ(world.summary().awake_bodies == 0, rest == Rest::asleep);
     add(world, {.geometry = Sphere{0.5}, .position = {-2, 3.4, 1.5}, .velocity = {15, 0, 0}});
     run(world, 0.1);
@@ -168,7 +169,8 @@ double momentum_after_hit(Rest rest) {
 }
 
 TEST(PartialSleep, a_hit_goes_into_a_resting_block_as_into_one_that_is_awake) {
-    const double awake = momentum_after_hit(Rest::none), in_place = momentum_after_hit(Rest::in_place),
+    const double awake = momentum_after_hit(Rest::none),
+                 in_place = momentum_after_hit(Rest::in_place),
                  asleep = momentum_after_hit(Rest::asleep);
     RecordProperty("awake_kg_m_per_s", std::to_string(awake));
     RecordProperty("in_place_kg_m_per_s", std::to_string(in_place));

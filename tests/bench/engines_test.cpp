@@ -104,7 +104,7 @@ TEST_P(EveryEngine, shoulder_swings_as_far_as_its_cone) {
 
 TEST_P(EveryEngine, jointed_bodies_do_not_collide_and_a_static_one_holds) {
     SceneBody& hook = add(Sphere{0.5});
-    hook.body.type = BodyType::fixed;
+    hook.body.type = BodyType::static_body;
     hook.shapes[0].filter.mask = 0;
     add(Sphere{0.5}, {0, -0.6, 0});
     add(Sphere{0.5}, {0, -1.2, 0});

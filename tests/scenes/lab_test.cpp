@@ -19,7 +19,7 @@ using namespace physics;
 using test::near;
 
 bool is_fixed(const SceneBody& body) {
-    return body.body.type == BodyType::fixed;
+    return body.body.type == BodyType::static_body;
 }
 
 Vec3 position(const SceneBody& body) {

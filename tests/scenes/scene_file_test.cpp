@@ -125,7 +125,7 @@ TEST(SceneFile, every_field_written_and_read_is_the_same_world_thirty_steps_on) 
 TEST(SceneFile, minus_zero_is_zero) {
     const std::string text =
         R"({"name": "a", "world": {"gravity": {"x": 0.0, "y": -9.81}}, "bodies": [
-        {"type": "BODY_TYPE_FIXED", "rotation": {"x": 0.0, "w": 1}, "shapes": [
+        {"type": "BODY_TYPE_STATIC", "rotation": {"x": 0.0, "w": 1}, "shapes": [
           {"plane": {"normal": {"x": 0.0, "y": 1}}, "surface_velocity": {"x": 0.0, "z": 1}},
           {"mesh": {"vertices": [{"x": 0.0}, {"x": 1, "y": 0.0}, {"z": 1}], "indices": [0, 1, 2]}},
           {"height_field": {"columns": 2, "rows": 2, "spacing_x": 1, "spacing_z": 1, "heights": [0.0, 1, 0.0, 1]}},

@@ -75,7 +75,7 @@ EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
 
 bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt) {
     return !cold.isotropic && cold.type == BodyType::dynamic &&
-           (cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) == 0 &&
+           (cold.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) == 0 &&
            length_squared(warm.w) * dt * dt > tuning::gyroscopic_turn * tuning::gyroscopic_turn;
 }
 
@@ -93,7 +93,7 @@ FreeSpin locked_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
 }  // namespace
 
 FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
-    if ((cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) != 0)
+    if ((cold.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) != 0)
         return locked_spin(warm, cold, dt);
     if (cold.isotropic) {
         const Vec3 w = warm.w + cold.inverse_inertia * warm.torque * dt;

@@ -83,7 +83,7 @@ void visit(V& v, std::string_view name, IdPool& ids) {
 template <class V>
 void visit_fields(V& v, BodyCold& b) {
     v.field("type", b.type);
-    v.field("may_sleep", b.may_sleep);
+    v.field("may_sleep", b.sleep_allowed);
     v.field("linear_damping", b.linear_damping);
     v.field("angular_damping", b.angular_damping);
     v.field("gravity_scale", b.gravity_scale);
@@ -407,7 +407,7 @@ void visit_world(V& v, WorldState& world) {
         v.field("bound", r.bound);
         v.field("turned", r.turned);
     });
-    visit_all(v, "fixed", world.bodies.fixed, [&](BodyWarm& b) { visit_fields(v, b); });
+    visit_all(v, "statics", world.bodies.statics, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "awake", world.bodies.awake, [&](BodyWarm& b) { visit_fields(v, b); });
     v.leave();
 

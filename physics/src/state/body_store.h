@@ -19,15 +19,15 @@ namespace jostle::physics {
 inline constexpr std::uint32_t none = 0xffffffff;
 
 enum class BodySet : std::uint8_t {
-    fixed,     // BodyStore::fixed
-    awake,     // BodyStore::awake: dynamic bodies that move or sleep in place, all kinematic ones
-    sleeping,  // Island::sleepers of its island
+    static_set,  // BodyStore::statics
+    awake,       // BodyStore::awake: dynamic bodies that move or sleep in place, all kinematic ones
+    sleeping,    // Island::sleepers of its island
 };
 
 struct BodyCold {
     // What the user set.
     BodyType type = BodyType::dynamic;
-    bool may_sleep = true;
+    bool sleep_allowed = true;
     bool continuous = true;
     AxisLocks locks = 0;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
@@ -45,7 +45,7 @@ struct BodyCold {
                             // to turn. Never of bodies with locks: those need the full matrix
 
     // Where it is and what hangs on it.
-    BodySet set = BodySet::fixed;
+    BodySet set = BodySet::static_set;
     std::uint32_t at = 0;  // index in its set
     bool asleep_in_place =
         false;  // rests in an island that moves elsewhere (state/partial_sleep.h)
@@ -87,7 +87,7 @@ struct BodyStore {
     IdPool ids;
     FlatArray<BodyCold> cold;       // by index
     FlatArray<MotionBound> motion;  // by index
-    FlatArray<BodyWarm> fixed, awake;
+    FlatArray<BodyWarm> statics, awake;
     std::uint32_t asleep_in_place = 0;  // how many of the awake set are; derived
 };
 
@@ -112,15 +112,15 @@ inline Vec3 free_directions(const BodyCold& cold) {
             (cold.locks & lock_z) != 0 ? 0.0 : 1.0};
 }
 inline Vec3 free_rotations(const BodyCold& cold) {
-    return {(cold.locks & lock_turn_x) != 0 ? 0.0 : 1.0,
-            (cold.locks & lock_turn_y) != 0 ? 0.0 : 1.0,
-            (cold.locks & lock_turn_z) != 0 ? 0.0 : 1.0};
+    return {(cold.locks & lock_rotation_x) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_rotation_y) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_rotation_z) != 0 ? 0.0 : 1.0};
 }
 
 // Inverse inertia in world axes. With locked turns: the inverse of what is left of the inertia when
 // the locked rows and columns are taken out, not a part of the full inverse.
 inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
-    constexpr AxisLocks turns = lock_turn_x | lock_turn_y | lock_turn_z;
+    constexpr AxisLocks turns = lock_rotation_x | lock_rotation_y | lock_rotation_z;
     if ((cold.locks & turns) == 0) {
         if (cold.isotropic) return cold.inverse_inertia;
         return warm.axes * cold.inverse_inertia * transpose(warm.axes);

@@ -13,8 +13,8 @@ namespace {
 
 // Where the shape's box is found.
 BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
-    const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
-    return fixed ? *world.shapes.fixed : *world.shapes.moving;
+    const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
+    return fixed ? *world.shapes.statics : *world.shapes.moving;
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void enlarge_aabb(WorldState& world, std::uint32_t index, const BodyWarm& warm, 
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) return;
     shape.fat = bounds_of(placed(shape, warm));
-    if (world.bodies.cold[shape.body].type != BodyType::fixed) {
+    if (world.bodies.cold[shape.body].type != BodyType::static_body) {
         const double radius = world.bodies.cold[shape.body].radius;
         shape.fat = fat_box(shape.fat, warm.v * dt, radius);
     }

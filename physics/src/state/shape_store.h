@@ -46,7 +46,7 @@ struct ShapeStore {
     std::vector<std::uint32_t> triggers;  // indices, rising; derived
     std::uint32_t reporters = 0;          // shapes with report_stays; derived
     // Where boxes are found: what never moves apart from all else. Derived.
-    OwnedBroadPhase fixed = make_broad_phase(BroadPhase::dynamic_tree),
+    OwnedBroadPhase statics = make_broad_phase(BroadPhase::dynamic_tree),
                     moving = make_broad_phase(BroadPhase::dynamic_tree);
 };
 

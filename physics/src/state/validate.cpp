@@ -44,8 +44,8 @@ Fault check_sets(const WorldState& world) {
         }
         return {};
     };
-    std::size_t members = world.bodies.fixed.size() + world.bodies.awake.size();
-    if (Fault f = check_set(world.bodies.fixed, BodySet::fixed, none)) return f;
+    std::size_t members = world.bodies.statics.size() + world.bodies.awake.size();
+    if (Fault f = check_set(world.bodies.statics, BodySet::static_set, none)) return f;
     if (Fault f = check_set(world.bodies.awake, BodySet::awake, none)) return f;
     for (std::uint32_t i = 0; i < world.islands.islands.size(); i++) {
         const Island& island = world.islands.islands[i];
@@ -65,7 +65,7 @@ Fault check_bodies(const WorldState& world) {
         if (!world.bodies.ids.alive(i)) continue;
         const BodyCold& b = world.bodies.cold[i];
         const bool dynamic = b.type == BodyType::dynamic;
-        if ((b.type == BodyType::fixed) != (b.set == BodySet::fixed))
+        if ((b.type == BodyType::static_body) != (b.set == BodySet::static_set))
             return at("bodies", i, "is in a set that its type does not belong to");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
@@ -108,7 +108,7 @@ Fault check_shapes(const WorldState& world) {
             world.bodies.cold[shapes[s].body].type == BodyType::dynamic)
             return at("shapes", s, "is a surface on a dynamic body");
         if (kind_of(shapes[s].geometry) == ShapeKind::plane &&
-            world.bodies.cold[shapes[s].body].type != BodyType::fixed)
+            world.bodies.cold[shapes[s].body].type != BodyType::static_body)
             return at("shapes", s, "is a plane on a body that moves");
     }
     for (const std::uint32_t s : world.shapes.moved)
@@ -169,7 +169,7 @@ Fault check_joints(const WorldState& world) {
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
             return at("joints", i, "joins two islands");
         const auto moves = [](const BodyCold& c) {
-            return c.type != BodyType::fixed && !c.asleep_in_place;
+            return c.type != BodyType::static_body && !c.asleep_in_place;
         };
         if ((a.asleep_in_place && moves(b)) || (b.asleep_in_place && moves(a)))
             return at("joints", i, "ties a body that sleeps in place to one that moves");

@@ -64,8 +64,8 @@ inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
     ASSERT(body < world.bodies.cold.size());
     const BodyCold& cold = world.bodies.cold[body];
     switch (cold.set) {
-        case BodySet::fixed:
-            return world.bodies.fixed[cold.at];
+        case BodySet::static_set:
+            return world.bodies.statics[cold.at];
         case BodySet::awake:
             return world.bodies.awake[cold.at];
         case BodySet::sleeping:

@@ -29,7 +29,7 @@ BodyState state_of_body(const WorldState& world, std::uint32_t index) {
             .mass = cold.mass,
             .inertia = warm.axes * cold.inertia * transpose(warm.axes),
             .awake = cold.set == BodySet::awake && !cold.asleep_in_place,
-            .sleep_allowed = cold.may_sleep,
+            .sleep_allowed = cold.sleep_allowed,
             .locks = cold.locks,
             .user_data = cold.user_data};
 }
@@ -60,7 +60,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
 Result<BodyId> World::create_body(const BodyDef& def) {
     WorldState& world = *state_;
     if (Status s = check_body_in(world, def); !s.ok()) return s.error();
-    constexpr AxisLocks out_of_plane = lock_z | lock_turn_x | lock_turn_y;
+    constexpr AxisLocks out_of_plane = lock_z | lock_rotation_x | lock_rotation_y;
     const std::uint32_t index = world.bodies.ids.take();
     if (index == world.bodies.cold.size()) {
         world.bodies.cold.emplace_back();
@@ -68,7 +68,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     }
     world.bodies.cold[index] =
         BodyCold{.type = def.type,
-                 .may_sleep = def.may_sleep,
+                 .sleep_allowed = def.sleep_allowed,
                  .continuous = def.continuous,
                  .locks = static_cast<AxisLocks>(def.locks | (world.def.planar ? out_of_plane : 0)),
                  .linear_damping = def.linear_damping,
@@ -84,7 +84,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
                   .w = def.angular_velocity};
     warm.axes = to_matrix(warm.rotation);
     obey_locks(world.bodies.cold[index], warm);
-    if (def.type == BodyType::fixed)
+    if (def.type == BodyType::static_body)
         enter_static(world, warm);
     else
         enter_awake(world, warm);

@@ -33,9 +33,9 @@ Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
     if (Status s = check_id(world, body); !s.ok()) return s;
     if (Status s = check_vector("linear", linear, limits::max_speed); !s.ok()) return s;
     if (Status s = check_vector("angular", angular, limits::max_speed); !s.ok()) return s;
-    if (world.bodies.cold[body.index].type == BodyType::fixed)
+    if (world.bodies.cold[body.index].type == BodyType::static_body)
         return Error{ErrorCode::failed_precondition,
-                     "a fixed body has no velocity; make it kinematic instead"};
+                     "a static body has no velocity; make it kinematic instead"};
     // A platform that begins to move takes along what rests on it.
     if (world.bodies.cold[body.index].type == BodyType::kinematic)
         wake_neighbours(world, body.index);
@@ -67,7 +67,7 @@ Status World::move_to(BodyId body, const Transform& pose, double dt) {
         return Error{
             ErrorCode::failed_precondition,
             "body {" + std::to_string(body.index) + ", " + std::to_string(body.generation) +
-                "} is not kinematic; move dynamic bodies by forces, fixed ones not at all"};
+                "} is not kinematic; move dynamic bodies by forces, static ones not at all"};
     const BodyWarm& warm = warm_of(world, body.index);
     const Quat q = unit(pose.rotation) * conjugate(warm.rotation);
     const Vec3 axis{q.x, q.y, q.z};

@@ -55,7 +55,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     cold.type = type;
     warm.force = warm.torque = {};
     warm.sleep_time = 0;
-    if (type == BodyType::fixed) {
+    if (type == BodyType::static_body) {
         warm.v = warm.w = {};
         enter_static(world, warm);
     } else {
@@ -109,7 +109,7 @@ Status World::set_sleep_allowed(BodyId body, bool allowed) {
     WorldState& world = *state_;
     if (Status s = check_id(world, body); !s.ok()) return s;
     if (!allowed) wake_body(world, body.index);
-    world.bodies.cold[body.index].may_sleep = allowed;
+    world.bodies.cold[body.index].sleep_allowed = allowed;
     return {};
 }
 
@@ -169,8 +169,8 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
     wake_neighbours(world, body.index);
     BodyWarm& warm = wake_to_change(world, body.index);
     destroy_contacts_of(world, body.index, world.events.pending.ended);
-    world.bodies.cold[body.index].locks =
-        static_cast<AxisLocks>(locks | (world.def.planar ? lock_z | lock_turn_x | lock_turn_y : 0));
+    world.bodies.cold[body.index].locks = static_cast<AxisLocks>(
+        locks | (world.def.planar ? lock_z | lock_rotation_x | lock_rotation_y : 0));
     obey_locks(world.bodies.cold[body.index], warm);
     update_mass(world, body.index);
     after_move(world, body.index);

@@ -60,9 +60,9 @@ Status check_body(const BodyDef& def) {
     if (Status s = check_body_type(def.type); !s.ok()) return s;
     if (def.locks >= 64) return invalid("locks has bits beyond the six axes");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
-    if (def.type == BodyType::fixed && moves)
+    if (def.type == BodyType::static_body && moves)
         return invalid(
-            "a fixed body has no velocity; make it kinematic, or leave the velocity out");
+            "a static body has no velocity; make it kinematic, or leave the velocity out");
     return {};
 }
 
@@ -113,8 +113,8 @@ Status check_shape(const ShapeDef& def, BodyType type) {
     if (Status s = check_pose("shape pose", def.pose); !s.ok()) return s;
     if (Status s = check_material(def.material); !s.ok()) return s;
     const ShapeKind kind = kind_of(def.geometry);
-    if (kind == ShapeKind::plane && type != BodyType::fixed)
-        return invalid("a plane is infinite; only a fixed body may carry one");
+    if (kind == ShapeKind::plane && type != BodyType::static_body)
+        return invalid("a plane is infinite; only a static body may carry one");
     const bool surface = kind == ShapeKind::mesh || kind == ShapeKind::height_field;
     if (surface && type == BodyType::dynamic)
         return invalid(std::string("a ") + kind_name(kind) +
@@ -132,7 +132,7 @@ Status check_shape(const ShapeDef& def, BodyType type) {
 }
 
 Status check_body_type(BodyType type) {
-    if (type == BodyType::fixed || type == BodyType::kinematic || type == BodyType::dynamic)
+    if (type == BodyType::static_body || type == BodyType::kinematic || type == BodyType::dynamic)
         return {};
     return invalid("type is of no known kind");
 }

@@ -139,7 +139,7 @@ std::vector<std::vector<BodyId>> World::islands() const {
 
 std::vector<Aabb> World::broad_phase_cells() const {
     std::vector<Aabb> cells;
-    state_->shapes.fixed->cells(cells);
+    state_->shapes.statics->cells(cells);
     state_->shapes.moving->cells(cells);
     return cells;
 }

@@ -18,7 +18,7 @@ public:
     explicit LiveSource(const WorldState& world) : world_(world) {}
     std::uint64_t step() const override { return world_.steps; }
     QueryShape shape(std::uint32_t index) const override { return shape_at(world_, index); }
-    const BroadPhaseIndex& fixed() const override { return *world_.shapes.fixed; }
+    const BroadPhaseIndex& fixed() const override { return *world_.shapes.statics; }
     const BroadPhaseIndex& moving() const override { return *world_.shapes.moving; }
     const std::vector<std::uint32_t>& planes() const override { return world_.shapes.planes; }
 
@@ -40,7 +40,7 @@ public:
             shapes_[i] = shape_at(world, i);
             shapes_[i].placed.geometry = &geometry_[i];
         }
-        fixed_ = world.shapes.fixed->clone();
+        fixed_ = world.shapes.statics->clone();
         moving_ = world.shapes.moving->clone();
         fixed_->flush();
         moving_->flush();

@@ -26,7 +26,7 @@ Result<World> World::create(const WorldDef& def) {
     if (Status s = check_world(def); !s.ok()) return s.error();
     auto state = std::make_unique<WorldState>();
     state->def = def;
-    state->shapes.fixed = make_broad_phase(def.broad_phase);
+    state->shapes.statics = make_broad_phase(def.broad_phase);
     state->shapes.moving = make_broad_phase(def.broad_phase);
     state->team = std::make_unique<TaskTeam>(def.threads);
     return World(std::move(state));

@@ -26,7 +26,7 @@ void run(World& world, int steps) {
 
 struct Floor {
     World world;
-    BodyId ground = *world.create_body({.type = BodyType::fixed}, {.geometry = Plane{}});
+    BodyId ground = *world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}});
 
     BodyId cube(Vec3 at) {
         return *world.create_body({.pose = {.position = at}}, {.geometry = Box{{0.5, 0.5, 0.5}}});
@@ -36,8 +36,9 @@ struct Floor {
 
 TEST(SetType, a_shelf_that_becomes_dynamic_falls_with_what_lies_on_it) {
     Floor f;
-    const BodyId shelf = *f.world.create_body(
-        {.type = BodyType::fixed, .pose = {.position = {0, 3, 0}}}, {.geometry = Box{{1, 0.1, 1}}});
+    const BodyId shelf =
+        *f.world.create_body({.type = BodyType::static_body, .pose = {.position = {0, 3, 0}}},
+                             {.geometry = Box{{1, 0.1, 1}}});
     const BodyId cube = f.cube({0, 3.6, 0});
     run(f.world, 120);
     ASSERT_FALSE(f.world.body(cube)->awake) << "it sleeps on the shelf";
@@ -54,7 +55,7 @@ TEST(SetType, a_crate_that_becomes_static_stays_in_the_air) {
     const BodyId cube = f.cube({0, 2, 0});
     run(f.world, 10);
     const double height = f.height(cube);
-    ASSERT_TRUE(f.world.set_type(cube, BodyType::fixed).ok());
+    ASSERT_TRUE(f.world.set_type(cube, BodyType::static_body).ok());
     EXPECT_EQ(f.world.body(cube)->linear_velocity, (Vec3{}));
     EXPECT_EQ(f.world.body(cube)->mass, 0);
     run(f.world, 30);
@@ -75,7 +76,7 @@ TEST(SetType, a_kinematic_body_takes_along_what_is_jointed_to_it) {
     run(f.world, 60);
     EXPECT_NEAR(f.height(a), 6, 1e-9);
     EXPECT_NEAR(f.height(b), 4.5, 0.02);
-    const Status status = f.world.set_type(b, BodyType::fixed);
+    const Status status = f.world.set_type(b, BodyType::static_body);
     ASSERT_FALSE(status.ok());
     EXPECT_NE(status.error().message.find("joint {0, "), std::string::npos)
         << status.error().message;
@@ -86,7 +87,7 @@ TEST(SetType, a_plane_cannot_move) {
     const Status status = f.world.set_type(f.ground, BodyType::dynamic);
     ASSERT_FALSE(status.ok());
     EXPECT_NE(status.error().message.find("a plane is infinite"), std::string::npos);
-    EXPECT_EQ(f.world.body(f.ground)->type, BodyType::fixed);
+    EXPECT_EQ(f.world.body(f.ground)->type, BodyType::static_body);
 }
 
 TEST(SetMass, twice_the_mass_takes_half_the_acceleration) {

@@ -14,7 +14,7 @@ constexpr double dt = 1.0 / 60;
 
 TEST(SetShapes, a_cube_that_becomes_two_balls_rests_on_them) {
     World world;
-    ASSERT_TRUE(world.create_body({.type = BodyType::fixed}, {.geometry = Plane{}}).ok());
+    ASSERT_TRUE(world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).ok());
     const BodyId body =
         *world.create_body({.pose = {.position = {0, 0.5, 0}}}, {.geometry = Box{{0.5, 0.5, 0.5}}});
     for (int n = 0; n < 120; n++) ASSERT_TRUE(world.step(dt).ok());
@@ -94,7 +94,7 @@ TEST(UserData, of_body_shape_and_joint_is_saved_and_returned) {
 
 TEST(ContactsOf, a_cube_between_two_touches_both_awake_and_asleep) {
     World world;
-    const BodyId floor = *world.create_body({.type = BodyType::fixed}, {.geometry = Plane{}});
+    const BodyId floor = *world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}});
     std::vector<BodyId> stack;
     for (int k = 0; k < 3; k++)
         stack.push_back(*world.create_body({.pose = {.position = {0, 0.5 + k, 0}}},

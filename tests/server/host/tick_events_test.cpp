@@ -26,7 +26,7 @@ scenes::SceneDescription floor_alone() {
     const physics::ShapeDef slab{.geometry = physics::Box{{50, 0.5, 50}},
                                  .pose = {.position = {0, -0.5, 0}}};
     scene.bodies.push_back(
-        {.name = "floor", .body = {.type = physics::BodyType::fixed}, .shapes = {slab}});
+        {.name = "floor", .body = {.type = physics::BodyType::static_body}, .shapes = {slab}});
     return scene;
 }
 
@@ -135,7 +135,7 @@ TEST(WorldHostEvents, frames_carry_the_newest_64_ticks_only_while_somebody_liste
     // Something happens in every tick.
     const physics::ShapeDef ball{.geometry = physics::Sphere{0.5}, .report_stays = true};
     scene.bodies.push_back({.name = "ball",
-                            .body = {.pose = {.position = {0, 0.5, 0}}, .may_sleep = false},
+                            .body = {.pose = {.position = {0, 0.5, 0}}, .sleep_allowed = false},
                             .shapes = {ball}});
     const auto host = *WorldHost::start("w1", "floor", scene, {});
     const auto wait = [&](auto condition) {

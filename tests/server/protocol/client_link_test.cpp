@@ -394,8 +394,8 @@ TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
 // A floor of entity 1, a gate of entity 2 above it and a ball of entity 3 that falls through it.
 constexpr const char* gate_scene = R"({
   "name": "gate", "bodies": [
-    {"name": "floor", "type": "BODY_TYPE_FIXED", "shapes": [{"plane": {}}]},
-    {"name": "gate", "type": "BODY_TYPE_FIXED", "position": {"y": 3},
+    {"name": "floor", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]},
+    {"name": "gate", "type": "BODY_TYPE_STATIC", "position": {"y": 3},
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
     {"name": "ball", "position": {"y": 6}, "maySleep": false, "shapes": [{"sphere": {"radius": 0.5}, "reportStays": true}]}]})";
 

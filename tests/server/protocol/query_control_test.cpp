@@ -24,12 +24,12 @@ constexpr const char* scene_json = R"({
   "name": "shelf",
   "world": {"gravity": {}},
   "bodies": [
-    {"name": "floor", "type": "BODY_TYPE_FIXED",
+    {"name": "floor", "type": "BODY_TYPE_STATIC",
      "shapes": [{"plane": {}}, {"box": {"halfExtents": {"x": 1, "y": 1, "z": 1}}, "position": {"x": 20, "y": 1}}]},
     {"name": "box", "position": {"y": 2},
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 1, "z": 1}}}]},
     {"name": "ball", "position": {"y": 6}, "shapes": [{"sphere": {"radius": 0.5}}]},
-    {"name": "gate", "type": "BODY_TYPE_FIXED", "position": {"y": 8},
+    {"name": "gate", "type": "BODY_TYPE_STATIC", "position": {"y": 8},
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
     {"name": "left", "position": {"x": -10, "y": 5}, "shapes": [{"sphere": {"radius": 0.5}, "filter": {"category": 4}}]},
     {"name": "right", "position": {"x": -8, "y": 5}, "shapes": [{"sphere": {"radius": 0.5}}]}],
@@ -233,7 +233,7 @@ TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_s
     physics::ShapeDef grain;
     grain.geometry = physics::Sphere{0.01};
     for (int row = 0; row < 1025; row++) {
-        scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::fixed}});
+        scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::static_body}});
         for (int i = 0; i < 20; i++) {
             grain.pose.position = {i * 1.0, row * 1.0, 0};
             scene.bodies.back().shapes.push_back(grain);
@@ -274,7 +274,7 @@ TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
     scene.name = "row";
     physics::ShapeDef grain;
     grain.geometry = physics::Sphere{0.1};
-    scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::fixed}});
+    scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::static_body}});
     for (int i = 0; i < 100; i++) {
         grain.pose.position = {i * 1.0, 0, 0};
         scene.bodies[0].shapes.push_back(grain);

@@ -13,9 +13,9 @@
 namespace jostle::physics {
 
 enum class BodyType {
-    fixed,      // never moves: floors, walls
-    kinematic,  // moves by its velocity alone and pushes others: platforms
-    dynamic,    // moves by forces, impulses and contacts
+    static_body,  // never moves: floors, walls
+    kinematic,    // moves by its velocity alone and pushes others: platforms
+    dynamic,      // moves by forces, impulses and contacts
 };
 
 // How a pair makes one coefficient of two. When the two materials ask for different rules the one
@@ -77,8 +77,9 @@ struct ShapeDef {
 
 // Directions in which a body cannot move, as bits: along the world's axes, and about them.
 using AxisLocks = std::uint8_t;
-inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;                   // motion along
-inline constexpr AxisLocks lock_turn_x = 8, lock_turn_y = 16, lock_turn_z = 32;  // turns about
+inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;  // motion along
+inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16,
+                           lock_rotation_z = 32;  // turns about
 
 struct BodyDef {
     BodyType type = BodyType::dynamic;
@@ -88,7 +89,7 @@ struct BodyDef {
     double linear_damping = 0;   // 1/s, >= 0: dv/dt = -damping v
     double angular_damping = 0;  // 1/s, >= 0
     double gravity_scale = 1;    // 0 floats, -1 rises
-    bool may_sleep = true;
+    bool sleep_allowed = true;
     AxisLocks locks = 0;
     bool continuous = true;       // swept when it moves further than its own thickness in a step
     double mass = 0;              // kg; above 0: what the shapes give is scaled to it

@@ -39,7 +39,7 @@ struct BodyState {
     Vec3 center;            // of mass, m, world
     Vec3 linear_velocity;   // m/s, of the centre of mass
     Vec3 angular_velocity;  // rad/s, world axes
-    double mass = 0;        // kg; 0 for fixed and kinematic bodies
+    double mass = 0;        // kg; 0 for static and kinematic bodies
     Mat3 inertia;  // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic
                    // bodies
     bool awake = false;  // false for static bodies and for what sleeps
@@ -146,7 +146,7 @@ public:
     // true: as wake(). false: the body sleeps at once, with its island (all that touches or is
     // jointed to it), until something disturbs one of them. Dynamic bodies only.
     Status set_awake(BodyId body, bool awake);
-    // Whether the body may fall asleep by itself (BodyDef::may_sleep).
+    // Whether the body may fall asleep by itself (BodyDef::sleep_allowed).
     Status set_sleep_allowed(BodyId body, bool allowed);
 
     // --- joints ---

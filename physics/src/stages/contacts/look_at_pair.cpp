@@ -41,7 +41,7 @@ double closing_along(const WorldState& world, const Contact& c, Vec3 direction) 
 double closing_by_turning(const WorldState& world, const Contact& c) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const Vec3 wa = motion_of(world, c.body_a).w, wb = motion_of(world, c.body_b).w;
-    return length(wa) * a.radius + (b.type == BodyType::fixed ? 0 : length(wb) * b.radius);
+    return length(wa) * a.radius + (b.type == BodyType::static_body ? 0 : length(wb) * b.radius);
 }
 
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,

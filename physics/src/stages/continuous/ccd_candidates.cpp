@@ -16,7 +16,7 @@ void CcdCandidates::find(std::uint32_t body, const Aabb& way, std::vector<std::u
             near.push_back(s);
     });
     found_.clear();
-    world_.shapes.fixed->query(way, 0xffffffff, found_);
+    world_.shapes.statics->query(way, 0xffffffff, found_);
     world_.shapes.moving->query(way, 0xffffffff, found_);
     // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
     for (const std::uint32_t shape : found_)

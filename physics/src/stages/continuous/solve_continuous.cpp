@@ -154,7 +154,7 @@ private:
                 drop_passed_candidates(bodies_[static_cast<std::size_t>(k)]);
         });
         step_.team.finish();  // the trees: finalize.cpp
-        world_.shapes.fixed->flush();
+        world_.shapes.statics->flush();
         for (ToiBody& t : bodies_)
             if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
     }

@@ -58,7 +58,7 @@ void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Q
     const bool still = way < tuning::sleep_speed * dt;
     const bool sways = way < tuning::drift_speed * dt &&
                        length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift;
-    warm.sleep_time = cold.may_sleep && (still || sways) ? warm.sleep_time + dt : 0;
+    warm.sleep_time = cold.sleep_allowed && (still || sways) ? warm.sleep_time + dt : 0;
 }
 
 // Whether a body's velocity does not lead back to where it came from, by more than a part of what

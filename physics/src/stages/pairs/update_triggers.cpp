@@ -30,7 +30,7 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
         const ShapeRecord& o = world.shapes.shapes[other];
         if (o.trigger || o.body == shape.body || !may_meet(shape.filter, o.filter)) return;
         const BodyCold& body = world.bodies.cold[o.body];
-        if (own.type == BodyType::fixed && body.type == BodyType::fixed) return;
+        if (own.type == BodyType::static_body && body.type == BodyType::static_body) return;
         // Between two that do not move nothing changes.
         const Inside pair{trigger, other};
         const bool still = !fresh && own.set != BodySet::awake && body.set != BodySet::awake;
@@ -47,8 +47,8 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
     } else {
         const Aabb box = bounds_of(placed(shape, warm_of(world, shape.body)));
         world.shapes.moving->query(box, 0xffffffff, found);
-        if (own.type != BodyType::fixed) {
-            world.shapes.fixed->query(box, 0xffffffff, found);
+        if (own.type != BodyType::static_body) {
+            world.shapes.statics->query(box, 0xffffffff, found);
             for (const std::uint32_t plane : world.shapes.planes)
                 if (reaches_plane(world, world.shapes.shapes[plane], box)) found.push_back(plane);
         }
@@ -68,7 +68,7 @@ TriggerEvent event_of(const WorldState& world, const Inside& pair) {
 Skipped update_triggers(StepContext& step) {
     WorldState& world = step.world;
     if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return "no triggers";
-    world.shapes.fixed->flush();
+    world.shapes.statics->flush();
     world.shapes.moving->flush();
     std::vector<Inside> inside;
     for (const std::uint32_t trigger : world.shapes.triggers)

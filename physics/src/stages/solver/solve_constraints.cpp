@@ -71,7 +71,7 @@ void sort_out_bodies(StepContext& step) {
     collect(scratch.set_of, scratch.bodies, [](std::uint32_t) { return true; });
     collect(scratch.set_of, scratch.jointed,
             [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
-    world.profile.bodies_frozen = static_cast<int>(world.bodies.asleep_in_place);
+    world.profile.bodies_asleep_in_place = static_cast<int>(world.bodies.asleep_in_place);
     world.profile.bodies_awake =
         static_cast<int>(world.bodies.awake.size() - world.bodies.asleep_in_place);
     world.profile.bodies_in_solver =

@@ -35,9 +35,9 @@ struct Error {
     std::string message;
 };
 
-// Who asks for the value of a result that has none made a mistake: the program ends, and says which.
+// Who takes success for granted where there is none: the program ends, and says what was wrong.
 [[noreturn]] inline void end_without_value(const Error& error) {
-    std::fprintf(stderr, "jostle: a result has no value: %s\n", error.message.c_str());
+    std::fprintf(stderr, "jostle: %s\n", error.message.c_str());
     std::abort();
 }
 
@@ -83,6 +83,10 @@ public:
     bool ok() const { return !error_; }
     explicit operator bool() const { return ok(); }
     const Error& error() const { return *error_; }  // only when not ok()
+    // For programs that have nothing to say to a failure: they end, and say which it was.
+    void expect() const {
+        if (!ok()) end_without_value(*error_);
+    }
 
 private:
     std::optional<Error> error_;

@@ -38,7 +38,7 @@ struct Material {
     double torsional_friction = 0;
     // Of the surface against its body, m/s in the body's axes: a conveyor belt. Contacts drive
     // what touches along their tangent plane.
-    Vec3 surface_velocity;
+    Vec3 surface_velocity = {};
     Combine friction_rule = Combine::geometric_mean;
     Combine restitution_rule = Combine::maximum;
 
@@ -63,12 +63,12 @@ inline bool may_meet(const Filter& a, const Filter& b) {
 
 struct ShapeDef {
     Geometry geometry = Box{};
-    Transform pose;  // of the shape in its body
-    Material material;
+    Transform pose = {};  // of the shape in its body
+    Material material = {};
     double density =
         1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
     double mass = 0;  // kg; above 0 it replaces the density
-    Filter filter;
+    Filter filter = {};
     bool trigger = false;  // touches nothing; reports what is inside it. Adds no mass
     // Its touching contacts are listed in Events::contacts after each step, with their impulses.
     bool report_stays = false;
@@ -83,9 +83,9 @@ inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16,
 
 struct BodyDef {
     BodyType type = BodyType::dynamic;
-    Transform pose;
-    Vec3 linear_velocity;        // m/s, of the centre of mass
-    Vec3 angular_velocity;       // rad/s, world axes
+    Transform pose = {};
+    Vec3 linear_velocity = {};   // m/s, of the centre of mass
+    Vec3 angular_velocity = {};  // rad/s, world axes
     double linear_damping = 0;   // 1/s, >= 0: dv/dt = -damping v
     double angular_damping = 0;  // 1/s, >= 0
     double gravity_scale = 1;    // 0 floats, -1 rises
@@ -98,8 +98,8 @@ struct BodyDef {
 
 // A body with its shapes, for World::create_bodies.
 struct BodyAndShapes {
-    BodyDef body;
-    std::vector<ShapeDef> shapes;
+    BodyDef body = {};
+    std::vector<ShapeDef> shapes = {};
 };
 
 // How pairs are found. The result is the same, the cost is not: docs/performance.md.

@@ -69,14 +69,16 @@ Status start_worlds(const Config& config, WorldDirectory& worlds) {
 }
 
 // As given; when that leads nowhere from the current folder, as seen from the project that the
-// program was built in.
+// program was built in, or where the viewer is installed with it.
 std::filesystem::path find_web_root(const std::string& given) {
     std::error_code error;
     if (std::filesystem::exists(given, error)) return given;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path beside =
-        program.parent_path().parent_path().parent_path().parent_path() / given;
-    if (!error && std::filesystem::exists(beside, error)) return beside;
+    if (error) return given;
+    const std::filesystem::path prefix = program.parent_path().parent_path();
+    for (const std::filesystem::path& place :
+         {prefix.parent_path().parent_path() / given, prefix / "share" / "jostle" / "web"})
+        if (std::filesystem::exists(place, error)) return place;
     return given;
 }
 

@@ -60,6 +60,12 @@ inline physics::BodyId add_floor(physics::World& world, double friction = 0.5,
                        .type = physics::BodyType::static_body});
 }
 
+// A part that never moves.
+inline physics::BodyId add_static(physics::World& world, Part part) {
+    part.type = physics::BodyType::static_body;
+    return add(world, part);
+}
+
 inline void run(physics::World& world, double seconds, double hz = 60) {
     const int steps = static_cast<int>(seconds * hz + 0.5);
     for (int i = 0; i < steps; i++) must(world.step(1 / hz));

@@ -22,7 +22,7 @@ TEST(TaskTeam, a_range_is_covered_once) {
                 [&](int begin, int end) {
                     for (int k = begin; k < end; k++) seen[static_cast<std::size_t>(k)]++;
                 },
-                round % 2 == 0 ? TaskTeam::Part::shared : TaskTeam::Part::own);
+                round % 2 == 0 ? TaskTeam::Split::free : TaskTeam::Split::fixed);
             for (const int times : seen) ASSERT_EQ(times, 1);
         }
     }
@@ -79,7 +79,7 @@ TEST(TaskTeam, a_part_whose_thread_has_stopped_is_done_by_others) {
                     std::this_thread::sleep_for(std::chrono::milliseconds(100));
                 }
             },
-            TaskTeam::Part::own);
+            TaskTeam::Split::fixed);
         ASSERT_EQ(done, 40);
     }
     EXPECT_GE(by_worker, 1);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "state/validate.h"
-#include "state/world_state.h"
+#include "state/world_access.h"
 #include "support/test_scenes.h"
 
 namespace jostle::test {
@@ -63,7 +63,7 @@ TEST_P(Rollback, takes_the_same_way_again) {
             const Story first = play_on(world, step, step + 90);
             must(point.restore(world));
             ASSERT_EQ(state_hash(world), moment) << "step " << step;
-            ASSERT_EQ(find_fault(world.state()).value_or(""), "") << "step " << step;
+            ASSERT_EQ(find_fault(state_of(world)).value_or(""), "") << "step " << step;
             ASSERT_EQ(play_on(world, step, step + 90), first) << "step " << step;
             must(point.restore(world));
         }
@@ -236,8 +236,8 @@ TEST(RollbackMoments, geometry_is_shared_not_copied) {
 TEST(RollbackMoments, the_number_of_threads_is_the_worlds_own) {
     World one = pyramid_scene(1), four = pyramid_scene(4);
     must(kept(one).restore(four));
-    EXPECT_EQ(four.state().def.threads, 4);
-    EXPECT_EQ(four.state().team->size(), 4);
+    EXPECT_EQ(state_of(four).def.threads, 4);
+    EXPECT_EQ(state_of(four).team->size(), 4);
 }
 
 TEST(RollbackMoments, gravity_and_substeps_come_back_with_the_moment) {

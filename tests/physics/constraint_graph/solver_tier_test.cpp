@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Sub-steps of each tier, and a colour set for each tier and batch.
+#include "constraint_graph/solver_tier.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+TEST(SolverTier, of_eight_substeps_takes_four_to_thirty_two) {
+    const WorldDef world{.substeps = 8};
+    const int expected[] = {4, 8, 12, 8, 16, 32};
+    for (const SolverTier tier : all_tiers)
+        EXPECT_EQ(substeps_of(tier, world), expected[index_of(tier)]) << index_of(tier);
+}
+
+TEST(SolverTier, heaps_take_more_only_where_bodies_may_sleep) {
+    EXPECT_EQ(substeps_of(SolverTier::heap, {.substeps = 8, .sleeping = false}), 8);
+    EXPECT_EQ(substeps_of(SolverTier::heap, {.substeps = 5, .sleeping = true}), 8) << "rounded up";
+}
+
+TEST(SolverTier, never_takes_none) {
+    EXPECT_EQ(substeps_of(SolverTier::flat, {.substeps = 1}), 1);
+}
+
+TEST(SolverTier, from_low_to_slender_neighbours_change_nothing) {
+    std::set<SolverTier> usual;
+    for (const SolverTier tier : all_tiers)
+        if (is_usual(tier)) usual.insert(tier);
+    EXPECT_EQ(usual, (std::set{SolverTier::low, SolverTier::heap, SolverTier::slender}));
+}
+
+TEST(ColourSetKey, every_tier_and_batch_has_a_set_and_what_sleeps_the_last) {
+    std::set<std::size_t> sets;
+    for (const SolverTier tier : all_tiers)
+        for (std::uint8_t batch = 0; batch < batch_count; batch++)
+            sets.insert(index_of(ColourSetKey{tier, batch}));
+    EXPECT_EQ(sets.size(), static_cast<std::size_t>(solved_set_count));
+    EXPECT_EQ(*sets.rbegin(), static_cast<std::size_t>(solved_set_count - 1));
+    EXPECT_EQ(index_of(asleep_set), static_cast<std::size_t>(solved_set_count));
+}
+
+}  // namespace
+}  // namespace jostle::test

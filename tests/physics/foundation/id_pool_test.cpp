@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// Indices come lowest free first, and an id of an earlier life names nothing.
+#include "foundation/id_pool.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::test {
+namespace {
+using physics::IdPool;
+
+TEST(IdPool, hands_out_the_lowest_free_index) {
+    IdPool ids;
+    for (std::uint32_t k = 0; k < 5; k++) EXPECT_EQ(ids.take(), k);
+    ids.give_back(3);
+    ids.give_back(1);
+    ids.give_back(4);
+    EXPECT_EQ(ids.take(), 1u);
+    EXPECT_EQ(ids.take(), 3u);
+    EXPECT_EQ(ids.take(), 4u);
+    EXPECT_EQ(ids.take(), 5u);
+    EXPECT_EQ(ids.size(), 6u);
+}
+
+TEST(IdPool, an_index_that_is_used_again_has_another_generation) {
+    IdPool ids;
+    const std::uint32_t index = ids.take(), first = ids.generation(index);
+    EXPECT_EQ(first, 1u);
+    EXPECT_TRUE(ids.matches(index, first));
+    ids.give_back(index);
+    EXPECT_FALSE(ids.alive(index));
+    EXPECT_FALSE(ids.matches(index, first));
+    EXPECT_FALSE(ids.matches(index, first + 1)) << "nobody lives there yet";
+    EXPECT_EQ(ids.take(), index);
+    EXPECT_FALSE(ids.matches(index, first));
+    EXPECT_TRUE(ids.matches(index, first + 1));
+}
+
+TEST(IdPool, knows_nothing_of_indices_that_it_never_gave) {
+    IdPool ids;
+    EXPECT_FALSE(ids.alive(0));
+    EXPECT_FALSE(ids.matches(7, 1));
+}
+
+// What a load does: generations and flags are saved, the list of free indices is not.
+TEST(IdPool, goes_on_alike_when_its_free_list_is_made_anew) {
+    IdPool ids;
+    for (int k = 0; k < 8; k++) ids.take();
+    for (const std::uint32_t index : {6u, 2u, 5u}) ids.give_back(index);
+    IdPool loaded;
+    loaded.generations() = ids.generations();
+    loaded.alive_flags() = ids.alive_flags();
+    loaded.rebuild_free_list();
+    for (const std::uint32_t index : {2u, 5u, 6u, 8u}) {
+        EXPECT_EQ(ids.take(), index);
+        EXPECT_EQ(loaded.take(), index);
+        EXPECT_EQ(loaded.generation(index), ids.generation(index));
+    }
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Numbers in messages: nine digits, no noise behind them.
+#include "foundation/messages.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+TEST(Messages, numbers_have_nine_digits_at_most) {
+    EXPECT_EQ(text(0.001), "0.001");
+    EXPECT_EQ(text(10000), "10000");
+    EXPECT_EQ(text(1.0 / 3), "0.333333333");
+    EXPECT_EQ(text(-1e300), "-1e+300");
+    EXPECT_EQ(text(-std::numeric_limits<double>::max()), "-1.79769313e+308");
+    EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "inf");
+}
+
+TEST(Messages, invalid_blames_the_argument) {
+    const Error error = invalid("radius is -1");
+    EXPECT_EQ(error.code, ErrorCode::invalid_argument);
+    EXPECT_EQ(error.message, "radius is -1");
+}
+
+}  // namespace
+}  // namespace jostle::test

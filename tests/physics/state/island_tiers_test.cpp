@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// Islands change their tier, and what they bear stays what it was.
+#include "state/island_tiers.h"
+
+#include <gtest/gtest.h>
+
+#include "state/contact_constraints.h"
+#include "state/contact_load.h"
+#include "state/validate.h"
+#include "state/world_access.h"
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+constexpr ColourSetKey tall{SolverTier::tall, 0}, low{SolverTier::low, 0};
+
+// Three boxes upon each other, and one box beside them: a gap of 1 cm is near enough for a
+// manifold, 1 m is not.
+struct Stack {
+    World world = make_world({.sleeping = false});
+    WorldState& state = state_of(world);
+    BodyId lowest, beside;
+    std::uint32_t island = 0, other = 0;
+
+    explicit Stack(double gap) {
+        add_floor(world);
+        for (int k = 0; k < 3; k++) {
+            const BodyId box = add(world, {.position = {0, 0.5 + k, 0}});
+            if (k == 0) lowest = box;
+        }
+        beside = add(world, {.position = {1 + gap, 0.5, 0}});
+        run(world, 1);
+        island = state.bodies.cold[lowest.index].island;
+        other = state.bodies.cold[beside.index].island;
+    }
+    // The contact of a box with the floor.
+    const Contact& on_floor(BodyId box) const {
+        const Contact* found = nullptr;
+        for_each_contact(state.contacts, state.bodies.cold[box.index], [&](std::uint32_t index) {
+            const Contact& c = state.contacts.contacts[index];
+            if (!is_dynamic(state, c.body_b)) found = &c;
+        });
+        return *found;
+    }
+    double impulse(BodyId box) {
+        const ContactPlace place = place_of(state, on_floor(box));
+        double sum = 0;
+        for (const auto& lambda : place.block->lambda) sum += double{lambda[place.lane]};
+        return sum;
+    }
+};
+
+TEST(IslandTiers, manifolds_tie_islands_that_do_not_touch) {
+    const Stack near(0.01), far(1);
+    ASSERT_NE(near.island, near.other);
+    EXPECT_EQ(tied_islands(near.state, near.island),
+              (std::vector<std::uint32_t>{near.island, near.other}));
+    EXPECT_EQ(tied_islands(far.state, far.island), std::vector{far.island});
+    std::vector<bool> seen(near.state.islands.islands.size(), false);
+    seen[near.other] = true;
+    EXPECT_EQ(tied_islands(near.state, near.island, seen), std::vector{near.island});
+}
+
+// From 4 or 8 sub-steps to 16: each bears its part of the same 29430 N.
+TEST(IslandTiers, impulses_follow_the_length_of_a_substep) {
+    Stack stack(1);
+    const ColourSetKey before = stack.state.islands.islands[stack.island].colour_set;
+    const int substeps = substeps_of(before.tier, stack.state.def);
+    const Vec3 load = load_of(stack.state, stack.on_floor(stack.lowest));
+    ASSERT_TRUE(near(load, {0, -3 * 9810, 0}, 100));
+    const double impulse = stack.impulse(stack.lowest);
+    stack.state.islands.islands[stack.island].calm = 2;
+    move_to_set(stack.state, {stack.island}, tall);
+    EXPECT_NEAR(stack.impulse(stack.lowest), impulse * substeps / 16, 1e-5 * impulse);
+    EXPECT_TRUE(near(load_of(stack.state, stack.on_floor(stack.lowest)), load, 0.1));
+    EXPECT_EQ(stack.state.islands.islands[stack.island].calm, 0);
+    EXPECT_EQ(stack.on_floor(stack.lowest).colour_set, tall);
+    EXPECT_NE(stack.on_floor(stack.beside).colour_set, tall) << "its neighbour stays";
+    EXPECT_EQ(find_fault(stack.state), std::nullopt);
+}
+
+TEST(IslandTiers, a_lost_load_is_not_pushed_up) {
+    Stack stack(1);
+    const double stack_bears = stack.impulse(stack.lowest), alone = stack.impulse(stack.beside);
+    scale_warm_start(stack.state, stack.state.islands.islands[stack.island], 0.25f);
+    EXPECT_NEAR(stack.impulse(stack.lowest), 0.25 * stack_bears, 1e-6 * stack_bears);
+    EXPECT_EQ(stack.impulse(stack.beside), alone);
+}
+
+// Of two that will be one the greater tier counts; of two that ask for much the same the larger
+// island's.
+TEST(IslandTiers, the_lesser_takes_the_set_of_the_greater) {
+    Stack stack(1);
+    move_to_set(stack.state, {stack.island}, low);
+    move_to_set(stack.state, {stack.other}, tall);
+    match_sets(stack.state, stack.island, stack.other);
+    EXPECT_EQ(stack.state.islands.islands[stack.island].colour_set, tall);
+    EXPECT_EQ(find_fault(stack.state), std::nullopt);
+
+    Stack usual(1);
+    const ColourSetKey slender{SolverTier::slender, 0};
+    move_to_set(usual.state, {usual.island}, low);
+    move_to_set(usual.state, {usual.other}, slender);
+    match_sets(usual.state, usual.island, usual.other);
+    EXPECT_EQ(usual.state.islands.islands[usual.other].colour_set, low) << "three boxes to one";
+}
+
+// A ball that left a tall heap was content with less at the last look: it does not make the next
+// heap tall.
+TEST(IslandTiers, what_is_calm_asks_for_no_more_than_slender) {
+    Stack stack(1);
+    move_to_set(stack.state, {stack.island}, low);
+    move_to_set(stack.state, {stack.other}, tall);
+    stack.state.islands.islands[stack.other].calm = 1;
+    match_sets(stack.state, stack.island, stack.other);
+    EXPECT_EQ(stack.state.islands.islands[stack.island].colour_set, low);
+    EXPECT_EQ(stack.state.islands.islands[stack.other].colour_set, low);
+    EXPECT_EQ(find_fault(stack.state), std::nullopt);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -126,12 +126,12 @@ TEST(IslandSleep, manifolds_with_what_is_awake_end_and_wait) {
     ASSERT_NE(between, none);
     const Contact& contact = state.contacts.contacts[between];
     ASSERT_GE(contact.colour, 0);
-    put_island_to_sleep(state, island(left));
+    put_island_to_sleep(state, island(left), state.events.contacts_ended);
     EXPECT_LT(contact.colour, 0);
     EXPECT_TRUE(contact.has_bound);
     EXPECT_FALSE(contact.dormant);
     EXPECT_EQ(find_fault(state), std::nullopt);
-    put_island_to_sleep(state, island(right));
+    put_island_to_sleep(state, island(right), state.events.contacts_ended);
     EXPECT_TRUE(contact.dormant);
     EXPECT_EQ(find_fault(state), std::nullopt);
     std::vector<BodyId> woke;

@@ -181,9 +181,11 @@ private:
     std::optional<std::string> check_enum(const json& value, const FieldDescriptor& field) {
         std::string names;
         for (int i = 1; i < field.enum_type()->value_count(); i++) {
-            const std::string& name = field.enum_type()->value(i)->name();
-            if (value.is_string() && value.get<std::string>() == name) return {};
-            names += (i == 1 ? "" : ", ") + name;
+            const auto& choice = *field.enum_type()->value(i);
+            if (value.is_string() && value.get<std::string>() == choice.name()) return {};
+            // A second name for the same number is an older file's: read, not offered.
+            if (field.enum_type()->FindValueByNumber(choice.number()) == &choice)
+                names += (names.empty() ? "" : ", ") + choice.name();
         }
         return fault("must be one of " + names);
     }

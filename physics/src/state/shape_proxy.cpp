@@ -128,7 +128,7 @@ void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     const BodyCold& cold = world.bodies.cold[body];
     const BodyWarm& warm = warm_of(world, body);
     MotionBound& motion = world.bodies.motion[body];
-    ASSERT(dt > 0 && motion.turned <= motion.travel);
+    ASSERT(dt > 0);
     // Half as much again as the present speed, and twice what gravity and forces can add.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
     const double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +

@@ -15,11 +15,11 @@ namespace {
 // An even turn from one attitude to the other, rad, of all that end there the one most like
 // `wished`: so that the way ends where the body does, however often it went round.
 Vec3 way_round(Quat from, Quat to, Vec3 wished) {
-    const Quat turn = to * conjugate(from);
-    const Vec3 v{turn.x, turn.y, turn.z};
+    const Quat rotation = to * conjugate(from);
+    const Vec3 v{rotation.x, rotation.y, rotation.z};
     const double l = length(v);
     const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
-    const double angle = 2 * arc_tangent(l, from.w), round = 2 * pi;
+    const double angle = 2 * arc_tangent(l, rotation.w), round = 2 * pi;
     return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
 }
 

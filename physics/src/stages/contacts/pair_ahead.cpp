@@ -51,7 +51,7 @@ PairAhead::PairAhead(const WorldState& world, const Contact& contact, double tim
       b_(world, contact.body_b, contact.shape_b, time) {}
 
 void PairAhead::count_back(Manifold& m, double way) const {
-    ASSERT(time_ >= 0 && anchor_blend_ >= 0 && anchor_blend_ <= 1);
+    ASSERT(anchor_blend_ >= 0 && anchor_blend_ <= 1);
     if (time_ == 0) return;
     const Vec3 carried = (a_.v + (b_.v - a_.v) * anchor_blend_) * time_;
     for (int i = 0; i < m.count; i++) {

@@ -75,7 +75,7 @@ std::uint64_t pair_hash(std::uint32_t a, std::uint32_t b) {
 }
 
 // One kind in one cell of the table.
-struct Contender {
+struct Candidate {
     std::string name;
     std::unique_ptr<BroadPhaseIndex> start;  // as built; each repetition replays a copy
     std::vector<std::int32_t> handles;       // by body
@@ -88,15 +88,15 @@ struct Cell {
     std::uint32_t bodies = 0;
 };
 
-void build(Contender& contender, const Workload& work) {
+void build(Candidate& candidate, const Workload& work) {
     const double began = cpu_seconds();
-    auto index = physics::make_broad_phase(kind_names.at(contender.name));
-    contender.handles.clear();
+    auto index = physics::make_broad_phase(kind_names.at(candidate.name));
+    candidate.handles.clear();
     for (std::uint32_t body = 0; body < work.fat.size(); body++)
-        contender.handles.push_back(index->insert(work.fat[body], body, 1));
+        candidate.handles.push_back(index->insert(work.fat[body], body, 1));
     index->flush();
-    contender.build_ms.push_back(1e3 * (cpu_seconds() - began));
-    contender.start = std::move(index);
+    candidate.build_ms.push_back(1e3 * (cpu_seconds() - began));
+    candidate.start = std::move(index);
 }
 
 // A pair of two that moved is found from both sides and counted from the one with the larger
@@ -110,7 +110,7 @@ void count_pairs(Answers& answers, std::uint32_t body, const std::vector<std::ui
     }
 }
 
-Answers replay_steps(BroadPhaseIndex& index, const Contender& contender, const Workload& work,
+Answers replay_steps(BroadPhaseIndex& index, const Candidate& candidate, const Workload& work,
                      std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
     Answers answers;
     std::uint32_t step = 0;
@@ -119,7 +119,7 @@ Answers replay_steps(BroadPhaseIndex& index, const Contender& contender, const W
         step++;
         left.clear();
         for (const Move& move : moves) {
-            left.push_back({contender.handles[move.body], move.fat});
+            left.push_back({candidate.handles[move.body], move.fat});
             moved_in[move.body] = step;
         }
         index.move_all(left);
@@ -147,39 +147,39 @@ void cast_rays(const BroadPhaseIndex& index, const Workload& work, Answers& answ
     }
 }
 
-void repeat_once(Contender& contender, const Workload& work) {
-    build(contender, work);
-    const auto index = contender.start->clone();
+void repeat_once(Candidate& candidate, const Workload& work) {
+    build(candidate, work);
+    const auto index = candidate.start->clone();
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> moved_in(work.fat.size(), 0);
     const double began = cpu_seconds();
-    Answers answers = replay_steps(*index, contender, work, found, moved_in);
+    Answers answers = replay_steps(*index, candidate, work, found, moved_in);
     const double stepped = cpu_seconds();
     cast_rays(*index, work, answers);
     const double cast = cpu_seconds();
-    contender.step_us.push_back(1e6 * (stepped - began) / static_cast<double>(work.steps.size()));
-    contender.rays_per_second.push_back(static_cast<double>(work.rays.size()) / (cast - stepped));
-    contender.answers = answers;
+    candidate.step_us.push_back(1e6 * (stepped - began) / static_cast<double>(work.steps.size()));
+    candidate.rays_per_second.push_back(static_cast<double>(work.rays.size()) / (cast - stepped));
+    candidate.answers = answers;
 }
 
 // Kinds take turns, so that what else the machine does meets all of them.
-bool measure_cell(const Cell& cell, const Workload& work, std::vector<Contender>& contenders,
+bool measure_cell(const Cell& cell, const Workload& work, std::vector<Candidate>& candidates,
                   int repetitions) {
     for (int k = 0; k < repetitions; k++)
-        for (Contender& contender : contenders) {
+        for (Candidate& candidate : candidates) {
             show_progress(cell.arrangement + ", " + std::to_string(cell.bodies) +
-                          " bodies, moving " + cell.moving + ": " + contender.name +
+                          " bodies, moving " + cell.moving + ": " + candidate.name +
                           ", repetition " + std::to_string(k + 1) + " of " +
                           std::to_string(repetitions));
-            repeat_once(contender, work);
+            repeat_once(candidate, work);
         }
     show_progress("");
     bool same = true;
-    for (const Contender& c : contenders) same = same && c.answers == contenders[0].answers;
+    for (const Candidate& c : candidates) same = same && c.answers == candidates[0].answers;
     if (same) return true;
     std::fprintf(stderr, "jostle-bench: %s, %u bodies, moving %s: the kinds disagree\n",
                  cell.arrangement.c_str(), cell.bodies, cell.moving.c_str());
-    for (const Contender& c : contenders)
+    for (const Candidate& c : candidates)
         std::fprintf(stderr, "  %-6s %zu pairs (sum %016llx), %zu rays hit (sum %.17g)\n",
                      c.name.c_str(), c.answers.pairs,
                      static_cast<unsigned long long>(c.answers.pair_sum), c.answers.ray_hits,
@@ -194,13 +194,13 @@ void print_head(const Flags& flags) {
     std::printf("\n");
 }
 
-void print_row(const Cell& cell, const Workload& work, const std::vector<Contender>& contenders) {
+void print_row(const Cell& cell, const Workload& work, const std::vector<Candidate>& candidates) {
     const auto steps = static_cast<double>(work.steps.size());
     std::printf("%-11s %7u %6s %8.1f %8.1f", cell.arrangement.c_str(), cell.bodies,
                 cell.moving.c_str(), static_cast<double>(work.moves) / steps,
-                static_cast<double>(contenders[0].answers.pairs) / steps);
-    for (const Contender& c : contenders) std::printf(" %12.3f", spread_of(c.step_us).median);
-    for (const Contender& c : contenders)
+                static_cast<double>(candidates[0].answers.pairs) / steps);
+    for (const Candidate& c : candidates) std::printf(" %12.3f", spread_of(c.step_us).median);
+    for (const Candidate& c : candidates)
         std::printf(" %11.1f", 1e-3 * spread_of(c.rays_per_second).median);
     std::printf("\n");
     std::fflush(stdout);
@@ -211,9 +211,9 @@ nlohmann::ordered_json to_json(const Spread& s) {
 }
 
 void add_rows(nlohmann::ordered_json& rows, const Cell& cell, const Workload& work,
-              const std::vector<Contender>& contenders) {
+              const std::vector<Candidate>& candidates) {
     const auto steps = static_cast<double>(work.steps.size());
-    for (const Contender& c : contenders)
+    for (const Candidate& c : candidates)
         rows.push_back({{"arrangement", cell.arrangement},
                         {"bodies", cell.bodies},
                         {"moving", cell.moving},
@@ -246,12 +246,12 @@ int run(const Flags& flags) {
                 const Cell cell{arrangement, moving, bodies};
                 const Workload work = record_workload(arrangement_names.at(arrangement),
                                                       moving_names.at(moving), bodies);
-                std::vector<Contender> contenders;
+                std::vector<Candidate> candidates;
                 for (const std::string& kind : flags.kinds)
-                    contenders.push_back(Contender{.name = kind});
-                if (!measure_cell(cell, work, contenders, flags.repetitions)) return 1;
-                print_row(cell, work, contenders);
-                add_rows(rows, cell, work, contenders);
+                    candidates.push_back(Candidate{.name = kind});
+                if (!measure_cell(cell, work, candidates, flags.repetitions)) return 1;
+                print_row(cell, work, candidates);
+                add_rows(rows, cell, work, candidates);
             }
     return write_json(flags, rows);
 }

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "collision/broadphase/fat_box.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 
 namespace jostle::bench {
 namespace {

@@ -70,7 +70,7 @@ void add_joint(World& world) {
 }
 
 void add_trigger(World& world) {
-    add(world, BodyType::fixed, {far, 5, 0}, {.trigger = true});
+    add(world, BodyType::static_body, {far, 5, 0}, {.trigger = true});
 }
 
 void add_reporter(World& world) {
@@ -93,7 +93,7 @@ void add_mesh(World& world) {
             triangles.push_back({at + 11, at + 1, at + 12});
         }
     const Mesh mesh{must(build_mesh(corners, triangles))};
-    add(world, BodyType::fixed, {far, 3, 0}, {.geometry = mesh});
+    add(world, BodyType::static_body, {far, 3, 0}, {.geometry = mesh});
     add(world, BodyType::dynamic, {far, 3.5, 0}, {});
 }
 
@@ -109,10 +109,10 @@ constexpr Feature features[] = {{"nothing", nullptr},     {"continuous", nullptr
 World make_world(const Feature* feature) {
     const bool continuous = feature != nullptr && feature->name == std::string("continuous");
     World world = must(World::create({.continuous = continuous}));
-    add(world, BodyType::fixed, {0, -1, 0}, {.geometry = Box{{2000, 1, 2000}}});
+    add(world, BodyType::static_body, {0, -1, 0}, {.geometry = Box{{2000, 1, 2000}}});
     for (int k = 0; k < 1000; k++)
         must(world.create_body({.pose = {{1.5 * (k % 10), 0.5 + k / 100, 1.5 * (k / 10 % 10)}, {}},
-                                .may_sleep = false},
+                                .sleep_allowed = false},
                                ShapeDef{}));
     if (feature != nullptr && feature->add != nullptr) feature->add(world);
     for (int k = 0; k < 200; k++)
@@ -153,7 +153,7 @@ struct Row {
     double percent = 0, low = 0, high = 0;  // of all rounds, of the two halves
 };
 
-Row set_separation_bound(const Feature& feature, const Flags& flags) {
+Row measure(const Feature& feature, const Flags& flags) {
     Pair all(flags.steps), odd(flags.steps), even(flags.steps);
     for (int round = 0; round < flags.rounds; round++) {
         show_progress(std::string(feature.name) + ", round " + std::to_string(round + 1));
@@ -186,7 +186,7 @@ int run(const Flags& flags) {
     std::printf("%-12s %8s %20s\n", "idle feature", "costs %", "(halves of rounds)");
     for (const Feature& feature : features) {
         if (!flags.only.empty() && std::ranges::count(flags.only, feature.name) == 0) continue;
-        const Row row = set_separation_bound(feature, flags);
+        const Row row = measure(feature, flags);
         std::printf("%-12s %8.2f   (%6.2f to %6.2f)\n", row.feature, row.percent, row.low,
                     row.high);
         std::fflush(stdout);

@@ -10,11 +10,9 @@
 
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
-#include "jostle/physics/world.h"
+#include "jostle/scenes/lab.h"
 #include "measure.h"
 #include "result_file.h"
-#include "speed/jostle_engine.h"
-#include "speed/lab_scenes.h"
 
 namespace jostle::bench {
 namespace {
@@ -51,7 +49,7 @@ struct Flags {
 struct Row {
     std::string scene;
     int bodies = 0, contacts = 0;
-    std::vector<double> keep_ms, restore_ms, step_ms, bytes_ms;
+    std::vector<double> keep_ms, restore_ms, step_ms, save_and_load_ms;
     bool same = true;
 };
 
@@ -66,24 +64,27 @@ void must(const physics::Status& status) {
 }
 
 void step(World& world) {
-    must(world.step(step_seconds));
+    must(world.step(1.0 / 60));
 }
 
 World make_pile(int bodies) {
-    World world = must(World::create({.gravity = gravity, .sleeping = false}));
-    for (const SceneBody& body : poured_pile(bodies).bodies) must(add_body(world, body));
+    scenes::SceneDescription scene = scenes::lab_pile(bodies);
+    scene.world.sleeping = false;
+    World world = must(scenes::build_scene(scene)).world;
     for (int k = 0; k < 200; k++) step(world);
     return world;
 }
 
-World make_sleepers(int bodies) {
-    World world = must(World::create({.gravity = gravity}));
-    must(add_body(
-        world, {.form = physics::Box{{2000, 1, 2000}}, .pose = {{0, -1, 0}, {}}, .fixed = true}));
+World make_asleep(int bodies) {
+    World world = must(World::create());
+    must(world.create_body({.type = physics::BodyType::static_body, .pose = {{0, -1, 0}, {}}},
+                           {.geometry = physics::Box{{2000, 1, 2000}}}));
     const int side = static_cast<int>(std::ceil(std::sqrt(bodies)));
     for (int k = 0; k < bodies; k++)
-        must(add_body(world, {.form = physics::Box{{0.5, 0.5, 0.5}},
-                              .pose = {{2.0 * (k % side), 0.5, 2.0 * (k / side)}, {}}}));
+        must(world.create_body({.pose = {{2.0 * (k % side), 0.5, 2.0 * (k / side)}, {}},
+                                .linear_damping = 0.05,
+                                .angular_damping = 0.05},
+                               {.geometry = physics::Box{{0.5, 0.5, 0.5}}}));
     do step(world);
     while (world.profile().bodies_awake > 0 && world.step_count() < 1000);
     return world;
@@ -111,22 +112,22 @@ void repeat_once(Row& row, World& world, RestorePoint& point, int steps) {
     row.same = row.same && physics::state_hash(world) == moment;
 }
 
-void go_by_bytes(Row& row, const World& world) {
+void save_and_load(Row& row, const World& world) {
     const double began = cpu_seconds();
     const World copy = must(physics::load(physics::save(world)));
-    row.bytes_ms.push_back(1e3 * (cpu_seconds() - began));
+    row.save_and_load_ms.push_back(1e3 * (cpu_seconds() - began));
     row.same = row.same && physics::state_hash(copy) == physics::state_hash(world);
 }
 
-Row set_separation_bound(const std::string& scene, int bodies, const Flags& flags) {
+Row measure(const std::string& scene, int bodies, const Flags& flags) {
     show_progress(scene + ", " + std::to_string(bodies) + " bodies");
-    World world = scene == "pile" ? make_pile(bodies) : make_sleepers(bodies);
+    World world = scene == "pile" ? make_pile(bodies) : make_asleep(bodies);
     Row row{.scene = scene, .bodies = bodies, .contacts = world.summary().contacts};
     RestorePoint point;
     point.keep(world);
     for (int k = 0; k < flags.repetitions && row.same; k++)
         repeat_once(row, world, point, flags.steps);
-    for (int k = 0; k < 3 && row.same; k++) go_by_bytes(row, world);
+    for (int k = 0; k < 3 && row.same; k++) save_and_load(row, world);
     show_progress("");
     return row;
 }
@@ -141,7 +142,7 @@ void print_row(const Row& row) {
     std::printf("%-7s %7d %8d %8.3f (%5.2f to %5.2f) %8.3f (%5.2f to %5.2f) %8.3f %9.1f\n",
                 row.scene.c_str(), row.bodies, row.contacts, keep.median, keep.low, keep.high,
                 restore.median, restore.low, restore.high, spread_of(row.step_ms).median,
-                spread_of(row.bytes_ms).median);
+                spread_of(row.save_and_load_ms).median);
     std::fflush(stdout);
 }
 
@@ -156,7 +157,7 @@ nlohmann::ordered_json to_json(const Row& row) {
             {"keep_ms", to_json(spread_of(row.keep_ms))},
             {"restore_ms", to_json(spread_of(row.restore_ms))},
             {"step_ms", to_json(spread_of(row.step_ms))},
-            {"save_and_load_ms", to_json(spread_of(row.bytes_ms))}};
+            {"save_and_load_ms", to_json(spread_of(row.save_and_load_ms))}};
 }
 
 int run(const Flags& flags) {
@@ -165,7 +166,7 @@ int run(const Flags& flags) {
     print_head();
     for (const std::string& scene : flags.scenes)
         for (const int bodies : flags.bodies) {
-            const Row row = set_separation_bound(scene, bodies, flags);
+            const Row row = measure(scene, bodies, flags);
             if (!row.same) {
                 std::fprintf(stderr, "jostle-bench: %s, %d bodies: the restored world differs\n",
                              scene.c_str(), bodies);

@@ -7,13 +7,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "measure.h"
 #include "result_file.h"
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/lab_scenes.h"
 
 namespace jostle::bench {
@@ -45,37 +46,42 @@ struct Flags {
 constexpr int steps_per_reading_asleep = 100;
 constexpr int most_steps_to_sleep = 600;
 
-// A scene's world, with so many threads.
-class Contestant {
+// A scene's world, with as many threads as it has when this is made.
+class TimedWorld {
 public:
-    Contestant(const SceneDescription& scene, int threads)
-        : scene_(scene), engine_(engine_kinds().front().make()) {
-        const auto status = engine_->init(scene, threads, scene.asleep_first);
+    TimedWorld(const LabScene& lab_scene, const scenes::SceneDescription& scene)
+        : scene_(scene),
+          asleep_first_(lab_scene.asleep_first),
+          player_(player_of(lab_scene, scene)),
+          engine_(engine_kinds().front().make()) {
+        const auto status = engine_->init(scene);
         if (!status) throw std::runtime_error(status.error().message);
-        if (!scene.asleep_first) return;
+        if (!asleep_first_) return;
         for (int k = 0; k < most_steps_to_sleep && engine_->awake() > 0; k++) engine_->step();
     }
 
     double time_step(int step) {
-        if (scene_.player) {
-            physics::Vec3 velocity = player_velocity(step);
-            velocity.y = engine_->velocity(*scene_.player).y;
-            engine_->set_velocity(*scene_.player, velocity);
+        if (player_) {
+            physics::Vec3 velocity = player_velocity(step * (1 / scene_.hz));
+            velocity.y = engine_->velocity(*player_).y;
+            engine_->set_velocity(*player_, velocity);
         }
-        const int count = scene_.asleep_first ? steps_per_reading_asleep : 1;
+        const int count = asleep_first_ ? steps_per_reading_asleep : 1;
         const double began = wall_seconds();
         for (int k = 0; k < count; k++) engine_->step();
         return (wall_seconds() - began) / count;
     }
 
-    bool same_as(const Contestant& other) const {
+    bool same_as(const TimedWorld& other) const {
         for (std::uint32_t k = 0; k < scene_.bodies.size(); k++)
             if (engine_->pose(k) != other.engine_->pose(k)) return false;
         return true;
     }
 
 private:
-    const SceneDescription& scene_;
+    const scenes::SceneDescription& scene_;
+    bool asleep_first_;
+    std::optional<std::uint32_t> player_;
     std::unique_ptr<Engine> engine_;
 };
 
@@ -86,15 +92,19 @@ struct Row {
     bool same = true;
 };
 
-Row set_separation_bound(const LabScene& lab_scene, const Flags& flags) {
-    const SceneDescription scene = lab_scene.build();
-    Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : scene.steps};
+Row measure(const LabScene& lab_scene, const Flags& flags) {
+    scenes::SceneDescription scene = build(lab_scene);
+    scene.world.sleeping = lab_scene.asleep_first;
+    Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : lab_scene.steps};
     const std::size_t count = flags.threads.size();
     std::vector<std::vector<double>> least(
         count, std::vector<double>(static_cast<std::size_t>(row.steps), 1e300));
     for (int round = 0; round < flags.rounds; round++) {
-        std::vector<Contestant> all;
-        for (const int threads : flags.threads) all.emplace_back(scene, threads);
+        std::vector<TimedWorld> all;
+        for (const int threads : flags.threads) {
+            scene.world.threads = threads;
+            all.emplace_back(lab_scene, scene);
+        }
         for (int step = 0; step < row.steps; step++) {
             if (step % 20 == 0)
                 show_progress(std::string(lab_scene.letter) + " " + lab_scene.name + ", round " +
@@ -105,7 +115,7 @@ Row set_separation_bound(const LabScene& lab_scene, const Flags& flags) {
                 ms = std::min(ms, 1e3 * all[turn].time_step(step));
             }
         }
-        for (const Contestant& one : all) row.same = row.same && one.same_as(all.front());
+        for (const TimedWorld& one : all) row.same = row.same && one.same_as(all.front());
     }
     show_progress("");
     for (const std::vector<double>& steps : least)
@@ -114,7 +124,7 @@ Row set_separation_bound(const LabScene& lab_scene, const Flags& flags) {
 }
 
 void print_row(const Row& row) {
-    std::printf("%s  %-10s", row.scene->letter, row.scene->name);
+    std::printf("%s  %-20s", row.scene->letter, row.scene->name);
     for (const double ms : row.ms) std::printf(" %10.5f (%.3f)", ms, ms / row.ms.front());
     std::printf("\n");
     std::fflush(stdout);
@@ -150,14 +160,14 @@ bool is_chosen(const LabScene& scene, const Flags& flags) {
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    std::printf("%-13s", "scene");
+    std::printf("%-23s", "scene");
     for (const int threads : flags.threads)
         std::printf(" %5d thread%s ms  ", threads, threads == 1 ? " " : "s");
     std::printf("\n");
     bool right = true;
     for (const LabScene& scene : lab_scenes()) {
         if (!is_chosen(scene, flags)) continue;
-        const Row row = set_separation_bound(scene, flags);
+        const Row row = measure(scene, flags);
         print_row(row);
         right = is_right(row, flags) && right;
         for (std::size_t k = 0; k < row.ms.size(); k++)

@@ -102,22 +102,20 @@ std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedF
 }
 
 // Every age-th frame, as a client at that share of the world's rate gets them.
-std::optional<Figures> set_separation_bound(const std::vector<wire::QuantizedFrame>& frames,
-                                            std::size_t age) {
+std::optional<Figures> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
-    wire::QuantizedFrame back;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
         const wire::Bases bases{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
         const auto began = cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], bases, {});
         const auto encoded = cpu_seconds();
-        const auto error = wire::decode_frame(back, frames[i].frame, packed, bases, {});
+        const auto back = wire::decode_frame(frames[i].frame, packed, bases, {});
         decoding += cpu_seconds() - encoded;
         encoding += encoded - began;
-        if (error || back != frames[i]) {
+        if (!back.ok() || *back != frames[i]) {
             std::fprintf(stderr, "wire-bench: frame %u did not come back: %s\n", frames[i].frame,
-                         error ? error->c_str() : "another state");
+                         back.ok() ? "another state" : back.error().message.c_str());
             return std::nullopt;
         }
         bytes += packed.size();
@@ -143,7 +141,7 @@ int run(const Flags& flags) {
         const std::size_t bodies =
             recording->frames.empty() ? 0 : recording->frames[0].entities.size();
         for (const int age : flags.ages) {
-            const auto f = set_separation_bound(recording->frames, static_cast<std::size_t>(age));
+            const auto f = measure(recording->frames, static_cast<std::size_t>(age));
             if (!f) return 1;
             std::printf("%-10s %6zu %4d %8.1f %8.1f %6.1f %8.0f %8.0f\n", scene.c_str(), bodies,
                         age, f->moving, f->bytes, f->bits, f->encode_ns, f->decode_ns);

@@ -23,7 +23,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64
 endif()
 
 target_compile_options(jostle_flags INTERFACE
-    -Wall -Wextra -Werror -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+    -Wall -Wextra $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror> -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
     -Woverloaded-virtual -Wunused -Wcast-align -Wdouble-promotion)
 # Designated initialisers name what differs from the defaults; the fields left out are meant to be left out.
 target_compile_options(jostle_flags INTERFACE -Wno-missing-field-initializers)
@@ -56,7 +56,8 @@ endif()
 function(jostle_library name)
     cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;INCLUDE" ${ARGN})
     add_library(${name} STATIC ${arg_SOURCES})
-    target_include_directories(${name} PUBLIC ${arg_INCLUDE})
+    target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${arg_INCLUDE}>" $<INSTALL_INTERFACE:include>)
+    target_compile_features(${name} PUBLIC cxx_std_20)
     target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jostle_flags>)
     jostle_precompiled(${name} libraries)
 endfunction()
@@ -72,7 +73,7 @@ endfunction()
 function(jostle_test name)
     cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
     jostle_program(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main GTest::gmock)
-    target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     jostle_precompiled(${name} tests)
     add_test(NAME ${name} COMMAND ${name})
     if(NOT arg_TIMEOUT)

@@ -25,7 +25,7 @@ Examples:
   jostle-sim stack --trace stack.csv
 
 The trace has a header and one row per body and tick: tick, body (its place in the scene), name, position px py pz (m),
-rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity wx wy wz (rad/s). Fixed bodies are left out.
+rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity wx wy wz (rad/s). Static bodies are left out.
 --save writes the world as it ends; --load goes on from such a file instead of the scene's start.
 
 Exit status: 0 done, 1 the run failed, 2 wrong flags or scene.)";

@@ -40,7 +40,7 @@ void Trace::write(std::uint64_t tick, const scenes::BuiltScene& scene,
                   const scenes::SceneDescription& description) {
     for (std::size_t i = 0; i < scene.bodies.size(); i++) {
         const auto body = scene.world.body(scene.bodies[i]);
-        if (!body.ok() || body->type == physics::BodyType::fixed) continue;
+        if (!body.ok() || body->type == physics::BodyType::static_body) continue;
         const auto &p = body->pose.position, &v = body->linear_velocity,
                    &w = body->angular_velocity;
         const auto& q = body->pose.rotation;

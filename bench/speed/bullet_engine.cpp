@@ -8,12 +8,17 @@
 #include <utility>
 #include <vector>
 
+#include "speed/portable_scene.h"
+
 namespace jostle::bench {
 namespace {
 
 using physics::Quat;
 using physics::Transform;
 using physics::Vec3;
+using scenes::SceneBody;
+using scenes::SceneDescription;
+using scenes::SceneJoint;
 
 btScalar scalar(double value) {
     return static_cast<btScalar>(value);
@@ -50,26 +55,29 @@ btTransform world_frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) {
         vector(origin));
 }
 
-std::unique_ptr<btTypedConstraint> make_constraint(const SceneJoint& joint, btRigidBody& a,
+std::unique_ptr<btTypedConstraint> make_constraint(const JointAxes& axes,
+                                                   const physics::JointKind& kind, btRigidBody& a,
                                                    btRigidBody& b) {
     const btTransform to_a = a.getWorldTransform().inverse();
     const btTransform to_b = b.getWorldTransform().inverse();
-    const btVector3 anchor = vector(joint.anchor);
-    const Vec3 third = cross(joint.axis, joint.normal);
-    if (joint.kind == SceneJointKind::ball)
-        return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * anchor);
-    if (joint.kind == SceneJointKind::cone_twist) {
-        const btTransform frame = world_frame(joint.anchor, joint.axis, joint.normal, third);
+    if (const auto* shoulder = std::get_if<physics::ConeTwistJoint>(&kind)) {
+        const btTransform frame = world_frame(axes.anchor, axes.x, axes.z, cross(axes.x, axes.z));
         auto cone = std::make_unique<btConeTwistConstraint>(a, b, to_a * frame, to_b * frame);
-        const btScalar swing = scalar(joint.swing);
-        cone->setLimit(swing, swing, scalar(std::max(-joint.lower, joint.upper)));
+        const btScalar swing = scalar(shoulder->swing);
+        cone->setLimit(swing, swing,
+                       scalar(std::max(-shoulder->twist.lower, shoulder->twist.upper)));
         return cone;
     }
-    // Bullet's hinge angle is that of a against b.
-    const btTransform frame = world_frame(joint.anchor, joint.normal, third, joint.axis);
-    auto hinge = std::make_unique<btHingeConstraint>(a, b, to_a * frame, to_b * frame);
-    hinge->setLimit(scalar(-joint.upper), scalar(-joint.lower));
-    return hinge;
+    if (const auto* jostle_hinge = std::get_if<physics::HingeJoint>(&kind)) {
+        const btTransform frame = world_frame(axes.anchor, axes.x, axes.y, axes.z);
+        auto hinge = std::make_unique<btHingeConstraint>(a, b, to_a * frame, to_b * frame);
+        // Bullet's hinge angle is that of a against b.
+        const physics::JointLimit& limit = jostle_hinge->limit;
+        hinge->setLimit(scalar(-limit.upper), scalar(-limit.lower));
+        return hinge;
+    }
+    const btVector3 anchor = vector(axes.anchor);
+    return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * anchor);
 }
 
 class BulletEngine final : public Engine {
@@ -79,17 +87,20 @@ public:
         for (const auto& body : bodies_) world_.removeRigidBody(body.get());
     }
 
-    physics::Status init(const SceneDescription& scene, int, bool sleep) override {
-        world_.setGravity(vector(gravity));
-        for (const SceneBody& body : scene.bodies) add_body(body, sleep);
+    physics::Status init(const SceneDescription& scene) override {
+        if (auto status = check_portable(scene); !status) return status;
+        step_seconds_ = 1 / scene.hz;
+        world_.setGravity(vector(scene.world.gravity));
+        for (const SceneBody& body : scene.bodies) add_body(body, scene.world.sleeping);
         for (const SceneJoint& joint : scene.joints) {
-            constraints_.push_back(make_constraint(joint, *bodies_[joint.a], *bodies_[joint.b]));
+            constraints_.push_back(make_constraint(axes_of(scene, joint), joint.joint.kind,
+                                                   *bodies_[joint.body_a], *bodies_[joint.body_b]));
             world_.addConstraint(constraints_.back().get(), true);
         }
         return {};
     }
 
-    void step() override { world_.stepSimulation(scalar(step_seconds), 0); }
+    void step() override { world_.stepSimulation(scalar(step_seconds_), 0); }
 
     Transform pose(std::uint32_t body) const override {
         const btTransform& t = bodies_[body]->getWorldTransform();
@@ -114,30 +125,38 @@ public:
     }
 
 private:
-    // Bodies of one form share a shape, as Bullet's manual asks for.
-    btCollisionShape* shape_of(const Form& form) {
+    // Bodies of one geometry share a shape, as Bullet's manual asks for.
+    btCollisionShape* shape_of(const Primitive& primitive) {
         for (const auto& [known, shape] : shapes_)
-            if (known == form) return shape.get();
-        shapes_.emplace_back(form, std::visit([](const auto& f) { return make_shape(f); }, form));
+            if (known == primitive) return shape.get();
+        shapes_.emplace_back(
+            primitive, std::visit([](const auto& shape) { return make_shape(shape); }, primitive));
         return shapes_.back().second.get();
     }
 
     void add_body(const SceneBody& body, bool sleep) {
-        const SolidMass solid = body.fixed ? SolidMass{} : solid_mass(body.form);
+        const physics::BodyDef& def = body.body;
+        const Primitive primitive = primitive_of(body);
+        const SolidMass solid = is_static(body) ? SolidMass{} : solid_mass(body);
         btRigidBody::btRigidBodyConstructionInfo info(scalar(solid.mass), nullptr,
-                                                      shape_of(body.form), vector(solid.inertia));
-        info.m_startWorldTransform = transform(body.pose);
-        info.m_friction = scalar(std::sqrt(pair_friction));  // Bullet multiplies the two
+                                                      shape_of(primitive), vector(solid.inertia));
+        info.m_startWorldTransform = transform(def.pose);
+        // Bullet multiplies the two.
+        info.m_friction = scalar(std::sqrt(body.shapes[0].material.friction));
         info.m_restitution = 0;
-        info.m_linearDamping = info.m_angularDamping = scalar(damping);
+        info.m_linearDamping = scalar(def.linear_damping);
+        info.m_angularDamping = scalar(def.angular_damping);
         auto rigid = std::make_unique<btRigidBody>(info);
-        rigid->setLinearVelocity(vector(body.velocity));
-        if (!sleep && !body.fixed) rigid->setActivationState(DISABLE_DEACTIVATION);
-        if (const auto* sphere = std::get_if<physics::Sphere>(&body.form); sphere && body.sweeps) {
+        rigid->setLinearVelocity(vector(def.linear_velocity));
+        rigid->setAngularVelocity(vector(def.angular_velocity));
+        if (!sleep && !is_static(body)) rigid->setActivationState(DISABLE_DEACTIVATION);
+        // Sweeps must be asked for: whoever would pass its own width in a step is swept.
+        if (const auto* sphere = std::get_if<physics::Sphere>(&primitive);
+            sphere && length(def.linear_velocity) * step_seconds_ > 2 * sphere->radius) {
             rigid->setCcdMotionThreshold(scalar(0.75 * sphere->radius));
             rigid->setCcdSweptSphereRadius(scalar(0.5 * sphere->radius));
         }
-        if (body.collides)
+        if (collides(body))
             world_.addRigidBody(rigid.get());
         else
             world_.addRigidBody(rigid.get(), btBroadphaseProxy::DefaultFilter, 0);
@@ -149,7 +168,8 @@ private:
     btDbvtBroadphase broad_phase_;
     btSequentialImpulseConstraintSolver solver_;
     btDiscreteDynamicsWorld world_{&dispatcher_, &broad_phase_, &solver_, &configuration_};
-    std::vector<std::pair<Form, std::unique_ptr<btCollisionShape>>> shapes_;
+    double step_seconds_ = 0;
+    std::vector<std::pair<Primitive, std::unique_ptr<btCollisionShape>>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
     std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bullet 3 behind the laboratory's interface. Only in builds that found its library.
+// Bullet 3 behind the Engine interface. Only in builds that found its library.
 #pragma once
 
 #include <memory>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "speed/growth.h"
 
+#include "jostle/scenes/lab.h"
 #include "measure.h"
 #include "result_file.h"
 #include "speed/child_process.h"
 #include "speed/field_json.h"
-#include "speed/lab_scenes.h"
 
 namespace jostle::bench {
 namespace {
@@ -34,10 +34,12 @@ double step_many(Engine& engine, const StepClock& clock, int steps, const std::s
 }
 
 GrowthRow measure_growth(GrowthRow row, const EngineKind& kind) {
-    const SceneDescription scene = poured_pile(row.bodies);
+    scenes::SceneDescription scene = scenes::lab_pile(row.bodies);
+    scene.world.threads = row.threads;
+    scene.world.sleeping = false;
     const double before = memory_bytes();
     const auto engine = kind.make();
-    if (auto status = engine->init(scene, row.threads, false); !status) {
+    if (auto status = engine->init(scene); !status) {
         row.failed = status.error().message;
         return row;
     }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 
 namespace jostle::bench {
 
@@ -27,7 +27,7 @@ struct GrowthRow {
 nlohmann::ordered_json to_json(const GrowthRow& row);
 GrowthRow growth_row_from(const nlohmann::ordered_json& json);
 
-// poured_pile(bodies) on one engine, in a child process.
+// lab_pile(bodies) on one engine, in a child process.
 GrowthRow measure_growth_in_child(const EngineKind& engine, int threads, int bodies);
 
 }  // namespace jostle::bench

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Jostle behind the laboratory's interface.
+// Jostle behind the Engine interface.
 #pragma once
 
 #include <memory>
 
-#include "jostle/physics/world.h"
 #include "speed/engine.h"
 
 namespace jostle::bench {
 
 std::unique_ptr<Engine> make_jostle_engine();
-
-physics::Result<physics::BodyId> add_body(physics::World& world, const SceneBody& body);
 
 }  // namespace jostle::bench

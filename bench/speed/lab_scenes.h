@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// The scenes of the laboratory, by letter and by name. Their numbers are fixed for good: results
-// taken at different times, and those of other engines' authors, are about the same scenes.
+// The catalogue's scenes that are measured, by letter, and what is done with each that a scene does
+// not say: how long it runs, who is driven, what counts as gone through a wall.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
-#include "speed/scene_description.h"
+#include "jostle/scenes/scene.h"
 
 namespace jostle::bench {
 
 struct LabScene {
     const char* letter;
-    const char* name;
-    const char* about;  // one line
-    SceneDescription (*build)();
+    const char* name;  // in the catalogue
+    int steps = 600;
+    bool asleep_first = false;                 // sleep is on, and the clock starts when all sleep
+    std::optional<std::string_view> player;    // the body of this name is driven in a circle
+    std::optional<double> tunnelled_beyond_x;  // m: who ends there went through the wall
 };
 
 std::span<const LabScene> lab_scenes();
@@ -23,8 +27,14 @@ std::span<const LabScene> lab_scenes();
 // By letter or name; null when there is no such scene.
 const LabScene* find_lab_scene(std::string_view letter_or_name);
 
-// Scene d with another count: the same bodies in columns over a square whose area grows with the
-// count (0.02 m^2 a body), so that the settled pile is as deep for every count. 5000 is scene d.
-SceneDescription poured_pile(int count);
+// From the catalogue.
+scenes::SceneDescription build(const LabScene& lab_scene);
+
+// Which of the scene's bodies is the player; nothing when none is.
+std::optional<std::uint32_t> player_of(const LabScene& lab_scene,
+                                       const scenes::SceneDescription& scene);
+
+// Where the player is driven this long after the start: only x and z count, the fall stays its own.
+physics::Vec3 player_velocity(double seconds);
 
 }  // namespace jostle::bench

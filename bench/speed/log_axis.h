@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Logarithmic axes, and what all plots of the laboratory share: a panel with its grid, a color and
-// a mark for each series, a legend.
+// Logarithmic axes, and what all plots of jostle-bench speed share: a panel with its grid, a color
+// and a mark for each series, a legend.
 #pragma once
 
 #include <string>

@@ -9,13 +9,14 @@
 
 #include "measure.h"
 #include "result_file.h"
+#include "speed/accuracy_check.h"
 #include "speed/child_process.h"
-#include "speed/referee.h"
 
 namespace jostle::bench {
 namespace {
 
 using physics::Transform;
+using scenes::SceneDescription;
 
 constexpr int most_steps_to_sleep = 600;
 constexpr double moving_speed = 0.05;  // m/s
@@ -28,43 +29,43 @@ class Run {
 public:
     Run(const RowRequest& request, const SceneDescription& scene, const char* doing)
         : scene_(scene),
+          asleep_first_(request.scene->asleep_first),
+          player_(player_of(*request.scene, scene)),
           engine_(request.engine->make()),
-          sleep_(request.sleep || scene.asleep_first),
           label_(std::string(request.scene->letter) + " " + request.scene->name + ", " +
                  request.engine->name + ", threads " + std::to_string(request.threads) + ": " +
                  doing + ", step ") {}
 
-    physics::Status start(int threads) {
-        if (auto status = engine_->init(scene_, threads, sleep_); !status) return status;
-        if (scene_.asleep_first)
+    physics::Status start() {
+        if (auto status = engine_->init(scene_); !status) return status;
+        if (asleep_first_)
             for (int k = 0; k < most_steps_to_sleep && !asleep_at_; k++) step(k);
         return {};
     }
 
     // What is not the engine's step comes before it: to be called outside of the timing.
     void prepare(int step) {
-        if (scene_.player) {
-            const std::uint32_t player = *scene_.player;
-            physics::Vec3 velocity = player_velocity(step);
-            velocity.y = engine_->velocity(player).y;
-            engine_->set_velocity(player, velocity);
+        if (player_) {
+            physics::Vec3 velocity = player_velocity(step * (1 / scene_.hz));
+            velocity.y = engine_->velocity(*player_).y;
+            engine_->set_velocity(*player_, velocity);
         }
         if (step % 20 == 0) show_progress(label_ + std::to_string(step));
     }
     void step() { engine_->step(); }
     void look_for_sleep(int steps_done) {
-        if (sleep_ && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
+        if (sleep_allowed() && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
     }
     // Who is driven does not sleep: after so many steps it is let go.
     void let_player_go(int steps_done) {
-        if (!sleep_ || !scene_.player) return;
+        if (!sleep_allowed() || !player_) return;
         for (int k = 1; k <= most_steps_to_sleep && !asleep_at_; k++) {
             step();
             look_for_sleep(steps_done + k);
         }
     }
 
-    bool may_sleep() const { return sleep_; }
+    bool sleep_allowed() const { return scene_.world.sleeping; }
     int awake() const { return engine_->awake(); }
     int moving() const {
         int count = 0;
@@ -87,8 +88,9 @@ private:
     }
 
     const SceneDescription& scene_;
+    bool asleep_first_;
+    std::optional<std::uint32_t> player_;
     std::unique_ptr<Engine> engine_;
-    bool sleep_;
     std::string label_;
     std::optional<int> asleep_at_;
     std::vector<Transform> poses_;
@@ -125,30 +127,31 @@ double percentile_99(std::vector<double> values) {
 double highest(const SceneDescription& scene, const std::vector<Transform>& poses) {
     double top = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < poses.size(); k++)
-        if (!scene.bodies[k].fixed && is_finite(poses[k])) top = std::max(top, poses[k].position.y);
+        if (!is_static(scene.bodies[k]) && is_finite(poses[k]))
+            top = std::max(top, poses[k].position.y);
     return 1e-4 * std::round(1e4 * top);
 }
 
-std::optional<int> count_tunnelled(const SceneDescription& scene,
+std::optional<int> count_tunnelled(const LabScene& lab_scene, const SceneDescription& scene,
                                    const std::vector<Transform>& poses) {
-    if (!scene.tunnelled_beyond_x) return std::nullopt;
+    if (!lab_scene.tunnelled_beyond_x) return std::nullopt;
     int count = 0;
     for (std::size_t k = 0; k < poses.size(); k++)
-        count += !scene.bodies[k].fixed && poses[k].position.x > *scene.tunnelled_beyond_x;
+        count += !is_static(scene.bodies[k]) && poses[k].position.x > *lab_scene.tunnelled_beyond_x;
     return count;
 }
 
 // The second run of the same steps: every tenth step and the last are looked at.
-void let_referee_look(SpeedRow& row, const SceneDescription& scene, Run& run) {
-    const Referee referee(scene);
+void measure_accuracy(SpeedRow& row, const SceneDescription& scene, Run& run) {
+    const AccuracyCheck check(scene);
     double peak = 0, peak_drift = 0;
     for (int k = 1; k <= row.steps; k++) {
         run.prepare(k - 1);
         run.step();
         if (k % steps_between_looks != 0 && k != row.steps) continue;
         const std::vector<Transform>& poses = run.poses();
-        const Overlaps now = referee.overlaps(poses);
-        const double drift = referee.joint_drift(poses);
+        const Penetration now = check.penetration(poses);
+        const double drift = check.joint_drift(poses);
         peak = std::max(peak, now.deepest);
         peak_drift = std::max(peak_drift, drift);
         if (k < row.steps) continue;
@@ -174,21 +177,21 @@ SpeedRow named_row(const RowRequest& request) {
 physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowRequest& request,
                                                   const SceneDescription& scene) {
     Run run(request, scene, "timing");
-    if (auto status = run.start(request.threads); !status) return status.error();
+    if (auto status = run.start(); !status) return status.error();
     const StepClock clock{request.threads};
-    const auto ms =
-        time_steps(run, clock, row.steps, scene.asleep_first ? steps_per_reading_asleep : 1);
+    const auto ms = time_steps(run, clock, row.steps,
+                               request.scene->asleep_first ? steps_per_reading_asleep : 1);
     row.ms_mean = rounded(mean(ms));
     row.ms_p99 = rounded(percentile_99(ms));
     row.clock = clock.name();
     row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
-    if (run.may_sleep()) {
+    if (run.sleep_allowed()) {
         row.awake_at_end = run.awake();
         row.moving_at_end = run.moving();
     }
     row.top_m = highest(scene, run.poses());
     const std::vector<Transform> poses = run.poses();
-    row.tunnelled = count_tunnelled(scene, poses);
+    row.tunnelled = count_tunnelled(*request.scene, scene, poses);
     run.let_player_go(row.steps);
     row.asleep_at_step = run.asleep_at();
     return poses;
@@ -197,22 +200,24 @@ physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowReques
 }  // namespace
 
 SpeedRow measure_row(const RowRequest& request) {
-    const SceneDescription scene = request.scene->build();
+    SceneDescription scene = build(*request.scene);
+    scene.world.threads = request.threads;
+    scene.world.sleeping = request.sleep || request.scene->asleep_first;
     SpeedRow row = named_row(request);
     row.bodies = static_cast<int>(scene.bodies.size());
-    if (row.steps == 0) row.steps = scene.steps;
+    if (row.steps == 0) row.steps = request.scene->steps;
     const auto timed = run_timed(row, request, scene);
     if (!timed) {
         row.failed = timed.error().message;
         return row;
     }
-    if (!request.referee) return row;
-    Run again(request, scene, "referee");
-    if (auto status = again.start(request.threads); !status) {
+    if (!request.accuracy) return row;
+    Run again(request, scene, "accuracy");
+    if (auto status = again.start(); !status) {
         row.failed = status.error().message;
         return row;
     }
-    let_referee_look(row, scene, again);
+    measure_accuracy(row, scene, again);
     row.repeats = again.poses() == *timed;
     return row;
 }

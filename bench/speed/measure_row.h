@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Fills one row of the laboratory's table.
+// Fills one row of the speed table.
 #pragma once
 
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/lab_scenes.h"
 #include "speed/speed_row.h"
 
@@ -15,11 +15,11 @@ struct RowRequest {
     int threads = 1;
     int steps = 0;  // 0: as many as the scene has
     bool sleep = false;
-    bool referee = true;
+    bool accuracy = true;
 };
 
-// Times the scene's steps and nothing else. The referee looks at a second run of the same steps, as
-// its own work would leave other data in the caches; that both runs end alike is checked.
+// Times the scene's steps and nothing else. Accuracy is checked in a second run of the same steps,
+// as that work would leave other data in the caches; that both runs end alike is checked.
 SpeedRow measure_row(const RowRequest& request);
 
 // The same in a child process.

@@ -6,12 +6,17 @@
 #include <algorithm>
 #include <vector>
 
+#include "speed/portable_scene.h"
+
 namespace jostle::bench {
 namespace {
 
 using physics::Quat;
 using physics::Transform;
 using physics::Vec3;
+using scenes::SceneBody;
+using scenes::SceneDescription;
+using scenes::SceneJoint;
 
 constexpr int contacts_per_pair = 4;
 
@@ -34,8 +39,8 @@ dGeomID make_geom(const physics::Box& box) {
     return dCreateBox(nullptr, sides.x, sides.y, sides.z);
 }
 
-dMass ode_mass(const Form& form) {
-    const SolidMass solid = solid_mass(form);
+dMass ode_mass(const SceneBody& body) {
+    const SolidMass solid = solid_mass(body);
     dMass mass;
     dMassSetParameters(&mass, solid.mass, 0, 0, 0, solid.inertia.x, solid.inertia.y,
                        solid.inertia.z, 0, 0, 0);
@@ -43,8 +48,8 @@ dMass ode_mass(const Form& form) {
 }
 
 // ODE's capsules lie along z, the scenes' along y.
-Quat geom_rotation(const Form& form) {
-    return std::holds_alternative<physics::Capsule>(form)
+Quat geom_rotation(const SceneBody& body) {
+    return std::holds_alternative<physics::Capsule>(primitive_of(body))
                ? physics::from_axis_angle({1, 0, 0}, -0.5 * physics::pi)
                : Quat{};
 }
@@ -70,21 +75,22 @@ public:
     OdeEngine(const OdeEngine&) = delete;
     OdeEngine& operator=(const OdeEngine&) = delete;
 
-    physics::Status init(const SceneDescription& scene, int, bool sleep) override {
+    physics::Status init(const SceneDescription& scene) override {
+        if (auto status = check_portable(scene); !status) return status;
         scene_ = &scene;
+        step_seconds_ = 1 / scene.hz;
+        const Vec3 gravity = scene.world.gravity;
         dWorldSetGravity(world_, gravity.x, gravity.y, gravity.z);
-        // A fraction of the velocity a step, where the scenes have one a second.
-        dWorldSetDamping(world_, damping * step_seconds, damping * step_seconds);
         dWorldSetLinearDampingThreshold(world_, 0);
         dWorldSetAngularDampingThreshold(world_, 0);
-        dWorldSetAutoDisableFlag(world_, sleep ? 1 : 0);
+        dWorldSetAutoDisableFlag(world_, scene.world.sleeping ? 1 : 0);
         for (const SceneBody& body : scene.bodies) add_body(body);
         for (const SceneJoint& joint : scene.joints) {
-            // Whom a joint keeps from colliding ODE knows by their bodies, and a fixed one has
+            // Whom a joint keeps from colliding ODE knows by their bodies, and a static one has
             // none.
-            for (const std::uint32_t end : {joint.a, joint.b})
-                if (scene.bodies[end].fixed && scene.bodies[end].collides)
-                    return physics::Error{.message = "ode: a joint to a fixed body that collides"};
+            for (const std::size_t end : {joint.body_a, joint.body_b})
+                if (is_static(scene.bodies[end]) && collides(scene.bodies[end]))
+                    return physics::Error{.message = "ode: a joint to a static body that collides"};
             add_joint(joint);
         }
         return {};
@@ -92,13 +98,13 @@ public:
 
     void step() override {
         dSpaceCollide(space_, this, &OdeEngine::on_pair);
-        dWorldQuickStep(world_, step_seconds);
+        dWorldQuickStep(world_, step_seconds_);
         dJointGroupEmpty(contacts_);
     }
 
     Transform pose(std::uint32_t body) const override {
         const dBodyID id = bodies_[body];
-        if (id == nullptr) return scene_->bodies[body].pose;
+        if (id == nullptr) return scene_->bodies[body].body.pose;
         const dReal *at = dBodyGetPosition(id), *q = dBodyGetQuaternion(id);
         return {{at[0], at[1], at[2]}, {q[1], q[2], q[3], q[0]}};
     }
@@ -123,6 +129,10 @@ private:
         static_cast<OdeEngine*>(self)->collide(a, b);
     }
 
+    static double friction(dGeomID geom) {
+        return static_cast<const SceneBody*>(dGeomGetData(geom))->shapes[0].material.friction;
+    }
+
     static bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 0; }
 
     void collide(dGeomID a, dGeomID b) {
@@ -131,6 +141,7 @@ private:
         if (body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
         dContact found[contacts_per_pair];
         const int count = dCollide(a, b, contacts_per_pair, &found[0].geom, sizeof(dContact));
+        const double pair_friction = physics::square_root(friction(a) * friction(b));
         for (int k = 0; k < count; k++) {
             found[k].surface.mode = dContactApprox1;  // or mu would be a force
             found[k].surface.mu = pair_friction;
@@ -138,76 +149,88 @@ private:
         }
     }
 
-    // A fixed body is none at all in ODE, only a geom.
+    // A static body is none at all in ODE, only a geom.
     void add_body(const SceneBody& body) {
-        const dGeomID geom = std::visit([](const auto& f) { return make_geom(f); }, body.form);
-        if (body.collides)
+        const dGeomID geom =
+            std::visit([](const auto& shape) { return make_geom(shape); }, primitive_of(body));
+        dGeomSetData(geom, const_cast<SceneBody*>(&body));
+        if (collides(body))
             dSpaceAdd(space_, geom);
         else
             loose_geoms_.push_back(geom);
-        bodies_.push_back(body.fixed ? nullptr : add_moving(body, geom));
-        if (!body.fixed) return;
-        const Vec3 at = body.pose.position;
+        bodies_.push_back(is_static(body) ? nullptr : add_moving(body, geom));
+        if (!is_static(body)) return;
+        const auto& [at, rotation] = body.body.pose;
         dGeomSetPosition(geom, at.x, at.y, at.z);
-        dGeomSetQuaternion(geom,
-                           OdeQuaternion(body.pose.rotation * geom_rotation(body.form)).values);
+        dGeomSetQuaternion(geom, OdeQuaternion(rotation * geom_rotation(body)).values);
     }
 
     dBodyID add_moving(const SceneBody& body, dGeomID geom) {
         const dBodyID id = dBodyCreate(world_);
-        const dMass mass = ode_mass(body.form);
+        const dMass mass = ode_mass(body);
         dBodySetMass(id, &mass);
         dGeomSetBody(geom, id);
-        dGeomSetOffsetQuaternion(geom, OdeQuaternion(geom_rotation(body.form)).values);
-        const Vec3 at = body.pose.position, v = body.velocity;
+        dGeomSetOffsetQuaternion(geom, OdeQuaternion(geom_rotation(body)).values);
+        const physics::BodyDef& def = body.body;
+        const Vec3 at = def.pose.position, v = def.linear_velocity, w = def.angular_velocity;
         dBodySetPosition(id, at.x, at.y, at.z);
-        dBodySetQuaternion(id, OdeQuaternion(body.pose.rotation).values);
+        dBodySetQuaternion(id, OdeQuaternion(def.pose.rotation).values);
         dBodySetLinearVel(id, v.x, v.y, v.z);
+        dBodySetAngularVel(id, w.x, w.y, w.z);
+        // A fraction of the velocity a step, where the scenes have one a second.
+        dBodySetLinearDamping(id, def.linear_damping * step_seconds_);
+        dBodySetAngularDamping(id, def.angular_damping * step_seconds_);
         return id;
     }
 
     void add_joint(const SceneJoint& joint) {
-        const Vec3 at = joint.anchor;
-        if (joint.kind == SceneJointKind::hinge) return add_hinge(joint);
+        const JointAxes axes = axes_of(*scene_, joint);
+        const dBodyID a = bodies_[joint.body_a], b = bodies_[joint.body_b];
+        if (const auto* hinge = std::get_if<physics::HingeJoint>(&joint.joint.kind))
+            return add_hinge(a, b, axes, hinge->limit);
+        const Vec3 at = axes.anchor;
         const dJointID ball = dJointCreateBall(world_, nullptr);
-        dJointAttach(ball, bodies_[joint.a], bodies_[joint.b]);
+        dJointAttach(ball, a, b);
         dJointSetBallAnchor(ball, at.x, at.y, at.z);
-        if (joint.kind == SceneJointKind::cone_twist) add_swing_limits(joint);
+        if (const auto* shoulder = std::get_if<physics::ConeTwistJoint>(&joint.joint.kind))
+            add_swing_limits(a, b, axes, *shoulder);
     }
 
-    void add_hinge(const SceneJoint& joint) {
-        const Vec3 at = joint.anchor, axis = joint.axis;
+    void add_hinge(dBodyID a, dBodyID b, const JointAxes& axes, const physics::JointLimit& limit) {
+        const Vec3 at = axes.anchor, axis = axes.z;
         const dJointID hinge = dJointCreateHinge(world_, nullptr);
-        dJointAttach(hinge, bodies_[joint.a], bodies_[joint.b]);
+        dJointAttach(hinge, a, b);
         dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
         dJointSetHingeAxis(hinge, axis.x, axis.y, axis.z);
         // ODE's hinge angle is that of a against b.
-        dJointSetHingeParam(hinge, dParamLoStop, -joint.upper);
-        dJointSetHingeParam(hinge, dParamHiStop, -joint.lower);
+        dJointSetHingeParam(hinge, dParamLoStop, -limit.upper);
+        dJointSetHingeParam(hinge, dParamHiStop, -limit.lower);
     }
 
     // Euler angles: two swings, the first about a's own normal, then the twist about b's own axis.
     // In this order the twist does not change where the arm points.
-    void add_swing_limits(const SceneJoint& joint) {
+    void add_swing_limits(dBodyID a, dBodyID b, const JointAxes& axes,
+                          const physics::ConeTwistJoint& shoulder) {
         const dJointID motor = dJointCreateAMotor(world_, nullptr);
-        dJointAttach(motor, bodies_[joint.a], bodies_[joint.b]);
+        dJointAttach(motor, a, b);
         dJointSetAMotorMode(motor, dAMotorEuler);
-        dJointSetAMotorAxis(motor, 0, 1, joint.normal.x, joint.normal.y, joint.normal.z);
-        dJointSetAMotorAxis(motor, 2, 2, joint.axis.x, joint.axis.y, joint.axis.z);
-        const double twist = std::max(-joint.lower, joint.upper);
-        dJointSetAMotorParam(motor, dParamLoStop, -joint.swing);
-        dJointSetAMotorParam(motor, dParamHiStop, joint.swing);
-        dJointSetAMotorParam(motor, dParamLoStop2, -joint.swing);
-        dJointSetAMotorParam(motor, dParamHiStop2, joint.swing);
+        dJointSetAMotorAxis(motor, 0, 1, axes.z.x, axes.z.y, axes.z.z);
+        dJointSetAMotorAxis(motor, 2, 2, axes.x.x, axes.x.y, axes.x.z);
+        const double twist = std::max(-shoulder.twist.lower, shoulder.twist.upper);
+        dJointSetAMotorParam(motor, dParamLoStop, -shoulder.swing);
+        dJointSetAMotorParam(motor, dParamHiStop, shoulder.swing);
+        dJointSetAMotorParam(motor, dParamLoStop2, -shoulder.swing);
+        dJointSetAMotorParam(motor, dParamHiStop2, shoulder.swing);
         dJointSetAMotorParam(motor, dParamLoStop3, -twist);
         dJointSetAMotorParam(motor, dParamHiStop3, twist);
     }
 
     const SceneDescription* scene_ = nullptr;
+    double step_seconds_ = 0;
     dWorldID world_ = nullptr;
     dSpaceID space_ = nullptr;
     dJointGroupID contacts_ = nullptr;
-    std::vector<dBodyID> bodies_;       // null: fixed
+    std::vector<dBodyID> bodies_;       // null: static
     std::vector<dGeomID> loose_geoms_;  // in no space: these collide with nothing
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// the Open Dynamics Engine behind the laboratory's interface. Only in builds that found its
-// library.
+// The Open Dynamics Engine behind the Engine interface. Only in builds that found its library.
 #pragma once
 
 #include <memory>

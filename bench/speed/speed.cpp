@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "jostle/scenes/catalog.h"
 #include "measure.h"
 #include "result_file.h"
-#include "speed/engine.h"
+#include "speed/engine_kinds.h"
 #include "speed/growth.h"
 #include "speed/lab_scenes.h"
 #include "speed/measure_row.h"
@@ -24,7 +25,7 @@ Common to all scenes: 60 steps a second, gravity 9.81 m/s^2, density 1000 kg/m^3
 each pair, no bounce, damping 0.05 /s. Each row runs in a process of its own: its memory is its own,
 and an engine that crashes leaves a row that says so. Steps are timed alone, in processor time of
 the thread at one thread and in wall-clock time at more (column clock). A second run of the same
-steps is looked at by a referee every 10 steps, who knows the shapes' geometry and no engine.
+steps is checked for accuracy every 10 steps, by the shapes' geometry and the same for all engines.
 
 Columns: ms_mean and ms_p99 of a step; deep_mm, mean_mm and >1cm: deepest overlap, mean overlap and
 pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
@@ -50,7 +51,7 @@ struct Flags {
     std::vector<int> growth;
     int steps = 0;  // 0: the scene's own
     std::string sleep = "off";
-    bool no_referee = false;
+    bool no_accuracy = false;
     std::string json, plot;
 };
 
@@ -100,13 +101,13 @@ std::vector<const LabScene*> chosen_scenes(const Flags& flags) {
 }
 
 // Jostle at every number of threads, and each peer once.
-struct Contender {
+struct Configuration {
     const EngineKind* engine;
     int threads;
 };
 
-std::vector<Contender> contenders(const Flags& flags) {
-    std::vector<Contender> chosen;
+std::vector<Configuration> configurations(const Flags& flags) {
+    std::vector<Configuration> chosen;
     for (const EngineKind& kind : engine_kinds()) {
         if (kind.most_threads > 1)
             for (const int threads : flags.threads) chosen.push_back({&kind, threads});
@@ -167,13 +168,13 @@ int run_scenes(const Flags& flags) {
     Table<SpeedRow> table;
     print_line(speed_heading());
     for (const LabScene* scene : chosen_scenes(flags))
-        for (const Contender& contender : contenders(flags)) {
+        for (const Configuration& configuration : configurations(flags)) {
             const SpeedRow row = measure_row_in_child({.scene = scene,
-                                                       .engine = contender.engine,
-                                                       .threads = contender.threads,
+                                                       .engine = configuration.engine,
+                                                       .threads = configuration.threads,
                                                        .steps = flags.steps,
                                                        .sleep = flags.sleep == "on",
-                                                       .referee = !flags.no_referee});
+                                                       .accuracy = !flags.no_accuracy});
             table.add(row, speed_line(row));
         }
     nlohmann::ordered_json head = file_head("speed");
@@ -187,9 +188,9 @@ int run_growth(const Flags& flags) {
     Table<GrowthRow> table;
     print_line(growth_heading());
     for (const int bodies : flags.growth)
-        for (const Contender& contender : contenders(flags)) {
+        for (const Configuration& configuration : configurations(flags)) {
             const GrowthRow row =
-                measure_growth_in_child(*contender.engine, contender.threads, bodies);
+                measure_growth_in_child(*configuration.engine, configuration.threads, bodies);
             table.add(row, growth_line(row));
         }
     nlohmann::ordered_json head = file_head("speed growth");
@@ -209,10 +210,17 @@ int run(const Flags& flags) {
     return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
 }
 
+std::string about(const LabScene& scene) {
+    for (const scenes::CatalogEntry& entry : scenes::catalog())
+        if (entry.name == scene.name) return std::string(entry.description);
+    return "";
+}
+
 std::string lists_for_help() {
     std::string text = "Scenes:\n";
     for (const LabScene& scene : lab_scenes())
-        text += std::string("  ") + scene.letter + "  " + scene.name + ": " + scene.about + "\n";
+        text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
+                std::to_string(scene.steps) + " steps: " + about(scene) + "\n";
     text += "\nEngines (peers run on one thread, whatever --threads says):\n";
     for (const EngineKind& kind : engine_kinds())
         text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +
@@ -244,7 +252,7 @@ void add_speed(CLI::App& app, int& status) {
     command->add_option("--sleep", flags->sleep, "Whether bodies may sleep: on or off")
         ->capture_default_str()
         ->check(CLI::IsMember({"on", "off"}));
-    command->add_flag("--no-referee", flags->no_referee, "Times only: no second run");
+    command->add_flag("--no-accuracy", flags->no_accuracy, "Times only: no second run");
     command
         ->add_option("--growth", flags->growth, "Instead of scenes: piles of so many bodies each")
         ->delimiter(',')

@@ -39,9 +39,9 @@ Groups groups_of(const std::vector<SpeedRow>& rows) {
 
 void draw_bar(Svg& svg, const SpeedRow& row, SvgPoint top, double bar_width, const char* color) {
     svg.rectangle(top, bar_width, bars_bottom - top.y, color);
-    const bool judged = row.error_m().has_value();
+    const bool checked = row.error_m().has_value();
     std::string label = short_number(row.ms_mean) + " ms";
-    if (judged) label += ", " + short_number(error_mm(row)) + " mm";
+    if (checked) label += ", " + short_number(error_mm(row)) + " mm";
     svg.text({top.x + 0.5 * bar_width + 3.5, top.y - 4}, label, {.size = 10, .upright = true});
 }
 
@@ -49,7 +49,7 @@ void draw_bars(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     std::vector<double> times;
     // A bar as low as a power of ten still wants to be seen, hence the 0.9.
     for (const SpeedRow& row : rows) times.insert(times.end(), {0.9 * row.ms_mean, row.ms_mean});
-    // UninitializedArray above the highest bar for its label.
+    // Space above the highest bar for its label.
     const LogAxis y = log_axis_over(times, bars_bottom, first_top + 85);
     draw_y_axis(svg, y, left, right, "ms per step (mean)");
     const double group_width = (right - left) / static_cast<double>(groups.scenes.size());

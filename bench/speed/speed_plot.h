@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The laboratory's pictures, as the text of SVG files.
+// The plots of jostle-bench speed, as the text of SVG files.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One line of the laboratory's table: a scene, an engine and a number of threads, what it cost and
+// One line of the speed table: a scene, an engine and a number of threads, what it cost and
 // how right it was. Lengths are metres, as the names say.
 #pragma once
 
@@ -21,12 +21,12 @@ struct SpeedRow {
     double ms_mean = 0, ms_p99 = 0;  // of a step
     std::string clock;               // "cpu": of the thread that steps; "wall"
 
-    // The referee's; null without it, and those of joints where there are none.
+    // The accuracy check's; null without it, and those of joints where there are none.
     std::optional<double> max_penetration_m, peak_penetration_m, mean_penetration_m;
     std::optional<int> contacts_over_1cm;
     std::optional<double> joint_drift_m, peak_joint_drift_m;
     std::optional<int> bodies_lost;  // whose pose is not a number any more
-    std::optional<bool> repeats;     // the referee's run ended in the same poses as the timed one
+    std::optional<bool> repeats;  // the run for accuracy ended in the same poses as the timed one
 
     // Null: never, or not allowed to. A player who was driven is let go after the last step.
     std::optional<int> asleep_at_step;

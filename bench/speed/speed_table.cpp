@@ -38,13 +38,13 @@ std::string remarks(const SpeedRow& row) {
 }
 
 std::string identity(const std::string& first, const std::string& engine, int threads) {
-    return print("%-18s %-7s %3d", first.c_str(), engine.c_str(), threads);
+    return print("%-22s %-7s %3d", first.c_str(), engine.c_str(), threads);
 }
 
 }  // namespace
 
 std::string speed_heading() {
-    return print("%-18s %-7s %3s %6s %5s %9s %9s %5s", "scene", "engine", "thr", "bodies", "steps",
+    return print("%-22s %-7s %3s %6s %5s %9s %9s %5s", "scene", "engine", "thr", "bodies", "steps",
                  "ms_mean", "ms_p99", "clock") +
            print(" %8s %8s %8s %6s %8s %8s", "deep_mm", "peak_mm", "mean_mm", ">1cm", "drift_mm",
                  "worst_mm") +
@@ -67,7 +67,7 @@ std::string speed_line(const SpeedRow& row) {
 }
 
 std::string growth_heading() {
-    return print("%-18s %-7s %3s %8s %5s %10s", "bodies", "engine", "thr", "ms_mean", "clock",
+    return print("%-22s %-7s %3s %8s %5s %10s", "bodies", "engine", "thr", "ms_mean", "clock",
                  "bytes/body");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The laboratory's tables, as text: a heading, then a line for each row as it is measured.
+// The tables of jostle-bench speed, as text: a heading, then a line for each row as it is measured.
 #pragma once
 
 #include <string>

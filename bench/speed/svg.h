@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A drawing as SVG text, with just the shapes that the plots of the laboratory are made of. Pixels,
-// y downwards.
+// A drawing as SVG text, with just the shapes that the plots of jostle-bench speed are made of.
+// Pixels, y downwards.
 #pragma once
 
 #include <span>

@@ -34,14 +34,14 @@ double Behaviour::random(double low, double high) {
 std::vector<std::uint32_t> Behaviour::owned(const client::WorldView& world,
                                             std::uint32_t client_id) const {
     std::vector<std::uint32_t> mine;
-    for (const auto& [id, entity] : world.roster())
+    for (const auto& [id, entity] : world.entities())
         if (entity.owner() == client_id) mine.push_back(id);
     return mine;
 }
 
 std::uint32_t Behaviour::some_entity(const client::WorldView& world, std::uint32_t client_id) {
     std::vector<std::uint32_t> others;
-    for (const auto& [id, entity] : world.roster())
+    for (const auto& [id, entity] : world.entities())
         // Not what players spawned: their owner may delete it before this input arrives.
         if (entity.mass() > 0 && entity.owner() == 0 && entity.owner() != client_id)
             others.push_back(id);
@@ -76,7 +76,7 @@ void Behaviour::wander(std::vector<v1::Input>& out, const client::WorldView& wor
         spawn.set_color(color_);
         return;
     }
-    const auto entity = world.roster().find(mine.front());
+    const auto entity = world.entities().find(mine.front());
     const auto pose = world.pose_of(mine.front());
     if (!pose) return;
     // Somewhere else in the yard, and home when it got out.
@@ -97,7 +97,7 @@ void Behaviour::push(std::vector<v1::Input>& out, const client::WorldView& world
     // Towards the middle, so that the yard does not empty.
     const double x = pose->position[0], z = pose->position[2];
     const double away = std::max(0.5, std::hypot(x, z));
-    const double strength = value("strength") * world.roster().at(entity).mass();
+    const double strength = value("strength") * world.entities().at(entity).mass();
     v1::ImpulseInput& impulse = *out.emplace_back().mutable_impulse();
     impulse.set_entity(entity);
     set(*impulse.mutable_impulse(), -x / away * strength, 0.4 * strength, -z / away * strength);

@@ -47,7 +47,7 @@ std::string pair(std::uint32_t a, const char* verb, std::uint32_t b) {
     return std::to_string(a) + " " + verb + " " + std::to_string(b);
 }
 
-// One line per happening: "tick 71: 5 hits 1 at 4.42 m/s".
+// One line per event: "tick 71: 5 hits 1 at 4.42 m/s".
 std::string to_lines(const jostle::v1::Events& events) {
     std::string lines;
     const auto add = [&](const std::string& what) {
@@ -149,13 +149,12 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto loaded = jostle::bots::script_or_default(flags.script);
-    if (const auto* fault = std::get_if<std::string>(&loaded)) {
-        std::fprintf(stderr, "jostle-bot: %s\n", fault->c_str());
+    const auto script = jostle::bots::script_or_default(flags.script);
+    if (!script.ok()) {
+        std::fprintf(stderr, "jostle-bot: %s\n", script.error().message.c_str());
         return 2;
     }
-    const auto& script = std::get<jostle::bots::Script>(loaded);
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
-    return play(flags, script);
+    return play(flags, *script);
 }

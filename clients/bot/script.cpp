@@ -26,14 +26,18 @@ const std::vector<Known>& known() {
     return list;
 }
 
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
 const Known* find(const std::string& behaviour) {
     for (const Known& k : known())
         if (behaviour == k.behaviour) return &k;
     return nullptr;
 }
 
-// "" on success.
-std::string parse_line(const std::string& text, ScriptLine& line) {
+Result<ScriptLine> parse_line(const std::string& text) {
+    ScriptLine line;
     std::istringstream words(text);
     words >> line.behaviour;
     const Known* behaviour = find(line.behaviour);
@@ -41,36 +45,36 @@ std::string parse_line(const std::string& text, ScriptLine& line) {
         std::string names;
         for (const Known& k : known())
             names += std::string(names.empty() ? "" : ", ") + k.behaviour;
-        return "there is no behaviour \"" + line.behaviour + "\"; there are " + names;
+        return invalid("there is no behaviour \"" + line.behaviour + "\"; there are " + names);
     }
     line.values = behaviour->defaults;
     for (std::string word; words >> word;) {
         const std::size_t at = word.find('=');
         const std::string key = word.substr(0, at);
-        if (at == std::string::npos) return "\"" + word + "\" is no key=value";
+        if (at == std::string::npos) return invalid("\"" + word + "\" is no key=value");
         double value = 0;
         const char* end = word.data() + word.size();
         const auto [stop, error] = std::from_chars(word.data() + at + 1, end, value);
         if (error != std::errc{} || stop != end || !(value >= 0 && value <= 1e6))
-            return "\"" + word + "\": the value must be a number from 0 to 1000000";
+            return invalid("\"" + word + "\": the value must be a number from 0 to 1000000");
         if (key == "weight") {
             line.weight = value;
         } else if (const auto slot = line.values.find(key); slot != line.values.end()) {
             slot->second = value;
         } else {
-            return line.behaviour + " has no key \"" + key + "\"";
+            return invalid(line.behaviour + " has no key \"" + key + "\"");
         }
     }
     if (line.values.contains("period") && line.values["period"] < 0.05)
-        return "period must be at least 0.05 s";
+        return invalid("period must be at least 0.05 s");
     if (line.values.contains("size") && !(line.values["size"] >= 0.05 && line.values["size"] <= 2))
-        return "size must be from 0.05 to 2 m";
-    return {};
+        return invalid("size must be from 0.05 to 2 m");
+    return line;
 }
 
 }  // namespace
 
-std::variant<Script, std::string> parse_script(const std::string& text, const std::string& name) {
+Result<Script> parse_script(const std::string& text, const std::string& name) {
     Script script;
     std::istringstream lines(text);
     int number = 0;
@@ -79,29 +83,28 @@ std::variant<Script, std::string> parse_script(const std::string& text, const st
         number++;
         text_line = text_line.substr(0, text_line.find('#'));
         if (text_line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        ScriptLine line;
-        if (const std::string fault = parse_line(text_line, line); !fault.empty())
-            return name + ":" + std::to_string(number) + ": " + fault;
-        weights += line.weight;
-        script.push_back(std::move(line));
+        Result<ScriptLine> line = parse_line(text_line);
+        if (!line.ok())
+            return invalid(name + ":" + std::to_string(number) + ": " + line.error().message);
+        weights += line->weight;
+        script.push_back(std::move(*line));
     }
-    if (script.empty()) return name + ": there is no behaviour in it";
-    if (weights <= 0) return name + ": all weights are zero";
+    if (script.empty()) return invalid(name + ": there is no behaviour in it");
+    if (weights <= 0) return invalid(name + ": all weights are zero");
     return script;
 }
 
-std::variant<Script, std::string> load_script(const std::string& path) {
+Result<Script> load_script(const std::string& path) {
     std::ifstream in(path);
-    if (!in) return "cannot read the script " + path;
+    if (!in) return Error{ErrorCode::not_found, "cannot read the script " + path};
     return parse_script(std::string((std::istreambuf_iterator<char>(in)), {}), path);
 }
 
 Script default_script() {
-    return std::get<Script>(
-        parse_script("wander weight=2\npush\nthrow\nbuilder\ndrag\n", "default"));
+    return *parse_script("wander weight=2\npush\nthrow\nbuilder\ndrag\n", "default");
 }
 
-std::variant<Script, std::string> script_or_default(const std::string& path) {
+Result<Script> script_or_default(const std::string& path) {
     if (path.empty()) return default_script();
     return load_script(path);
 }

@@ -18,8 +18,9 @@
 
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
+
+#include "jostle/base/result.h"
 
 namespace jostle::bots {
 
@@ -32,15 +33,15 @@ struct ScriptLine {
 
 using Script = std::vector<ScriptLine>;
 
-// The script, or a message that names file and line.
-std::variant<Script, std::string> parse_script(const std::string& text, const std::string& name);
-std::variant<Script, std::string> load_script(const std::string& path);
+// An error names file and line.
+Result<Script> parse_script(const std::string& text, const std::string& name);
+Result<Script> load_script(const std::string& path);
 
 // What bots do when no script is given: a little of everything.
 Script default_script();
 
 // As load_script; an empty path gives the default.
-std::variant<Script, std::string> script_or_default(const std::string& path);
+Result<Script> script_or_default(const std::string& path);
 
 // The line for bot number i of n: weights decide how many bots take each.
 const ScriptLine& line_for(const Script& script, int i);

@@ -187,15 +187,14 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto loaded = jostle::bots::script_or_default(flags.script);
-    if (const auto* fault = std::get_if<std::string>(&loaded)) {
-        std::fprintf(stderr, "jostle-load: %s\n", fault->c_str());
+    const auto script = jostle::bots::script_or_default(flags.script);
+    if (!script.ok()) {
+        std::fprintf(stderr, "jostle-load: %s\n", script.error().message.c_str());
         return 2;
     }
-    const auto& script = std::get<jostle::bots::Script>(loaded);
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
-    const Report report = run(flags, script);
+    const Report report = run(flags, *script);
     std::fputs(to_text(report).c_str(), stdout);
     if (!flags.json.empty()) {
         std::ofstream out(flags.json);

@@ -7,20 +7,13 @@
 
 int main() {
     using namespace jostle::physics;
-    World world = std::move(World::create().value());
-    const auto floor =
-        world.create_body(BodyDef{.type = BodyType::fixed}, ShapeDef{.geometry = Plane{}});
-    const auto ball = world.create_body(BodyDef{.pose = {.position = {0, 3, 0}}},
-                                        ShapeDef{.geometry = Sphere{.radius = 0.5}});
-    if (!floor.ok() || !ball.ok()) return 1;
-    for (int step = 0; step < 120; step++) {
-        if (const Status stepped = world.step(1.0 / 60); !stepped.ok()) {
-            std::fprintf(stderr, "%s\n", stepped.error().message.c_str());
-            return 1;
-        }
-        if (step % 20 == 19)
-            std::printf("%.2f s: height %.3f m\n", (step + 1) / 60.0,
-                        world.body(*ball)->pose.position.y);
+    World world;
+    world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
+    const BodyId ball =
+        world.create_body({.pose = {.position = {0, 3, 0}}}, {.geometry = Sphere{0.5}}).value();
+    for (int step = 1; step <= 120; step++) {
+        world.step(1.0 / 60).expect();
+        if (step % 20 == 0)
+            std::printf("%.2f s: height %.3f m\n", step / 60.0, world.body(ball)->center.y);
     }
-    return 0;
 }

@@ -204,27 +204,31 @@ void write_survivors(BitWriter& out, const std::vector<Survivor>& survivors,
 
 // ---- reading ----
 
+Error corrupt(std::string message) {
+    return {ErrorCode::corrupt_data, std::move(message)};
+}
+
 class Decoder {
 public:
     Decoder(std::span<const std::byte> packed, const QuantSpec& spec) : in_(packed), spec_(spec) {}
 
-    std::optional<std::string> decode(QuantizedFrame& out, const Bases& bases, const Spacing& t,
-                                      std::size_t max_entities) {
+    Result<std::vector<EntityState>> decode(const Bases& bases, const Spacing& t,
+                                            std::size_t max_entities) {
         std::vector<std::size_t> removed;
         const std::size_t in_base = bases.base ? bases.base->entities.size() : 0;
-        if (!read_positions(removed, in_base, "removed")) return error_;
+        if (!read_positions(removed, in_base, "removed")) return corrupt(error_);
         const std::vector<Survivor> survivors = survivors_of(bases, removed);
         std::vector<EntityState> spawned;
         if (survivors.size() > max_entities ||
             !read_spawned(spawned, bases, max_entities - survivors.size()))
-            return error_.empty() ? "more entities than the limit" : error_;
+            return corrupt(error_.empty() ? "more entities than the limit" : error_);
         std::vector<EntityState> kept;
-        if (!read_survivors(kept, survivors, t)) return error_;
-        if (!in_.at_clean_end()) return at("bits are left over or missing");
-        out.entities.resize(kept.size() + spawned.size());
-        std::merge(kept.begin(), kept.end(), spawned.begin(), spawned.end(), out.entities.begin(),
+        if (!read_survivors(kept, survivors, t)) return corrupt(error_);
+        if (!in_.at_clean_end()) return corrupt(at("bits are left over or missing"));
+        std::vector<EntityState> entities(kept.size() + spawned.size());
+        std::merge(kept.begin(), kept.end(), spawned.begin(), spawned.end(), entities.begin(),
                    [](const EntityState& a, const EntityState& b) { return a.id < b.id; });
-        return {};
+        return entities;
     }
 
 private:
@@ -382,22 +386,22 @@ std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& ba
     return out.finish();
 }
 
-std::optional<std::string> decode_frame(QuantizedFrame& out, std::uint32_t frame_number,
-                                        std::span<const std::byte> packed, const Bases& bases,
-                                        const QuantSpec& spec, std::size_t max_entities) {
-    out.frame = frame_number;
-    out.entities.clear();
+Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
+                                    const Bases& bases, const QuantSpec& spec,
+                                    std::size_t max_entities) {
     if (!usable(spec))
-        return "the quantisation is out of range: " + std::to_string(spec.units_per_meter) +
-               " units per metre (1 to " + std::to_string(max_units_per_meter) +
-               "), largest rotation component " + std::to_string(spec.rotation_component) +
-               " (1 to " + std::to_string(max_rotation_component) + ")";
+        return corrupt("the quantisation is out of range: " + std::to_string(spec.units_per_meter) +
+                       " units per metre (1 to " + std::to_string(max_units_per_meter) +
+                       "), largest rotation component " + std::to_string(spec.rotation_component) +
+                       " (1 to " + std::to_string(max_rotation_component) + ")");
     const Spacing spacing = spacing_of(frame_number, bases);
     if (!in_range(spacing))
-        return "frame " + std::to_string(frame_number) + " is not 1 to 255 ticks after its bases";
-    auto error = Decoder(packed, spec).decode(out, bases, spacing, max_entities);
-    if (error) out.entities.clear();
-    return error;
+        return corrupt("frame " + std::to_string(frame_number) +
+                       " is not 1 to 255 ticks after its bases");
+    Result<std::vector<EntityState>> entities =
+        Decoder(packed, spec).decode(bases, spacing, max_entities);
+    if (!entities.ok()) return entities.error();
+    return QuantizedFrame{.frame = frame_number, .entities = std::move(*entities)};
 }
 
 std::uint32_t frame_crc(const QuantizedFrame& frame) {

@@ -7,11 +7,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "jostle/base/result.h"
 #include "wire/entity_state.h"
 
 namespace jostle::wire {
@@ -27,11 +26,11 @@ struct Bases {
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Bases& bases,
                                     const QuantSpec& spec);
 
-// Foreign bytes: every read is bounded. On failure returns what was wrong and where, and `out` is
-// left empty. `max_entities` bounds the memory that bytes can make us take.
-std::optional<std::string> decode_frame(QuantizedFrame& out, std::uint32_t frame_number,
-                                        std::span<const std::byte> packed, const Bases& bases,
-                                        const QuantSpec& spec, std::size_t max_entities = 1u << 20);
+// Foreign bytes: every read is bounded. An error says what was wrong and where. `max_entities`
+// bounds the memory that bytes can make us take.
+Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const std::byte> packed,
+                                    const Bases& bases, const QuantSpec& spec,
+                                    std::size_t max_entities = 1u << 20);
 
 // CRC-32 (IEEE, reflected, as zlib) over the canonical little-endian form of the entities; WIRE.md
 // gives the layout.

@@ -1,46 +1,100 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/scenes/catalog.h"
 
+#include <array>
+
 #include "parts.h"
 
 namespace jostle::scenes {
 namespace {
 
-using Make = SceneDescription (*)();
-
-constexpr Make makers[] = {sandbox,   pyramid,  stack,      wall,    dominoes, pile,     rain,
-                           billiards, incline,  free_space, shapes,  terrain,  ragdolls, bridge,
-                           workshop,  conveyor, gates,      bullets, locked,   flatland};
-
-// Each scene says its own name and description; they are asked once.
 struct Listed {
-    std::vector<SceneDescription> scenes;
-    std::vector<CatalogEntry> entries;
-
-    Listed() {
-        for (const Make make : makers) {
-            scenes.push_back(make());
-            scenes.back().bodies.clear();
-        }
-        for (const SceneDescription& scene : scenes)
-            entries.push_back({scene.name, scene.description});
-    }
+    CatalogEntry entry;
+    SceneDescription (*make)();  // all but its name and description
 };
 
-const Listed& listed() {
-    static const Listed once;
-    return once;
-}
+constexpr Listed listed[] = {
+    {{"sandbox", "A walled yard with stacks, balls, ramps and dominoes to play with."}, sandbox},
+    {{"pyramid", "A wall pyramid of 465 boxes, thirty rows high."}, pyramid},
+    {{"stack", "Ten boxes of one metre on top of each other."}, stack},
+    {{"wall", "A brick wall in running bond and a heavy ball that meets it."}, wall},
+    {{"dominoes", "120 dominoes in a spiral; the first is pushed."}, dominoes},
+    {{"pile", "1000 spheres, boxes and capsules poured into a bin."}, pile},
+    {{"rain", "300 bodies fall from up to 60 m onto ramps."}, rain},
+    {{"billiards", "Fifteen balls on a table with cushions; the cue ball breaks them."}, billiards},
+    {{"incline", "Boxes on a slope of 20 degrees, slippery to rough."}, incline},
+    {{"free_space", "64 boxes collide where nothing falls: momentum is kept."}, free_space},
+    {{"shapes",
+      "Every kind of moving shape poured into a yard: dice, drums, cones, jacks, stones."},
+     shapes},
+    {{"terrain", "Hills with a shaft, stairs and a slide; balls, wheels and stones on them."},
+     terrain},
+    {{"ragdolls", "Twelve people of eleven bones fall down a flight of stairs."}, ragdolls},
+    {{"bridge",
+      "A bridge of 20 planks, a chain with a wrecking ball, and a gate of boards whose joints "
+      "break."},
+     bridge},
+    {{"workshop",
+      "A mixer on a motor, doors with limits and springs, weights on ropes, rods and springs."},
+     workshop},
+    {{"conveyor", "Four belts in a ring carry crates, drums and balls round."}, conveyor},
+    {{"gates",
+      "Balls fall through triggers; red and blue pass each other's sieve; a turning cross sweeps "
+      "them up."},
+     gates},
+    {{"bullets",
+      "Bullets at 200 m/s, walls of 5 cm, spinning rods and thin posts: nothing passes."},
+     bullets},
+    {{"locked", "Pistons that only rise, sliders that only slide, wheels that only turn."}, locked},
+    {{"flatland", "A planar world: a pyramid, discs, sticks and a hinge, all in one plane."},
+     flatland},
+    // What jostle-bench measures, by letter.
+    {{"lab_pyramid_465",
+      "A flat pyramid of 30 rows of 1 m boxes with gaps of 5 cm (laboratory a)."},
+     lab_pyramid_465},
+    {{"lab_pyramid_5050", "A flat pyramid of 100 rows of 1 m boxes without gaps (laboratory b)."},
+     lab_pyramid_5050},
+    {{"lab_boxes_1000", "10 x 10 x 10 boxes dropped in a block (laboratory c)."}, lab_boxes_1000},
+    {{"lab_pile_5000",
+      "5000 spheres, boxes and capsules poured between four walls (laboratory d)."},
+     lab_pile_5000},
+    {{"lab_player_901",
+      "900 cubes on a floor and a larger one, which jostle-bench drives through them (laboratory "
+      "e)."},
+     lab_player_901},
+    {{"lab_ragdolls_40",
+      "40 figures of 11 capsules and 10 joints fall on each other (laboratory f)."},
+     lab_ragdolls_40},
+    {{"lab_joint_grid_10000",
+      "A cloth of 100 x 100 balls and 19,794 joints hangs from seven fixed ones (laboratory g)."},
+     lab_joint_grid_10000},
+    {{"lab_asleep_10000",
+      "10,000 boxes at rest, which jostle-bench times once all are asleep (laboratory h)."},
+     lab_asleep_10000},
+    {{"lab_bullets_1000", "1000 spheres at 200 m/s against a wall of 5 cm (laboratory i)."},
+     lab_bullets_1000},
+};
+
+constexpr auto entries = [] {
+    std::array<CatalogEntry, std::size(listed)> all;
+    for (std::size_t i = 0; i < all.size(); i++) all[i] = listed[i].entry;
+    return all;
+}();
 
 }  // namespace
 
 std::span<const CatalogEntry> catalog() {
-    return listed().entries;
+    return entries;
 }
 
 std::optional<SceneDescription> find_scene(std::string_view name) {
-    for (std::size_t i = 0; i < std::size(makers); i++)
-        if (listed().entries[i].name == name) return makers[i]();
+    for (const auto& [entry, make] : listed) {
+        if (entry.name != name) continue;
+        SceneDescription scene = make();
+        scene.name = entry.name;
+        scene.description = entry.description;
+        return scene;
+    }
     return std::nullopt;
 }
 

@@ -8,11 +8,7 @@ namespace jostle::scenes {
 using namespace physics;
 
 SceneDescription bullets() {
-    SceneDescription scene{
-        .name = "bullets",
-        .description =
-            "Bullets at 200 m/s, walls of 5 cm, spinning rods and thin posts: nothing passes.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     scene.bodies.push_back(colored(fixed_box("wall", {6, 2.5, 0}, {0.025, 2.5, 6}), 0x6c757d));
     Random random(19);
     for (int i = 0; i < 120; i++) {

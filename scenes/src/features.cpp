@@ -9,11 +9,7 @@ namespace jostle::scenes {
 using namespace physics;
 
 SceneDescription shapes() {
-    SceneDescription scene{.name = "shapes",
-                           .description =
-                               "Every kind of moving shape poured into a yard: dice, drums, "
-                               "cones, jacks, stones.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     for (const double side : {-1.0, 1.0}) {
         scene.bodies.push_back(fixed_box("wall", {side * 4.5, 1, 0}, {0.3, 1, 4.8}));
         scene.bodies.push_back(fixed_box("wall", {0, 1, side * 4.5}, {4.2, 1, 0.3}));
@@ -38,10 +34,7 @@ SceneDescription shapes() {
 }
 
 SceneDescription conveyor() {
-    SceneDescription scene{
-        .name = "conveyor",
-        .description = "Four belts in a ring carry crates, drums and balls round.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     // A ring of belts that hand over to each other, with a rail on either side.
     const Vec3 centers[] = {{-0.7, 0.4, -3}, {3, 0.4, -0.7}, {0.7, 0.4, 3}, {-3, 0.4, 0.7}};
     const Vec3 along[] = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
@@ -72,12 +65,7 @@ SceneDescription conveyor() {
 }
 
 SceneDescription gates() {
-    SceneDescription scene{
-        .name = "gates",
-        .description =
-            "Balls fall through triggers; red and blue pass each other's sieve; a turning "
-            "cross sweeps them up.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     constexpr std::uint32_t red = 2, blue = 4;
     for (int k = 0; k < 3; k++) {
         SceneBody gate = fixed_box("gate", {0, 5.0 - 1.4 * k, 0}, {3, 0.15, 3});
@@ -117,20 +105,17 @@ SceneDescription gates() {
 }
 
 SceneDescription locked() {
-    SceneDescription scene{
-        .name = "locked",
-        .description = "Pistons that only rise, sliders that only slide, wheels that only turn.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     for (int k = 0; k < 5; k++) {
         SceneBody piston = colored(
             loose("piston", {-4 + 2.0 * k, 0.6 + 0.4 * k, -2}, Box{{0.6, 0.5, 0.6}}), 0x4f86c6);
-        piston.body.locks =
-            static_cast<AxisLocks>(lock_x | lock_z | lock_turn_x | lock_turn_y | lock_turn_z);
+        piston.body.locks = static_cast<AxisLocks>(lock_x | lock_z | lock_rotation_x |
+                                                   lock_rotation_y | lock_rotation_z);
         scene.bodies.push_back(piston);
         SceneBody slider =
             colored(loose("slider", {-4 + 2.0 * k, 0.3, 1}, Box{{0.4, 0.28, 0.4}}), 0x81b29a);
         slider.body.locks =
-            static_cast<AxisLocks>(lock_z | lock_turn_x | lock_turn_y | lock_turn_z);
+            static_cast<AxisLocks>(lock_z | lock_rotation_x | lock_rotation_y | lock_rotation_z);
         slider.body.linear_velocity = {k % 2 == 0 ? 2.0 : -2.0, 0, 0};
         slider.shapes[0].material = {.friction = 0.02, .restitution = 0.9};
         scene.bodies.push_back(slider);
@@ -138,9 +123,9 @@ SceneDescription locked() {
                                         from_axis_angle({1, 0, 0}, pi / 2)),
                                   0xe07a5f);
         wheel.body.locks =
-            static_cast<AxisLocks>(lock_x | lock_y | lock_z | lock_turn_x | lock_turn_y);
+            static_cast<AxisLocks>(lock_x | lock_y | lock_z | lock_rotation_x | lock_rotation_y);
         wheel.body.angular_velocity = {0, 0, 2.0 + k};
-        wheel.body.may_sleep = false;
+        wheel.body.sleep_allowed = false;
         scene.bodies.push_back(wheel);
     }
     for (int i = 0; i < 20; i++)
@@ -152,11 +137,7 @@ SceneDescription locked() {
 }
 
 SceneDescription flatland() {
-    SceneDescription scene{.name = "flatland",
-                           .description =
-                               "A planar world: a pyramid, discs, sticks and a hinge, all in "
-                               "one plane.",
-                           .bodies = {}};
+    SceneDescription scene;
     scene.world.planar = true;
     scene.bodies.push_back(fixed_box("ground", {0, -0.5, 0}, {30, 0.5, 0.5}));
     for (const double side : {-1.0, 1.0})

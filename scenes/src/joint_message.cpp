@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/v1/scene.pb.h"
 
 namespace jostle::scenes {
@@ -47,7 +47,7 @@ std::string name_of(const SceneDescription& scene, std::size_t body) {
 // The rotation stays as it is given: made unit length twice it may differ in the last bit, and the
 // world does it once.
 Transform read_frame(FieldReader& in, const std::string& path, const v1::Frame& m) {
-    return {in.vector(path + ".position", m.position(), tuning::max_coordinate),
+    return {in.vector(path + ".position", m.position(), limits::max_coordinate),
             in.rotation(path + ".rotation", m.has_rotation(), m.rotation())};
 }
 
@@ -76,8 +76,8 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
             if (h.has_limit()) out.limit = read_limit(in, at + ".limit", h.limit());
             if (h.has_motor_speed())
                 out.motor = {true,
-                             in.number(at + ".motor_speed", h.motor_speed(), -tuning::max_speed,
-                                       tuning::max_speed),
+                             in.number(at + ".motor_speed", h.motor_speed(), -limits::max_speed,
+                                       limits::max_speed),
                              in.number(at + ".motor_max_torque", h.motor_max_torque(), 0, 1e12)};
             if (h.has_spring()) out.spring = read_spring(in, at + ".spring", h.spring());
             out.spring_angle = in.number(at + ".spring_angle", h.spring_angle(), -pi, pi);

@@ -10,21 +10,6 @@ using namespace physics;
 
 namespace {
 
-// Where a frame in the world is in a body as it starts.
-Transform seen_from(const SceneBody& body, const Transform& frame) {
-    const Transform& pose = body.body.pose;
-    return {apply_inverse(pose, frame.position), conjugate(pose.rotation) * frame.rotation};
-}
-
-void join(SceneDescription& scene, const char* name, std::size_t a, std::size_t b,
-          const Transform& frame, const JointKind& kind) {
-    SceneJoint joint{.name = name, .body_a = a, .body_b = b, .joint = {}};
-    joint.joint.frame_a = seen_from(scene.bodies[a], frame);
-    joint.joint.frame_b = seen_from(scene.bodies[b], frame);
-    joint.joint.kind = kind;
-    scene.joints.push_back(joint);
-}
-
 // Turns a joint's x axis to a direction in the world.
 Quat facing(Vec3 x) {
     const Vec3 n = normalized(x), axis = cross(Vec3{1, 0, 0}, n);
@@ -82,10 +67,7 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
 }  // namespace
 
 SceneDescription ragdolls() {
-    SceneDescription scene{
-        .name = "ragdolls",
-        .description = "Twelve people of eleven bones fall down a flight of stairs.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     for (int k = 0; k < 8; k++)
         scene.bodies.push_back(
             colored(fixed_box("step", {-4 + k * 0.8, 0.2 * (8 - k), 0}, {0.4, 0.2 * (8 - k), 4}),
@@ -98,11 +80,7 @@ SceneDescription ragdolls() {
 }
 
 SceneDescription bridge() {
-    SceneDescription scene{.name = "bridge",
-                           .description =
-                               "A bridge of 20 planks, a chain with a wrecking ball, and a gate of "
-                               "boards whose joints break.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     const std::size_t left = scene.bodies.size();
     scene.bodies.push_back(fixed_box("pier", {-7, 1.5, 0}, {1, 1.5, 1.2}));
     const std::size_t right = scene.bodies.size();
@@ -160,12 +138,7 @@ SceneDescription bridge() {
 }
 
 SceneDescription workshop() {
-    SceneDescription scene{
-        .name = "workshop",
-        .description =
-            "A mixer on a motor, doors with limits and springs, weights on ropes, "
-            "rods and springs.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     const std::size_t floor = 0;
     // A drum of eight boards that a motor turns, with balls in it.
     SceneBody drum = colored(loose("drum", {0, 2.2, 0}, Box{{0.1, 0.1, 0.1}}), 0x577590);

@@ -9,7 +9,7 @@ using namespace physics;
 
 SceneBody fixed_box(std::string name, Vec3 center, Vec3 half_extents, Quat rotation) {
     return {.name = std::move(name),
-            .body = {.type = BodyType::fixed, .pose = {center, rotation}},
+            .body = {.type = BodyType::static_body, .pose = {center, rotation}},
             .shapes = {{.geometry = Box{half_extents}}},
             .color = {}};
 }
@@ -39,6 +39,25 @@ Geometry stone(Random& random, double radius) {
 SceneBody colored(SceneBody body, std::uint32_t color) {
     body.color = color;
     return body;
+}
+
+namespace {
+
+// Where a frame in the world is in a body as it starts.
+Transform seen_from(const SceneBody& body, const Transform& frame) {
+    const Transform& pose = body.body.pose;
+    return {apply_inverse(pose, frame.position), conjugate(pose.rotation) * frame.rotation};
+}
+
+}  // namespace
+
+void join(SceneDescription& scene, const char* name, std::size_t a, std::size_t b,
+          const Transform& frame, const JointKind& kind) {
+    SceneJoint joint{.name = name, .body_a = a, .body_b = b, .joint = {}};
+    joint.joint.frame_a = seen_from(scene.bodies[a], frame);
+    joint.joint.frame_b = seen_from(scene.bodies[b], frame);
+    joint.joint.kind = kind;
+    scene.joints.push_back(joint);
 }
 
 }  // namespace jostle::scenes

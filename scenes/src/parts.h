@@ -31,8 +31,11 @@ SceneBody loose(std::string name, physics::Vec3 position, physics::Geometry geom
 // A convex stone of 14 corners about as large as the radius.
 physics::Geometry stone(Random& random, double radius);
 SceneBody colored(SceneBody body, std::uint32_t color);
+// Joins the bodies a and b at a frame in the world, where they are at the start.
+void join(SceneDescription& scene, const char* name, std::size_t a, std::size_t b,
+          const physics::Transform& frame, const physics::JointKind& kind);
 
-// Scenes, one function each; the catalogue lists them.
+// Scenes, one function each; the catalogue lists them with their names and descriptions.
 SceneDescription sandbox();
 SceneDescription stack();
 SceneDescription pyramid();
@@ -53,5 +56,14 @@ SceneDescription gates();
 SceneDescription bullets();
 SceneDescription locked();
 SceneDescription flatland();
+SceneDescription lab_pyramid_465();
+SceneDescription lab_pyramid_5050();
+SceneDescription lab_boxes_1000();
+SceneDescription lab_pile_5000();
+SceneDescription lab_player_901();
+SceneDescription lab_ragdolls_40();
+SceneDescription lab_joint_grid_10000();
+SceneDescription lab_asleep_10000();
+SceneDescription lab_bullets_1000();
 
 }  // namespace jostle::scenes

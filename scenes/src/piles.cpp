@@ -38,9 +38,7 @@ void add_bin(SceneDescription& scene, double inner, double height) {
 }  // namespace
 
 SceneDescription pile() {
-    SceneDescription scene{.name = "pile",
-                           .description = "1000 spheres, boxes and capsules poured into a bin.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     add_bin(scene, 5, 20);
     Random random;
     for (int i = 0; i < 1000; i++) {
@@ -56,9 +54,7 @@ SceneDescription pile() {
 }
 
 SceneDescription rain() {
-    SceneDescription scene{.name = "rain",
-                           .description = "300 bodies fall from up to 60 m onto ramps.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     for (int i = 0; i < 4; i++) {
         const double turn = i * pi / 2;
         const SinCos at = sin_cos(turn);

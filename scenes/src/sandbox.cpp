@@ -75,10 +75,7 @@ void add_dominoes(SceneDescription& scene) {
 }  // namespace
 
 SceneDescription sandbox() {
-    SceneDescription scene{
-        .name = "sandbox",
-        .description = "A walled yard with stacks, balls, ramps and dominoes to play with.",
-        .bodies = {colored(ground(), 0x7f8f6a)}};
+    SceneDescription scene{.bodies = {colored(ground(), 0x7f8f6a)}};
     add_walls(scene);
     add_stacks(scene);
     add_loose_things(scene);

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "joint_message.h"
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
@@ -38,9 +38,9 @@ constexpr struct {
 } lock_fields[] = {{lock_x, &v1::Locks::x, &v1::Locks::set_x},
                    {lock_y, &v1::Locks::y, &v1::Locks::set_y},
                    {lock_z, &v1::Locks::z, &v1::Locks::set_z},
-                   {lock_turn_x, &v1::Locks::turn_x, &v1::Locks::set_turn_x},
-                   {lock_turn_y, &v1::Locks::turn_y, &v1::Locks::set_turn_y},
-                   {lock_turn_z, &v1::Locks::turn_z, &v1::Locks::set_turn_z}};
+                   {lock_rotation_x, &v1::Locks::turn_x, &v1::Locks::set_turn_x},
+                   {lock_rotation_y, &v1::Locks::turn_y, &v1::Locks::set_turn_y},
+                   {lock_rotation_z, &v1::Locks::turn_z, &v1::Locks::set_turn_z}};
 
 AxisLocks locks_of(const v1::Locks& m) {
     AxisLocks locks = 0;
@@ -71,7 +71,7 @@ private:
         if (m.has_gravity()) out.world.gravity = vector("world.gravity", m.gravity(), 1000);
         if (m.has_substeps())
             out.world.substeps =
-                static_cast<int>(number("world.substeps", m.substeps(), 1, tuning::max_substeps));
+                static_cast<int>(number("world.substeps", m.substeps(), 1, limits::max_substeps));
         if (m.has_hz()) out.hz = number("world.hz", m.hz(), 4, 1000);
         if (m.has_sleeping()) out.world.sleeping = m.sleeping();
         if (m.has_continuous()) out.world.continuous = m.continuous();
@@ -99,8 +99,8 @@ private:
     void shape(SceneBody& out, const v1::Shape& m, const std::string& path) {
         const ShapeDef def = read_shape(*this, path, m);
         const bool surface = m.has_mesh() || m.has_height_field();
-        if (m.has_plane() && out.body.type != BodyType::fixed)
-            note(path + ".plane", "is infinite; only a body of type BODY_TYPE_FIXED may have one");
+        if (m.has_plane() && out.body.type != BodyType::static_body)
+            note(path + ".plane", "is infinite; only a body of type BODY_TYPE_STATIC may have one");
         if (surface && out.body.type == BodyType::dynamic)
             note(path, "is a surface without mass; give a dynamic body hulls or a compound");
         out.shapes.push_back(def);
@@ -111,8 +111,8 @@ private:
             return note(path + ".name", "must be a text of at most 64 bytes");
         SceneBody out{.name = m.name(), .body = {}, .shapes = {}, .color = {}};
         switch (m.type()) {
-            case v1::BODY_TYPE_FIXED:
-                out.body.type = BodyType::fixed;
+            case v1::BODY_TYPE_STATIC:
+                out.body.type = BodyType::static_body;
                 break;
             case v1::BODY_TYPE_KINEMATIC:
                 out.body.type = BodyType::kinematic;
@@ -124,23 +124,23 @@ private:
                 note(path + ".type", "is not a body type");
         }
         BodyDef& b = out.body;
-        b.pose = {vector(path + ".position", m.position(), tuning::max_coordinate),
+        b.pose = {vector(path + ".position", m.position(), limits::max_coordinate),
                   rotation(path + ".rotation", m.has_rotation(), m.rotation())};
         b.linear_velocity =
-            vector(path + ".linear_velocity", m.linear_velocity(), tuning::max_speed);
+            vector(path + ".linear_velocity", m.linear_velocity(), limits::max_speed);
         b.angular_velocity =
-            vector(path + ".angular_velocity", m.angular_velocity(), tuning::max_speed);
+            vector(path + ".angular_velocity", m.angular_velocity(), limits::max_speed);
         const bool moves = !(b.linear_velocity == Vec3{}) || !(b.angular_velocity == Vec3{});
-        if (b.type == BodyType::fixed && moves)
+        if (b.type == BodyType::static_body && moves)
             note(path + ".type",
-                 "is BODY_TYPE_FIXED but the body has a velocity; use BODY_TYPE_KINEMATIC");
+                 "is BODY_TYPE_STATIC but the body has a velocity; use BODY_TYPE_KINEMATIC");
         if (m.has_linear_damping())
             b.linear_damping = number(path + ".linear_damping", m.linear_damping(), 0, 1e4);
         if (m.has_angular_damping())
             b.angular_damping = number(path + ".angular_damping", m.angular_damping(), 0, 1e4);
         if (m.has_gravity_scale())
             b.gravity_scale = number(path + ".gravity_scale", m.gravity_scale(), -1e3, 1e3);
-        if (m.has_may_sleep()) b.may_sleep = m.may_sleep();
+        if (m.has_may_sleep()) b.sleep_allowed = m.may_sleep();
         if (m.has_continuous()) b.continuous = m.continuous();
         if (m.has_mass()) b.mass = number(path + ".mass", m.mass(), 1e-9, 1e15);
         b.locks = locks_of(m.locks());
@@ -198,7 +198,7 @@ Error invalid(std::string message) {
 void write_body(v1::Body& out, const SceneBody& body) {
     const BodyDef& b = body.body;
     out.set_name(body.name);
-    out.set_type(b.type == BodyType::fixed       ? v1::BODY_TYPE_FIXED
+    out.set_type(b.type == BodyType::static_body ? v1::BODY_TYPE_STATIC
                  : b.type == BodyType::kinematic ? v1::BODY_TYPE_KINEMATIC
                                                  : v1::BODY_TYPE_DYNAMIC);
     set(*out.mutable_position(), b.pose.position);
@@ -208,7 +208,7 @@ void write_body(v1::Body& out, const SceneBody& body) {
     if (b.linear_damping != 0) out.set_linear_damping(b.linear_damping);
     if (b.angular_damping != 0) out.set_angular_damping(b.angular_damping);
     if (b.gravity_scale != 1) out.set_gravity_scale(b.gravity_scale);
-    if (!b.may_sleep) out.set_may_sleep(false);
+    if (!b.sleep_allowed) out.set_may_sleep(false);
     if (!b.continuous) out.set_continuous(false);
     if (b.mass > 0) out.set_mass(b.mass);
     for (const auto& field : lock_fields)

@@ -4,8 +4,8 @@
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
+#include "jostle/physics/limits.h"
 #include "jostle/physics/mesh.h"
-#include "jostle/physics/tuning.h"
 #include "jostle/v1/scene.pb.h"
 #include "shape_reader.h"
 
@@ -153,7 +153,7 @@ Material read_material(FieldReader& in, const std::string& path, const v1::Shape
         out.torsional_friction =
             in.number(path + ".torsional_friction", m.torsional_friction(), 0, 100);
     out.surface_velocity =
-        in.vector(path + ".surface_velocity", m.surface_velocity(), tuning::max_speed);
+        in.vector(path + ".surface_velocity", m.surface_velocity(), limits::max_speed);
     out.friction_rule = rule_of(in, path + ".friction_rule", m.friction_rule(), out.friction_rule);
     out.restitution_rule =
         rule_of(in, path + ".restitution_rule", m.restitution_rule(), out.restitution_rule);
@@ -263,7 +263,7 @@ ShapeDef read_shape(FieldReader& in, const std::string& path, const v1::Shape& m
     def.pose = {in.vector(path + ".position", m.position(), max_shape_size),
                 in.rotation(path + ".rotation", m.has_rotation(), m.rotation())};
     if (m.has_density())
-        def.density = in.number(path + ".density", m.density(), 1e-3, tuning::max_density);
+        def.density = in.number(path + ".density", m.density(), 1e-3, limits::max_density);
     if (m.has_mass()) def.mass = in.number(path + ".mass", m.mass(), 1e-9, 1e15);
     def.material = read_material(in, path, m);
     if (m.filter().has_category()) def.filter.category = m.filter().category();

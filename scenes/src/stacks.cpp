@@ -8,18 +8,14 @@ namespace jostle::scenes {
 using namespace physics;
 
 SceneDescription stack() {
-    SceneDescription scene{.name = "stack",
-                           .description = "Ten boxes of one metre on top of each other.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     for (int i = 0; i < 10; i++)
         scene.bodies.push_back(loose("box " + std::to_string(i), {0, 0.5 + i, 0}, Box{}));
     return scene;
 }
 
 SceneDescription pyramid() {
-    SceneDescription scene{.name = "pyramid",
-                           .description = "A wall pyramid of 465 boxes, thirty rows high.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     constexpr int rows = 30;
     for (int row = 0; row < rows; row++)
         for (int k = 0; k < rows - row; k++)
@@ -30,10 +26,7 @@ SceneDescription pyramid() {
 }
 
 SceneDescription wall() {
-    SceneDescription scene{
-        .name = "wall",
-        .description = "A brick wall in running bond and a heavy ball that meets it.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     constexpr int rows = 12, bricks = 12;
     for (int row = 0; row < rows; row++)
         for (int k = 0; k < bricks; k++)
@@ -49,9 +42,7 @@ SceneDescription wall() {
 }
 
 SceneDescription dominoes() {
-    SceneDescription scene{.name = "dominoes",
-                           .description = "120 dominoes in a spiral; the first is pushed.",
-                           .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     // Along the spiral r = 2 + 0.35 angle, one domino every 0.42 m of arc.
     double angle = 0;
     for (int i = 0; i < 120; i++) {

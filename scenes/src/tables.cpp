@@ -8,10 +8,7 @@ namespace jostle::scenes {
 using namespace physics;
 
 SceneDescription billiards() {
-    SceneDescription scene{
-        .name = "billiards",
-        .description = "Fifteen balls on a table with cushions; the cue ball breaks them.",
-        .bodies = {ground()}};
+    SceneDescription scene{.bodies = {ground()}};
     const Material cloth{.friction = 0.2, .restitution = 0.5};
     const Material cushion{.friction = 0.14, .restitution = 0.85};
     const auto add_fixed = [&](const char* name, Vec3 center, Vec3 half, Material material,
@@ -47,8 +44,7 @@ SceneDescription billiards() {
 }
 
 SceneDescription incline() {
-    SceneDescription scene{.name = "incline",
-                           .description = "Boxes on a slope of 20 degrees, slippery to rough."};
+    SceneDescription scene;
     const double tilt = 20 * pi / 180;
     const Quat slope = from_axis_angle({0, 0, 1}, -tilt);
     SceneBody ramp = fixed_box("ramp", {0, 0, 0}, {12, 0.5, 6}, slope);
@@ -68,9 +64,7 @@ SceneDescription incline() {
 }
 
 SceneDescription free_space() {
-    SceneDescription scene{
-        .name = "free_space",
-        .description = "64 boxes collide where nothing falls: momentum is kept."};
+    SceneDescription scene;
     scene.world.gravity = {};
     Random random(2026);
     for (int i = 0; i < 64; i++) {

@@ -62,16 +62,13 @@ Geometry stairs_and_slide() {
 }  // namespace
 
 SceneDescription terrain() {
-    SceneDescription scene{
-        .name = "terrain",
-        .description = "Hills with a shaft, stairs and a slide; balls, wheels and stones on them.",
-        .bodies = {fixed_box("cellar", {0, -7, 0}, {200, 1, 200})}};
+    SceneDescription scene{.bodies = {fixed_box("cellar", {0, -7, 0}, {200, 1, 200})}};
     SceneBody ground{
-        .name = "hills", .body = {.type = BodyType::fixed}, .shapes = {}, .color = 0x5b7f4f};
+        .name = "hills", .body = {.type = BodyType::static_body}, .shapes = {}, .color = 0x5b7f4f};
     ground.shapes.push_back({.geometry = hills(), .material = {.friction = 0.8}});
     scene.bodies.push_back(ground);
     SceneBody slide{.name = "slide",
-                    .body = {.type = BodyType::fixed, .pose = {{-11, 6, -9}, {}}},
+                    .body = {.type = BodyType::static_body, .pose = {{-11, 6, -9}, {}}},
                     .shapes = {},
                     .color = 0x9c8f7a};
     slide.shapes.push_back({.geometry = stairs_and_slide()});

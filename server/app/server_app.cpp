@@ -56,30 +56,29 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers) {
             .on_frame = [&wakers] { wakers.wake(); }};
 }
 
-bool start_worlds(const Config& config, WorldDirectory& worlds) {
+Status start_worlds(const Config& config, WorldDirectory& worlds) {
     for (const std::string& name : config.scenes) {
+        const auto failed = [&](const Error& error) {
+            return Error{error.code, fmt::format("scene \"{}\": {}", name, error.message)};
+        };
         const auto scene = scenes::load_scene(name);
-        if (!scene.ok()) {
-            log_error("scene \"{}\": {}", name, scene.error().message);
-            return false;
-        }
-        if (const auto world = worlds.create({}, *scene); !world.ok()) {
-            log_error("scene \"{}\": {}", name, world.error().message);
-            return false;
-        }
+        if (!scene.ok()) return failed(scene.error());
+        if (const auto world = worlds.create({}, *scene); !world.ok()) return failed(world.error());
     }
-    return true;
+    return {};
 }
 
 // As given; when that leads nowhere from the current folder, as seen from the project that the
-// program was built in.
+// program was built in, or where the viewer is installed with it.
 std::filesystem::path find_web_root(const std::string& given) {
     std::error_code error;
     if (std::filesystem::exists(given, error)) return given;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path beside =
-        program.parent_path().parent_path().parent_path().parent_path() / given;
-    if (!error && std::filesystem::exists(beside, error)) return beside;
+    if (error) return given;
+    const std::filesystem::path prefix = program.parent_path().parent_path();
+    for (const std::filesystem::path& place :
+         {prefix.parent_path().parent_path() / given, prefix / "share" / "jostle" / "web"})
+        if (std::filesystem::exists(place, error)) return place;
     return given;
 }
 
@@ -89,16 +88,16 @@ std::string reachable(const std::string& host) {
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-bool write_ports(const std::string& path, int grpc_port, int http_port) {
-    if (path.empty()) return true;
+Status write_ports(const std::string& path, int grpc_port, int http_port) {
+    if (path.empty()) return {};
     // Written aside and renamed: whoever waits for the file never reads half of it.
     const std::string aside = path + ".new";
-    {
-        std::ofstream out(aside);
-        out << "{\"grpc\": " << grpc_port << ", \"http\": " << http_port << "}\n";
-        if (!out) return false;
-    }
-    return std::rename(aside.c_str(), path.c_str()) == 0;
+    std::ofstream out(aside);
+    out << "{\"grpc\": " << grpc_port << ", \"http\": " << http_port << "}\n";
+    out.close();
+    if (!out || std::rename(aside.c_str(), path.c_str()) != 0)
+        return Error{ErrorCode::unavailable, "cannot write the port file " + path};
+    return {};
 }
 
 // Waits for the first signal, then gives clients the time to leave; a second signal ends the wait.
@@ -156,7 +155,11 @@ int run_server(const Config& config, const std::string& port_file) {
     Wakers wakers;
     SessionDirectory sessions(config.world.clients_max);
     WorldDirectory worlds(host_settings(config, wakers), config.world.worlds_max);
-    if (!start_worlds(config, worlds)) return 1;
+    const auto failed = [](const Error& error) {
+        log_error("{}", error.message);
+        return 1;
+    };
+    if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
 
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
@@ -174,22 +177,15 @@ int run_server(const Config& config, const std::string& port_file) {
         {.host = http.host,
          .port = http.port,
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
-    if (const auto error = grpc.start()) {
-        log_error("{}", *error);
-        return 1;
-    }
-    if (const auto error = gateway.start()) {
-        log_error("{}", *error);
-        return 1;
-    }
+    if (Status s = grpc.start(); !s.ok()) return failed(s.error());
+    if (Status s = gateway.start(); !s.ok()) return failed(s.error());
     const std::string web = fmt::format("{}:{}", reachable(http.host), gateway.port());
     control.set_addresses({.grpc = fmt::format("{}:{}", reachable(listen.host), grpc.port()),
                            .websocket = "ws://" + web + "/play"});
     wakers.set(&grpc, &gateway);
-    if (!write_ports(port_file, grpc.port(), gateway.port())) {
-        log_error("cannot write the port file {}", port_file);
+    if (Status s = write_ports(port_file, grpc.port(), gateway.port()); !s.ok()) {
         wakers.set(nullptr, nullptr);
-        return 1;
+        return failed(s.error());
     }
     log_info("gRPC on {}:{}, viewer at http://{}", listen.host, grpc.port(), web);
 

@@ -7,11 +7,6 @@
 
 namespace jostle::server {
 
-using physics::Error;
-using physics::ErrorCode;
-using physics::Result;
-using physics::Status;
-
 namespace {
 
 Error invalid(std::string message) {

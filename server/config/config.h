@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "jostle/physics/result.h"
+#include "jostle/base/result.h"
 
 namespace jostle::server {
 
@@ -61,13 +61,13 @@ struct Config {
 };
 
 // Errors name the key and its range.
-physics::Status check(const Config& config);
+Status check(const Config& config);
 
 struct HostPort {
     std::string host;
     std::uint16_t port = 0;
 };
 // "127.0.0.1:8080", "[::1]:8080" or "localhost:0" (0: any free port).
-physics::Result<HostPort> parse_host_port(const std::string& text);
+Result<HostPort> parse_host_port(const std::string& text);
 
 }  // namespace jostle::server

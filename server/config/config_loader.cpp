@@ -10,10 +10,6 @@
 
 namespace jostle::server {
 
-using physics::Error;
-using physics::ErrorCode;
-using physics::Status;
-
 namespace {
 
 // Sets one field from a value; false when the type is wrong.

@@ -12,7 +12,7 @@ namespace jostle::server {
 
 // An unknown key or a value of the wrong type is an error that names file, line and key; `config`
 // is then unchanged.
-physics::Status load_config(Config& config, const std::string& path);
-physics::Status load_config_text(Config& config, const std::string& text, const std::string& name);
+Status load_config(Config& config, const std::string& path);
+Status load_config_text(Config& config, const std::string& text, const std::string& name);
 
 }  // namespace jostle::server

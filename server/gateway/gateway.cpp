@@ -46,13 +46,13 @@ struct Gateway::Impl {
                        begin_play(std::move(stream), request);
                    }} {}
 
-    std::optional<std::string> listen();
+    Status listen();
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
     void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
-    void keep_house();
+    void schedule_housekeeping();
     void advance_all();
-    void cut_all();
+    void abort_all();
 
     PlayContext& context;
     const GatewaySettings settings;
@@ -71,10 +71,12 @@ struct Gateway::Impl {
     std::thread thread;
 };
 
-std::optional<std::string> Gateway::Impl::listen() {
+Status Gateway::Impl::listen() {
     const auto failure = [&](std::string_view what, const beast::error_code& error) {
-        return fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT",
-                           what, settings.host, settings.port, error.message());
+        return Error{
+            ErrorCode::unavailable,
+            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT", what,
+                        settings.host, settings.port, error.message())};
     };
     beast::error_code error;
     tcp::resolver resolver(io);
@@ -91,7 +93,7 @@ std::optional<std::string> Gateway::Impl::listen() {
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error) return failure("listen on", error);
     real_port = acceptor.local_endpoint().port();
-    return std::nullopt;
+    return {};
 }
 
 void Gateway::Impl::accept() {
@@ -127,13 +129,13 @@ void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession:
     session->start(request);
 }
 
-void Gateway::Impl::keep_house() {
+void Gateway::Impl::schedule_housekeeping() {
     if (ending) return;
     housekeeping.expires_after(housekeeping_period);
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
         advance_all();
-        keep_house();
+        schedule_housekeeping();
     });
 }
 
@@ -149,7 +151,7 @@ void Gateway::Impl::advance_all() {
     }
 }
 
-void Gateway::Impl::cut_all() {
+void Gateway::Impl::abort_all() {
     // Cancelling does not reach a timer whose handler is queued already: those look at this before
     // they start anew.
     ending = true;
@@ -158,10 +160,10 @@ void Gateway::Impl::cut_all() {
     housekeeping.cancel();
     accept_again.cancel();
     for (const auto& known : http_sessions) {
-        if (const auto session = known.lock()) session->cut();
+        if (const auto session = known.lock()) session->abort();
     }
     for (const auto& known : play_sessions) {
-        if (const auto session = known.lock()) session->cut();
+        if (const auto session = known.lock()) session->abort();
     }
 }
 
@@ -172,12 +174,12 @@ Gateway::~Gateway() {
     stop();
 }
 
-std::optional<std::string> Gateway::start() {
-    if (auto error = impl_->listen()) return error;
+Status Gateway::start() {
+    if (Status s = impl_->listen(); !s.ok()) return s;
     impl_->accept();
-    impl_->keep_house();
+    impl_->schedule_housekeeping();
     impl_->thread = std::thread([impl = impl_.get()] { impl->io.run(); });
-    return std::nullopt;
+    return {};
 }
 
 std::uint16_t Gateway::port() const {
@@ -196,7 +198,7 @@ void Gateway::wake() {
 // let go of the sessions, so the io_context runs out of work and its thread ends.
 void Gateway::stop() {
     if (!impl_->thread.joinable()) return;
-    asio::post(impl_->io, [impl = impl_.get()] { impl->cut_all(); });
+    asio::post(impl_->io, [impl = impl_.get()] { impl->abort_all(); });
     impl_->thread.join();
     impl_->worker.join();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gateway/http_status.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 
@@ -31,7 +32,7 @@ HttpResponse json(int status, const google::protobuf::Message& message) {
     std::string body;
     const auto written = google::protobuf::util::MessageToJsonString(message, &body, options);
     if (!written.ok()) {
-        return to_http({AnswerCode::internal, "The answer could not be written as JSON."});
+        return to_http(Error{ErrorCode::internal, "The answer could not be written as JSON."});
     }
     return json(status, std::move(body));
 }
@@ -50,39 +51,6 @@ HttpResponse method_not_allowed(std::string allowed) {
     return response;
 }
 
-struct Words {
-    int status;
-    std::string_view name;
-};
-
-Words words_of(AnswerCode code) {
-    switch (code) {
-        case AnswerCode::ok:
-            return {200, "OK"};
-        case AnswerCode::invalid_argument:
-            return {400, "INVALID_ARGUMENT"};
-        case AnswerCode::not_found:
-            return {404, "NOT_FOUND"};
-        case AnswerCode::already_exists:
-            return {409, "ALREADY_EXISTS"};
-        case AnswerCode::failed_precondition:
-            return {409, "FAILED_PRECONDITION"};
-        case AnswerCode::unauthenticated:
-            return {401, "UNAUTHENTICATED"};
-        case AnswerCode::resource_exhausted:
-            return {429, "RESOURCE_EXHAUSTED"};
-        case AnswerCode::deadline_exceeded:
-            return {504, "DEADLINE_EXCEEDED"};
-        case AnswerCode::aborted:
-            return {409, "ABORTED"};
-        case AnswerCode::unavailable:
-            return {503, "UNAVAILABLE"};
-        case AnswerCode::internal:
-            return {500, "INTERNAL"};
-    }
-    return {500, "INTERNAL"};
-}
-
 // "http://host:port" to "host:port".
 std::string_view host_of_origin(std::string_view origin) {
     const std::size_t at = origin.find("://");
@@ -98,31 +66,30 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
     }
     const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
     if (read.ok()) return std::nullopt;
-    return to_http({AnswerCode::invalid_argument, "The body is not a " +
-                                                      message.GetDescriptor()->full_name() +
-                                                      " as JSON: " + std::string(read.message())});
+    return to_http(Error{ErrorCode::invalid_argument,
+                         "The body is not a " + message.GetDescriptor()->full_name() +
+                             " as JSON: " + std::string(read.message())});
 }
 
 // Reads a question, asks it, writes the answer.
 template <class Request, class Response>
 HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
-                 Answer (QueryControl::*method)(const Request&, Response&) const) {
+                 Status (QueryControl::*method)(const Request&, Response&) const) {
     Request message;
     if (const auto refused = read_json(message, request)) return *refused;
     Response response;
-    const Answer answer = (queries.*method)(message, response);
-    return answer.ok() ? json(200, response) : to_http(answer);
+    const Status status = (queries.*method)(message, response);
+    return status.ok() ? json(200, response) : to_http(status.error());
 }
 
 }  // namespace
 
-HttpResponse to_http(const Answer& answer) {
-    const Words words = words_of(answer.code);
-    const nlohmann::json body = {{"code", words.name}, {"message", answer.message}};
+HttpResponse to_http(const Error& error) {
+    const HttpCode code = http_code_of(error.code);
+    const nlohmann::json body = {{"code", code.name}, {"message", error.message}};
     HttpResponse response = json(
-        words.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    if (words.status == 503 || words.status == 429)
-        response.headers.emplace_back("Retry-After", "5");
+        code.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    if (code.status == 503 || code.status == 429) response.headers.emplace_back("Retry-After", "5");
     return response;
 }
 
@@ -170,7 +137,7 @@ HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view
     }
     if (path.starts_with("/api/worlds/")) {
         const std::optional<std::string> relative = relative_path_of(path);
-        if (!relative) return to_http({AnswerCode::invalid_argument, "The path is malformed."});
+        if (!relative) return to_http(Error{ErrorCode::invalid_argument, "The path is malformed."});
         const std::string world = relative->substr(worlds_path.size());  // without the first '/'
         if (world.find('/') == std::string::npos) {
             if (!changes) return get_world(world);
@@ -182,31 +149,32 @@ HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view
         if (request.method != "POST") return method_not_allowed("POST");
         return query(request, path.substr(query_path.size()));
     }
-    return to_http({AnswerCode::not_found,
-                    "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
-                    "are what there is."});
+    return to_http(
+        Error{ErrorCode::not_found,
+              "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
+              "are what there is."});
 }
 
 HttpResponse HttpRoutes::list_worlds() const {
     v1::ListWorldsResponse response;
-    const Answer answer = worlds_.list({}, response);
-    return answer.ok() ? json(200, response) : to_http(answer);
+    const Status status = worlds_.list({}, response);
+    return status.ok() ? json(200, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::get_world(const std::string& world) const {
     v1::GetWorldRequest request;
     request.set_world(world);
     v1::GetWorldResponse response;
-    const Answer answer = worlds_.get(request, response);
-    return answer.ok() ? json(200, response) : to_http(answer);
+    const Status status = worlds_.get(request, response);
+    return status.ok() ? json(200, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::create_world(const HttpRequest& request) const {
     v1::CreateWorldRequest message;
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
-    const Answer answer = worlds_.create(message, response);
-    return answer.ok() ? json(201, response) : to_http(answer);
+    const Status status = worlds_.create(message, response);
+    return status.ok() ? json(201, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method) const {
@@ -215,17 +183,17 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
     if (method == "Overlap") return ask(request, queries_, &QueryControl::overlap);
     if (method == "ClosestPoints") return ask(request, queries_, &QueryControl::closest_points);
     if (method == "Debug") return ask(request, queries_, &QueryControl::debug);
-    return to_http({AnswerCode::not_found,
-                    "There is no such query; CastRays, CastShapes, Overlap, ClosestPoints and "
-                    "Debug are what there is."});
+    return to_http(Error{ErrorCode::not_found,
+                         "There is no such query; CastRays, CastShapes, Overlap, ClosestPoints and "
+                         "Debug are what there is."});
 }
 
 HttpResponse HttpRoutes::delete_world(const std::string& world) const {
     v1::DeleteWorldRequest request;
     request.set_world(world);
     v1::DeleteWorldResponse response;
-    const Answer answer = worlds_.remove(request, response);
-    return answer.ok() ? json(200, response) : to_http(answer);
+    const Status status = worlds_.remove(request, response);
+    return status.ok() ? json(200, response) : to_http(status.error());
 }
 
 }  // namespace jostle::server

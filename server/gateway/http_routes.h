@@ -13,6 +13,7 @@
 
 #include "gateway/http_message.h"
 #include "gateway/web_files.h"
+#include "jostle/base/result.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
 
@@ -53,6 +54,6 @@ private:
 };
 
 // {"code": "NOT_FOUND", "message": "..."} with the HTTP status that fits.
-HttpResponse to_http(const Answer& answer);
+HttpResponse to_http(const Error& error);
 
 }  // namespace jostle::server

@@ -43,8 +43,8 @@ void HttpSession::start() {
     read(services_.settings.request_timeout);
 }
 
-void HttpSession::cut() {
-    Error ignored;
+void HttpSession::abort() {
+    beast::error_code ignored;
     stream_.socket().close(ignored);
 }
 
@@ -53,12 +53,13 @@ void HttpSession::read(std::chrono::seconds patience) {
     parser_->header_limit(static_cast<std::uint32_t>(services_.settings.header_bytes_max));
     parser_->body_limit(services_.settings.body_bytes_max);
     stream_.expires_after(patience);
-    http::async_read(
-        stream_, buffer_, *parser_,
-        [self = shared_from_this()](Error error, std::size_t) { self->on_read(error); });
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](beast::error_code error, std::size_t) {
+                         self->on_read(error);
+                     });
 }
 
-void HttpSession::on_read(Error error) {
+void HttpSession::on_read(beast::error_code error) {
     if (error == http::error::header_limit) {
         return refuse(431, "The request's header is too big.\n");
     }
@@ -118,12 +119,13 @@ void HttpSession::write(const HttpResponse& answer) {
     if (!head_only_) response_.body() = answer.body;
 
     stream_.expires_after(services_.settings.request_timeout);
-    http::async_write(stream_, response_, [self = shared_from_this()](Error error, std::size_t) {
-        self->on_wrote(error);
-    });
+    http::async_write(stream_, response_,
+                      [self = shared_from_this()](beast::error_code error, std::size_t) {
+                          self->on_wrote(error);
+                      });
 }
 
-void HttpSession::on_wrote(Error error) {
+void HttpSession::on_wrote(beast::error_code error) {
     if (error) return;
     if (!response_.keep_alive()) {
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);

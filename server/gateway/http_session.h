@@ -10,11 +10,13 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include "gateway/gateway.h"
+#include "gateway/gateway_settings.h"
+#include "gateway/http_routes.h"
 
 namespace jostle::server {
 
@@ -33,18 +35,17 @@ public:
 
     HttpSession(boost::asio::ip::tcp::socket socket, const Services& services);
     void start();
-    void cut();
+    void abort();
 
 private:
-    using Error = boost::beast::error_code;
     using Response = boost::beast::http::response<Body>;
 
     void read(std::chrono::seconds patience);
-    void on_read(Error error);
+    void on_read(boost::beast::error_code error);
     void refuse(int status, std::string text);
     void answer_on_worker(HttpRequest request);
     void write(const HttpResponse& answer);
-    void on_wrote(Error error);
+    void on_wrote(boost::beast::error_code error);
 
     boost::beast::tcp_stream stream_;
     const Services& services_;

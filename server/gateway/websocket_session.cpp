@@ -20,21 +20,26 @@ namespace {
 constexpr auto handshake_timeout = std::chrono::seconds(5);  // also for the closing handshake
 constexpr auto last_write_patience = std::chrono::seconds(1);
 
-websocket::close_code close_code_of(AnswerCode code) {
+websocket::close_code close_code_of(ErrorCode code) {
     switch (code) {
-        case AnswerCode::ok:
-            return websocket::close_code::normal;
-        case AnswerCode::unavailable:
+        case ErrorCode::unavailable:
             return websocket::close_code::service_restart;
-        case AnswerCode::resource_exhausted:
+        case ErrorCode::resource_exhausted:
             return websocket::close_code::try_again_later;
-        case AnswerCode::internal:
+        case ErrorCode::internal:
             return websocket::close_code::internal_error;
-        case AnswerCode::aborted:
+        case ErrorCode::aborted:
             return websocket::close_code::going_away;
         default:
             return websocket::close_code::policy_error;
     }
+}
+
+// A close frame has room for 123 bytes of reason.
+websocket::close_reason reason_of(const Status& end) {
+    if (end.ok()) return websocket::close_code::normal;
+    return {close_code_of(end.error().code),
+            boost::string_view(end.error().message).substr(0, 120)};
 }
 
 std::string peer_name(const beast::tcp_stream& stream) {
@@ -63,29 +68,32 @@ WebSocketSession::WebSocketSession(PlayContext& context, beast::tcp_stream strea
 }
 
 void WebSocketSession::start(const Request& upgrade) {
-    socket_.async_accept(upgrade,
-                         [self = shared_from_this()](Error error) { self->on_accepted(error); });
+    socket_.async_accept(upgrade, [self = shared_from_this()](beast::error_code error) {
+        self->on_accepted(error);
+    });
 }
 
-void WebSocketSession::on_accepted(Error error) {
+void WebSocketSession::on_accepted(beast::error_code error) {
     if (error) return;  // the socket closes with the last reference to this session
     link_.emplace(context_, peer_, Clock::now());
     read();
 }
 
 void WebSocketSession::read() {
-    socket_.async_read(
-        incoming_, [self = shared_from_this()](Error error, std::size_t) { self->on_read(error); });
+    socket_.async_read(incoming_,
+                       [self = shared_from_this()](beast::error_code error, std::size_t) {
+                           self->on_read(error);
+                       });
 }
 
-void WebSocketSession::on_read(Error error) {
+void WebSocketSession::on_read(beast::error_code error) {
     const Clock::time_point now = Clock::now();
     if (error == websocket::error::message_too_big) {
-        link_->refuse({AnswerCode::resource_exhausted, "The message is too big."}, now);
+        link_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
     } else if (error) {
-        link_->peer_closed(now);
+        link_->on_peer_closed(now);
     } else if (socket_.got_text()) {
-        link_->refuse({AnswerCode::invalid_argument, "Messages are binary, not text."}, now);
+        link_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
     } else {
         const const_buffer bytes = incoming_.cdata();
         link_->receive({static_cast<const char*>(bytes.data()), bytes.size()}, now);
@@ -96,10 +104,10 @@ void WebSocketSession::on_read(Error error) {
     advance(now);
 }
 
-void WebSocketSession::on_wrote(Error error) {
+void WebSocketSession::on_wrote(beast::error_code error) {
     const Clock::time_point now = Clock::now();
     writing_ = false;
-    if (error) link_->peer_closed(now);
+    if (error) link_->on_peer_closed(now);
     advance(now);
 }
 
@@ -108,7 +116,7 @@ void WebSocketSession::advance(Clock::time_point now) {
     if (writing_) {
         link_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its socket, for ever.
-        if (link_->end() && now >= link_->end_time() + last_write_patience) cut();
+        if (link_->end() && now >= link_->end_time() + last_write_patience) abort();
         return;
     }
     if (std::optional<OutMessage> message = link_->take_message(now)) {
@@ -116,24 +124,22 @@ void WebSocketSession::advance(Clock::time_point now) {
         writing_ = true;
         std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
         if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
-        socket_.async_write(pieces, [self = shared_from_this()](Error error, std::size_t) {
-            self->on_wrote(error);
-        });
+        socket_.async_write(pieces,
+                            [self = shared_from_this()](beast::error_code error, std::size_t) {
+                                self->on_wrote(error);
+                            });
         return;
     }
-    if (const std::optional<Answer>& end = link_->end()) close(*end);
+    if (const std::optional<Status>& end = link_->end()) close(*end);
 }
 
-void WebSocketSession::close(const Answer& end) {
+void WebSocketSession::close(const Status& end) {
     closing_ = true;
-    // A close frame has room for 123 bytes of reason.
-    const websocket::close_reason reason(close_code_of(end.code),
-                                         boost::string_view(end.message).substr(0, 120));
-    socket_.async_close(reason, [self = shared_from_this()](Error) {});
+    socket_.async_close(reason_of(end), [self = shared_from_this()](beast::error_code) {});
 }
 
-void WebSocketSession::cut() {
-    Error ignored;
+void WebSocketSession::abort() {
+    beast::error_code ignored;
     socket_.next_layer().socket().close(ignored);
 }
 

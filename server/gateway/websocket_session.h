@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 
+#include "jostle/base/result.h"
 #include "protocol/client_link.h"
 
 namespace jostle::server {
@@ -31,17 +32,15 @@ public:
     // Starts the next write when none is in flight and there is something to say, or closes the
     // socket.
     void advance(Clock::time_point now);
-    // The gateway stops: no more words.
-    void cut();
+    // The gateway stops: closes the socket at once.
+    void abort();
 
 private:
-    using Error = boost::beast::error_code;
-
-    void on_accepted(Error error);
+    void on_accepted(boost::beast::error_code error);
     void read();
-    void on_read(Error error);
-    void on_wrote(Error error);
-    void close(const Answer& end);
+    void on_read(boost::beast::error_code error);
+    void on_wrote(boost::beast::error_code error);
+    void close(const Status& end);
 
     PlayContext& context_;
     boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Everything anyone may ask of a world, as plain values. Made by protocol/convert from messages,
-// checked by session/admission, queued, and turned into World calls by host/hosted_world and
-// nowhere else.
+// Everything anyone may ask of a world, as plain values. Made by protocol/client_message, checked
+// by session/admission, queued, and turned into World calls by host/apply_action and nowhere else.
+// A new kind is a command here, a case in client_message.cpp, its limits in admission.cpp and what
+// it does in apply_action.cpp; where one of them lacks, the compiler says so.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <string>
 #include <variant>
 
+#include "jostle/base/result.h"
 #include "jostle/physics/defs.h"
 
 namespace jostle::server {
@@ -54,24 +56,22 @@ struct LeaveCommand {
 using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
                             DeleteCommand, ExplodeCommand, LeaveCommand>;
 
-enum class InputCode { applied, invalid, not_found, not_allowed, limit };
-
 // What became of one input.
-struct InputOutcome {
+struct InputResult {
     std::uint32_t sequence = 0;
-    InputCode code = InputCode::applied;
-    std::uint32_t tick = 0;
-    EntityId entity = 0;
-    std::string message;
+    Status status;           // ok: applied. Errors are invalid_argument (a number out of range),
+                             // not_found, permission_denied or resource_exhausted
+    std::uint32_t tick = 0;  // in which it was applied
+    EntityId entity = 0;     // which one it was about, if any; of a refused one, too
 };
 
-class OutcomeMailbox;
+class ResultQueue;
 
 struct Command {
     ClientId client = 0;
     std::uint32_t sequence = 0;  // rises by one or more per client, from 1
     Action action;
-    std::shared_ptr<OutcomeMailbox> reply;  // null: nobody waits for the outcome
+    std::shared_ptr<ResultQueue> reply;  // null: nobody waits for the result
 };
 
 }  // namespace jostle::server

@@ -15,6 +15,6 @@ struct DragSpring {
 };
 
 // Applies one tick's impulse. An error means that the body is gone.
-physics::Status pull(physics::World& world, const DragSpring& spring, double dt);
+Status pull(physics::World& world, const DragSpring& spring, double dt);
 
 }  // namespace jostle::server

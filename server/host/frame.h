@@ -27,8 +27,8 @@ struct EntityDescription {
 };
 
 // In rising order of id. A new one is made only when something appears or goes, so equal pointers
-// mean equal rosters.
-using Roster = std::vector<std::shared_ptr<const EntityDescription>>;
+// mean equal entity lists.
+using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
 struct EntityPose {
     EntityId id = 0;
@@ -39,8 +39,8 @@ struct EntityPose {
 struct Frame {
     std::uint32_t tick = 0;            // from 1
     Clock::time_point due;             // when the tick was due
-    std::vector<EntityPose> entities;  // in rising order of id, as in the roster
-    std::shared_ptr<const Roster> roster;
+    std::vector<EntityPose> entities;  // in rising order of id, as in the entity list
+    std::shared_ptr<const EntityList> entity_list;
     // Never null; empty unless a client asked for events.
     std::shared_ptr<const RecentEvents> events;
     int awake = 0, contacts = 0;

@@ -2,26 +2,12 @@
 #include "host/hosted_world.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace jostle::server {
 
 using namespace physics;
-
-namespace {
-
-constexpr double impulse_speed_max = 20;  // m/s that one impulse may give a body
-
-void refuse(InputOutcome& outcome, InputCode code, std::string message) {
-    outcome.code = code;
-    outcome.message = std::move(message);
-}
-
-void take(InputOutcome& outcome, const Status& status) {
-    if (!status.ok()) refuse(outcome, InputCode::invalid, status.error().message);
-}
-
-}  // namespace
 
 Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                         const HostLimits& limits, int threads) {
@@ -32,229 +18,80 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
-    HostedWorld hosted(std::move(built->world), limits);
+    HostedWorld hosted({.world = std::move(built->world), .limits = limits});
     for (std::size_t i = 0; i < built->bodies.size(); i++)
-        hosted.add(built->bodies[i], 0, scene.bodies[i].color, scene.bodies[i].name);
+        hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
+                                   scene.bodies[i].name);
     return hosted;
 }
 
-EntityId HostedWorld::add(BodyId body, ClientId owner, std::optional<std::uint32_t> color,
-                          std::string name) {
-    const BodyState state = *world_.body(body);
-    auto description = std::make_shared<EntityDescription>();
-    description->id = next_id_++;
-    description->type = state.type;
-    for (const ShapeId shape : world_.shapes_of(body))
-        description->shapes.push_back(*world_.shape(shape));
-    description->owner = owner;
-    description->color = color;
-    description->name = std::move(name);
-    description->mass = state.mass;
-    const EntityId id = description->id;
-    entities_.emplace(id, Entity{id, body, owner, std::move(description)});
-    if (entity_of_body_.size() <= body.index) entity_of_body_.resize(body.index + 1, 0);
-    entity_of_body_[body.index] = id;
-    roster_ = nullptr;
-    places_ = nullptr;
-    return id;
+Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
+    std::uint32_t& last = last_sequences_[client];
+    if (sequence <= last)
+        return Error{ErrorCode::invalid_argument, "input " + std::to_string(sequence) +
+                                                      " does not come after input " +
+                                                      std::to_string(last)};
+    last = sequence;
+    return {};
 }
 
-void HostedWorld::remove(EntityId id) {
-    const auto at = entities_.find(id);
-    if (at == entities_.end()) return;
-    const Entity entity = at->second;
-    for (auto& [client, state] : clients_)
-        if (state.hand && state.hand->body == entity.body) state.hand.reset();
-    if (entity.owner != 0) clients_[entity.owner].bodies--;
-    entity_of_body_[entity.body.index] = 0;
-    removed_.emplace(entity.body, id);
-    entities_.erase(at);
-    roster_ = nullptr;
-    places_ = nullptr;
-    // The registry and the world agree, so the body is there.
-    static_cast<void>(world_.destroy_body(entity.body).ok());
-}
-
-const HostedWorld::Entity* HostedWorld::dynamic_entity(EntityId id, InputOutcome& outcome) const {
-    outcome.entity = id;
-    const auto at = entities_.find(id);
-    if (at == entities_.end()) {
-        refuse(outcome, InputCode::not_found, "there is no entity " + std::to_string(id));
-        return nullptr;
-    }
-    if (at->second.description->type != BodyType::dynamic) {
-        refuse(outcome, InputCode::not_allowed,
-               "entity " + std::to_string(id) + " is not dynamic; it cannot be moved");
-        return nullptr;
-    }
-    return &at->second;
-}
-
-InputOutcome HostedWorld::apply(const Command& command, std::uint32_t tick) {
-    InputOutcome outcome{.sequence = command.sequence, .tick = tick};
-    if (!std::holds_alternative<LeaveCommand>(command.action)) {
-        Client& client = clients_[command.client];
-        if (command.sequence <= client.last_sequence) {
-            refuse(outcome, InputCode::invalid,
-                   "input " + std::to_string(command.sequence) + " does not come after input " +
-                       std::to_string(client.last_sequence));
-            return outcome;
-        }
-        client.last_sequence = command.sequence;
-    }
-    std::visit([&](const auto& action) { apply_action(action, command.client, outcome); },
-               command.action);
-    return outcome;
-}
-
-void HostedWorld::apply_action(const SpawnCommand& c, ClientId client, InputOutcome& outcome) {
-    if (static_cast<int>(entities_.size()) >= limits_.bodies_max)
-        return refuse(
-            outcome, InputCode::limit,
-            "the world is full: it holds " + std::to_string(limits_.bodies_max) + " bodies");
-    if (clients_[client].bodies >= limits_.bodies_owned_max)
-        return refuse(outcome, InputCode::limit,
-                      "you own " + std::to_string(limits_.bodies_owned_max) +
-                          " bodies, the most allowed; delete some first");
-    const Result<BodyId> body = world_.create_body(BodyDef{.pose = c.pose,
-                                                           .linear_velocity = c.linear_velocity,
-                                                           .angular_velocity = c.angular_velocity},
-                                                   c.shape);
-    if (!body.ok()) return refuse(outcome, InputCode::invalid, body.error().message);
-    clients_[client].bodies++;
-    outcome.entity = add(*body, client, c.color, {});
-}
-
-void HostedWorld::apply_action(const ImpulseCommand& c, ClientId, InputOutcome& outcome) {
-    const Entity* entity = dynamic_entity(c.entity, outcome);
-    if (!entity) return;
-    const BodyState body = *world_.body(entity->body);
-    const double most = body.mass * impulse_speed_max, size = length(c.impulse);
-    const Vec3 impulse = size > most ? c.impulse * (most / size) : c.impulse;
-    Vec3 point = c.point.value_or(body.center);
-    // A point far outside the body would be a lever of any length.
-    const Vec3 arm = point - body.center;
-    const double reach = 2;
-    if (length(arm) > reach) point = body.center + arm * (reach / length(arm));
-    take(outcome, world_.apply_impulse(entity->body, impulse, point));
-}
-
-void HostedWorld::apply_action(const GrabCommand& c, ClientId client, InputOutcome& outcome) {
-    const Entity* entity = dynamic_entity(c.entity, outcome);
-    if (!entity) return;
-    const BodyState body = *world_.body(entity->body);
-    clients_[client].hand = DragSpring{entity->body, apply_inverse(body.pose, c.point), c.point};
-}
-
-void HostedWorld::apply_action(const DragCommand& c, ClientId client, InputOutcome& outcome) {
-    std::optional<DragSpring>& hand = clients_[client].hand;
-    if (!hand)
-        return refuse(outcome, InputCode::not_found, "you hold nothing; grab an entity first");
-    hand->target = c.target;
-    outcome.entity = entity_of_body_[hand->body.index];
-}
-
-void HostedWorld::apply_action(const ReleaseCommand&, ClientId client, InputOutcome&) {
-    clients_[client].hand.reset();
-}
-
-void HostedWorld::apply_action(const DeleteCommand& c, ClientId client, InputOutcome& outcome) {
-    outcome.entity = c.entity;
-    const auto at = entities_.find(c.entity);
-    if (at == entities_.end())
-        return refuse(outcome, InputCode::not_found,
-                      "there is no entity " + std::to_string(c.entity));
-    if (at->second.owner != client)
-        return refuse(outcome, InputCode::not_allowed,
-                      "entity " + std::to_string(c.entity) + " is not yours");
-    remove(c.entity);
-}
-
-void HostedWorld::apply_action(const ExplodeCommand& c, ClientId, InputOutcome& outcome) {
-    for (const auto& [id, entity] : entities_) {
-        if (entity.description->type != BodyType::dynamic) continue;
-        const BodyState body = *world_.body(entity.body);
-        const Vec3 away = body.center - c.center;
-        const double distance = length(away);
-        if (distance >= c.radius) continue;
-        const double speed = c.speed * (1 - distance / c.radius);
-        const Vec3 impulse = normalized(away) * (speed * body.mass);
-        take(outcome, world_.apply_impulse(entity.body, impulse, body.center));
-    }
-}
-
-void HostedWorld::apply_action(const LeaveCommand& c, ClientId client, InputOutcome&) {
-    if (!c.keep_bodies) {
-        std::vector<EntityId> owned;
-        for (const auto& [id, entity] : entities_)
-            if (entity.owner == client) owned.push_back(id);
-        for (const EntityId id : owned) remove(id);
-    }
-    clients_.erase(client);
+InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
+    InputResult result{.sequence = command.sequence, .tick = tick};
+    const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
+    if (!is_leave) result.status = accept_sequence(command.client, command.sequence);
+    if (result.status.ok())
+        result.status = apply_action(state_, command.client, command.action, result.entity);
+    // The client is gone, and with it what its inputs are counted from.
+    if (is_leave) last_sequences_.erase(command.client);
+    return result;
 }
 
 Status HostedWorld::step(double dt) {
-    for (auto& [id, client] : clients_)
-        if (client.hand && !pull(world_, *client.hand, dt).ok()) client.hand.reset();
-    Status stepped = world_.step(dt);
-    if (stepped.ok()) removed_before_step_ = std::exchange(removed_, {});
+    state_.grabs.pull_all(state_.world, dt);
+    Status stepped = state_.world.step(dt);
+    if (stepped.ok()) state_.entities.on_step();
     return stepped;
 }
 
-EntityId HostedWorld::entity_of(BodyId body) const {
-    const auto at = removed_before_step_.find(body);
-    return at != removed_before_step_.end() ? at->second : entity_of_body_[body.index];
-}
-
 std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const {
-    return copy_events(world_.events(), tick, [this](BodyId body) { return entity_of(body); });
+    return copy_events(state_.world.events(), tick,
+                       [this](BodyId body) { return state_.entities.entity_of(body); });
 }
 
 std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarantined() {
     std::vector<std::shared_ptr<const EntityDescription>> fresh;
-    for (const BodyId body : world_.events().quarantined) {
-        const EntityId id = entity_of(body);
-        if (quarantined_.insert(id).second) fresh.push_back(entities_.at(id).description);
+    for (const BodyId body : state_.world.events().quarantined) {
+        const EntityId id = state_.entities.entity_of(body);
+        if (quarantined_.insert(id).second) fresh.push_back(state_.entities.find(id)->description);
     }
     return fresh;
-}
-
-const std::shared_ptr<const Roster>& HostedWorld::roster() {
-    if (!roster_) {
-        auto roster = std::make_shared<Roster>();
-        roster->reserve(entities_.size());
-        for (const auto& [id, entity] : entities_) roster->push_back(entity.description);
-        roster_ = std::move(roster);
-    }
-    return roster_;
 }
 
 QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
     auto frame = std::make_shared<QueryFrame>();
     frame->tick = tick;
     frame->parts = parts;
-    frame->roster = roster();
-    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*roster_));
-    frame->places = places_;
-    copy_parts(*frame, world_, entity_of_body_);
+    frame->entity_list = state_.entities.list();
+    frame->places = state_.entities.places();
+    copy_parts(*frame, state_.world, state_.entities.by_body());
     return frame;
 }
 
 void HostedWorld::copy_into(Frame& frame) {
-    frame.roster = roster();
-    world_.copy_bodies(bodies_);
+    frame.entity_list = state_.entities.list();
+    state_.world.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());
     frame.awake = 0;
     for (const BodyState& body : bodies_) {
         frame.awake += body.awake && body.type == BodyType::dynamic ? 1 : 0;
-        frame.entities.push_back({entity_of_body_[body.id.index], body.pose, body.awake});
+        frame.entities.push_back({state_.entities.by_body()[body.id.index], body.pose, body.awake});
     }
     // Bodies come by index; an index that was used again holds a later entity.
     std::sort(frame.entities.begin(), frame.entities.end(),
               [](const EntityPose& a, const EntityPose& b) { return a.id < b.id; });
-    frame.contacts = world_.profile().touching;
-    frame.step_ms = world_.profile().step_ms;
+    frame.contacts = state_.world.profile().touching;
+    frame.step_ms = state_.world.profile().step_ms;
 }
 
 }  // namespace jostle::server

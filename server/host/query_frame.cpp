@@ -41,7 +41,7 @@ void add_islands(QueryFrame& frame, const World& world,
 }
 
 void add_bounds(QueryFrame& frame, const World& world) {
-    for (const auto& entity : *frame.roster)
+    for (const auto& entity : *frame.entity_list)
         for (const ShapeState& shape : entity->shapes)
             if (const auto box = world.bounds(shape.id); box.ok())  // a plane has none
                 add(frame.bounds, *box, frame, copy_bounds);
@@ -69,15 +69,15 @@ void add_joints(QueryFrame& frame, const World& world,
 }  // namespace
 
 BodyId QueryFrame::body_of(EntityId entity) const {
-    const auto at = std::ranges::lower_bound(*roster, entity, {},
+    const auto at = std::ranges::lower_bound(*entity_list, entity, {},
                                              [](const auto& described) { return described->id; });
-    if (at == roster->end() || (*at)->id != entity || (*at)->shapes.empty()) return {};
+    if (at == entity_list->end() || (*at)->id != entity || (*at)->shapes.empty()) return {};
     return (*at)->shapes.front().body;
 }
 
-ShapePlaces places_in(const Roster& roster) {
+ShapePlaces places_in(const EntityList& entity_list) {
     ShapePlaces places;
-    for (const auto& entity : roster)
+    for (const auto& entity : entity_list)
         for (std::uint32_t number = 0; number < entity->shapes.size(); number++) {
             const std::size_t index = entity->shapes[number].id.index;
             if (places.size() <= index) places.resize(index + 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A copy of a world that questions are answered from, on any thread, while the world ticks on.
-// Made by the world's thread while somebody asks (host/query_desk), with only those parts that were
-// asked for.
+// Made by the world's thread while somebody asks (host/query_broker), with only those parts that
+// were asked for.
 #pragma once
 
 #include <memory>
@@ -48,8 +48,8 @@ using ShapePlaces = std::vector<ShapePlace>;  // by index of the shape
 struct QueryFrame {
     std::uint32_t tick = 0;
     CopyParts parts = 0;
-    std::shared_ptr<const Roster> roster;
-    std::shared_ptr<const ShapePlaces> places;  // shared like the roster, and as long
+    std::shared_ptr<const EntityList> entity_list;
+    std::shared_ptr<const ShapePlaces> places;  // shared like the entity list, and as long
     std::optional<physics::Queries> queries;    // with copy_shapes
 
     std::vector<DebugContact> contacts;
@@ -65,9 +65,10 @@ struct QueryFrame {
 
 using QueryFramePtr = std::shared_ptr<const QueryFrame>;
 
-ShapePlaces places_in(const Roster& roster);
+ShapePlaces places_in(const EntityList& entity_list);
 
-// Fills what the parts ask for; roster and places are set. `entity_of_body`: by index of the body.
+// Fills what the parts ask for; entity list and places are set. `entity_of_body`: by index of the
+// body.
 void copy_parts(QueryFrame& frame, const physics::World& world,
                 const std::vector<EntityId>& entity_of_body);
 

@@ -2,91 +2,115 @@
 #include "host/tick_events.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <utility>
 
 namespace jostle::server {
 
-using namespace physics;
+using physics::Events;
 
 namespace {
 
-template <class Event>
-ContactHappening between(const Event& event, const EntityOfBody& entity_of) {
-    ContactHappening out;
-    out.a = entity_of(event.body_a);
-    out.b = entity_of(event.body_b);
-    if constexpr (requires { event.point; }) {
-        out.point = event.point;
-        out.normal = event.normal;
-    }
-    if constexpr (requires { event.approach; }) out.speed = event.approach;
-    if constexpr (requires { event.normal_impulse; }) out.impulse = event.normal_impulse;
-    return out;
+// One event between bodies as one between entities.
+ContactEvent convert(const physics::ContactBegin& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a),
+            .b = entity_of(e.body_b),
+            .point = e.point,
+            .normal = e.normal,
+            .speed = e.approach};
 }
 
-template <class Event>
-std::vector<ContactHappening> contacts_of(std::span<const Event> events,
-                                          const EntityOfBody& entity_of) {
-    std::vector<ContactHappening> out;
+ContactEvent convert(const physics::ContactEnd& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a), .b = entity_of(e.body_b)};
+}
+
+ContactEvent convert(const physics::ContactStay& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a),
+            .b = entity_of(e.body_b),
+            .point = e.point,
+            .normal = e.normal,
+            .impulse = e.normal_impulse};
+}
+
+ContactEvent convert(const physics::ContactHit& e, const EntityOfBody& entity_of) {
+    return {.a = entity_of(e.body_a),
+            .b = entity_of(e.body_b),
+            .point = e.point,
+            .normal = e.normal,
+            .speed = e.approach};
+}
+
+TriggerEvent convert(const physics::TriggerEvent& e, const EntityOfBody& entity_of) {
+    return {entity_of(e.trigger_body), entity_of(e.body)};
+}
+
+JointBreakEvent convert(const physics::JointBreak& e, const EntityOfBody& entity_of) {
+    return {entity_of(e.body_a), entity_of(e.body_b), e.force, e.torque};
+}
+
+EntityId convert(physics::BodyId body, const EntityOfBody& entity_of) {
+    return entity_of(body);
+}
+
+// Lists are sorted by these.
+auto order_of(const ContactEvent& e) {
+    return std::pair(e.a, e.b);
+}
+auto order_of(const TriggerEvent& e) {
+    return std::pair(e.trigger, e.entity);
+}
+auto order_of(const JointBreakEvent& e) {
+    return std::pair(e.a, e.b);
+}
+auto order_of(EntityId entity) {
+    return entity;
+}
+
+// Where the solver lists a kind of event, and where a tick keeps it.
+template <class Theirs, class Ours>
+struct Kind {
+    std::span<const Theirs> Events::*theirs;
+    std::vector<Ours> TickEvents::*ours;
+};
+
+constexpr std::tuple kinds{
+    Kind{&Events::contacts_began, &TickEvents::contacts_began},
+    Kind{&Events::contacts_ended, &TickEvents::contacts_ended},
+    Kind{&Events::contacts, &TickEvents::contacts},
+    Kind{&Events::hits, &TickEvents::hits},
+    Kind{&Events::triggers_entered, &TickEvents::triggers_entered},
+    Kind{&Events::triggers_stayed, &TickEvents::triggers_stayed},
+    Kind{&Events::triggers_left, &TickEvents::triggers_left},
+    Kind{&Events::joints_broke, &TickEvents::joints_broke},
+    Kind{&Events::fell_asleep, &TickEvents::fell_asleep},
+    Kind{&Events::woke, &TickEvents::woke},
+};
+static_assert(std::tuple_size_v<decltype(kinds)> == TickEvents::kinds);
+
+template <class Theirs, class Ours>
+std::vector<Ours> copy(std::span<const Theirs> events, const EntityOfBody& entity_of) {
+    std::vector<Ours> out;
     out.reserve(events.size());
-    for (const Event& event : events) out.push_back(between(event, entity_of));
+    for (const Theirs& event : events) out.push_back(convert(event, entity_of));
     // Stable: pairs of shapes of the same two entities stay in the world's order.
-    std::ranges::stable_sort(out, {}, [](const auto& x) { return std::pair(x.a, x.b); });
+    std::ranges::stable_sort(out, {}, [](const Ours& event) { return order_of(event); });
     return out;
-}
-
-std::vector<TriggerHappening> triggers_of(std::span<const TriggerEvent> events,
-                                          const EntityOfBody& entity_of) {
-    std::vector<TriggerHappening> out;
-    out.reserve(events.size());
-    for (const TriggerEvent& event : events)
-        out.push_back({entity_of(event.trigger_body), entity_of(event.body)});
-    std::ranges::stable_sort(out, {}, [](const auto& x) { return std::pair(x.trigger, x.entity); });
-    return out;
-}
-
-std::vector<JointBreakHappening> breaks_of(std::span<const JointBreak> events,
-                                           const EntityOfBody& entity_of) {
-    std::vector<JointBreakHappening> out;
-    out.reserve(events.size());
-    for (const JointBreak& event : events)
-        out.push_back(
-            {entity_of(event.body_a), entity_of(event.body_b), event.force, event.torque});
-    std::ranges::stable_sort(out, {}, [](const auto& x) { return std::pair(x.a, x.b); });
-    return out;
-}
-
-std::vector<EntityId> entities_of(std::span<const BodyId> bodies, const EntityOfBody& entity_of) {
-    std::vector<EntityId> out;
-    out.reserve(bodies.size());
-    for (const BodyId body : bodies) out.push_back(entity_of(body));
-    std::ranges::sort(out);
-    return out;
-}
-
-bool nothing_in(const Events& e) {
-    return e.contacts_began.empty() && e.contacts_ended.empty() && e.contacts.empty() &&
-           e.hits.empty() && e.triggers_entered.empty() && e.triggers_stayed.empty() &&
-           e.triggers_left.empty() && e.joints_broke.empty() && e.fell_asleep.empty() &&
-           e.woke.empty();
 }
 
 }  // namespace
 
 std::optional<TickEvents> copy_events(const Events& events, std::uint32_t tick,
                                       const EntityOfBody& entity_of) {
-    if (nothing_in(events)) return std::nullopt;
-    return TickEvents{.tick = tick,
-                      .began = contacts_of(events.contacts_began, entity_of),
-                      .ended = contacts_of(events.contacts_ended, entity_of),
-                      .contacts = contacts_of(events.contacts, entity_of),
-                      .hits = contacts_of(events.hits, entity_of),
-                      .entered = triggers_of(events.triggers_entered, entity_of),
-                      .stayed = triggers_of(events.triggers_stayed, entity_of),
-                      .left = triggers_of(events.triggers_left, entity_of),
-                      .joints_broke = breaks_of(events.joints_broke, entity_of),
-                      .fell_asleep = entities_of(events.fell_asleep, entity_of),
-                      .woke = entities_of(events.woke, entity_of)};
+    TickEvents out{.tick = tick};
+    bool any = false;
+    const auto copy_kind = [&]<class Theirs, class Ours>(const Kind<Theirs, Ours>& kind) {
+        out.*kind.ours = copy<Theirs, Ours>(events.*kind.theirs, entity_of);
+        any = any || !(events.*kind.theirs).empty();
+    };
+    std::apply([&](const auto&... kind) { (copy_kind(kind), ...); }, kinds);
+    if (!any) return std::nullopt;
+    return out;
 }
 
 }  // namespace jostle::server

@@ -5,7 +5,8 @@
 // entities that touches with several shapes is listed once per pair of shapes.
 #pragma once
 
-#include <compare>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,27 +17,31 @@
 
 namespace jostle::server {
 
-struct ContactHappening {
+struct ContactEvent {
     EntityId a = 0, b = 0;
     physics::Vec3 point, normal;  // m, world; unit, from a to b. Not of ends
     double speed = 0;             // m/s of approach: of begins and hits
     double impulse = 0;           // N s over the tick: of contacts that press
 };
 
-struct TriggerHappening {
+struct TriggerEvent {
     EntityId trigger = 0, entity = 0;
 };
 
-struct JointBreakHappening {
+struct JointBreakEvent {
     EntityId a = 0, b = 0;
     double force = 0, torque = 0;  // N, N m
 };
 
+// The names are those of physics::Events and of the Events message. A new kind is a list here, a
+// row in tick_events.cpp and a row in protocol/event_message.cpp.
 struct TickEvents {
+    static constexpr std::size_t kinds = 10;
+
     std::uint32_t tick = 0;
-    std::vector<ContactHappening> began, ended, contacts, hits;
-    std::vector<TriggerHappening> entered, stayed, left;
-    std::vector<JointBreakHappening> joints_broke;
+    std::vector<ContactEvent> contacts_began, contacts_ended, contacts, hits;
+    std::vector<TriggerEvent> triggers_entered, triggers_stayed, triggers_left;
+    std::vector<JointBreakEvent> joints_broke;
     std::vector<EntityId> fell_asleep, woke;
 };
 

@@ -5,10 +5,6 @@
 
 namespace jostle::server {
 
-using physics::Error;
-using physics::ErrorCode;
-using physics::Result;
-
 namespace {
 
 // "w" and digits: as a name it would hide the world that has, or will have, that id.
@@ -17,26 +13,33 @@ bool looks_like_id(const std::string& name) {
            name.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
-}  // namespace
-
-Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
-                                                          const scenes::SceneDescription& scene) {
-    const std::string name = wanted.empty() ? scene.name : wanted;
+Status check_name(const std::string& name) {
     if (name.empty() || name.size() > 64)
         return Error{ErrorCode::invalid_argument, "a world's name has 1 to 64 bytes"};
     if (looks_like_id(name))
         return Error{ErrorCode::invalid_argument,
                      "\"" + name + "\" is how ids look; choose another name"};
+    return {};
+}
+
+Error name_taken(const std::string& name) {
+    return {ErrorCode::already_exists, "there is a world \"" + name + "\" already"};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
+                                                          const scenes::SceneDescription& scene) {
+    const std::string name = wanted.empty() ? scene.name : wanted;
     std::uint32_t number;
     {
         const std::lock_guard lock(mutex_);
+        if (!name.empty() && find_locked(name)) return name_taken(name);
         if (static_cast<int>(worlds_.size()) >= worlds_max_)
-            return Error{ErrorCode::failed_precondition,
+            return Error{ErrorCode::resource_exhausted,
                          "the server holds " + std::to_string(worlds_max_) +
                              " worlds, the most allowed; delete one first"};
-        if (find_locked(name))
-            return Error{ErrorCode::failed_precondition,
-                         "there is a world \"" + name + "\" already"};
+        if (Status s = check_name(name); !s.ok()) return s.error();
         number = next_++;
         worlds_.emplace(number,
                         nullptr);  // holds the place while the world is built without the lock
@@ -48,7 +51,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
     if (!host.ok() || find_locked(name)) {
         worlds_.erase(number);
         if (!host.ok()) return host.error();
-        return Error{ErrorCode::failed_precondition, "there is a world \"" + name + "\" already"};
+        return name_taken(name);
     }
     worlds_[number] = *host;
     log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", id, name, scene.name,

@@ -21,8 +21,8 @@ public:
 
     // A world of that scene; an empty name takes the scene's. Errors: the name is taken or
     // looks like an id, the directory is full, the scene cannot be built.
-    physics::Result<std::shared_ptr<WorldHost>> create(const std::string& name,
-                                                       const scenes::SceneDescription& scene);
+    Result<std::shared_ptr<WorldHost>> create(const std::string& name,
+                                              const scenes::SceneDescription& scene);
     // By id or name; empty: the first. Null when there is none.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation

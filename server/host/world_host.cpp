@@ -8,13 +8,11 @@
 #include <numeric>
 
 #include "base/log.h"
-#include "host/outcome_mailbox.h"
+#include "host/result_queue.h"
 
 namespace jostle::server {
 
 namespace asio = boost::asio;
-using physics::Result;
-
 struct WorldHost::Timer {
     asio::io_context io{1};
     asio::steady_timer due{io};
@@ -95,8 +93,8 @@ void WorldHost::run() {
 void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     tick_++;
     commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
-    outcomes_.clear();
-    for (const Command& command : batch_) outcomes_.push_back(world_.apply(command, tick_));
+    results_.clear();
+    for (const Command& command : batch_) results_.push_back(world_.apply(command, tick_));
     if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
         record_events();
         warn_of_quarantine();
@@ -162,7 +160,7 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
     }
     // After the frame: who hears that a body was spawned finds it there.
     for (std::size_t i = 0; i < batch_.size(); i++)
-        if (batch_[i].reply) batch_[i].reply->put(std::move(outcomes_[i]));
+        if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
     if (settings_.on_frame) settings_.on_frame();
 }
 

@@ -13,7 +13,7 @@
 
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
-#include "host/query_desk.h"
+#include "host/query_broker.h"
 #include "host/tick_clock.h"
 
 namespace jostle::server {
@@ -30,9 +30,9 @@ struct WorldHostSettings {
 class WorldHost {
 public:
     // Builds the world on the calling thread, then starts its own.
-    static physics::Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
-                                                             const scenes::SceneDescription& scene,
-                                                             const WorldHostSettings& settings);
+    static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
+                                                    const scenes::SceneDescription& scene,
+                                                    const WorldHostSettings& settings);
     ~WorldHost();
 
     // Any thread. False: the queue is full, the command was not taken.
@@ -78,12 +78,12 @@ private:
     bool step_refused_ = false;
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<Command> batch_;
-    std::vector<InputOutcome> outcomes_;  // of batch_, one each
+    std::vector<InputResult> results_;    // of batch_, one each
     std::vector<double> recent_step_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
-    QueryDesk queries_;
+    QueryBroker queries_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "base/log.h"
+#include "protocol/event_message.h"
+#include "protocol/server_message.h"
 
 namespace jostle::server {
 
@@ -20,9 +22,9 @@ namespace {
 
 // Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
 constexpr std::size_t events_bytes_max = 1 << 20;
-// What was said and not taken: beyond this the client does not read what it asks for.
+// Messages to send that were not taken: beyond this the client does not read what it asks for.
 constexpr std::size_t waiting_max = 256;
-constexpr std::size_t outcomes_max = 4096;
+constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
 constexpr auto keyframe_period = 250ms;
@@ -41,31 +43,32 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
 }  // namespace
 
 ClientLink::ClientLink(PlayContext& context, std::string peer, Clock::time_point now)
-    : context_(context), peer_(std::move(peer)), begun_(now), last_heard_(now) {}
+    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now) {}
 
 ClientLink::~ClientLink() {
     leave_world();
 }
 
-// --- what the client says ---
+// --- what the client sends ---
 
 void ClientLink::receive(std::string_view bytes, Clock::time_point now) {
     if (end_) return;
-    last_heard_ = now;
+    last_received_ = now;
     const auto bytes_max = static_cast<std::size_t>(context_.config.client.message_bytes_max);
     if (bytes.size() > bytes_max) {
-        return refuse(
-            {AnswerCode::resource_exhausted,
-             fmt::format("a message of {} bytes; at most {} are allowed", bytes.size(), bytes_max)},
-            now);
+        return refuse(Error{ErrorCode::resource_exhausted,
+                            fmt::format("a message of {} bytes; at most {} are allowed",
+                                        bytes.size(), bytes_max)},
+                      now);
     }
     if (admission_ && !admission_->admit_message(bytes.size(), now)) return drop_message(now);
-    const physics::Result<ClientWords> words = read_client_message(bytes);
-    if (!words.ok()) return refuse({AnswerCode::invalid_argument, words.error().message}, now);
-    if (!feed_ && !std::holds_alternative<HelloWords>(*words)) {
-        return refuse({AnswerCode::failed_precondition, "the first message must be a Hello"}, now);
+    const Result<ClientMessage> message = decode_client_message(bytes);
+    if (!message.ok()) return refuse(message.error(), now);
+    if (!feed_ && !std::holds_alternative<Hello>(*message)) {
+        return refuse(Error{ErrorCode::failed_precondition, "the first message must be a Hello"},
+                      now);
     }
-    std::visit([&](const auto& said) { hear(said, now); }, *words);
+    std::visit([&](const auto& decoded) { on_message(decoded, now); }, *message);
 }
 
 // Not even parsed: a flood should cost its sender more than us.
@@ -73,88 +76,85 @@ void ClientLink::drop_message(Clock::time_point now) {
     dropped_++;
     if (now - dropping_since_ < rate_notice_period) {
         if (dropped_ > flood_factor * limits_.messages_per_second) {
-            refuse({AnswerCode::resource_exhausted, "far too many messages"}, now);
+            refuse(Error{ErrorCode::resource_exhausted, "far too many messages"}, now);
         }
         return;
     }
     dropping_since_ = now;
     dropped_ = 1;
-    say(write_notice(
+    send(encode_notice(
         NoticeKind::rate_limit,
         fmt::format("more than {:g} messages or {:g} bytes a second: what is beyond that "
                     "is dropped; put several inputs into one batch",
                     limits_.messages_per_second, limits_.bytes_per_second)));
 }
 
-void ClientLink::hear(const HelloWords& hello, Clock::time_point now) {
-    if (feed_) return refuse({AnswerCode::failed_precondition, "a second Hello"}, now);
+void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
+    if (feed_) return refuse(Error{ErrorCode::failed_precondition, "a second Hello"}, now);
     if (context_.draining) {
-        return refuse({AnswerCode::unavailable, "the server is going down; try another"}, now);
+        return refuse(Error{ErrorCode::unavailable, "the server is going down; try another"}, now);
     }
     if (hello.protocol != protocol_version) {
-        return refuse({AnswerCode::failed_precondition,
-                       fmt::format("hello.protocol is {}; this server speaks {}", hello.protocol,
-                                   protocol_version)},
+        return refuse(Error{ErrorCode::failed_precondition,
+                            fmt::format("hello.protocol is {}; this server speaks {}",
+                                        hello.protocol, protocol_version)},
                       now);
     }
-    if (const std::shared_ptr<WorldHost> world = world_for(hello, now)) enter(world, hello, now);
+    const Result<std::shared_ptr<WorldHost>> world = world_for(hello, now);
+    if (!world.ok()) return refuse(world.error(), now);
+    enter(*world, hello, now);
 }
 
-// Null when there is none; the refusal has then been said.
-std::shared_ptr<WorldHost> ClientLink::world_for(const HelloWords& hello, Clock::time_point now) {
+Result<std::shared_ptr<WorldHost>> ClientLink::world_for(const Hello& hello,
+                                                         Clock::time_point now) {
     std::string wanted = hello.world;
     if (!hello.ticket.empty()) {
         const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
-        if (!id) {
-            refuse({AnswerCode::unauthenticated,
-                    "the ticket is unknown, used or too old; ask JoinWorld for another"},
-                   now);
-            return nullptr;
-        }
+        if (!id)
+            return Error{ErrorCode::unauthenticated,
+                         "the ticket is unknown, used or too old; ask JoinWorld for another"};
         wanted = *id;
     }
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
-    if (!world) {
-        refuse({AnswerCode::not_found, wanted.empty()
-                                           ? "the server has no world"
-                                           : fmt::format("there is no world \"{}\"", wanted)},
-               now);
-    }
+    if (!world)
+        return Error{ErrorCode::not_found, wanted.empty()
+                                               ? "the server has no world"
+                                               : fmt::format("there is no world \"{}\"", wanted)};
     return world;
 }
 
-void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
+void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now) {
     const std::optional<ClientId> client = context_.sessions.enter(world->id());
     if (!client) {
         return refuse(
-            {AnswerCode::resource_exhausted,
-             fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
+            Error{ErrorCode::resource_exhausted,
+                  fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
             now);
     }
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);
-    mailbox_ = std::make_shared<OutcomeMailbox>();
+    result_queue_ = std::make_shared<ResultQueue>();
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
     limits_ = context_.config.client;
     limits_.messages_per_second += world->hz() / divider;
     admission_.emplace(limits_, hello.spectator, now);
-    pacing_.emplace(context_.config.stream, world->hz(), divider);
+    flow_.emplace(context_.config.stream, world->hz(), divider);
     if (hello.events) {
         wants_events_ = true;
         world->add_event_listener();
     }
     const FramePtr frame = world->frame();
-    events_told_ = frame->events->count;
-    say(write_welcome(
+    event_cursor_ = frame->events->count;
+    send(encode_welcome(
         {.client = client_,
          .world_id = world->id(),
          .world_name = world->name(),
          .tick = frame->tick,
          .tick_hz = world->hz(),
          .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-         .ack_window = static_cast<std::uint32_t>(pacing_->window()),
+         .ack_window = static_cast<std::uint32_t>(flow_->window()),
          .quant = feed_->snapshots().spec(),
          .server_time_us = to_us(now),
          .gravity = world->gravity()}));
@@ -163,73 +163,72 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const HelloWords
              hello.spectator ? " as a spectator" : "");
 }
 
-void ClientLink::hear(const InputWords& words, Clock::time_point now) {
+void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
     const auto inputs_max = static_cast<std::size_t>(context_.config.client.inputs_per_batch_max);
-    if (words.inputs.size() > inputs_max) {
-        return refuse({AnswerCode::invalid_argument,
-                       fmt::format("a batch of {} inputs; at most {} are allowed",
-                                   words.inputs.size(), inputs_max)},
+    if (batch.inputs.size() > inputs_max) {
+        return refuse(Error{ErrorCode::invalid_argument,
+                            fmt::format("a batch of {} inputs; at most {} are allowed",
+                                        batch.inputs.size(), inputs_max)},
                       now);
     }
-    if (words.ack) hear(*words.ack, now);
-    client_time_us_ = words.client_time_us;
-    std::uint32_t sequence = words.first_sequence;
-    for (const physics::Result<Action>& input : words.inputs) push_input(sequence++, input, now);
+    if (batch.ack) on_message(*batch.ack, now);
+    client_time_us_ = batch.client_time_us;
+    std::uint32_t sequence = batch.first_sequence;
+    for (const Result<Action>& input : batch.inputs) push_input(sequence++, input, now);
 }
 
-// What was heard before is neither applied nor answered again.
-void ClientLink::push_input(std::uint32_t sequence, const physics::Result<Action>& input,
+// What came before is neither applied nor answered again.
+void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
-    const auto refuse_input = [&](InputCode code, std::string message) {
-        outcomes_.push_back({.sequence = sequence,
-                             .code = code,
-                             .tick = considered_tick_,
-                             .message = std::move(message)});
-    };
-    if (!input.ok()) return refuse_input(InputCode::invalid, input.error().message);
-    if (const std::optional<Refusal> refusal = admission_->refuse_input(*input, now)) {
-        return refuse_input(refusal->code, refusal->message);
-    }
-    const bool taken = feed_->host().push(
-        {.client = client_, .sequence = sequence, .action = *input, .reply = mailbox_});
-    if (!taken) refuse_input(InputCode::limit, "the world has too many inputs waiting");
+    if (Status status = try_push(sequence, input, now); !status.ok())
+        results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
-void ClientLink::hear(const AckWords& ack, Clock::time_point now) {
-    pacing_->acked(ack.frame, now);
+Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
+                            Clock::time_point now) {
+    if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
+    if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
+    if (!feed_->host().push(
+            {.client = client_, .sequence = sequence, .action = *input, .reply = result_queue_}))
+        return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
+    return {};
+}
+
+void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
+    flow_->on_ack(ack.frame, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
-    cursor_.forget();
+    baselines_.reset();
 }
 
-void ClientLink::hear(const PingWords& ping, Clock::time_point now) {
-    say(write_pong(ping.client_time_us, to_us(now)));
+void ClientLink::on_message(const Ping& ping, Clock::time_point now) {
+    send(encode_pong(ping.client_time_us, to_us(now)));
 }
 
-void ClientLink::hear(const LeaveWords&, Clock::time_point now) {
+void ClientLink::on_message(const Leave&, Clock::time_point now) {
     finish({}, now);
 }
 
-void ClientLink::peer_closed(Clock::time_point now) {
+void ClientLink::on_peer_closed(Clock::time_point now) {
     waiting_.clear();
-    if (!end_) finish({AnswerCode::ok, "the client closed the stream"}, now);
+    if (!end_) finish({}, now);
 }
 
 // --- how it ends ---
 
-void ClientLink::refuse(Answer answer, Clock::time_point now) {
+void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
     log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
-             answer.message);
-    say(write_notice(NoticeKind::refused, answer.message));
-    finish(std::move(answer), now);
+             error.message);
+    send(encode_notice(NoticeKind::refused, error.message));
+    finish(std::move(error), now);
 }
 
-void ClientLink::finish(Answer answer, Clock::time_point now) {
+void ClientLink::finish(Status status, Clock::time_point now) {
     if (end_) return;
-    end_ = std::move(answer);
+    end_ = std::move(status);
     end_time_ = now;
     if (client_ != 0) log_info("client {} left world {}", client_, feed_->host().id());
     leave_world();
@@ -247,50 +246,50 @@ void ClientLink::leave_world() {
 }
 
 // What time alone decides, and what the server as a whole decided.
-void ClientLink::keep_time(Clock::time_point now) {
+void ClientLink::check_timeouts(Clock::time_point now) {
     if (end_) return;
     const StreamSettings& limits = context_.config.stream;
-    if (context_.closing) return finish({AnswerCode::unavailable, "the server went down"}, now);
-    if (context_.draining && !told_draining_) {
-        told_draining_ = true;
-        say(write_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
-                                                           context_.config.drain_seconds)));
+    if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
+    if (context_.draining && !draining_sent_) {
+        draining_sent_ = true;
+        send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
+                                                             context_.config.drain_seconds)));
     }
     if (!feed_) {
         if (now - begun_ > from_seconds(limits.hello_seconds)) {
-            refuse({AnswerCode::deadline_exceeded,
-                    fmt::format("no Hello within {:g} s", limits.hello_seconds)},
+            refuse(Error{ErrorCode::deadline_exceeded,
+                         fmt::format("no Hello within {:g} s", limits.hello_seconds)},
                    now);
         }
         return;
     }
-    if (now - last_heard_ > from_seconds(limits.silence_seconds)) {
-        return refuse({AnswerCode::deadline_exceeded,
-                       fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
-                                   limits.silence_seconds)},
+    if (now - last_received_ > from_seconds(limits.silence_seconds)) {
+        return refuse(Error{ErrorCode::deadline_exceeded,
+                            fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
+                                        limits.silence_seconds)},
                       now);
     }
     if (feed_->host().stopped()) {
-        say(write_notice(NoticeKind::world_closed, "the world was closed"));
-        return finish({AnswerCode::aborted, "the world was closed"}, now);
+        send(encode_notice(NoticeKind::world_closed, "the world was closed"));
+        return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
-    if (waiting_.size() > waiting_max || outcomes_.size() > outcomes_max) {
+    if (waiting_.size() > waiting_max || results_.size() > results_max) {
         waiting_.clear();
-        refuse({AnswerCode::resource_exhausted, "the client asks but does not read"}, now);
+        refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }
 }
 
-// --- what the server says ---
+// --- what the server sends ---
 
-void ClientLink::say(std::string message) {
+void ClientLink::send(std::string message) {
     waiting_.push_back({std::move(message), nullptr});
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
-    keep_time(now);
+    check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
-        if (const FramePtr frame = feed_->host().frame(); frame->tick != considered_tick_) {
-            consider(*frame, now);
+        if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
+            on_frame(*frame, now);
         }
         write_waits_ = false;
         if (auto results = take_results(now)) return results;
@@ -306,36 +305,36 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
 
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
-    keep_time(now);
-    if (feed_ && !end_) collect_outcomes();
+    check_timeouts(now);
+    if (feed_ && !end_) collect_results();
 }
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
-void ClientLink::consider(const Frame& frame, Clock::time_point now) {
-    const auto every = static_cast<std::uint32_t>(pacing_->divider());
-    if (write_waits_ && considered_tick_ != 0) {
-        skipped_waiting_ += (frame.tick - 1) / every - considered_tick_ / every;
+void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
+    const auto every = static_cast<std::uint32_t>(flow_->divider());
+    if (write_waits_ && seen_tick_ != 0) {
+        skipped_waiting_ += (frame.tick - 1) / every - seen_tick_ / every;
     }
-    considered_tick_ = frame.tick;
-    snapshot_due_ = snapshot_due_ || pacing_->may_send(frame.tick, now);
-    collect_outcomes();
+    seen_tick_ = frame.tick;
+    snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
+    collect_results();
 }
 
-void ClientLink::collect_outcomes() {
-    std::vector<InputOutcome> fresh = mailbox_->take();
-    outcomes_.insert(outcomes_.end(), std::make_move_iterator(fresh.begin()),
-                     std::make_move_iterator(fresh.end()));
+void ClientLink::collect_results() {
+    std::vector<InputResult> fresh = result_queue_->take();
+    results_.insert(results_.end(), std::make_move_iterator(fresh.begin()),
+                    std::make_move_iterator(fresh.end()));
 }
 
 std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
-    if (outcomes_.empty() || now - last_results_ < results_period) return std::nullopt;
+    if (results_.empty() || now - last_results_ < results_period) return std::nullopt;
     last_results_ = now;
-    for (const InputOutcome& outcome : outcomes_) {
-        answered_sequence_ = std::max(answered_sequence_, outcome.sequence);
+    for (const InputResult& result : results_) {
+        answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
-    OutMessage message{write_input_results(outcomes_), nullptr};
-    outcomes_.clear();
+    OutMessage message{encode_input_results(results_), nullptr};
+    results_.clear();
     return message;
 }
 
@@ -350,51 +349,52 @@ std::optional<OutMessage> ClientLink::take_stats(Clock::time_point now) {
 }
 
 // Events of a tick follow the first snapshot of that tick or a later one, so that the client has
-// heard of the entities. How many ticks may wait is up to the frame, which holds the newest few.
+// been told of the entities. How many ticks may wait is up to the frame, which holds the newest
+// few.
 std::optional<OutMessage> ClientLink::take_events() {
     if (!wants_events_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     const auto& ticks = frame->events->ticks;
     const std::uint32_t gone = frame->events->count - static_cast<std::uint32_t>(ticks.size());
-    if (events_told_ < gone) {
-        events_missed_ += gone - events_told_;
-        events_told_ = gone;
+    if (event_cursor_ < gone) {
+        events_missed_ += gone - event_cursor_;
+        event_cursor_ = gone;
     }
-    while (events_told_ < frame->events->count) {
-        const auto& tick = ticks[events_told_ - gone];
-        if (tick->tick > cursor_.last()) return std::nullopt;
-        events_told_++;
+    while (event_cursor_ < frame->events->count) {
+        const auto& tick = ticks[event_cursor_ - gone];
+        if (tick->tick > baselines_.last()) return std::nullopt;
+        event_cursor_++;
         SharedBytes shared = feed_->events(tick);
         if (shared->size() <= events_bytes_max)
-            return OutMessage{write_events_head(std::exchange(events_missed_, 0), shared->size()),
+            return OutMessage{encode_events_head(std::exchange(events_missed_, 0), shared->size()),
                               std::move(shared)};
         events_missed_++;
     }
     return std::nullopt;
 }
 
-// A roster change comes before the first snapshot that needs it, so when there is one it goes
-// first, and the snapshot is made, of the then newest frame, when it has been taken.
+// A change of the entity list comes before the first snapshot that needs it, so when there is one
+// it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
 std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
-    if (frame->tick <= cursor_.last()) return std::nullopt;
-    if (frame->roster != roster_) {
-        for (SharedBytes& bytes : feed_->roster_change(roster_, frame->roster)) {
+    if (frame->tick <= baselines_.last()) return std::nullopt;
+    if (frame->entity_list != entity_list_) {
+        for (SharedBytes& bytes : feed_->entity_list_change(entity_list_, frame->entity_list)) {
             waiting_.push_back({{}, std::move(bytes)});
         }
-        roster_ = frame->roster;
+        entity_list_ = frame->entity_list;
         if (!waiting_.empty()) return take_message(now);
     }
-    SharedBytes shared = feed_->snapshots().encoding(frame, cursor_.bases_for(frame->tick));
-    const PrivateWords own{.input_sequence = answered_sequence_,
-                           .echo_client_time_us = client_time_us_,
-                           .snapshots_skipped = pacing_->skipped() + skipped_waiting_};
+    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
+    const Private own{.input_sequence = answered_sequence_,
+                      .echo_client_time_us = client_time_us_,
+                      .snapshots_skipped = flow_->skipped() + skipped_waiting_};
     snapshot_due_ = false;
-    considered_tick_ = std::max(considered_tick_, frame->tick);
-    cursor_.sent(frame->tick);
-    pacing_->sent(frame->tick, now);
-    OutMessage message{write_snapshot_head(own, shared->size()), std::move(shared)};
+    seen_tick_ = std::max(seen_tick_, frame->tick);
+    baselines_.on_sent(frame->tick);
+    flow_->on_sent(frame->tick, now);
+    OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
     return message;
 }
 

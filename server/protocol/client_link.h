@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The conversation with one client, whatever the transport: hello, then inputs and acks one way,
-// rosters, results and snapshots the other, until somebody ends it. A transport hands in the
+// entity lists, results and snapshots the other, until somebody ends it. A transport hands in the
 // messages that arrive, calls take_message() when it can write and something may have changed, and
 // ends its stream when end() says so.
 //
@@ -17,14 +17,14 @@
 #include <vector>
 
 #include "base/clock.h"
-#include "host/outcome_mailbox.h"
-#include "protocol/answer.h"
-#include "protocol/convert.h"
+#include "host/result_queue.h"
+#include "jostle/base/result.h"
+#include "protocol/client_message.h"
 #include "protocol/out_message.h"
 #include "protocol/play_context.h"
-#include "replication/client_cursor.h"
+#include "replication/baseline_tracker.h"
 #include "session/admission.h"
-#include "session/pacing.h"
+#include "session/flow_control.h"
 
 namespace jostle::server {
 
@@ -39,77 +39,76 @@ public:
     // One ClientMessage arrived.
     void receive(std::string_view bytes, Clock::time_point now);
     // The client closed its side, or the connection broke: there is nobody left to talk to.
-    void peer_closed(Clock::time_point now);
+    void on_peer_closed(Clock::time_point now);
     // The transport met what it cannot take: a notice, then the end.
-    void refuse(Answer answer, Clock::time_point now);
+    void refuse(Error error, Clock::time_point now);
 
     // The next message to write. Nothing: call again when a message arrived, a world has a new
     // frame or time passed.
     std::optional<OutMessage> take_message(Clock::time_point now);
     // The transport cannot write yet: a frame that comes and goes meanwhile counts as skipped.
-    // Keeps time as well.
+    // Checks timeouts as well.
     void wait_for_write(Clock::time_point now);
 
-    // Set once, when the conversation is over; the transport finishes when take_message() has
-    // nothing more.
-    const std::optional<Answer>& end() const { return end_; }
+    // Set once, when the conversation is over, to how it ended; the transport finishes when
+    // take_message() has nothing more.
+    const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
 
 private:
-    void hear(const HelloWords& hello, Clock::time_point now);
-    void hear(const InputWords& words, Clock::time_point now);
-    void hear(const AckWords& ack, Clock::time_point now);
-    void hear(const PingWords& ping, Clock::time_point now);
-    void hear(const LeaveWords& leave, Clock::time_point now);
+    void on_message(const Hello& hello, Clock::time_point now);
+    void on_message(const InputBatch& batch, Clock::time_point now);
+    void on_message(const Ack& ack, Clock::time_point now);
+    void on_message(const Ping& ping, Clock::time_point now);
+    void on_message(const Leave& leave, Clock::time_point now);
 
-    std::shared_ptr<WorldHost> world_for(const HelloWords& hello, Clock::time_point now);
-    void enter(const std::shared_ptr<WorldHost>& world, const HelloWords& hello,
-               Clock::time_point now);
-    void push_input(std::uint32_t sequence, const physics::Result<Action>& input,
-                    Clock::time_point now);
+    Result<std::shared_ptr<WorldHost>> world_for(const Hello& hello, Clock::time_point now);
+    void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
+    void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
+    Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     void drop_message(Clock::time_point now);
 
-    void keep_time(Clock::time_point now);
-    void say(std::string message);
-    void finish(Answer answer, Clock::time_point now);
+    void check_timeouts(Clock::time_point now);
+    void send(std::string message);
+    void finish(Status status, Clock::time_point now);
     void leave_world();
-    void collect_outcomes();
+    void collect_results();
 
     std::optional<OutMessage> take_results(Clock::time_point now);
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
     std::optional<OutMessage> take_events();
-    void consider(const Frame& frame, Clock::time_point now);
+    void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
     const std::string peer_;
     const Clock::time_point begun_;
-    Clock::time_point last_heard_;
-    std::optional<Answer> end_;
+    Clock::time_point last_received_;
+    std::optional<Status> end_;
     Clock::time_point end_time_{};
-    std::deque<OutMessage> waiting_;  // said, not yet taken; bounded
-    bool told_draining_ = false;
+    std::deque<OutMessage> waiting_;  // to send, not yet taken; bounded
+    bool draining_sent_ = false;
 
-    // From here on: of a client that said hello.
+    // From here on: of a client that sent its Hello.
     ClientId client_ = 0;  // 0: not yet, or no longer in a world
     std::shared_ptr<WorldFeed> feed_;
     ClientLimits limits_;
     std::optional<Admission> admission_;
-    std::optional<Pacing> pacing_;
-    std::shared_ptr<OutcomeMailbox> mailbox_;
-    std::vector<InputOutcome> outcomes_;  // to be told
-    std::uint32_t last_sequence_ = 0;     // heard
+    std::optional<FlowControl> flow_;
+    std::shared_ptr<ResultQueue> result_queue_;
+    std::vector<InputResult> results_;  // to be told
+    std::uint32_t last_sequence_ = 0;   // received
     std::uint32_t answered_sequence_ = 0;
     std::uint32_t client_time_us_ = 0;
     int dropped_ = 0;  // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_results_{}, last_stats_{};
 
-    ClientCursor cursor_;
-    std::shared_ptr<const Roster> roster_;  // what the client knows
+    BaselineTracker baselines_;
+    std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     bool wants_events_ = false;
-    std::uint32_t events_told_ = 0;      // as RecentEvents counts; sent or missed
-    std::uint32_t events_missed_ = 0;    // since the last that were sent
-    std::uint32_t considered_tick_ = 0;  // newest frame that was decided on
+    std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
+    std::uint32_t events_missed_ = 0;  // since the last that were sent
+    std::uint32_t seen_tick_ = 0;      // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_waits_ = false;
     std::uint32_t skipped_waiting_ = 0;

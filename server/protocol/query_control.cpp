@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/query.pb.h"
 #include "protocol/vector_message.h"
@@ -19,40 +19,40 @@ constexpr int rays_max = 1000, shapes_max = 100, points_max = 1000;  // of one r
 constexpr int hull_points_max = 1000;
 // Of one answer: what stays below the 4 MiB that clients take by default.
 constexpr std::size_t hits_max = 50000;
-constexpr double coordinate_max = physics::tuning::max_coordinate;  // m
+constexpr double coordinate_max = physics::limits::max_coordinate;  // m
 
-Answer invalid(std::string message) {
-    return {AnswerCode::invalid_argument, std::move(message)};
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
 }
 
-Answer to_answer(const physics::Error& error) {
-    return error.code == physics::ErrorCode::invalid_argument
-               ? invalid(error.message)
-               : Answer{AnswerCode::internal, error.message};
+// What the solver says of a question: that it was asked wrongly. All else is our mistake.
+Error from_solver(const Error& error) {
+    return error.code == ErrorCode::invalid_argument ? error
+                                                     : Error{ErrorCode::internal, error.message};
 }
 
 // --- what a request says ---
 
-Answer check_count(const char* field, int count, int most) {
+Status check_count(const char* field, int count, int most) {
     if (count <= most) return {};
     return invalid(fmt::format("{} has {} entries; at most {} are allowed", field, count, most));
 }
 
-Answer check_number(const std::string& field, double x, double low, double high) {
+Status check_number(const std::string& field, double x, double low, double high) {
     if (low <= x && x <= high) return {};
     return invalid(fmt::format("{} is {:g}; it must be from {:g} to {:g}", field, x, low, high));
 }
 
-Answer check_vector(const std::string& field, const v1::Vec3& v) {
-    if (Answer a = check_number(field + ".x", v.x(), -coordinate_max, coordinate_max); !a.ok())
-        return a;
-    if (Answer a = check_number(field + ".y", v.y(), -coordinate_max, coordinate_max); !a.ok())
-        return a;
+Status check_vector(const std::string& field, const v1::Vec3& v) {
+    if (Status s = check_number(field + ".x", v.x(), -coordinate_max, coordinate_max); !s.ok())
+        return s;
+    if (Status s = check_number(field + ".y", v.y(), -coordinate_max, coordinate_max); !s.ok())
+        return s;
     return check_number(field + ".z", v.z(), -coordinate_max, coordinate_max);
 }
 
 // Asks for a convex shape, and sees that it is one before it costs the work of building it.
-Answer read_shape(physics::ShapeDef& out, const v1::Shape& message, const std::string& field) {
+Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string& field) {
     const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(message.kind_case());
     switch (message.kind_case()) {
         case v1::Shape::kHull:
@@ -71,10 +71,9 @@ Answer read_shape(physics::ShapeDef& out, const v1::Shape& message, const std::s
         default:
             break;
     }
-    physics::Result<physics::ShapeDef> read = scenes::shape_from_message(message, field);
-    if (!read.ok()) return to_answer(read.error());
-    out = *std::move(read);
-    return {};
+    Result<physics::ShapeDef> read = scenes::shape_from_message(message, field);
+    if (!read.ok()) return from_solver(read.error());
+    return read;
 }
 
 // An entity that is gone is not seen anyway.
@@ -99,22 +98,22 @@ void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
 }
 
 template <class PhysicsHit>
-Answer write_hits(v1::Hits& to, const physics::Result<std::vector<PhysicsHit>>& hits,
+Status write_hits(v1::Hits& to, const Result<std::vector<PhysicsHit>>& hits,
                   const QueryFrame& frame, std::size_t& total) {
-    if (!hits.ok()) return to_answer(hits.error());
+    if (!hits.ok()) return from_solver(hits.error());
     total += hits->size();
     if (total > hits_max)
-        return {AnswerCode::resource_exhausted,
-                fmt::format("the answer would have more than {} hits; ask for less at a time",
-                            hits_max)};
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("the answer would have more than {} hits; ask for less at a time",
+                                 hits_max)};
     for (const PhysicsHit& hit : *hits) write_hit(*to.add_hits(), hit, frame);
     return {};
 }
 
 template <class PhysicsHit>
-Answer write_hits(v1::Hits& to, const physics::Result<std::optional<PhysicsHit>>& hit,
+Status write_hits(v1::Hits& to, const Result<std::optional<PhysicsHit>>& hit,
                   const QueryFrame& frame) {
-    if (!hit.ok()) return to_answer(hit.error());
+    if (!hit.ok()) return from_solver(hit.error());
     if (*hit) write_hit(*to.add_hits(), **hit, frame);
     return {};
 }
@@ -126,40 +125,33 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 
 // --- asking ---
 
-struct Asked {
-    Answer answer;
-    QueryFramePtr frame;  // set when the answer is ok
-};
-
-Asked ask(const WorldDirectory& worlds, const std::string& name, CopyParts parts) {
+Result<QueryFramePtr> ask(const WorldDirectory& worlds, const std::string& name, CopyParts parts) {
     const std::shared_ptr<WorldHost> world = worlds.find(name);
     if (!world)
-        return {
-            {AnswerCode::not_found, name.empty() ? "the server has no world"
-                                                 : fmt::format("there is no world \"{}\"", name)},
-            nullptr};
-    if (QueryFramePtr frame = world->query_frame(parts)) return {{}, std::move(frame)};
-    if (world->stopped()) return {{AnswerCode::unavailable, "the world was closed"}, nullptr};
-    return {{AnswerCode::unavailable,
-             fmt::format("the world took more than {} ms for a step; ask again",
-                         QueryDesk::patience.count())},
-            nullptr};
+        return Error{ErrorCode::not_found, name.empty()
+                                               ? "the server has no world"
+                                               : fmt::format("there is no world \"{}\"", name)};
+    if (QueryFramePtr frame = world->query_frame(parts)) return frame;
+    if (world->stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
+    return Error{ErrorCode::unavailable,
+                 fmt::format("the world took more than {} ms for a step; ask again",
+                             QueryBroker::patience.count())};
 }
 
-Answer check_ray(const v1::Ray& ray, int number) {
+Status check_ray(const v1::Ray& ray, int number) {
     const std::string field = fmt::format("rays[{}]", number);
-    if (Answer a = check_vector(field + ".origin", ray.origin()); !a.ok()) return a;
-    if (Answer a = check_vector(field + ".motion", ray.motion()); !a.ok()) return a;
+    if (Status s = check_vector(field + ".origin", ray.origin()); !s.ok()) return s;
+    if (Status s = check_vector(field + ".motion", ray.motion()); !s.ok()) return s;
     if (to_vector(ray.motion()) == physics::Vec3{})
         return invalid(field + ".motion is zero; it must have a length");
     return {};
 }
 
-Answer cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
+Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
                 const QueryFrame& frame, v1::Hits& hits, std::size_t& total) {
     if (mode == v1::HIT_MODE_ALL)
         return write_hits(hits, frame.queries->cast_ray_all(ray, filter), frame, total);
-    if (Answer a = write_hits(hits, frame.queries->cast_ray(ray, filter), frame); !a.ok()) return a;
+    if (Status s = write_hits(hits, frame.queries->cast_ray(ray, filter), frame); !s.ok()) return s;
     if (mode == v1::HIT_MODE_ANY && hits.hits_size() > 0) {
         // Of ANY only the entity counts. The solver's own test for any hit names no shape, so the
         // closest is as good as another; what is saved is the answer's bytes.
@@ -172,32 +164,33 @@ Answer cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryF
 
 }  // namespace
 
-Answer QueryControl::cast_rays(const v1::CastRaysRequest& request,
+Status QueryControl::cast_rays(const v1::CastRaysRequest& request,
                                v1::CastRaysResponse& response) const {
-    if (Answer a = check_count("rays", request.rays_size(), rays_max); !a.ok()) return a;
+    if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()))
         return invalid(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
                                    static_cast<int>(request.mode()),
                                    static_cast<int>(v1::HitMode_MAX)));
     for (int i = 0; i < request.rays_size(); i++)
-        if (Answer a = check_ray(request.rays(i), i); !a.ok()) return a;
-    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
-    if (!answer.ok()) return answer;
+        if (Status s = check_ray(request.rays(i), i); !s.ok()) return s;
+    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = *asked;
     response.set_tick(frame->tick);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const v1::Ray& ray : request.rays()) {
-        const physics::Ray asked{to_vector(ray.origin()), to_vector(ray.motion())};
-        if (Answer a = cast_one(asked, request.mode(), filter, *frame, *response.add_rays(), total);
-            !a.ok())
-            return a;
+        const physics::Ray cast{to_vector(ray.origin()), to_vector(ray.motion())};
+        if (Status s = cast_one(cast, request.mode(), filter, *frame, *response.add_rays(), total);
+            !s.ok())
+            return s;
     }
     return {};
 }
 
-Answer QueryControl::cast_shapes(const v1::CastShapesRequest& request,
+Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                                  v1::CastShapesResponse& response) const {
-    if (Answer a = check_count("shapes", request.shapes_size(), shapes_max); !a.ok()) return a;
+    if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
         return invalid(
             fmt::format("mode is {}; shapes are cast with HIT_MODE_CLOSEST (1) or HIT_MODE_ALL (3)",
@@ -206,48 +199,53 @@ Answer QueryControl::cast_shapes(const v1::CastShapesRequest& request,
     for (int i = 0; i < request.shapes_size(); i++) {
         const std::string field = fmt::format("shapes[{}]", i);
         const v1::MovingShape& moving = request.shapes(i);
-        physics::ShapeDef shape;
-        if (Answer a = read_shape(shape, moving.shape(), field + ".shape"); !a.ok()) return a;
-        if (Answer a = check_vector(field + ".motion", moving.motion()); !a.ok()) return a;
-        casts.push_back({shape.geometry, shape.pose, to_vector(moving.motion())});
+        const Result<physics::ShapeDef> shape = read_shape(moving.shape(), field + ".shape");
+        if (!shape.ok()) return shape.error();
+        if (Status s = check_vector(field + ".motion", moving.motion()); !s.ok()) return s;
+        casts.push_back({shape->geometry, shape->pose, to_vector(moving.motion())});
     }
-    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
-    if (!answer.ok()) return answer;
+    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = *asked;
     response.set_tick(frame->tick);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const physics::ShapeCast& cast : casts) {
         v1::Hits& hits = *response.add_shapes();
-        Answer a =
+        Status s =
             request.mode() == v1::HIT_MODE_ALL
                 ? write_hits(hits, frame->queries->cast_shape_all(cast, filter), *frame, total)
                 : write_hits(hits, frame->queries->cast_shape(cast, filter), *frame);
-        if (!a.ok()) return a;
+        if (!s.ok()) return s;
     }
     return {};
 }
 
-Answer QueryControl::overlap(const v1::OverlapRequest& request,
+Status QueryControl::overlap(const v1::OverlapRequest& request,
                              v1::OverlapResponse& response) const {
     physics::ShapeDef shape;
     switch (request.what_case()) {
-        case v1::OverlapRequest::kShape:
-            if (Answer a = read_shape(shape, request.shape(), "shape"); !a.ok()) return a;
+        case v1::OverlapRequest::kShape: {
+            Result<physics::ShapeDef> read = read_shape(request.shape(), "shape");
+            if (!read.ok()) return read.error();
+            shape = std::move(*read);
             break;
+        }
         case v1::OverlapRequest::kPoint:
-            if (Answer a = check_vector("point", request.point()); !a.ok()) return a;
+            if (Status s = check_vector("point", request.point()); !s.ok()) return s;
             break;
         case v1::OverlapRequest::WHAT_NOT_SET:
             return invalid("give shape or point");
     }
-    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
-    if (!answer.ok()) return answer;
+    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = *asked;
     response.set_tick(frame->tick);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     const auto found = request.has_shape()
                            ? frame->queries->overlap_shape(shape.geometry, shape.pose, filter)
                            : frame->queries->shapes_at(to_vector(request.point()), filter);
-    if (!found.ok()) return to_answer(found.error());
+    if (!found.ok()) return from_solver(found.error());
     std::vector<EntityId> entities;
     for (const physics::ShapeId id : *found) entities.push_back(frame->place_of(id).entity);
     std::ranges::sort(entities);
@@ -257,23 +255,24 @@ Answer QueryControl::overlap(const v1::OverlapRequest& request,
     return {};
 }
 
-Answer QueryControl::closest_points(const v1::ClosestPointsRequest& request,
+Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
                                     v1::ClosestPointsResponse& response) const {
-    if (Answer a = check_count("points", request.points_size(), points_max); !a.ok()) return a;
-    if (Answer a = check_number("max_distance", request.max_distance(), 0, coordinate_max); !a.ok())
-        return a;
+    if (Status s = check_count("points", request.points_size(), points_max); !s.ok()) return s;
+    if (Status s = check_number("max_distance", request.max_distance(), 0, coordinate_max); !s.ok())
+        return s;
     std::vector<physics::Vec3> points;
     for (int i = 0; i < request.points_size(); i++) {
-        if (Answer a = check_vector(fmt::format("points[{}]", i), request.points(i)); !a.ok())
-            return a;
+        if (Status s = check_vector(fmt::format("points[{}]", i), request.points(i)); !s.ok())
+            return s;
         points.push_back(to_vector(request.points(i)));
     }
-    const auto [answer, frame] = ask(context_.worlds, request.world(), copy_shapes);
-    if (!answer.ok()) return answer;
+    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = *asked;
     response.set_tick(frame->tick);
     const auto found = frame->queries->closest_points(points, request.max_distance(),
                                                       read_filter(request.filter(), *frame));
-    if (!found.ok()) return to_answer(found.error());
+    if (!found.ok()) return from_solver(found.error());
     for (const std::optional<physics::ClosestPoint>& closest : *found) {
         v1::ClosestPoint& to = *response.add_points();
         if (!closest) continue;
@@ -285,15 +284,16 @@ Answer QueryControl::closest_points(const v1::ClosestPointsRequest& request,
     return {};
 }
 
-Answer QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response) const {
+Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response) const {
     const CopyParts parts =
         (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
         (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
         (request.broad_phase() ? copy_broad_phase : 0);
     if (parts == 0)
         return invalid("ask for at least one of contacts, islands, bounds, joints, broad_phase");
-    const auto [answer, frame] = ask(context_.worlds, request.world(), parts);
-    if (!answer.ok()) return answer;
+    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), parts);
+    if (!asked.ok()) return asked.error();
+    const QueryFramePtr& frame = *asked;
     response.set_tick(frame->tick);
     response.set_cut((frame->cut & parts) != 0);
     // The copy may hold more than this request asked for: others ask as well.

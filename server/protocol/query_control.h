@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "protocol/answer.h"
+#include "jostle/base/result.h"
 #include "protocol/play_context.h"
 
 namespace jostle::v1 {
@@ -29,13 +29,13 @@ class QueryControl {
 public:
     explicit QueryControl(PlayContext& context) : context_(context) {}
 
-    Answer cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response) const;
-    Answer cast_shapes(const v1::CastShapesRequest& request,
+    Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response) const;
+    Status cast_shapes(const v1::CastShapesRequest& request,
                        v1::CastShapesResponse& response) const;
-    Answer overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response) const;
-    Answer closest_points(const v1::ClosestPointsRequest& request,
+    Status overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response) const;
+    Status closest_points(const v1::ClosestPointsRequest& request,
                           v1::ClosestPointsResponse& response) const;
-    Answer debug(const v1::DebugRequest& request, v1::DebugResponse& response) const;
+    Status debug(const v1::DebugRequest& request, v1::DebugResponse& response) const;
 
 private:
     PlayContext& context_;

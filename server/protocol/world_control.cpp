@@ -24,19 +24,17 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_step_ms_mean(frame->step_ms_mean);
 }
 
-Answer no_such_world(const std::string& world) {
-    if (world.empty()) return {AnswerCode::not_found, "the server has no world"};
-    return {AnswerCode::not_found, fmt::format("there is no world \"{}\"", world)};
+Error no_such_world(const std::string& world) {
+    if (world.empty()) return Error{ErrorCode::not_found, "the server has no world"};
+    return Error{ErrorCode::not_found, fmt::format("there is no world \"{}\"", world)};
 }
 
-Answer going_down() {
-    return {AnswerCode::unavailable, "the server is going down; try another"};
+Error going_down() {
+    return Error{ErrorCode::unavailable, "the server is going down; try another"};
 }
 
 // A name is taken from the catalogue alone: a stranger may not have the server read files.
-physics::Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request) {
-    using physics::Error;
-    using physics::ErrorCode;
+Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request) {
     if (request.has_scene()) return scenes::from_message(request.scene());
     if (!request.has_scene_name()) {
         return Error{ErrorCode::invalid_argument, "give scene_name or scene"};
@@ -47,23 +45,9 @@ physics::Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest&
                              request.scene_name())};
 }
 
-AnswerCode code_of(physics::ErrorCode code) {
-    switch (code) {
-        case physics::ErrorCode::invalid_argument:
-            return AnswerCode::invalid_argument;
-        case physics::ErrorCode::corrupt_data:
-            return AnswerCode::invalid_argument;
-        case physics::ErrorCode::not_found:
-            return AnswerCode::not_found;
-        case physics::ErrorCode::failed_precondition:
-            return AnswerCode::failed_precondition;
-    }
-    return AnswerCode::internal;
-}
-
 }  // namespace
 
-Answer WorldControl::list(const v1::ListWorldsRequest&, v1::ListWorldsResponse& response) const {
+Status WorldControl::list(const v1::ListWorldsRequest&, v1::ListWorldsResponse& response) const {
     for (const auto& world : context_.worlds.list()) {
         describe(*response.add_worlds(), *world, context_.sessions);
     }
@@ -75,53 +59,44 @@ Answer WorldControl::list(const v1::ListWorldsRequest&, v1::ListWorldsResponse& 
     return {};
 }
 
-Answer WorldControl::get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const {
+Status WorldControl::get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const {
     const auto world = context_.worlds.find(request.world());
     if (!world) return no_such_world(request.world());
     describe(*response.mutable_world(), *world, context_.sessions);
     return {};
 }
 
-Answer WorldControl::create(const v1::CreateWorldRequest& request,
+Status WorldControl::create(const v1::CreateWorldRequest& request,
                             v1::CreateWorldResponse& response) {
     if (context_.draining) return going_down();
-    const physics::Result<scenes::SceneDescription> scene = scene_of(request);
-    if (!scene.ok()) return {code_of(scene.error().code), scene.error().message};
+    const Result<scenes::SceneDescription> scene = scene_of(request);
+    if (!scene.ok()) return scene.error();
     const WorldLimits& limits = context_.config.world;
     if (scene->bodies.size() > static_cast<std::size_t>(limits.bodies_max)) {
-        return {AnswerCode::resource_exhausted,
-                fmt::format("the scene has {} bodies; at most {} are allowed", scene->bodies.size(),
-                            limits.bodies_max)};
-    }
-    // The directory decides again under its lock; asked here for the code that fits.
-    const std::string& name = request.name().empty() ? scene->name : request.name();
-    if (!name.empty() && context_.worlds.find(name)) {
-        return {AnswerCode::already_exists, fmt::format("there is a world \"{}\" already", name)};
-    }
-    if (context_.worlds.list().size() >= static_cast<std::size_t>(limits.worlds_max)) {
-        return {AnswerCode::resource_exhausted,
-                fmt::format("the server holds {} worlds, the most allowed; delete one first",
-                            limits.worlds_max)};
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("the scene has {} bodies; at most {} are allowed",
+                                 scene->bodies.size(), limits.bodies_max)};
     }
     const auto world = context_.worlds.create(request.name(), *scene);
-    if (!world.ok()) return {code_of(world.error().code), world.error().message};
+    if (!world.ok()) return world.error();
     describe(*response.mutable_world(), **world, context_.sessions);
     return {};
 }
 
-Answer WorldControl::remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse&) {
-    if (request.world().empty()) return {AnswerCode::invalid_argument, "name the world to delete"};
+Status WorldControl::remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse&) {
+    if (request.world().empty())
+        return Error{ErrorCode::invalid_argument, "name the world to delete"};
     if (!context_.worlds.remove(request.world())) return no_such_world(request.world());
     return {};
 }
 
-Answer WorldControl::join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response) {
+Status WorldControl::join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response) {
     if (context_.draining) return going_down();
     const auto world = context_.worlds.find(request.world());
     if (!world) return no_such_world(request.world());
     if (context_.sessions.clients() >= context_.config.world.clients_max) {
-        return {AnswerCode::resource_exhausted,
-                fmt::format("the server is full: {} clients", context_.config.world.clients_max)};
+        return Error{ErrorCode::resource_exhausted, fmt::format("the server is full: {} clients",
+                                                                context_.config.world.clients_max)};
     }
     describe(*response.mutable_world(), *world, context_.sessions);
     response.set_play_address(addresses_.grpc);

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "protocol/answer.h"
+#include "jostle/base/result.h"
 #include "protocol/play_context.h"
 
 namespace jostle::v1 {
@@ -37,11 +37,11 @@ public:
     // Before the first call of join().
     void set_addresses(PlayAddresses addresses) { addresses_ = std::move(addresses); }
 
-    Answer list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
-    Answer get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
-    Answer create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response);
-    Answer remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
-    Answer join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response);
+    Status list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
+    Status get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
+    Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response);
+    Status remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
+    Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response);
 
 private:
     PlayContext& context_;

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <span>
 
-#include "protocol/convert.h"
+#include "protocol/event_message.h"
+#include "protocol/server_message.h"
 
 namespace jostle::server {
 
@@ -13,19 +14,19 @@ namespace {
 // Keeps a message well below what transports and clients take by default (4 MiB).
 constexpr std::size_t entities_per_message = 2000;
 // Clients that lag by a few changes still share; what lags further is written for it alone.
-constexpr std::size_t roster_changes_kept = 16;
+constexpr std::size_t entity_list_changes_kept = 16;
 
 SharedBytes share(std::string bytes) {
     return std::make_shared<const std::string>(std::move(bytes));
 }
 
 struct Difference {
-    Roster added;
+    EntityList added;
     std::vector<EntityId> removed;
 };
 
-// Both rosters are in rising order of id, and an entity never changes.
-Difference difference_of(const Roster& from, const Roster& to) {
+// Both entity lists are in rising order of id, and an entity never changes.
+Difference difference_of(const EntityList& from, const EntityList& to) {
     Difference difference;
     std::size_t i = 0, j = 0;
     while (i < from.size() || j < to.size()) {
@@ -43,11 +44,11 @@ Difference difference_of(const Roster& from, const Roster& to) {
 std::vector<SharedBytes> messages_of(const Difference& difference) {
     std::vector<SharedBytes> messages;
     if (!difference.removed.empty())
-        messages.push_back(share(write_roster({}, difference.removed)));
+        messages.push_back(share(encode_roster({}, difference.removed)));
     const std::span<const std::shared_ptr<const EntityDescription>> added = difference.added;
     for (std::size_t first = 0; first < added.size(); first += entities_per_message) {
         const std::size_t count = std::min(entities_per_message, added.size() - first);
-        messages.push_back(share(write_roster(added.subspan(first, count), {})));
+        messages.push_back(share(encode_roster(added.subspan(first, count), {})));
     }
     return messages;
 }
@@ -55,26 +56,26 @@ std::vector<SharedBytes> messages_of(const Difference& difference) {
 }  // namespace
 
 WorldFeed::WorldFeed(std::shared_ptr<WorldHost> host)
-    : host_(std::move(host)), snapshots_(wire::QuantSpec{}, write_shared_snapshot) {}
+    : host_(std::move(host)), snapshots_(wire::QuantSpec{}, encode_shared_snapshot) {}
 
-std::vector<SharedBytes> WorldFeed::roster_change(const std::shared_ptr<const Roster>& from,
-                                                  const std::shared_ptr<const Roster>& to) {
+std::vector<SharedBytes> WorldFeed::entity_list_change(
+    const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
     const std::lock_guard lock(mutex_);
-    for (const RosterChange& change : roster_changes_) {
+    for (const EntityListChange& change : entity_list_changes_) {
         if (change.from == from && change.to == to) return change.messages;
     }
-    static const Roster nothing;
+    static const EntityList nothing;
     std::vector<SharedBytes> messages = messages_of(difference_of(from ? *from : nothing, *to));
-    if (roster_changes_.size() == roster_changes_kept)
-        roster_changes_.erase(roster_changes_.begin());
-    roster_changes_.push_back({from, to, messages});
+    if (entity_list_changes_.size() == entity_list_changes_kept)
+        entity_list_changes_.erase(entity_list_changes_.begin());
+    entity_list_changes_.push_back({from, to, messages});
     return messages;
 }
 
 SharedBytes WorldFeed::world_stats(const FramePtr& frame, std::uint32_t clients) {
     const std::lock_guard lock(mutex_);
     if (stats_frame_ != frame || stats_clients_ != clients) {
-        stats_ = share(write_world_stats(*frame, clients));
+        stats_ = share(encode_world_stats(*frame, clients));
         stats_frame_ = frame;
         stats_clients_ = clients;
     }
@@ -86,7 +87,7 @@ SharedBytes WorldFeed::events(const std::shared_ptr<const TickEvents>& tick) {
     const auto known =
         std::ranges::find(events_, tick, [](const auto& entry) { return entry.first; });
     if (known != events_.end()) return known->second;
-    SharedBytes bytes = share(write_shared_events(*tick));
+    SharedBytes bytes = share(encode_shared_events(*tick));
     if (events_.size() == RecentEvents::ticks_max) events_.pop_front();
     events_.emplace_back(tick, bytes);
     return bytes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all clients of one world are sent alike: its snapshots, its roster changes and its
+// What all clients of one world are sent alike: its snapshots, its entity list changes and its
 // statistics, each made into bytes once and shared. Client links of several network threads use one
 // feed; any thread.
 #pragma once
@@ -25,25 +25,25 @@ public:
     WorldHost& host() const { return *host_; }
     SnapshotCache& snapshots() { return snapshots_; }
 
-    // The messages that take a client from one roster to another; null `from`: it knows nothing
-    // yet.
-    std::vector<SharedBytes> roster_change(const std::shared_ptr<const Roster>& from,
-                                           const std::shared_ptr<const Roster>& to);
+    // The messages that take a client from one entity list to another; null `from`: it knows
+    // nothing yet.
+    std::vector<SharedBytes> entity_list_change(const std::shared_ptr<const EntityList>& from,
+                                                const std::shared_ptr<const EntityList>& to);
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The fields of an Events message that all who asked for events share.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
 
 private:
-    struct RosterChange {
-        std::shared_ptr<const Roster> from,
-            to;  // held, so that no other roster can have their address
+    struct EntityListChange {
+        std::shared_ptr<const EntityList> from,
+            to;  // held, so that no other entity list can have their address
         std::vector<SharedBytes> messages;
     };
 
     const std::shared_ptr<WorldHost> host_;
     SnapshotCache snapshots_;
     std::mutex mutex_;
-    std::vector<RosterChange> roster_changes_;  // the newest few
+    std::vector<EntityListChange> entity_list_changes_;  // the newest few
     std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;  // likewise
     FramePtr stats_frame_;
     std::uint32_t stats_clients_ = 0;

@@ -42,7 +42,7 @@ GrpcServer::~GrpcServer() {
     stop();
 }
 
-std::optional<std::string> GrpcServer::start() {
+Status GrpcServer::start() {
     grpc::reflection::InitProtoReflectionServerBuilderPlugin();
     grpc::ServerBuilder builder;
     const std::string address = address_of(settings_.host, settings_.port);
@@ -62,15 +62,17 @@ std::optional<std::string> GrpcServer::start() {
     }
     server_ = builder.BuildAndStart();
     if (!server_ || bound == 0) {
-        return fmt::format(
-            "cannot listen on {} for gRPC: the port is taken or the address is not of this "
-            "machine; choose another with --listen HOST:PORT",
-            address);
+        return Error{
+            ErrorCode::unavailable,
+            fmt::format(
+                "cannot listen on {} for gRPC: the port is taken or the address is not of this "
+                "machine; choose another with --listen HOST:PORT",
+                address)};
     }
     port_ = static_cast<std::uint16_t>(bound);
     health_service_.set_serving(true);
     for (const auto& shard : shards_) shard->start();
-    return std::nullopt;
+    return {};
 }
 
 void GrpcServer::wake() {

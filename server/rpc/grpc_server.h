@@ -8,10 +8,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "jostle/base/result.h"
 #include "rpc/health_service.h"
 #include "rpc/play_shard.h"
 #include "rpc/query_service.h"
@@ -35,7 +35,7 @@ public:
     ~GrpcServer();
 
     // Binds and begins to serve. An error says which address and why.
-    std::optional<std::string> start();
+    Status start();
     std::uint16_t port() const { return port_; }  // the real one, after start()
 
     // Any thread: a world has a new frame, or the context began to drain.

@@ -112,7 +112,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             ask_for_call();
             owned->begin(context_, now);
             if (streams_.size() >= streams_max()) {
-                owned->link().refuse({AnswerCode::resource_exhausted, "too many streams"}, now);
+                owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
             }
             streams_.push_back(std::move(owned));
             stream_count_.store(streams_.size(), std::memory_order_relaxed);

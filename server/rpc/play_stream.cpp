@@ -4,8 +4,8 @@
 #include <chrono>
 #include <optional>
 
-#include "rpc/grpc_status.h"
 #include "rpc/message_bytes.h"
+#include "status/grpc_status.h"
 
 namespace jostle::server {
 
@@ -34,7 +34,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
     reading_ = false;
     if (!ok) {
         // The client closed its half, or the connection is gone.
-        link_->peer_closed(now);
+        link_->on_peer_closed(now);
     } else {
         copy_bytes(incoming_bytes_, incoming_);
         incoming_.Clear();
@@ -47,7 +47,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
 void PlayStream::on_wrote(bool ok, Clock::time_point now) {
     writing_ = false;
     // A write fails only when the connection is gone; the read that is in flight will fail as well.
-    if (!ok) link_->peer_closed(now);
+    if (!ok) link_->on_peer_closed(now);
     advance(now);
 }
 
@@ -74,9 +74,9 @@ void PlayStream::advance(Clock::time_point now) {
         stream_.Write(to_byte_buffer(*message), &wrote_);
         return;
     }
-    if (const std::optional<Answer>& end = link_->end()) {
+    if (const std::optional<Status>& end = link_->end()) {
         finishing_ = true;
-        stream_.Finish(to_grpc_status(*end), &finished_tag_);
+        stream_.Finish(to_grpc(*end), &finished_tag_);
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "rpc/grpc_status.h"
+#include "status/grpc_status.h"
 
 namespace jostle::server {
 
@@ -22,7 +22,7 @@ grpc::Status answer(const grpc::ServerContext& context, const Work& work) {
     if (is_too_late(context)) {
         return {grpc::StatusCode::DEADLINE_EXCEEDED, "the deadline has passed"};
     }
-    return to_grpc_status(work());
+    return to_grpc(work());
 }
 
 }  // namespace jostle::server

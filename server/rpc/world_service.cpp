@@ -20,15 +20,16 @@ grpc::Status WorldService::GetWorld(grpc::ServerContext* context,
 grpc::Status WorldService::CreateWorld(grpc::ServerContext* context,
                                        const v1::CreateWorldRequest* request,
                                        v1::CreateWorldResponse* response) {
-    return answer(*context, [&]() -> Answer {
-        Answer created = worlds_.create(*request, *response);
+    return answer(*context, [&]() -> Status {
+        Status created = worlds_.create(*request, *response);
         if (!created.ok() || !is_too_late(*context)) return created;
         // The caller has given up on a world that it does not know of: it would run for nobody.
         v1::DeleteWorldRequest removal;
         removal.set_world(response->world().id());
         v1::DeleteWorldResponse removed;
-        worlds_.remove(removal, removed);
-        return {AnswerCode::deadline_exceeded, "building the world took longer than the deadline"};
+        if (Status s = worlds_.remove(removal, removed); !s.ok()) return s;
+        return Error{ErrorCode::deadline_exceeded,
+                     "building the world took longer than the deadline"};
     });
 }
 

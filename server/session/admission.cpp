@@ -18,10 +18,8 @@ constexpr double spawn_speed_max = 50;             // m/s and rad/s
 constexpr double impulse_max = 1e7;                // N s; the world cuts it to what gives 20 m/s
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
 
-using Verdict = std::optional<Refusal>;
-
-Refusal invalid(std::string message) {
-    return {InputCode::invalid, std::move(message)};
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
 }
 
 // Written so that NaN fails.
@@ -32,70 +30,72 @@ bool within(Vec3 v, double limit) {
     return within(v.x, -limit, limit) && within(v.y, -limit, limit) && within(v.z, -limit, limit);
 }
 
-Verdict check_point(const char* what, Vec3 p) {
+Status check_point(const char* what, Vec3 p) {
     if (within(p, coordinate_max)) return {};
     return invalid(fmt::format("{} ({:g}, {:g}, {:g}) is not within {:g} m of the origin", what,
                                p.x, p.y, p.z, coordinate_max));
 }
 
-Verdict check_length(const char* what, Vec3 v, double limit) {
+Status check_length(const char* what, Vec3 v, double limit) {
     const double size = length(v);
     if (within(size, 0, limit)) return {};
     return invalid(fmt::format("{} is {:g} long; at most {:g} is allowed", what, size, limit));
 }
 
-Verdict check_number(const char* what, double x, double low, double high) {
+Status check_number(const char* what, double x, double low, double high) {
     if (within(x, low, high)) return {};
     return invalid(fmt::format("{} is {:g}; it must be from {:g} to {:g}", what, x, low, high));
 }
 
-Verdict check_size(const char* what, double size) {
+Status check_size(const char* what, double size) {
     return check_number(what, size, size_min, size_max);
 }
 
 struct Check {
-    Verdict operator()(const SpawnCommand& c) const {
-        if (auto v = check_shape(c.shape.geometry)) return v;
-        if (auto v = check_point("position", c.pose.position)) return v;
-        if (auto v = check_material(c.shape)) return v;
-        if (auto v = check_length("linear_velocity", c.linear_velocity, spawn_speed_max)) return v;
+    Status operator()(const SpawnCommand& c) const {
+        if (Status s = check_shape(c.shape.geometry); !s.ok()) return s;
+        if (Status s = check_point("position", c.pose.position); !s.ok()) return s;
+        if (Status s = check_material(c.shape); !s.ok()) return s;
+        if (Status s = check_length("linear_velocity", c.linear_velocity, spawn_speed_max); !s.ok())
+            return s;
         return check_length("angular_velocity", c.angular_velocity, spawn_speed_max);
     }
-    Verdict operator()(const ImpulseCommand& c) const {
-        if (auto v = check_length("impulse", c.impulse, impulse_max)) return v;
-        return c.point ? check_point("point", *c.point) : Verdict{};
+    Status operator()(const ImpulseCommand& c) const {
+        if (Status s = check_length("impulse", c.impulse, impulse_max); !s.ok()) return s;
+        return c.point ? check_point("point", *c.point) : Status();
     }
-    Verdict operator()(const GrabCommand& c) const { return check_point("point", c.point); }
-    Verdict operator()(const DragCommand& c) const { return check_point("target", c.target); }
-    Verdict operator()(const ReleaseCommand&) const { return {}; }
-    Verdict operator()(const DeleteCommand&) const { return {}; }
-    Verdict operator()(const ExplodeCommand& c) const {
-        if (auto v = check_point("center", c.center)) return v;
-        if (auto v = check_number("radius", c.radius, 0.1, explosion_radius_max)) return v;
+    Status operator()(const GrabCommand& c) const { return check_point("point", c.point); }
+    Status operator()(const DragCommand& c) const { return check_point("target", c.target); }
+    Status operator()(const ReleaseCommand&) const { return {}; }
+    Status operator()(const DeleteCommand&) const { return {}; }
+    Status operator()(const ExplodeCommand& c) const {
+        if (Status s = check_point("center", c.center); !s.ok()) return s;
+        if (Status s = check_number("radius", c.radius, 0.1, explosion_radius_max); !s.ok())
+            return s;
         return check_number("speed", c.speed, 0, explosion_speed_max);
     }
-    Verdict operator()(const LeaveCommand&) const { return {}; }
+    Status operator()(const LeaveCommand&) const { return {}; }
 
 private:
-    static Verdict check_shape(const physics::Geometry& geometry) {
+    static Status check_shape(const physics::Geometry& geometry) {
         if (const auto* sphere = std::get_if<physics::Sphere>(&geometry))
             return check_size("sphere.radius", sphere->radius);
         if (const auto* capsule = std::get_if<physics::Capsule>(&geometry)) {
-            if (auto v = check_size("capsule.radius", capsule->radius)) return v;
+            if (Status s = check_size("capsule.radius", capsule->radius); !s.ok()) return s;
             return check_size("capsule.half_length", capsule->half_length);
         }
         if (const auto* box = std::get_if<physics::Box>(&geometry)) {
             const Vec3 h = box->half_extents;
-            if (auto v = check_size("box.half_extents.x", h.x)) return v;
-            if (auto v = check_size("box.half_extents.y", h.y)) return v;
+            if (Status s = check_size("box.half_extents.x", h.x); !s.ok()) return s;
+            if (Status s = check_size("box.half_extents.y", h.y); !s.ok()) return s;
             return check_size("box.half_extents.z", h.z);
         }
         if (const auto* cylinder = std::get_if<physics::Cylinder>(&geometry)) {
-            if (auto v = check_size("cylinder.radius", cylinder->radius)) return v;
+            if (Status s = check_size("cylinder.radius", cylinder->radius); !s.ok()) return s;
             return check_size("cylinder.half_length", cylinder->half_length);
         }
         if (const auto* cone = std::get_if<physics::Cone>(&geometry)) {
-            if (auto v = check_size("cone.radius", cone->radius)) return v;
+            if (Status s = check_size("cone.radius", cone->radius); !s.ok()) return s;
             return check_size("cone.half_length", cone->half_length);
         }
         if (const auto* hull = std::get_if<physics::Hull>(&geometry))
@@ -105,7 +105,7 @@ private:
     }
     // Its smallest size is the ball that fits inside: no slivers. Its largest is from the body's
     // origin, which it may not be far away from.
-    static Verdict check_hull(const physics::ConvexHull& hull) {
+    static Status check_hull(const physics::ConvexHull& hull) {
         if (hull.vertices.size() > static_cast<std::size_t>(spawned_hull_points_max))
             return invalid(fmt::format("the hull has {} points; {}", hull.vertices.size(),
                                        spawned_shapes_allowed));
@@ -118,25 +118,28 @@ private:
         return check_size("hull: the radius of the ball that fits inside", hull.inner_radius);
     }
     // What else a shape says about itself.
-    static Verdict check_material(const physics::ShapeDef& shape) {
+    static Status check_material(const physics::ShapeDef& shape) {
         const physics::Material& m = shape.material;
-        if (auto v = check_number("density", shape.density, 1, 20000)) return v;
+        if (Status s = check_number("density", shape.density, 1, 20000); !s.ok()) return s;
         if (shape.mass != 0)
-            if (auto v = check_number("mass", shape.mass, mass_min, mass_max)) return v;
-        if (auto v = check_number("friction", m.friction, 0, 10)) return v;
-        if (auto v = check_number("restitution", m.restitution, 0, 1)) return v;
-        if (auto v = check_number("rolling_friction", m.rolling_friction, 0, size_max)) return v;
-        if (auto v = check_number("torsional_friction", m.torsional_friction, 0, size_max))
-            return v;
-        if (auto v = check_length("surface_velocity", m.surface_velocity, spawn_speed_max))
-            return v;
+            if (Status s = check_number("mass", shape.mass, mass_min, mass_max); !s.ok()) return s;
+        if (Status s = check_number("friction", m.friction, 0, 10); !s.ok()) return s;
+        if (Status s = check_number("restitution", m.restitution, 0, 1); !s.ok()) return s;
+        if (Status s = check_number("rolling_friction", m.rolling_friction, 0, size_max); !s.ok())
+            return s;
+        if (Status s = check_number("torsional_friction", m.torsional_friction, 0, size_max);
+            !s.ok())
+            return s;
+        if (Status s = check_length("surface_velocity", m.surface_velocity, spawn_speed_max);
+            !s.ok())
+            return s;
         return check_length("shape.position", shape.pose.position, size_max);
     }
 };
 
 }  // namespace
 
-std::optional<Refusal> refuse_numbers(const Action& action) {
+Status check_numbers(const Action& action) {
     return std::visit(Check{}, action);
 }
 
@@ -153,12 +156,12 @@ bool Admission::admit_message(std::size_t bytes, Clock::time_point now) {
     return bytes_.take(static_cast<double>(bytes), now) && count;
 }
 
-std::optional<Refusal> Admission::refuse_input(const Action& action, Clock::time_point now) {
-    if (spectator_) return Refusal{InputCode::not_allowed, "you are a spectator"};
+Status Admission::admit_input(const Action& action, Clock::time_point now) {
+    if (spectator_) return Error{ErrorCode::permission_denied, "you are a spectator"};
     if (!inputs_.take(1, now))
-        return Refusal{InputCode::limit,
-                       fmt::format("more than {:g} inputs a second", limits_.inputs_per_second)};
-    return refuse_numbers(action);
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("more than {:g} inputs a second", limits_.inputs_per_second)};
+    return check_numbers(action);
 }
 
 }  // namespace jostle::server

@@ -4,19 +4,12 @@
 // the entity exist, is it yours, how many do you own) is decided there.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "config/config.h"
 #include "host/command.h"
+#include "jostle/base/result.h"
 #include "session/token_bucket.h"
 
 namespace jostle::server {
-
-struct Refusal {
-    InputCode code = InputCode::invalid;
-    std::string message;
-};
 
 inline constexpr int spawned_hull_points_max = 32;
 inline constexpr char spawned_shapes_allowed[] =
@@ -25,7 +18,7 @@ inline constexpr char spawned_shapes_allowed[] =
 
 // The limits of play.proto: sizes 0.05 to 2 m, spawn speed 50 m/s, explosions 20 m and 20 m/s,
 // coordinates 10 km.
-std::optional<Refusal> refuse_numbers(const Action& action);
+Status check_numbers(const Action& action);
 
 // Per client.
 class Admission {
@@ -34,7 +27,7 @@ public:
 
     // A message of that size arrived: false when the client sends too many or too much.
     bool admit_message(std::size_t bytes, Clock::time_point now);
-    std::optional<Refusal> refuse_input(const Action& action, Clock::time_point now);
+    Status admit_input(const Action& action, Clock::time_point now);
 
 private:
     ClientLimits limits_;

@@ -16,9 +16,9 @@ using namespace physics;
 TEST(ContactReports, resting_box_presses_with_its_weight) {
     World world = make_world();
     add_floor(world);
-    const BodyId box = must(
-        world.create_body({.pose = {{0, 0.5, 0}, {}}, .may_sleep = false}, {.report_stays = true}));
-    const BodyId other = add(world, {.position = {5, 0.5, 0}, .may_sleep = false});
+    const BodyId box = must(world.create_body({.pose = {{0, 0.5, 0}, {}}, .sleep_allowed = false},
+                                              {.report_stays = true}));
+    const BodyId other = add(world, {.position = {5, 0.5, 0}, .sleep_allowed = false});
     run(world, 1);
     const auto stays = world.events().contacts;
     ASSERT_EQ(stays.size(), 1u) << "only what asked is listed";
@@ -33,7 +33,7 @@ TEST(ContactReports, friction_of_a_box_on_a_slope_is_its_weight_along_it) {
     const double slope = 0.3;
     World world = make_world({.gravity = leaning_gravity(slope, 0.5)});
     add_floor(world, 0.6);
-    must(world.create_body({.pose = {{0, 0.5, 0}, {}}, .may_sleep = false},
+    must(world.create_body({.pose = {{0, 0.5, 0}, {}}, .sleep_allowed = false},
                            {.material = {.friction = 0.6}, .report_stays = true}));
     run(world, 1);
     const double angle = std::atan(slope), weight = 1000 * 9.81 / 60;
@@ -80,7 +80,7 @@ TEST(ContactReports, mesh_is_one_contact_however_many_triangles) {
     World world = make_world();
     add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))},
                 .friction = 0,
-                .type = BodyType::fixed});
+                .type = BodyType::static_body});
     add(world, {.geometry = Box{{0.4, 0.2, 0.4}},
                 .position = {-4, 0.2, 0},
                 .velocity = {6, 0, 0},

@@ -19,7 +19,7 @@ using namespace physics;
 TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
-        add(world, {.geometry = Box{{0.025, 10, 10}}, .type = BodyType::fixed});
+        add(world, {.geometry = Box{{0.025, 10, 10}}, .type = BodyType::static_body});
         Random random(77);
         std::vector<BodyId> balls;
         for (int i = 0; i < 1000; i++)
@@ -40,8 +40,9 @@ TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
 TEST(Continuous, spinning_rod_does_not_cut_through_a_post) {
     for (const double spin : {30.0, 100.0, 600.0}) {
         World world = make_world({.gravity = {}});
-        add(world,
-            {.geometry = Box{{0.01, 1, 0.01}}, .position = {0, 0, 0.8}, .type = BodyType::fixed});
+        add(world, {.geometry = Box{{0.01, 1, 0.01}},
+                    .position = {0, 0, 0.8},
+                    .type = BodyType::static_body});
         const BodyId rod = add(world, {.geometry = Box{{1, 0.02, 0.02}}, .spin = {0, -spin, 0}});
         int hits = 0;
         for (int i = 0; i < 30; i++) {
@@ -78,7 +79,7 @@ TEST(Continuous, time_after_the_impact_is_kept) {
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
         add(world,
-            {.geometry = Box{{0.5, 5, 5}}, .position = {0.5, 0, 0}, .type = BodyType::fixed});
+            {.geometry = Box{{0.5, 5, 5}}, .position = {0.5, 0, 0}, .type = BodyType::static_body});
         const double start = -5 - phase * 0.1;
         const BodyId ball = add(world, {.geometry = Sphere{0.05},
                                         .position = {start, 0, 0},
@@ -97,7 +98,7 @@ void throw_plank(const Geometry& ground) {
     for (int phase = 0; phase < 16; phase++)
         for (const double speed : {11.0, 40.0, 90.0}) {
             World world = make_world({.gravity = {}});
-            add(world, {.geometry = ground, .type = BodyType::fixed});
+            add(world, {.geometry = ground, .type = BodyType::static_body});
             const BodyId plank = add(world, {.geometry = Box{{1, 0.05, 0.2}},
                                              .position = {0, 1 + phase * speed / 60 / 16, 0},
                                              .rotation = from_rotation_vector({0, 0, 0.2}),
@@ -126,10 +127,12 @@ TEST(Continuous, tumbling_rods_gain_no_energy) {
     for (int i = 0; i < 60; i++) {
         World world = make_world({.gravity = {}});
         for (const double x : {-3.0, 3.0})
-            add(world,
-                {.geometry = Box{{0.05, 5, 5}}, .position = {x, 0, 0}, .type = BodyType::fixed});
-        add(world,
-            {.geometry = Box{{0.01, 5, 0.01}}, .position = {0.7, 0, 0}, .type = BodyType::fixed});
+            add(world, {.geometry = Box{{0.05, 5, 5}},
+                        .position = {x, 0, 0},
+                        .type = BodyType::static_body});
+        add(world, {.geometry = Box{{0.01, 5, 0.01}},
+                    .position = {0.7, 0, 0},
+                    .type = BodyType::static_body});
         add(world, {.geometry = Box{{1, 0.03, 0.03}},
                     .position = {-1.2, random.in(-1, 1), random.in(-1, 1)},
                     .rotation = random.rotation(),
@@ -151,7 +154,7 @@ TEST(Continuous, ball_stays_between_two_thin_walls) {
     World world = make_world({.gravity = {}});
     for (const double x : {-0.3, 0.3})
         add(world,
-            {.geometry = Box{{0.005, 5, 5}}, .position = {x, 0, 0}, .type = BodyType::fixed});
+            {.geometry = Box{{0.005, 5, 5}}, .position = {x, 0, 0}, .type = BodyType::static_body});
     const BodyId ball = add(world, {.geometry = Sphere{0.05},
                                     .position = {0.1, 0, 0},
                                     .velocity = {200, 0, 0},
@@ -178,7 +181,7 @@ TEST(Continuous, nothing_leaves_a_room) {
                 add(world, {.geometry = Box{half},
                             .position = position,
                             .restitution = restitution,
-                            .type = BodyType::fixed});
+                            .type = BodyType::static_body});
             }
         Random random(7);
         for (int i = 0; i < 60; i++)
@@ -205,7 +208,7 @@ TEST(Continuous, thick_one_that_turns_looks_as_the_thin_one_would) {
         add(world, {.geometry = Box{{1, 2, 2}},
                     .position = {-1, 0, 0},
                     .restitution = 0.17,
-                    .type = BodyType::fixed});
+                    .type = BodyType::static_body});
         const Part thick{
             .geometry = Sphere{0.5}, .position = {0.567, 0, 0}, .velocity = {-40, 0, 0}};
         const Part thin{
@@ -234,7 +237,7 @@ TEST(Continuous, beads_on_a_line_keep_their_order) {
                         .position = {end, 0, 0},
                         .friction = 0,
                         .restitution = 1,
-                        .type = BodyType::fixed});
+                        .type = BodyType::static_body});
         Random random(seed);
         std::vector<BodyId> beads(count);
         // Made in an order that has nothing to do with where they are.
@@ -294,7 +297,7 @@ TEST(Continuous, what_a_bullet_throws_stops_at_the_wall_behind) {
     for (const bool asleep : {false, true}) {
         for (int phase = 0; phase < 16; phase++) {
             World world = make_world({.gravity = {}});
-            add(world, {.geometry = Box{{0.005, 5, 5}}, .type = BodyType::fixed});
+            add(world, {.geometry = Box{{0.005, 5, 5}}, .type = BodyType::static_body});
             const BodyId ball = add(world, {.geometry = Sphere{0.1}, .position = {-1, 0, 0}});
             if (asleep) run(world, 1);
             ASSERT_EQ(state_of(world, ball).awake, !asleep);
@@ -339,8 +342,8 @@ TEST(Continuous, mesh_of_paper_stops_bullets) {
     const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
-        add(world,
-            {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .type = BodyType::fixed});
+        add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))},
+                    .type = BodyType::static_body});
         const BodyId bullet = add(world, {.geometry = Box{{0.03, 0.02, 0.02}},
                                           .position = {-5 - phase * 0.2, 0.3, 0.3},
                                           .velocity = {200, 3, 1},
@@ -363,7 +366,7 @@ TEST(Continuous, chain_that_hits_a_wall_stays_a_chain) {
     Random random(12);
     for (int trial = 0; trial < 100; trial++) {
         World world = make_world({.gravity = {}});
-        add(world, {.geometry = trial % 2 == 0 ? plate : sheet, .type = BodyType::fixed});
+        add(world, {.geometry = trial % 2 == 0 ? plate : sheet, .type = BodyType::static_body});
         const Quat turn =
             from_rotation_vector({random.in(-3, 3), random.in(-3, 3), random.in(-3, 3)});
         const Vec3 along = rotate(turn, {0, 1, 0}), start{-3.5, random.in(-1, 1), random.in(-1, 1)};

@@ -97,7 +97,7 @@ TEST(DeepOverlap, what_falls_behind_another_sees_it_stop) {
             }
         }
     RecordProperty("deepest_m", std::to_string(deepest));
-    EXPECT_LT(deepest, 0.09);  // 0.23 when pairs were checked at by their own motions' sum
+    EXPECT_LT(deepest, 0.09);  // 0.23 when pairs were looked at by their own motions' sum
 }
 
 TEST(DeepOverlap, ball_pushed_into_the_ground_comes_up) {

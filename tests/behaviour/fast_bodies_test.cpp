@@ -13,7 +13,7 @@ using namespace physics;
 const double speeds[] = {5, 10, 30, 60, 100, 200};  // m/s
 
 BodyId add_wall(World& world, double half_thickness) {
-    return add(world, {.geometry = Box{{half_thickness, 2, 2}}, .type = BodyType::fixed});
+    return add(world, {.geometry = Box{{half_thickness, 2, 2}}, .type = BodyType::static_body});
 }
 
 // Where in a step the wall is met makes the difference: 16 phases of each.

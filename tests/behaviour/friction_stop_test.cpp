@@ -80,7 +80,7 @@ TEST(Friction, crate_slides_over_seams_and_not_over_a_kerb) {
                     add(world, {.geometry = Box{{0.5, 0.5, 2}},
                                 .position = {at, height - 0.5, 0},
                                 .friction = 0.2,
-                                .type = BodyType::fixed});
+                                .type = BodyType::static_body});
                 };
                 // The kerb begins with a tile that the crate comes to before half of the way.
                 const int steps = speed < 1 ? 12 : 60;

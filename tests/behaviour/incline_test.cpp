@@ -108,7 +108,7 @@ TEST(Incline, box_slides_down_a_tilted_fixed_box) {
                 .position = rotate(tilt, {0, -1, 0}),
                 .rotation = tilt,
                 .friction = 0.2,
-                .type = BodyType::fixed});
+                .type = BodyType::static_body});
     const BodyId box = add(world, {.geometry = Box{{0.5, 0.25, 0.5}},
                                    .position = rotate(tilt, {0, 0.25, 0}),
                                    .rotation = tilt,

@@ -13,7 +13,7 @@ namespace {
 using namespace physics;
 
 BodyId anchor(World& world, Vec3 at = {}) {
-    return add(world, {.geometry = Sphere{0.05}, .position = at, .type = BodyType::fixed});
+    return add(world, {.geometry = Sphere{0.05}, .position = at, .type = BodyType::static_body});
 }
 
 JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform frame_a,
@@ -26,8 +26,9 @@ JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform 
 // 1.935750 s (4 K(k) / w0).
 TEST(Joints, pendulum_swings_with_the_exact_period) {
     World world = make_world();
-    const BodyId rod = add(
-        world, {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0}, .may_sleep = false});
+    const BodyId rod =
+        add(world,
+            {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0}, .sleep_allowed = false});
     const JointId hinge = join(world, anchor(world), rod, HingeJoint{}, {}, {{-0.5, 0, 0}, {}});
     // The rod comes back to the level after whole periods.
     double last = 0, returned = 0, worst = 0;
@@ -68,8 +69,9 @@ TEST(Joints, hinge_keeps_its_axis_and_stops_at_its_limits) {
 // Without gravity: the speed rises as torque over inertia until the motor's own.
 TEST(Joints, motor_accelerates_by_its_torque_to_its_speed) {
     World world = make_world({.gravity = {}});
-    const BodyId rod = add(
-        world, {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0}, .may_sleep = false});
+    const BodyId rod =
+        add(world,
+            {.geometry = Box{{0.5, 0.05, 0.05}}, .position = {0.5, 0, 0}, .sleep_allowed = false});
     const BodyState s = state_of(world, rod);
     const double about_pivot = s.inertia.z.z + s.mass * 0.25;
     join(world, anchor(world), rod, HingeJoint{.motor = {true, 2, about_pivot}}, {},
@@ -110,12 +112,12 @@ TEST(Joints, fixed_bodies_move_as_one) {
     const BodyId a = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
                                  .velocity = {0, 1, 0},
                                  .spin = {0, 0, 2},
-                                 .may_sleep = false});
+                                 .sleep_allowed = false});
     const BodyId b = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
                                  .position = {1, 0, 0},
                                  .velocity = {0, 3, 0},
                                  .spin = {0, 0, 2},
-                                 .may_sleep = false});
+                                 .sleep_allowed = false});
     const Transform turned{{1, 0, 0}, {}};
     join(world, a, b, FixedJoint{}, turned, {});
     run(world, 5);
@@ -133,7 +135,7 @@ TEST(Joints, flagpole_of_thirty_metres_and_two_centimetres_is_held_by_its_foot) 
         World world = make_world();
         const Quat way = from_rotation_vector(turn);
         const BodyId pole =
-            must(world.create_body({.pose = {rotate(way, {15, 0, 0}), way}, .may_sleep = false},
+            must(world.create_body({.pose = {rotate(way, {15, 0, 0}), way}, .sleep_allowed = false},
                                    {.geometry = Box{{15, 0.01, 0.01}}}));
         join(world, anchor(world), pole, FixedJoint{}, {{}, way}, {{-15, 0, 0}, {}});
         run(world, 5);
@@ -145,7 +147,7 @@ TEST(Joints, flagpole_of_thirty_metres_and_two_centimetres_is_held_by_its_foot) 
 TEST(Joints, spring_swings_with_its_frequency) {
     World world = make_world();
     const BodyId weight =
-        add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0}, .may_sleep = false});
+        add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0}, .sleep_allowed = false});
     const double hertz = 1;
     join(world, anchor(world), weight,
          DistanceJoint{.min_length = 0, .max_length = 10, .spring = {hertz, 0}, .rest_length = 1},
@@ -238,8 +240,8 @@ TEST(Joints, break_above_their_force_and_tell) {
 TEST(Joints, joined_bodies_collide_only_when_told) {
     for (const bool collide : {false, true}) {
         World world = make_world({.gravity = {}});
-        const BodyId a = add(world, {.may_sleep = false});
-        const BodyId b = add(world, {.position = {0.9, 0, 0}, .may_sleep = false});
+        const BodyId a = add(world, {.sleep_allowed = false});
+        const BodyId b = add(world, {.position = {0.9, 0, 0}, .sleep_allowed = false});
         must(world.create_joint({.body_a = a,
                                  .body_b = b,
                                  .kind = DistanceJoint{.min_length = 0, .max_length = 5},

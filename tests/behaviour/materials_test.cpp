@@ -26,7 +26,7 @@ BodyId add_with(World& world, const Part& part, const Material& material, Filter
 // How far a box slides at 4 m/s tells the coefficient of the pair.
 double friction_of_pair(const Material& box, const Material& ground) {
     World world = make_world();
-    add_with(world, {.geometry = Plane{}, .type = BodyType::fixed}, ground);
+    add_with(world, {.geometry = Plane{}, .type = BodyType::static_body}, ground);
     const BodyId slider = add_with(
         world, {.geometry = Box{{0.5, 0.1, 0.5}}, .position = {0, 0.1, 0}, .velocity = {4, 0, 0}},
         box);
@@ -51,7 +51,7 @@ TEST(Materials, friction_is_combined_by_the_stronger_rule) {
 TEST(Materials, restitution_is_combined_by_the_stronger_rule) {
     const auto rise = [](Combine rule) {
         World world = make_world();
-        add_with(world, {.geometry = Plane{}, .type = BodyType::fixed},
+        add_with(world, {.geometry = Plane{}, .type = BodyType::static_body},
                  {.restitution = 0.4, .restitution_rule = rule});
         const BodyId ball = add_with(world, {.geometry = Sphere{0.1}, .position = {0, 1.1, 0}},
                                      {.restitution = 0.9, .restitution_rule = rule});
@@ -119,9 +119,10 @@ TEST(Materials, patch_of_contact_stops_a_spinning_ball_in_time) {
 // A belt takes a box along: it slides at mu g until it has the belt's speed, then rides.
 TEST(Materials, conveyor_takes_a_box_to_its_speed) {
     World world = make_world();
-    add_with(world,
-             {.geometry = Box{{20, 0.5, 1}}, .position = {0, -0.5, 0}, .type = BodyType::fixed},
-             {.friction = 0.5, .surface_velocity = {2, 0, 0.5}});
+    add_with(
+        world,
+        {.geometry = Box{{20, 0.5, 1}}, .position = {0, -0.5, 0}, .type = BodyType::static_body},
+        {.friction = 0.5, .surface_velocity = {2, 0, 0.5}});
     const BodyId box = add_with(world, {.geometry = Box{{0.3, 0.2, 0.3}}, .position = {0, 0.2, 0}},
                                 {.friction = 0.5});
     run(world, 0.2);
@@ -136,7 +137,7 @@ TEST(Materials, conveyor_that_is_turned_drives_along_its_own_axis) {
              {.geometry = Box{{20, 0.5, 20}},
               .position = {0, -0.5, 0},
               .rotation = from_rotation_vector({0, pi / 2, 0}),
-              .type = BodyType::fixed},
+              .type = BodyType::static_body},
              {.friction = 0.8, .surface_velocity = {2, 0, 0}});
     const BodyId box = add_with(world, {.geometry = Box{{0.3, 0.2, 0.3}}, .position = {0, 0.2, 0}},
                                 {.friction = 0.8});
@@ -160,9 +161,10 @@ TEST(Filters, categories_masks_and_groups_decide_who_meets) {
     };
     for (const Case& c : cases) {
         World world = make_world();
-        add_with(world,
-                 {.geometry = Box{{5, 0.5, 5}}, .position = {0, -0.5, 0}, .type = BodyType::fixed},
-                 {}, c.a);
+        add_with(
+            world,
+            {.geometry = Box{{5, 0.5, 5}}, .position = {0, -0.5, 0}, .type = BodyType::static_body},
+            {}, c.a);
         const BodyId ball =
             add_with(world, {.geometry = Sphere{0.3}, .position = {0, 1, 0}}, {}, c.b);
         run(world, 2);
@@ -187,7 +189,7 @@ TEST(Filters, change_takes_effect_with_the_next_step) {
 TEST(Locks, locked_axes_do_not_move_and_the_others_keep_momentum) {
     World world = make_world({.gravity = {}});
     const BodyId slider =
-        must(world.create_body({.locks = lock_y | lock_z | lock_turn_x | lock_turn_y},
+        must(world.create_body({.locks = lock_y | lock_z | lock_rotation_x | lock_rotation_y},
                                {.geometry = Box{{0.5, 0.3, 0.4}}, .material = {.friction = 0.5}}));
     const BodyId ball = add(world, {.geometry = Sphere{0.2},
                                     .position = {-2, 0.25, 0.2},
@@ -213,7 +215,7 @@ TEST(Locks, locked_turns_keep_a_tall_box_upright) {
     World world = make_world({.gravity = leaning_gravity(0.8, 0.3)});
     add_floor(world, 0.3);
     const BodyId tower = must(world.create_body(
-        {.pose = {{0, 1, 0}, {}}, .locks = lock_turn_x | lock_turn_y | lock_turn_z},
+        {.pose = {{0, 1, 0}, {}}, .locks = lock_rotation_x | lock_rotation_y | lock_rotation_z},
         {.geometry = Box{{0.1, 1, 0.1}}, .material = {.friction = 0.3}}));
     run(world, 2);
     EXPECT_EQ(state_of(world, tower).pose.rotation, Quat{});

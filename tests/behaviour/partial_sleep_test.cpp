@@ -29,20 +29,20 @@ struct GuardedWall {
                                              .position = {c + shift(r), 0.25 + 0.5 * r, 0}}));
         guard = add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
                             .position = {shift(rows - 1), 0.2 + 0.5 * rows, 0},
-                            .may_sleep = false});
+                            .sleep_allowed = false});
     }
     BodyId brick(int columns, int row, int column) const {
         return bricks[static_cast<std::size_t>(row * columns + column)];
     }
     bool awake(BodyId body) const { return must(world.body(body)).awake; }
-    int frozen() const { return world.profile().bodies_frozen; }
+    int asleep() const { return world.profile().bodies_asleep_in_place; }
 };
 
-TEST(Freezing, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
+TEST(PartialSleep, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
     GuardedWall wall(10, 6);
     run(wall.world, 5);
     EXPECT_EQ(wall.world.profile().islands_awake, 1);
-    EXPECT_GE(wall.frozen(), 58);
+    EXPECT_GE(wall.asleep(), 58);
     EXPECT_LE(wall.world.profile().bodies_awake, 3);
     EXPECT_EQ(wall.world.summary().awake_bodies, wall.world.profile().bodies_awake);
     EXPECT_TRUE(wall.awake(wall.guard));
@@ -54,7 +54,7 @@ TEST(Freezing, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
     EXPECT_EQ(wall.world.summary().awake_bodies, 0);
 }
 
-TEST(Freezing, events_and_states_agree_on_who_is_awake) {
+TEST(PartialSleep, events_and_states_agree_on_who_is_awake) {
     GuardedWall wall(10, 6);
     std::set<BodyId> asleep;
     for (int step = 0; step < 600; step++) {
@@ -72,10 +72,10 @@ TEST(Freezing, events_and_states_agree_on_who_is_awake) {
     EXPECT_GE(asleep.size(), 30u);
 }
 
-TEST(Freezing, what_loses_its_support_falls_at_once) {
+TEST(PartialSleep, what_loses_its_support_falls_at_once) {
     GuardedWall wall(1, 24);
     run(wall.world, 5);
-    ASSERT_GE(wall.frozen(), 16);
+    ASSERT_GE(wall.asleep(), 16);
     const BodyId top = wall.bricks[20];
     ASSERT_FALSE(wall.awake(top));
     const double height = position_of(wall.world, top).y;
@@ -85,20 +85,21 @@ TEST(Freezing, what_loses_its_support_falls_at_once) {
     EXPECT_LT(position_of(wall.world, top).y, height - 0.4);
 }
 
-TEST(Freezing, a_weight_is_felt_through_a_frozen_stack) {
+TEST(PartialSleep, a_weight_is_felt_through_a_sleeping_stack) {
     // A plank that juts out over the edge of a table by less than half, held down by bricks, bears
     // a stack at its free end.
     World world = make_world();
     add_floor(world);
-    add(world, {.geometry = Box{{2, 1, 1}}, .position = {-2, 1, 0}, .type = BodyType::fixed});
+    add(world, {.geometry = Box{{2, 1, 1}}, .position = {-2, 1, 0}, .type = BodyType::static_body});
     const BodyId plank = add(world, {.geometry = Box{{2, 0.1, 0.5}}, .position = {-0.2, 2.1, 0}});
     for (int k = 0; k < 10; k++)
         add(world, {.geometry = Box{{0.25, 0.1, 0.25}}, .position = {-1.9, 2.3 + 0.2 * k, 0}});
     for (int k = 0; k < 8; k++)
         add(world, {.geometry = Box{{0.25, 0.1, 0.25}}, .position = {1.5, 2.3 + 0.2 * k, 0}});
-    add(world, {.geometry = Box{{0.1, 0.1, 0.1}}, .position = {-0.5, 2.3, 0}, .may_sleep = false});
+    add(world,
+        {.geometry = Box{{0.1, 0.1, 0.1}}, .position = {-0.5, 2.3, 0}, .sleep_allowed = false});
     run(world, 6);
-    ASSERT_GE(world.profile().bodies_frozen, 14);
+    ASSERT_GE(world.profile().bodies_asleep_in_place, 14);
     ASSERT_NEAR(position_of(world, plank).y, 2.1, 0.01);
     add(world, {.geometry = Box{{0.25, 0.25, 0.25}}, .position = {1.5, 4.05, 0}, .density = 8000});
     run(world, 2);
@@ -106,7 +107,7 @@ TEST(Freezing, a_weight_is_felt_through_a_frozen_stack) {
 }
 
 // Bricks in pairs, each welded to its neighbour; a kinematic arm that stands still holds the last.
-TEST(Freezing, what_joints_tie_together_freezes_and_thaws_as_one) {
+TEST(PartialSleep, what_joints_tie_together_falls_asleep_and_wakes_as_one) {
     GuardedWall wall(10, 6);
     std::vector<std::pair<BodyId, BodyId>> pairs;
     const auto weld = [&](BodyId a, BodyId b) {
@@ -125,7 +126,7 @@ TEST(Freezing, what_joints_tie_together_freezes_and_thaws_as_one) {
                                 .position = position_of(wall.world, last) + Vec3{1, 0, 0},
                                 .type = BodyType::kinematic}));
     run(wall.world, 5);
-    EXPECT_GE(wall.frozen(), 50);
+    EXPECT_GE(wall.asleep(), 50);
     EXPECT_TRUE(wall.awake(last)) << "what a kinematic body leads must follow it at once";
     const BodyId hit = wall.brick(10, 3, 5), mate = wall.brick(10, 3, 4);
     ASSERT_FALSE(wall.awake(hit));
@@ -137,7 +138,7 @@ TEST(Freezing, what_joints_tie_together_freezes_and_thaws_as_one) {
         for (const auto& [a, b] : pairs) ASSERT_EQ(wall.awake(a), wall.awake(b)) << "step " << step;
     }
     EXPECT_GT(length(position_of(wall.world, mate) - before), 0.1);
-    EXPECT_GE(wall.frozen(), 30) << "and rests again";
+    EXPECT_GE(wall.asleep(), 30) << "and rests again";
 }
 
 // 64 boxes of a metre, four layers.
@@ -151,34 +152,35 @@ World block_of_boxes(bool sleeping) {
     return world;
 }
 
-enum class Rest { none, frozen, asleep };
+enum class Rest { none, in_place, asleep };
 
 // The momentum of all that moves, along x, just after a ball hit the block's side.
 double momentum_after_hit(Rest rest) {
     World world = block_of_boxes(rest != Rest::none);
     if (rest != Rest::asleep)
         add(world,
-            {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .may_sleep = false});
+            {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {3.7, 0.2, 3}, .sleep_allowed = false});
     run(world, 5);
-    EXPECT_EQ(world.profile().bodies_frozen > 40, rest == Rest::frozen);
+    EXPECT_EQ(world.profile().bodies_asleep_in_place > 40, rest == Rest::in_place);
     EXPECT_EQ(world.summary().awake_bodies == 0, rest == Rest::asleep);
     add(world, {.geometry = Sphere{0.5}, .position = {-2, 3.4, 1.5}, .velocity = {15, 0, 0}});
     run(world, 0.1);
     return world.summary().linear_momentum.x;
 }
 
-TEST(Freezing, a_hit_goes_into_a_resting_block_as_into_one_that_is_awake) {
-    const double awake = momentum_after_hit(Rest::none), frozen = momentum_after_hit(Rest::frozen),
+TEST(PartialSleep, a_hit_goes_into_a_resting_block_as_into_one_that_is_awake) {
+    const double awake = momentum_after_hit(Rest::none),
+                 in_place = momentum_after_hit(Rest::in_place),
                  asleep = momentum_after_hit(Rest::asleep);
     RecordProperty("awake_kg_m_per_s", std::to_string(awake));
-    RecordProperty("frozen_kg_m_per_s", std::to_string(frozen));
+    RecordProperty("in_place_kg_m_per_s", std::to_string(in_place));
     RecordProperty("asleep_kg_m_per_s", std::to_string(asleep));
-    EXPECT_NEAR(frozen, awake, 0.1 * awake);
+    EXPECT_NEAR(in_place, awake, 0.1 * awake);
     EXPECT_NEAR(asleep, awake, 0.1 * awake);
 }
 
 // A ball rolls against a corner of a block that sleeps: most of it never learns of that.
-TEST(Freezing, a_nudge_wakes_a_sleeping_block_where_it_is_felt) {
+TEST(PartialSleep, a_nudge_wakes_a_sleeping_block_where_it_is_felt) {
     World world = block_of_boxes(true);
     run(world, 3);
     ASSERT_EQ(world.summary().awake_bodies, 0);
@@ -201,7 +203,7 @@ TEST(Freezing, a_nudge_wakes_a_sleeping_block_where_it_is_felt) {
 }
 
 // In a wall that sleeps as a whole too.
-TEST(Freezing, what_loses_its_support_wakes_and_falls_at_once) {
+TEST(PartialSleep, what_loses_its_support_wakes_and_falls_at_once) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> bricks;

@@ -93,7 +93,7 @@ TEST(Planar, nothing_ever_leaves_the_plane) {
     EXPECT_LT(world.summary().max_penetration, 0.01);
 }
 
-// A plank falls over on a plate, about the corner that it stands on: checked at only where that
+// A plank falls over on a plate, about the corner that it stands on: looked at only where that
 // slips, its far end came down 20 cm deep in the plate.
 TEST(Planar, plank_that_falls_over_comes_down_on_the_plate_below) {
     for (const bool plate_first : {true, false}) {
@@ -132,14 +132,14 @@ TEST(Planar, beam_shares_its_load_as_statics_says) {
     World world = flat_world();
     const Vec3 left{-2, 0, 0}, right{2, 0, 0};
     for (const Vec3 at : {left, right})
-        must(world.create_body({.type = BodyType::fixed, .pose = {at, {}}},
+        must(world.create_body({.type = BodyType::static_body, .pose = {at, {}}},
                                {.geometry = Sphere{0.1}, .report_stays = true}));
     const BodyId beam =
         add(world, {.geometry = Box{{2.5, 0.1, 1}}, .position = {0, 0.2, 0}, .density = 1});
     const BodyId load = add(world, {.geometry = Box{{0.2, 0.2, 1}},
                                     .position = {-1, 0.5, 0},
                                     .density = 1000,
-                                    .may_sleep = false});
+                                    .sleep_allowed = false});
     const double own = state_of(world, beam).mass * 9.81,
                  weight = state_of(world, load).mass * 9.81;
     run(world, 1);
@@ -153,7 +153,7 @@ TEST(Planar, beam_shares_its_load_as_statics_says) {
 
 TEST(Planar, pendulum_on_a_hinge_swings) {
     World world = flat_world();
-    const BodyId post = add(world, {.geometry = Sphere{0.05}, .type = BodyType::fixed});
+    const BodyId post = add(world, {.geometry = Sphere{0.05}, .type = BodyType::static_body});
     const BodyId rod = add(world, {.geometry = Box{{0.5, 0.05, 1}}, .position = {0.5, 0, 0}});
     const JointId hinge = must(world.create_joint(
         {.body_a = post, .body_b = rod, .frame_b = {{-0.5, 0, 0}, {}}, .kind = HingeJoint{}}));

@@ -64,7 +64,7 @@ TEST(Rocking, plank_on_a_ball_keeps_its_swing_for_20_s) {
     const double period = 2 * pi / std::sqrt(9.81 * (r - half.y) / (gyration2 + half.y * half.y));
     for (const double tilt : {0.02, 0.05, 0.1, 0.2}) {
         World world = make_world({.sleeping = false});
-        add(world, {.geometry = Sphere{r}, .type = BodyType::fixed});
+        add(world, {.geometry = Sphere{r}, .type = BodyType::static_body});
         const BodyId plank = add_plank(world, half, r, tilt);
         const Swing swing = swing_of(world, plank, 20, 2);
         EXPECT_NEAR(swing.amplitude, tilt, 0.02 * tilt) << "tilt " << tilt;
@@ -75,7 +75,7 @@ TEST(Rocking, plank_on_a_ball_keeps_its_swing_for_20_s) {
 // At 14 rad/s: 45 swings in 20 s.
 TEST(Rocking, small_plate_on_a_ball_keeps_its_swing_for_20_s) {
     World world = make_world({.sleeping = false});
-    add(world, {.geometry = Sphere{0.3}, .type = BodyType::fixed});
+    add(world, {.geometry = Sphere{0.3}, .type = BodyType::static_body});
     const BodyId plate = add_plank(world, {0.2, 0.02, 0.2}, 0.3, 0.02);
     const Swing swing = swing_of(world, plate, 20, 2);
     EXPECT_NEAR(swing.amplitude, 0.02, 0.05 * 0.02);

@@ -27,7 +27,8 @@ TEST(RoundShapes, rest_at_the_height_of_their_radius) {
 
 TEST(RoundShapes, rest_on_boxes_and_on_each_other) {
     World world = make_world();
-    add(world, {.geometry = Box{{5, 0.5, 5}}, .position = {0, -0.5, 0}, .type = BodyType::fixed});
+    add(world,
+        {.geometry = Box{{5, 0.5, 5}}, .position = {0, -0.5, 0}, .type = BodyType::static_body});
     const BodyId capsule =
         add(world, {.geometry = Capsule{0.2, 0.5}, .position = {0, 0.2, 0}, .rotation = lying});
     const BodyId box = add(world, {.geometry = Box{{0.4, 0.1, 0.6}}, .position = {3, 0.1, 0}});
@@ -66,7 +67,7 @@ TEST(RoundShapes, ball_comes_to_rest_in_a_corner) {
     World world = make_world();
     add_floor(world);
     for (const Vec3 n : {Vec3{1, 0, 0}, Vec3{0, 0, 1}})
-        add(world, {.geometry = Plane{n}, .type = BodyType::fixed});
+        add(world, {.geometry = Plane{n}, .type = BodyType::static_body});
     const BodyId ball =
         add(world, {.geometry = Sphere{0.3}, .position = {1, 1, 1}, .velocity = {-3, 0, -2}});
     run(world, 5);

@@ -34,7 +34,7 @@ void add_tray(World& world, double half, double height = 2) {
         const double side = k % 2 == 0 ? half : -half, middle = height / 2;
         const Vec3 place = k < 2 ? Vec3{side, middle, 0} : Vec3{0, middle, side};
         const Vec3 size = k < 2 ? Vec3{0.2, middle, half} : Vec3{half, middle, 0.2};
-        add(world, {.geometry = Box{size}, .position = place, .type = BodyType::fixed});
+        add(world, {.geometry = Box{size}, .position = place, .type = BodyType::static_body});
     }
 }
 
@@ -108,7 +108,7 @@ TEST(Sleeping, taking_the_support_away_wakes_what_stood_on_it) {
 TEST(Sleeping, taking_a_fixed_support_away_wakes_too) {
     World world = make_world();
     add_floor(world);
-    const BodyId table = add(world, {.position = {0, 0.5, 0}, .type = BodyType::fixed});
+    const BodyId table = add(world, {.position = {0, 0.5, 0}, .type = BodyType::static_body});
     const BodyId box = add(world, {.position = {0, 1.5, 0}});
     run(world, 3);
     ASSERT_FALSE(state_of(world, box).awake);
@@ -159,7 +159,7 @@ TEST(Sleeping, a_capsule_that_rolls_at_4_cm_a_second_rests) {
 TEST(Sleeping, what_swings_by_three_millimetres_rests_and_what_swings_by_ten_does_not) {
     const auto awake_after = [](double hertz, double amplitude) {
         World world = make_world({.gravity = {}});
-        const BodyId wall = add(world, {.type = BodyType::fixed});
+        const BodyId wall = add(world, {.type = BodyType::static_body});
         const BodyId body = add(world, {.geometry = Sphere{0.2},
                                         .position = {2, 0, 0},
                                         .velocity = {2 * pi * hertz * amplitude, 0, 0}});
@@ -239,7 +239,7 @@ TEST(Sleeping, a_player_who_walks_through_cubes_keeps_awake_what_it_pushes) {
 TEST(Sleeping, a_body_that_may_not_sleep_does_not) {
     World world = make_world();
     add_floor(world);
-    const BodyId box = add(world, {.position = {0, 0.5, 0}, .may_sleep = false});
+    const BodyId box = add(world, {.position = {0, 0.5, 0}, .sleep_allowed = false});
     run(world, 5);
     EXPECT_TRUE(state_of(world, box).awake);
 }
@@ -248,7 +248,7 @@ TEST(Sleeping, two_piles_sleep_apart) {
     World world = make_world();
     add_floor(world);
     const BodyId calm = add(world, {.position = {0, 0.5, 0}});
-    const BodyId restless = add(world, {.position = {20, 0.5, 0}, .may_sleep = false});
+    const BodyId restless = add(world, {.position = {20, 0.5, 0}, .sleep_allowed = false});
     run(world, 3);
     EXPECT_FALSE(state_of(world, calm).awake);
     EXPECT_TRUE(state_of(world, restless).awake);

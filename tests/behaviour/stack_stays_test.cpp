@@ -69,7 +69,7 @@ TEST(Stack, one_box_rests_where_it_was_put) {
 TEST(Stack, stands_on_a_fixed_box_far_from_the_origin) {
     World world = make_world();
     const Vec3 place{1e6, 0, -2e6};
-    add(world, {.geometry = Box{{10, 1, 10}}, .position = place, .type = BodyType::fixed});
+    add(world, {.geometry = Box{{10, 1, 10}}, .position = place, .type = BodyType::static_body});
     std::vector<BodyId> boxes;
     for (int i = 0; i < 5; i++)
         boxes.push_back(add(world, {.position = place + Vec3{0, 1.5 + i, 0}}));

@@ -51,7 +51,7 @@ Geometry flat_field(int n) {
 }
 
 void add_ground(World& world, const Geometry& ground, double friction) {
-    add(world, {.geometry = ground, .friction = friction, .type = BodyType::fixed});
+    add(world, {.geometry = ground, .friction = friction, .type = BodyType::static_body});
 }
 
 struct Ride {
@@ -68,7 +68,7 @@ Ride slide(const Geometry& ground, const Geometry& slider, double rest_height) {
                                     .rotation = from_rotation_vector({0, 0.4, 0}),
                                     .velocity = along * 4,
                                     .friction = 0,
-                                    .may_sleep = false});
+                                    .sleep_allowed = false});
     Ride ride;
     for (int i = 0; i < 180; i++) {
         must(world.step(1.0 / 60));

@@ -11,7 +11,7 @@ namespace {
 using namespace physics;
 
 BodyId add_trigger(World& world, const Geometry& geometry, Vec3 position,
-                   BodyType type = BodyType::fixed, Filter filter = {}) {
+                   BodyType type = BodyType::static_body, Filter filter = {}) {
     return must(world.create_body({.type = type, .pose = {position, {}}, .gravity_scale = 0},
                                   {.geometry = geometry, .filter = filter, .trigger = true}));
 }
@@ -50,7 +50,7 @@ TEST(Triggers, ball_falls_through_a_gate_in_the_time_that_free_fall_takes) {
 
 TEST(Triggers, see_what_their_mask_lets_them_see) {
     World world = make_world();
-    add_trigger(world, Sphere{1}, {0, 0, 0}, BodyType::fixed, {.mask = 4});
+    add_trigger(world, Sphere{1}, {0, 0, 0}, BodyType::static_body, {.mask = 4});
     const BodyId seen = must(world.create_body(
         {.pose = {{0, 2, 0}, {}}}, {.geometry = Sphere{0.1}, .filter = {.category = 4}}));
     const BodyId unseen = must(world.create_body(
@@ -72,7 +72,8 @@ TEST(Triggers, that_move_find_walls_and_sleepers) {
     add_floor(world);
     const BodyId box = add(world, {.position = {3, 0.5, 0}});
     const BodyId wall =
-        add(world, {.geometry = Box{{0.1, 1, 1}}, .position = {5, 1, 0}, .type = BodyType::fixed});
+        add(world,
+            {.geometry = Box{{0.1, 1, 1}}, .position = {5, 1, 0}, .type = BodyType::static_body});
     run(world, 2);
     ASSERT_FALSE(state_of(world, box).awake);
     const BodyId sweeper = add_trigger(world, Sphere{0.3}, {0, 0.6, 0}, BodyType::kinematic);

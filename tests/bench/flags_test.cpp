@@ -41,7 +41,7 @@ protected:
 };
 
 TEST_F(SpeedFlags, writes_table_json_and_plot) {
-    ASSERT_EQ(run("--scene pyramid-465 --threads 1,2 --peers none --steps 3 --json " +
+    ASSERT_EQ(run("--scene lab_pyramid_465 --threads 1,2 --peers none --steps 3 --json " +
                   file("r.json") + " --plot " + file("r.svg")),
               0)
         << output();
@@ -53,7 +53,7 @@ TEST_F(SpeedFlags, writes_table_json_and_plot) {
     EXPECT_EQ(json["rows"][0]["clock"], "cpu");
     EXPECT_EQ(json["rows"][1]["threads"], 2);
     EXPECT_EQ(json["rows"][1]["clock"], "wall");
-    EXPECT_THAT(read("r.svg"), HasSubstr("a pyramid-465"));
+    EXPECT_THAT(read("r.svg"), HasSubstr("a lab_pyramid_465"));
 }
 
 TEST_F(SpeedFlags, threads_compares_worlds_that_end_alike) {
@@ -108,7 +108,7 @@ TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) 
 TEST_F(SpeedFlags, unknown_scene_is_named_with_those_there_are) {
     EXPECT_EQ(run("--scene a,z"), 2);
     EXPECT_THAT(output(), HasSubstr("there is no scene z"));
-    EXPECT_THAT(output(), HasSubstr("i or bullets-1000"));
+    EXPECT_THAT(output(), HasSubstr("i or lab_bullets_1000"));
 }
 
 TEST_F(SpeedFlags, unknown_peer_is_named_with_those_there_are) {

@@ -32,7 +32,7 @@ protected:
 TEST_P(Rows, a_pyramid_stands_for_ten_steps) {
     const SpeedRow row = row_of(GetParam(), "a", 10);
     ASSERT_FALSE(row.failed) << *row.failed;
-    EXPECT_EQ(row.scene + " " + row.name, "a pyramid-465");
+    EXPECT_EQ(row.scene + " " + row.name, "a lab_pyramid_465");
     EXPECT_EQ(row.engine, GetParam());
     EXPECT_EQ(row.bodies, 466);
     EXPECT_EQ(row.steps, 10);
@@ -91,11 +91,11 @@ TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
     EXPECT_EQ(row.repeats, true);
 }
 
-TEST(Rows, without_referee_errors_are_unknown) {
+TEST(Rows, without_the_accuracy_check_errors_are_unknown) {
     const SpeedRow row = measure_row_in_child({.scene = find_lab_scene("a"),
                                                .engine = find_engine_kind("jostle"),
                                                .steps = 5,
-                                               .referee = false});
+                                               .accuracy = false});
     EXPECT_FALSE(row.max_penetration_m || row.error_m() || row.repeats);
     EXPECT_NEAR(row.top_m, 29.5, 0.05);
 }

@@ -70,7 +70,7 @@ TEST(Conversation, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
     EXPECT_EQ(first->input().inputs_size(), 32);
     EXPECT_FALSE(stream.next());  // not before a thirtieth of a second has passed
     stream.now += milliseconds(34);
-    const auto pair = stream.next();
+    const auto second = stream.next();
     EXPECT_EQ(second->input().first_sequence(), 33u);
     EXPECT_EQ(second->input().inputs_size(), 8);
 }

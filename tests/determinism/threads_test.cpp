@@ -59,13 +59,13 @@ TEST_P(Threads, tried_by_the_clock_do_not_change_a_bit_either) {
 
 // Threads may be changed while a world runs: they are no part of its state.
 TEST_P(Threads, may_change_on_the_way) {
-    World mean_impulse = GetParam().make(1), changing = GetParam().make(1);
+    World steady = GetParam().make(1), changing = GetParam().make(1);
     for (int step = 0; step < steps / 3; step++) {
         must(changing.set_threads(1 + step % 3));
-        must(mean_impulse.step(1.0 / 60));
+        must(steady.step(1.0 / 60));
         must(changing.step(1.0 / 60));
     }
-    EXPECT_EQ(state_hash(mean_impulse), state_hash(changing));
+    EXPECT_EQ(state_hash(steady), state_hash(changing));
 }
 
 INSTANTIATE_TEST_SUITE_P(scenes, Threads, testing::ValuesIn(test_scenes()),

@@ -81,10 +81,10 @@ TEST(SceneFaults, each_fault_is_named_with_its_line_and_field) {
          "line 5: bodies[0].shapes[0].sphere.radius: -1 is out of range; it must be from 0.001 to "
          "10000"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"plane\": {}}]}]}",
-         "line 3: bodies[0].shapes[0].plane: is infinite; only a body of type BODY_TYPE_FIXED may "
+         "line 3: bodies[0].shapes[0].plane: is infinite; only a body of type BODY_TYPE_STATIC may "
          "have one"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"type\": \"FIXED\"}]}",
-         "line 3: bodies[0].type: must be one of BODY_TYPE_FIXED, BODY_TYPE_KINEMATIC, "
+         "line 3: bodies[0].type: must be one of BODY_TYPE_STATIC, BODY_TYPE_KINEMATIC, "
          "BODY_TYPE_DYNAMIC"},
         {"{\"name\": \"a\",\n \"world\": {\"hz\": 1}}",
          "line 2: world.hz: 1 is out of range; it must be from 4 to 1000"},

@@ -122,10 +122,20 @@ TEST(SceneFile, every_field_written_and_read_is_the_same_world_thirty_steps_on) 
 
 // "-0.0" is a number with a sign of its own, "-0" is not: a file must not be able to tell them
 // apart.
+TEST(SceneFile, a_fixed_body_of_an_older_file_is_read_and_written_as_a_static_one) {
+    const auto scene = read_scene_json(R"({"name": "old", "bodies": [
+        {"name": "floor", "type": "BODY_TYPE_FIXED", "shapes": [{"plane": {}}]}]})");
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->bodies[0].body.type, physics::BodyType::static_body);
+    const std::string written = write_scene_json(*scene);
+    EXPECT_NE(written.find("BODY_TYPE_STATIC"), std::string::npos) << written;
+    EXPECT_EQ(written.find("BODY_TYPE_FIXED"), std::string::npos) << written;
+}
+
 TEST(SceneFile, minus_zero_is_zero) {
     const std::string text =
         R"({"name": "a", "world": {"gravity": {"x": 0.0, "y": -9.81}}, "bodies": [
-        {"type": "BODY_TYPE_FIXED", "rotation": {"x": 0.0, "w": 1}, "shapes": [
+        {"type": "BODY_TYPE_STATIC", "rotation": {"x": 0.0, "w": 1}, "shapes": [
           {"plane": {"normal": {"x": 0.0, "y": 1}}, "surface_velocity": {"x": 0.0, "z": 1}},
           {"mesh": {"vertices": [{"x": 0.0}, {"x": 1, "y": 0.0}, {"z": 1}], "indices": [0, 1, 2]}},
           {"height_field": {"columns": 2, "rows": 2, "spacing_x": 1, "spacing_z": 1, "heights": [0.0, 1, 0.0, 1]}},

@@ -49,7 +49,7 @@ inline void add_walls(physics::World& world, double half) {
         const double side = k % 2 == 0 ? half : -half;
         add(world, {.geometry = k < 2 ? Box{{0.2, 2, half}} : Box{{half, 2, 0.2}},
                     .position = k < 2 ? Vec3{side, 2, 0} : Vec3{0, 2, side},
-                    .type = BodyType::fixed});
+                    .type = BodyType::static_body});
     }
 }
 
@@ -108,7 +108,7 @@ inline physics::World yard_scene(int threads = 1) {
     add(world, {.geometry = Box{{2, 0.1, 1}},
                 .position = {4, 1, -3},
                 .rotation = from_rotation_vector({0, 0, 0.4}),
-                .type = BodyType::fixed});
+                .type = BodyType::static_body});
     add(world, {.geometry = Box{{3, 0.2, 0.1}},
                 .position = {-3, 0.5, -2},
                 .spin = {0, 0.7, 0},
@@ -146,10 +146,11 @@ inline physics::World fair_scene(int threads = 1) {
             triangles.push_back({v, v + side, v + 1});
             triangles.push_back({v + 1, v + side, v + side + 1});
         }
-    add(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .type = BodyType::fixed});
+    add(world,
+        {.geometry = Mesh{must(build_mesh(vertices, triangles))}, .type = BodyType::static_body});
     add_walls(world, 8);
     const BodyId belt =
-        must(world.create_body({.type = BodyType::fixed, .pose = {{5, 0.6, 5}, {}}}));
+        must(world.create_body({.type = BodyType::static_body, .pose = {{5, 0.6, 5}, {}}}));
     must(world.create_shape(
         belt, {.geometry = Box{{2, 0.1, 1}}, .material = {.surface_velocity = {-1, 0, 0.3}}}));
     std::vector<Vec3> stone;
@@ -175,8 +176,8 @@ inline physics::World fair_scene(int threads = 1) {
              .filter = {.category = i % 7 == 0 ? 2u : 1u, .mask = i % 7 == 0 ? 1u : 3u},
              .report_stays = i == 0}));
     }
-    BodyId above =
-        add(world, {.geometry = Sphere{0.1}, .position = {-4, 5, -4}, .type = BodyType::fixed});
+    BodyId above = add(
+        world, {.geometry = Sphere{0.1}, .position = {-4, 5, -4}, .type = BodyType::static_body});
     for (int i = 0; i < 6; i++) {
         const BodyId link = add(world, {.geometry = Capsule{0.08, 0.2},
                                         .position = {-4 + 0.5 * i, 5, -4},
@@ -194,7 +195,8 @@ inline physics::World fair_scene(int threads = 1) {
         above = link;
     }
     const BodyId post = add(
-        world, {.geometry = Box{{0.1, 1, 0.1}}, .position = {3, 1, -4}, .type = BodyType::fixed});
+        world,
+        {.geometry = Box{{0.1, 1, 0.1}}, .position = {3, 1, -4}, .type = BodyType::static_body});
     const BodyId arm =
         must(world.create_body({.pose = {{3.8, 1.5, -4}, {}}}, {.geometry = Box{{0.7, 0.1, 0.1}}}));
     must(world.create_joint({.body_a = post,
@@ -214,10 +216,10 @@ inline physics::World fair_scene(int threads = 1) {
          .body_b = arm,
          .kind = DistanceJoint{
              .min_length = 0.5, .max_length = 12, .spring = {0.7, 0.2}, .rest_length = 4}}));
-    must(
-        world.create_body({.pose = {{-6, 0.7, 0}, {}}, .locks = lock_z | lock_turn_x | lock_turn_y},
-                          {.geometry = Box{{0.4, 0.3, 0.4}}}));
-    must(world.create_body({.type = BodyType::fixed, .pose = {{0, 1, 0}, {}}},
+    must(world.create_body(
+        {.pose = {{-6, 0.7, 0}, {}}, .locks = lock_z | lock_rotation_x | lock_rotation_y},
+        {.geometry = Box{{0.4, 0.3, 0.4}}}));
+    must(world.create_body({.type = BodyType::static_body, .pose = {{0, 1, 0}, {}}},
                            {.geometry = Sphere{2}, .trigger = true}));
     for (int i = 0; i < 4; i++)
         add(world, {.geometry = Box{{0.06, 0.03, 0.03}},
@@ -234,8 +236,8 @@ inline physics::World chains_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
     Random random(77);
-    const BodyId ceiling =
-        add(world, {.geometry = Sphere{0.1}, .position = {0, 12, 0}, .type = BodyType::fixed});
+    const BodyId ceiling = add(
+        world, {.geometry = Sphere{0.1}, .position = {0, 12, 0}, .type = BodyType::static_body});
     for (int i = 0; i < 310; i++) {
         const bool plain = i < 260;  // balls, the rest one of everything
         const JointKind kinds[] = {
@@ -295,7 +297,8 @@ inline physics::World guarded_scene(int threads = 1) {
                                  .frame_b = {{-0.5, 0, 0}, {}},
                                  .kind = kinds[i / 6 % 3]}));
     }
-    add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {2.4, 3.2, 2.5}, .may_sleep = false});
+    add(world,
+        {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {2.4, 3.2, 2.5}, .sleep_allowed = false});
     return world;
 }
 

@@ -33,7 +33,7 @@ struct Part {
     double restitution = 0;
     double density = 1000;  // kg/m^3
     physics::BodyType type = physics::BodyType::dynamic;
-    bool may_sleep = true;
+    bool sleep_allowed = true;
 };
 
 inline physics::World make_world(const physics::WorldDef& def = {}) {
@@ -45,7 +45,7 @@ inline physics::BodyId add(physics::World& world, const Part& part) {
                                    .pose = {part.position, part.rotation},
                                    .linear_velocity = part.velocity,
                                    .angular_velocity = part.spin,
-                                   .may_sleep = part.may_sleep},
+                                   .sleep_allowed = part.sleep_allowed},
                                   {.geometry = part.geometry,
                                    .material = {part.friction, part.restitution},
                                    .density = part.density}));
@@ -57,12 +57,12 @@ inline physics::BodyId add_floor(physics::World& world, double friction = 0.5,
     return add(world, {.geometry = physics::Plane{},
                        .friction = friction,
                        .restitution = restitution,
-                       .type = physics::BodyType::fixed});
+                       .type = physics::BodyType::static_body});
 }
 
 // A part that never moves.
 inline physics::BodyId add_static(physics::World& world, Part part) {
-    part.type = physics::BodyType::fixed;
+    part.type = physics::BodyType::static_body;
     return add(world, part);
 }
 

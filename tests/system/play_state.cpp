@@ -121,20 +121,19 @@ void PlayState::take(const v1::Snapshot& snapshot) {
                             base_of(snapshot.base3_frame())};
     const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
                                static_cast<std::int32_t>(welcome.quant().rotation_component())};
-    wire::QuantizedFrame frame;
-    const auto error = wire::decode_frame(frame, snapshot.frame(),
-                                          std::as_bytes(std::span(snapshot.packed())), bases, spec);
-    expect(!error, name + " cannot be decoded: " + error.value_or(""));
-    if (error) return;
-    expect(wire::frame_crc(frame) == snapshot.crc(), name + " has another CRC than the server's");
-    expect(std::ranges::all_of(frame.entities,
+    auto frame = wire::decode_frame(snapshot.frame(), std::as_bytes(std::span(snapshot.packed())),
+                                    bases, spec);
+    expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
+    if (!frame.ok()) return;
+    expect(wire::frame_crc(*frame) == snapshot.crc(), name + " has another CRC than the server's");
+    expect(std::ranges::all_of(frame->entities,
                                [&](const auto& entity) { return entities.contains(entity.id); }),
            name + " holds an entity that no roster named");
 
     ages_ms.push_back(age_ms(snapshot.server_time_us()));
     crc_of[snapshot.frame()] = snapshot.crc();
     newest_frame = snapshot.frame();
-    ring_.push_back(std::move(frame));
+    ring_.push_back(std::move(*frame));
     if (ring_.size() > ring_size) ring_.pop_front();
 }
 

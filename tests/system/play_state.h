@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What one client knows of its world, kept from ServerMessages as proto/WIRE.md tells a client to:
-// rosters, the last 32 decoded frames, the outcome of each input. Every promise of the protocol
+// rosters, the last 32 decoded frames, the result of each input. Every promise of the protocol
 // that can be seen from here is checked as the messages come; what was broken is counted and the
 // first one kept in words. Used by the players of both transports.
 #pragma once

@@ -126,28 +126,29 @@ TEST_F(QueryAndEvents, the_client_library_asks_and_listens) {
 
     client::QueryClient queries(server.grpc_address(), "stack");
     const auto hit = queries.cast_ray({x, 10, 0}, {0, -20, 0});
-    ASSERT_TRUE(hit.ok()) << hit.error;
-    ASSERT_TRUE(hit.value);
-    EXPECT_EQ(hit.value->entity, ball);
-    EXPECT_NEAR(hit.value->fraction, 9.0 / 20, 1e-3);
-    EXPECT_NEAR(hit.value->normal[1], 1, 1e-6);
-    EXPECT_GT(hit.tick, 0u);
+    ASSERT_TRUE(hit.ok()) << hit.error().message;
+    ASSERT_TRUE(hit->value);
+    EXPECT_EQ(hit->value->entity, ball);
+    EXPECT_NEAR(hit->value->fraction, 9.0 / 20, 1e-3);
+    EXPECT_NEAR(hit->value->normal[1], 1, 1e-6);
+    EXPECT_GT(hit->tick, 0u);
     const auto ground = queries.cast_ray({x, 10, 0}, {0, -20, 0}, {.ignore = ball});
-    ASSERT_TRUE(ground.ok() && ground.value) << ground.error;
-    EXPECT_NE(ground.value->entity, ball);
-    EXPECT_FALSE(queries.cast_ray({x, 10, 0}, {0, 20, 0}).value) << "nothing is above";
-    EXPECT_EQ(queries.overlap({x, 0.5, 0}).value, std::vector{ball});
+    ASSERT_TRUE(ground.ok() && ground->value);
+    EXPECT_NE(ground->value->entity, ball);
+    EXPECT_FALSE(queries.cast_ray({x, 10, 0}, {0, 20, 0})->value) << "nothing is above";
+    EXPECT_EQ(queries.overlap({x, 0.5, 0})->value, std::vector{ball});
     v1::Shape probe;
     probe.mutable_sphere()->set_radius(0.1);
     probe.mutable_position()->set_x(x);
     probe.mutable_position()->set_y(0.5);
-    EXPECT_EQ(queries.overlap(probe).value, std::vector{ball});
+    EXPECT_EQ(queries.overlap(probe)->value, std::vector{ball});
     const auto nearest = queries.closest_point({x, 2, 0}, 5);
-    ASSERT_TRUE(nearest.ok() && nearest.value) << nearest.error;
-    EXPECT_EQ(nearest.value->entity, ball);
-    EXPECT_NEAR(nearest.value->distance, 1, 1e-2);
-    EXPECT_EQ(client::QueryClient(server.grpc_address(), "nowhere").overlap({0, 0, 0}).error,
-              "there is no world \"nowhere\"");
+    ASSERT_TRUE(nearest.ok() && nearest->value);
+    EXPECT_EQ(nearest->value->entity, ball);
+    EXPECT_NEAR(nearest->value->distance, 1, 1e-2);
+    EXPECT_EQ(
+        client::QueryClient(server.grpc_address(), "nowhere").overlap({0, 0, 0}).error().message,
+        "there is no world \"nowhere\"");
     me->leave();
     EXPECT_TRUE(soon([&] { return !me->stats().connected; }));
 }

@@ -9,35 +9,40 @@ import pathlib
 import re
 import sys
 
-# Folder (longest prefix wins) -> floors it may include. A floor is named by its folder; "*.pb.h" files are "generated".
+# What everything may include: how errors are reported.
+BASE = "base/include"
+# Folder (longest prefix wins) -> floors it may include beside BASE. A floor is named by its folder; "*.pb.h" files are "generated".
 PUBLIC = "physics/include"
 FLOORS = {
+    BASE: [],
     "physics/include": [],
     "physics/src/foundation": [PUBLIC],
     "physics/src/math": [PUBLIC, "physics/src/foundation"],
     "physics/src/geometry": [PUBLIC, "physics/src/foundation", "physics/src/math"],
     "physics/src/collision": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry"],
-    "physics/src/state": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision"],
-    "physics/src/constraints": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state"],
-    "physics/src/persist": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state"],
-    "physics/src/stages": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints"],
-    "physics/src/world": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/stages", "physics/src/persist"],
+    "physics/src/constraint_graph": [PUBLIC, "physics/src/foundation", "physics/src/math"],
+    "physics/src/state": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/constraint_graph"],
+    "physics/src/constraints": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraint_graph"],
+    "physics/src/persist": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraint_graph"],
+    "physics/src/stages": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/constraint_graph"],
+    "physics/src/world": [PUBLIC, "physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision", "physics/src/state", "physics/src/constraints", "physics/src/stages", "physics/src/persist", "physics/src/constraint_graph"],
     "physics/examples": [PUBLIC],
     "proto/wire": [],
+    "proto/status": [],
     "scenes/include": [PUBLIC],
     "scenes/src": [PUBLIC, "scenes/include", "generated"],
     "sim": [PUBLIC, "scenes/include"],
     "server/base": [],
-    "server/config": ["server/base", PUBLIC],
+    "server/config": ["server/base"],
     "server/host": ["server/base", "server/config", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/config", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/config", "server/host", "server/session", PUBLIC, "proto/wire"],
     "server/protocol": ["server/base", "server/config", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],
-    "server/rpc": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
+    "server/rpc": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
     "server/app": ["server/base", "server/config", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
-    "clients/cpp": ["proto/wire", "generated"],
+    "clients/cpp": ["proto/wire", "proto/status", "generated"],
     "clients/bot": ["clients/cpp", "generated"],
     "clients/load": ["clients/cpp", "clients/bot", "generated"],
 }
@@ -48,8 +53,8 @@ MAY_INCLUDE_WORLD = ("server/host",)
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp")
 
-SEARCH = ["physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
-          "clients/cpp/include", "clients/cpp/src"]
+SEARCH = [BASE, "physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+          "clients/cpp/include", "clients/cpp/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 
@@ -74,7 +79,7 @@ def resolve(root, including, name):
 
 def faults(root):
     found = []
-    files = sorted(p for folder in ("physics", "proto/wire", "scenes", "sim", "server", "clients")
+    files = sorted(p for folder in ("base", "physics", "proto/wire", "proto/status", "scenes", "sim", "server", "clients")
                    for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
     for path in files:
         here = str(path.relative_to(root))
@@ -95,7 +100,7 @@ def faults(root):
             other = floor_of(target)
             if other.startswith(("tests", "bench")) or target.startswith(("tests/", "bench/")):
                 found.append(f"{here} includes {target}: nothing may include tests")
-            elif other != floor and other not in FLOORS[floor]:
+            elif other not in (floor, BASE) and other not in FLOORS[floor]:
                 found.append(f"{here} includes {target}: {floor} may not see {other or 'that'}")
             elif name == WORLD and floor.startswith("server/") and floor not in MAY_INCLUDE_WORLD:
                 found.append(f"{here} includes {target}: only {MAY_INCLUDE_WORLD[0]} may include the World")

@@ -10,12 +10,16 @@ HERE = pathlib.Path(__file__).parent
 CASES = [
     ("check_layers.py", "physics/src/foundation/low.h", '// SPDX-License-Identifier: MIT\n#include "state/high.h"\n',
      "physics/src/foundation/low.h includes physics/src/state/high.h"),
+    ("check_layers.py", "base/include/jostle/base/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
+     "base/include may not see physics/include"),
     ("check_layers.py", "server/rpc/a.h", '// SPDX-License-Identifier: MIT\n#include "gateway/b.h"\n',
      "server/rpc/a.h includes server/gateway/b.h"),
     ("check_layers.py", "server/session/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/physics/world.h"\n',
      "only server/host may include the World"),
     ("check_layers.py", "proto/wire/a.h", '// SPDX-License-Identifier: MIT\n#include "jostle/v1/play.pb.h"\n',
      "may not know generated messages"),
+    ("check_loops.py", "server/host/a.cpp", '// SPDX-License-Identifier: MIT\n#include "host/b.h"\n',
+     "2 files need each other: server/host/a, server/host/b"),
     ("check_names.py", "physics/src/BadName.h", "// SPDX-License-Identifier: MIT\n", "file names are snake_case"),
     ("check_names.py", "physics/src/plain.h", "#pragma once\n", "does not begin with"),
     ("check_names.py", "docs/a.md", "see /home" + "/somebody\n", "a path of somebody's machine"),
@@ -23,7 +27,8 @@ CASES = [
     ("check_links.py", "docs/a.md", "in `server/gone.cpp`\n", "there is no server/gone.cpp"),
 ]
 # What the faulty files refer to.
-OTHERS = ["physics/src/state/high.h", "server/gateway/b.h", "physics/include/jostle/physics/world.h"]
+OTHERS = {"physics/src/state/high.h": "", "server/gateway/b.h": "", "physics/include/jostle/physics/world.h": "",
+          "server/host/a.h": "", "server/host/b.h": '#include "host/a.h"\n'}
 
 
 def main():
@@ -31,9 +36,9 @@ def main():
     for check, name, text, expected in CASES:
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for other in OTHERS:
+            for other, include in OTHERS.items():
                 (root / other).parent.mkdir(parents=True, exist_ok=True)
-                (root / other).write_text("// SPDX-License-Identifier: MIT\n")
+                (root / other).write_text("// SPDX-License-Identifier: MIT\n" + include)
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text)
             run = subprocess.run([sys.executable, HERE / check, folder], capture_output=True, text=True)

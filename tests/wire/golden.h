@@ -34,7 +34,7 @@ inline std::vector<GoldenSequence> golden_sequences() {
         std::uint32_t steps[4];  // ticks between frames, cycled
     };
     const Plan plans[] = {
-        {"mean_impulse", {}, 1, 12, {}, {1, 1, 1, 1}},
+        {"steady", {}, 1, 12, {}, {1, 1, 1, 1}},
         {"skips", {}, 2, 12, {.calm = 0.1}, {1, 3, 6, 2}},
         {"all_moving", {}, 3, 16, {.calm = 0, .kick = 0.1, .rest = 0, .vanish = 0}, {1, 1, 2, 1}},
         {"fast_spin", {}, 4, 8, {.calm = 0, .spin = 150, .speed = 3000, .kick = 0.3}, {1, 1, 1, 2}},

@@ -20,7 +20,7 @@ constexpr std::size_t events_max = 1024;                        // ticks, not ta
 
 void Conversation::begin(Clock::time_point now) {
     hello_due_ = true;
-    ack_due_ = need_keyframe_ = goodbye_said_ = false;
+    ack_due_ = need_keyframe_ = leave_sent_ = false;
     pings_sent_ = 0;
     next_ping_ = now;
     buffer_.clear();
@@ -30,11 +30,11 @@ void Conversation::begin(Clock::time_point now) {
     next_sequence_ = 1 + static_cast<std::uint32_t>(inputs_.size());
 }
 
-void Conversation::ended(const std::string& error) {
+void Conversation::ended(const Status& end) {
     stats_.connected = false;
-    if (error.empty()) return;
+    if (end.ok()) return;
     stats_.stream_failures++;
-    stats_.last_error = error;
+    stats_.last_error = end.error().message;
 }
 
 std::uint32_t Conversation::send(v1::Input input) {
@@ -85,12 +85,12 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
 }
 
 void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {
-    if (auto error = view_.apply(snapshot)) {
+    if (const Status applied = view_.apply(snapshot); !applied.ok()) {
         // While a keyframe is on its way, what follows cannot be decoded either; one error is
         // enough.
         if (!need_keyframe_) {
             stats_.decode_errors++;
-            stats_.last_error = *error;
+            stats_.last_error = applied.error().message;
         }
         need_keyframe_ = ack_due_ = true;
         return;
@@ -175,7 +175,7 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
         hello.set_events(options_.events);
         return message.SerializeAsString();
     }
-    if (!stats_.connected || goodbye_said_) return std::nullopt;
+    if (!stats_.connected || leave_sent_) return std::nullopt;
     if (!inputs_.empty() && now - last_batch_ >= batch_period) return take_inputs(now);
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_sent_ < quick_pings ? Clock::duration(quick_ping_period)
@@ -189,7 +189,7 @@ std::optional<std::string> Conversation::take_message(Clock::time_point now) {
     }
     // Goodbye comes last, after every input.
     if (leaving_ && inputs_.empty()) {
-        goodbye_said_ = true;
+        leave_sent_ = true;
         message.mutable_leave();
         return message.SerializeAsString();
     }

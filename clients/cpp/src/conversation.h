@@ -9,7 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "jostle/client/client.h"
+#include "jostle/base/result.h"
+#include "jostle/client/client_options.h"
+#include "jostle/client/client_stats.h"
+#include "jostle/client/clock_sync.h"
+#include "jostle/client/interpolation.h"
+#include "jostle/client/world_view.h"
 
 namespace jostle::client {
 
@@ -20,16 +25,16 @@ public:
     // A new stream: hello goes first. Inputs that were not sent yet stay queued.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
-    // The stream ended; empty: in order.
-    void ended(const std::string& error);
+    // The stream ended, in order or not.
+    void ended(const Status& end);
     // The next message to write, if it is time for one.
     std::optional<std::string> take_message(Clock::time_point now);
 
     std::uint32_t send(v1::Input input);  // 0: too many are waiting
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
-    // Hello was answered and the goodbye, if any, was handed out.
-    bool goodbye_said() const { return goodbye_said_; }
+    // Hello was answered and the Leave, if any, was handed out.
+    bool leave_sent() const { return leave_sent_; }
 
     const WorldView& view() const { return view_; }
     const ClockSync& clock() const { return clock_; }
@@ -63,7 +68,7 @@ private:
     std::uint32_t next_sequence_ = 1;  // of the next input that send() takes
     std::uint32_t next_unsent_ = 1;    // of inputs_.front()
     bool hello_due_ = false, ack_due_ = false, need_keyframe_ = false;
-    bool leaving_ = false, goodbye_said_ = false;
+    bool leaving_ = false, leave_sent_ = false;
     int pings_sent_ = 0;
     Clock::time_point last_batch_{}, next_ping_{};
 };

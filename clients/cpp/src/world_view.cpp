@@ -9,12 +9,12 @@ void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
     frames_.clear();
-    roster_.clear();
+    entities_.clear();
 }
 
 void WorldView::apply(const v1::Roster& roster) {
-    for (const std::uint32_t id : roster.removed()) roster_.erase(id);
-    for (const v1::Entity& entity : roster.added()) roster_[entity.id()] = entity;
+    for (const std::uint32_t id : roster.removed()) entities_.erase(id);
+    for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
 }
 
 const wire::QuantizedFrame* WorldView::find(std::uint32_t frame) const {
@@ -24,7 +24,7 @@ const wire::QuantizedFrame* WorldView::find(std::uint32_t frame) const {
     return at != frames_.end() && at->frame == frame ? &*at : nullptr;
 }
 
-std::optional<std::string> WorldView::apply(const v1::Snapshot& snapshot) {
+Status WorldView::apply(const v1::Snapshot& snapshot) {
     const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
                                      snapshot.base3_frame()};
     wire::Bases bases;
@@ -32,18 +32,20 @@ std::optional<std::string> WorldView::apply(const v1::Snapshot& snapshot) {
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
         *slots[k] = find(numbers[k]);
-        if (!*slots[k]) return "base frame " + std::to_string(numbers[k]) + " is not known";
+        if (!*slots[k])
+            return Error{ErrorCode::failed_precondition,
+                         "base frame " + std::to_string(numbers[k]) + " is not known"};
     }
+    const std::string name = "frame " + std::to_string(snapshot.frame());
     if (snapshot.frame() <= frame().frame)
-        return "frame " + std::to_string(snapshot.frame()) + " is not newer than the last one";
-    wire::QuantizedFrame decoded;
+        return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-    if (auto error = wire::decode_frame(decoded, snapshot.frame(),
-                                        {bytes, snapshot.packed().size()}, bases, spec_))
-        return "frame " + std::to_string(snapshot.frame()) + ": " + *error;
-    if (wire::frame_crc(decoded) != snapshot.crc())
-        return "frame " + std::to_string(snapshot.frame()) + ": the CRC does not match";
-    frames_.push_back(std::move(decoded));
+    auto decoded =
+        wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, bases, spec_);
+    if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
+    if (wire::frame_crc(*decoded) != snapshot.crc())
+        return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
+    frames_.push_back(std::move(*decoded));
     if (frames_.size() > ring) frames_.pop_front();
     return {};
 }

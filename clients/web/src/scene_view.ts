@@ -27,7 +27,7 @@ interface Shown {
 
 const PALETTE = [0x5b8def, 0xe07a5f, 0xf2cc8f, 0x6bb392, 0xa78bfa, 0xef8354, 0x4cc9c0, 0xe66a9c];
 const MINE = 0xffd166;
-const FIXED_COLOR = 0x66727f;
+const STATIC_COLOR = 0x66727f;
 const ASLEEP_GREY = new THREE.Color(0x39424c);
 const ASLEEP_SHARE = 0.3;
 // In the debug view.
@@ -229,7 +229,7 @@ export class SceneView {
 
 function colorOf(entity: Entity, me: number): number {
   if (entity.color !== undefined) return entity.color;
-  if (entity.type === BodyType.FIXED) return FIXED_COLOR;
+  if (entity.type === BodyType.STATIC) return STATIC_COLOR;
   if (entity.owner !== 0) return entity.owner === me ? MINE : PALETTE[entity.owner % PALETTE.length]!;
   return PALETTE[entity.id % PALETTE.length]!;
 }

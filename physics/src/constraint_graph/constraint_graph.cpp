@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "foundation/check.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

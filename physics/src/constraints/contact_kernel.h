@@ -9,6 +9,7 @@
 #include "constraint_graph/constraint_graph.h"
 #include "constraint_graph/solver_body.h"
 #include "constraints/contact_settings.h"
+#include "foundation/tuning.h"
 #include "math/wide.h"
 
 namespace jostle::physics::JOSTLE_ISA {
@@ -105,8 +106,8 @@ JOSTLE_INLINE Wide3 pushed(const WideSide& s, Wide3 p) {
 // What the bodies of a block have done since the start of the step: b against a, at the centre of
 // the manifold.
 struct PairMotion {
-    Wide3 moved, turned;
-    Wide3 turned_a;  // of a alone
+    Wide3 moved, rotated;
+    Wide3 rotated_a;  // of a alone
 };
 
 // The two bodies of a block and where their manifolds are.
@@ -149,7 +150,7 @@ struct PairBodies {
         if constexpr (kPair == PairKind::dynamic) {
             // What has moved further than the arms are long no longer meets there.
             const Wide3 way = dp_b - dp_a;
-            const WideMask small = dot(way, way) < splat(0.1f) * dot(arm_a, arm_a);
+            const WideMask small = dot(way, way) < splat(tuning::arm_follows) * dot(arm_a, arm_a);
             const Wide3 apart = way * select(small, splat(1), splat(0));
             const Wide3 step_a = apart * load(m.anchor_blend);
             arm_a = arm_a + step_a;
@@ -313,8 +314,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     const Wide zero = splat(0);
     if constexpr (kRelax) solve_friction<kPair, kInertia>(m, rolling, pair);
 
-    const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.turned),
-               s2 = dot(pair.t2, motion.turned);
+    const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.rotated),
+               s2 = dot(pair.t2, motion.rotated);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     // A sweep gives each point the impulse that it wants and takes what that does to the others
@@ -414,10 +415,11 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
         // age the manifold. So does a turn about its only point: a long body may come down beside
         // it.
-        const Wide lever = max(load(m.friction_radius), splat(0.3f));
-        const Wide way = root(dot(motion.moved, motion.moved)) +
-                         lever * root(dot(motion.turned, motion.turned)) +
-                         splat(0.3f) * root(dot(motion.turned_a, motion.turned_a));
+        const Wide lever = max(load(m.friction_radius), splat(tuning::least_turn_radius));
+        const Wide way =
+            root(dot(motion.moved, motion.moved)) +
+            lever * root(dot(motion.rotated, motion.rotated)) +
+            splat(tuning::common_turn_radius) * root(dot(motion.rotated_a, motion.rotated_a));
         const Wide age = load<ContactConstraintWideMeta>(meta.moved) + way;
         store<ContactConstraintWideMeta>(meta.moved, age);
         report.needs_rebuild =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/contact_passes.h"
-#include "jostle/physics/tuning.h"
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -67,6 +69,7 @@ bool any_bouncy(const ContactTask& task) {
 
 void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
                std::vector<ColourRun>& runs) {
+    ASSERT(first < last && last <= solved_set_count);
     runs.clear();
     for (std::size_t k = first; k < last; k++) {
         ColourSet& set = graph.sets[k];

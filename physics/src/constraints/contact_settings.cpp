@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/contact_settings.h"
 
+#include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
-#include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/free_motion.h"
 
+#include "foundation/tuning.h"
+
 namespace jostle::physics {
 
 Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
@@ -33,7 +35,7 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
     const double wished = length(w) * absolute(dt) * 4;
     const int parts = wished < 1 ? 1 : static_cast<int>(minimum(wished, 4000)) + 1;
     const double h = dt / parts;
-    EulerStep result{.turn = {}, .w = w};
+    EulerStep result{.rotation = {}, .w = w};
     for (int part = 0; part < parts; part++) {
         const Vec3 begin = result.w;
         Vec3 end = begin;
@@ -44,7 +46,7 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
             if (converged) break;
         }
         const Vec3 half = (begin + end) * (0.25 * h);
-        result.turn = normalized(result.turn * Quat{half.x, half.y, half.z, 1});
+        result.rotation = normalized(result.rotation * Quat{half.x, half.y, half.z, 1});
         result.w = end;
     }
     return result;
@@ -72,10 +74,9 @@ EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
 }
 
 bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt) {
-    constexpr double far = 0.02;  // rad
     return !cold.isotropic && cold.type == BodyType::dynamic &&
-           (cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) == 0 &&
-           length_squared(warm.w) * dt * dt > far * far;
+           (cold.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) == 0 &&
+           length_squared(warm.w) * dt * dt > tuning::gyroscopic_turn * tuning::gyroscopic_turn;
 }
 
 namespace {
@@ -92,7 +93,7 @@ FreeSpin locked_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
 }  // namespace
 
 FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
-    if ((cold.locks & (lock_turn_x | lock_turn_y | lock_turn_z)) != 0)
+    if ((cold.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) != 0)
         return locked_spin(warm, cold, dt);
     if (cold.isotropic) {
         const Vec3 w = warm.w + cold.inverse_inertia * warm.torque * dt;
@@ -105,9 +106,9 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     const double half = 0.5 * dt;
     const Vec3 start = transposed_times(warm.axes, warm.w) +
                        cold.inverse_inertia * transposed_times(warm.axes, warm.torque) * half;
-    const EulerStep turned = euler_step(cold, start, dt);
-    const Quat rotation = normalized(warm.rotation * turned.turn);
-    Vec3 w = rotate(rotation, turned.w);
+    const EulerStep step = euler_step(cold, start, dt);
+    const Quat rotation = normalized(warm.rotation * step.rotation);
+    Vec3 w = rotate(rotation, step.w);
     if (warm.torque != Vec3{}) {
         const Mat3 axes = to_matrix(rotation);
         w += axes * (cold.inverse_inertia * transposed_times(axes, warm.torque)) * half;

@@ -25,8 +25,8 @@ Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity);
 
 // Euler's equations over dt, in the body's axes.
 struct EulerStep {
-    Quat turn;  // since the start: rotation * turn is where it ends
-    Vec3 w;     // rad/s, in the body's axes as they end up
+    Quat rotation;  // since the start: the body's rotation times this is where it ends
+    Vec3 w;         // rad/s, in the body's axes as they end up
 };
 EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt);
 

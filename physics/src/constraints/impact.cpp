@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/impact.h"
 
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {
@@ -73,7 +73,6 @@ private:
 
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
                             double restitution, double friction) {
-    constexpr int sweeps = 12;
     Impulses impulses(a, b);
     std::vector<Load> loads(points.size());
     HardestPoint hardest;
@@ -82,7 +81,7 @@ HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const Impact
         if (approach > tuning::restitution_speed) loads[k].target = restitution * approach;
         if (approach > hardest.approach) hardest = {approach, points[k]};
     }
-    for (int sweep = 0; sweep < sweeps; sweep++)
+    for (int sweep = 0; sweep < tuning::impact_sweeps; sweep++)
         for (std::size_t k = 0; k < points.size(); k++)
             impulses.relax(points[k], loads[k], friction);
     return hardest;

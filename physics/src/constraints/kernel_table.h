@@ -10,7 +10,6 @@
 #include "constraints/joints/joint_kernel.h"
 #include "constraints/kernels.h"
 #include "constraints/planar_kernel.h"
-#include "jostle/physics/tuning.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 

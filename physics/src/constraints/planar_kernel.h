@@ -36,7 +36,7 @@ template <PairKind kPair>
 struct PlanarBodies {
     PlanarSide a, b;
     Wide nx, ny, tx, ty, ax, ay, bx, by;
-    Wide turn;  // +1 or -1: which way the second tangent looks along z
+    Wide z_sign;  // +1 or -1: which way the second tangent looks along z
 
     JOSTLE_INLINE PlanarBodies(const ContactConstraintWide& m, const HotBody* bodies) {
         load_planar(a, bodies, m.a);
@@ -49,7 +49,7 @@ struct PlanarBodies {
         ay = load(m.arm_a[1]);
         bx = load(m.arm_b[0]);
         by = load(m.arm_b[1]);
-        turn = nx * ty - ny * tx;
+        z_sign = nx * ty - ny * tx;
     }
     JOSTLE_INLINE void relative(Wide vax, Wide vay, Wide wa, Wide vbx, Wide vby, Wide wb, Wide& ux,
                                 Wide& uy, Wide& w) const {
@@ -85,8 +85,8 @@ void warm_start_planar(ContactConstraintWide& m, const RollingWide* rolling, Hot
     const Wide l0 = load(m.lambda[0]), l1 = load(m.lambda[1]), f = load(m.friction[0]);
     const Wide total = l0 + l1;
     // A point at x along the tangent: its moment about the centre is x (t x n) lambda.
-    Wide l = -(load(m.x[0]) * l0 + load(m.x[1]) * l1) * pair.turn;
-    if (rolling != nullptr) l += load(rolling->roll[1]) * pair.turn;
+    Wide l = -(load(m.x[0]) * l0 + load(m.x[1]) * l1) * pair.z_sign;
+    if (rolling != nullptr) l += load(rolling->roll[1]) * pair.z_sign;
     pair.apply(pair.nx * total + pair.tx * f, pair.ny * total + pair.ty * f, l);
     pair.store();
 }
@@ -120,9 +120,9 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
                        hold = load(rolling->rolling) * (load(m.lambda[0]) + load(m.lambda[1]));
             const Wide before = load(rolling->roll[1]);
             const Wide after =
-                max(-hold, min(before - pair.turn * w / max(k, splat(1e-30f)), hold));
+                max(-hold, min(before - pair.z_sign * w / max(k, splat(1e-30f)), hold));
             store(rolling->roll[1], after);
-            pair.apply(zero, zero, pair.turn * (after - before));
+            pair.apply(zero, zero, pair.z_sign * (after - before));
         }
     }
 
@@ -134,14 +134,14 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         dy = t[1];
         dr = t[5];
     };
-    Wide dax, day, dar, dbx = zero, dby = zero, dbr = zero, mx, my, turned;
+    Wide dax, day, dar, dbx = zero, dby = zero, dbr = zero, mx, my, rotated;
     motion(pair.a, dax, day, dar);
     if constexpr (kPair != PairKind::static_) motion(pair.b, dbx, dby, dbr);
-    pair.relative(dax, day, dar, dbx, dby, dbr, mx, my, turned);
-    const Wide s0 = pair.nx * mx + pair.ny * my, s2 = pair.turn * turned;
+    pair.relative(dax, day, dar, dbx, dby, dbr, mx, my, rotated);
+    const Wide s0 = pair.nx * mx + pair.ny * my, s2 = pair.z_sign * rotated;
 
     velocities();
-    const Wide u0 = pair.nx * ux + pair.ny * uy, u2 = pair.turn * w;
+    const Wide u0 = pair.nx * ux + pair.ny * uy, u2 = pair.z_sign * w;
     const Wide x0 = load(m.x[0]), x1 = load(m.x[1]);
     const Wide gap0 = load(m.gap[0]) + s0 - x0 * s2, gap1 = load(m.gap[1]) + s0 - x1 * s2;
     const Wide g00 = load(m.g[0]), g02 = load(m.g[2]), g22 = load(m.g[5]);
@@ -191,7 +191,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     store(m.lambda[0], new0);
     store(m.lambda[1], new1);
     const Wide d0 = new0 - old0, d1 = new1 - old1, total = d0 + d1;
-    pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.turn);
+    pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.z_sign);
     pair.store();
 
     PairReport report;
@@ -210,8 +210,8 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         }
         // As in contact_kernel.h, a turn about its only point ages it, too.
         const Wide lever = max(load(m.friction_radius), splat(0.3f));
-        const Wide way =
-            root(mx * mx + my * my) + lever * root(turned * turned) + splat(0.3f) * root(dar * dar);
+        const Wide way = root(mx * mx + my * my) + lever * root(rotated * rotated) +
+                         splat(0.3f) * root(dar * dar);
         const Wide age = load(meta.moved) + way;
         store(meta.moved, age);
         report.needs_rebuild =

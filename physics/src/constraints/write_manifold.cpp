@@ -6,7 +6,8 @@
 #include "constraint_graph/effective_mass.h"
 #include "constraint_graph/wide_rows.h"
 #include "constraints/combine.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "state/contact_constraints.h"
 
 namespace jostle::physics {
@@ -144,6 +145,7 @@ double anchor_blend_of(const WorldState& world, const Contact& contact) {
 }
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
+    ASSERT(m.count >= 1 && m.count <= 4);
     const ContactPlace place = place_of(world, contact);
     ContactConstraintWide& block = *place.block;
     const int lane = place.lane;

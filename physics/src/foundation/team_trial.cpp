@@ -24,25 +24,26 @@ bool TeamTrial::shares(double last_ms) {
     if ((trying_ || !shared_) && last_are_long()) {
         shared_ = true;
         trying_ = false;
-        pause_ = left_ = first_pause;
+        pause_ = left_ = tuning::first_trial_pause;
         return true;
     }
     left_--;
     if (!trying_) {
         if (left_ > 0) return shared_;
         kept_ms_ = median();
-        trying_ = kept_ms_ <= long_step_ms;
+        trying_ = kept_ms_ <= tuning::long_step_ms;
         left_ = trying_ ? trial_steps : pause_;
         lost_ = 0;
         return shared_ != trying_;
     }
     // The first one still finds records elsewhere.
-    if (left_ < trial_steps - 1 && last_ms >= gain * kept_ms_) lost_++;
+    if (left_ < trial_steps - 1 && last_ms >= tuning::trial_gain * kept_ms_) lost_++;
     const bool decided = lost_ > looked_at / 2;
     if (left_ > 0 && !decided) return !shared_;
     trying_ = false;
     if (!decided) shared_ = !shared_;
-    pause_ = decided ? std::min(8 * pause_, longest_pause) : first_pause;
+    pause_ =
+        decided ? std::min(8 * pause_, tuning::longest_trial_pause) : tuning::first_trial_pause;
     left_ = pause_;
     return shared_;
 }
@@ -52,7 +53,7 @@ bool TeamTrial::last_are_long() const {
     const auto ago = [&](std::size_t steps) {
         return last_[(next_ + last_.size() - steps) % last_.size()];
     };
-    return std::min({ago(1), ago(2), ago(3)}) > long_step_ms;
+    return std::min({ago(1), ago(2), ago(3)}) > tuning::long_step_ms;
 }
 
 double TeamTrial::median() const {

@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 
+#include "foundation/tuning.h"
+
 namespace jostle::physics {
 
 class TeamTrial {
@@ -20,21 +22,15 @@ public:
     bool shares(double last_ms);
 
 private:
-    // Steps that take longer are shared without a trial: they gain, and a trial would make one
-    // late.
-    static constexpr double long_step_ms = 2;
     static constexpr int looked_at = 5;  // last steps before a trial, and of one
     static constexpr int trial_steps = looked_at + 1;
-    static constexpr int first_pause = 8, longest_pause = 512;  // steps between trials
-    // Less is noise.
-    static constexpr double gain = 0.95;
 
     bool last_are_long() const;
     double median() const;
 
     bool shared_ = false;  // the way that is kept
     bool trying_ = false;
-    int pause_ = first_pause, left_ = first_pause;
+    int pause_ = tuning::first_trial_pause, left_ = tuning::first_trial_pause;
     int lost_ = 0;                          // steps of the trial that were no better
     double kept_ms_ = 0;                    // a step took before the trial
     std::array<double, looked_at> last_{};  // ms, round and round

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How much room a shape takes.
+// The box around a shape, and the ball.
 #pragma once
 
 #include "geometry/placed.h"

@@ -48,7 +48,7 @@ void derive_all(WorldState& world) {
     world.contacts.ids.rebuild_free_list();
     world.joints.ids.rebuild_free_list();
     world.islands.ids.rebuild_free_list();
-    derive_axes(world.bodies.fixed);
+    derive_axes(world.bodies.statics);
     derive_axes(world.bodies.awake);
     for (Island& island : world.islands.islands) derive_axes(island.sleepers);
     for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {

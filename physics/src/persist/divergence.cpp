@@ -26,6 +26,10 @@ struct Recorder {
     void field(std::string_view, T& value) {
         bits.push_back(bits_of(value));
     }
+    template <class T>
+    void optional(std::string_view name, T& value) {
+        field(name, value);
+    }
     std::size_t count(std::string_view, std::size_t size) {
         bits.push_back(size);
         return size;
@@ -80,6 +84,10 @@ struct Comparer {
     void shared(std::string_view name, std::shared_ptr<const Data>& data) {
         auto hash = data->content_hash;
         field(name, hash);
+    }
+    template <class T>
+    void optional(std::string_view name, T& value) {
+        field(name, value);
     }
     std::size_t count(std::string_view name, std::size_t size) {
         auto wide = static_cast<std::uint64_t>(size);

@@ -6,7 +6,8 @@
 //
 // A visitor v has: v.field(name, number&), for bools, integers, floats and enums; v.enter(name) /
 // v.enter(index) and v.leave() for the path; v.count(name, size) -> size, which a loader replaces
-// by what it reads (and bounds); and kLoading.
+// by what it reads (and bounds); v.optional(name, number&), a field that most leave at zero and
+// that joined later: saved like any other, but a zero leaves a hash as it was; and kLoading.
 #pragma once
 
 #include <string_view>
@@ -82,7 +83,7 @@ void visit(V& v, std::string_view name, IdPool& ids) {
 template <class V>
 void visit_fields(V& v, BodyCold& b) {
     v.field("type", b.type);
-    v.field("may_sleep", b.may_sleep);
+    v.field("may_sleep", b.sleep_allowed);
     v.field("linear_damping", b.linear_damping);
     v.field("angular_damping", b.angular_damping);
     v.field("gravity_scale", b.gravity_scale);
@@ -100,7 +101,7 @@ void visit_fields(V& v, BodyCold& b) {
     v.field("isotropic", b.isotropic);
     v.field("set", b.set);
     v.field("at", b.at);
-    v.field("frozen", b.asleep_in_place);
+    v.field("asleep_in_place", b.asleep_in_place);
     v.field("first_shape", b.first_shape);
     v.field("last_shape", b.last_shape);
     v.field("first_edge", b.first_edge);
@@ -192,6 +193,7 @@ void visit_fields(V& v, ShapeRecord& s) {
     v.field("group", s.filter.group);
     v.field("trigger", s.trigger);
     v.field("report_stays", s.report_stays);
+    v.optional("user_data", s.user_data);
     v.field("body", s.body);
     v.field("next", s.next);
     visit(v, "fat", s.fat);
@@ -317,7 +319,7 @@ void visit_fields(V& v, SavedContact& m) {
     v.field("needs_rebuild", m.needs_rebuild);
 }
 
-// The lanes of one colour in order: order decides the bits of a solve.
+// The contacts of one colour in order: order decides the bits of a solve.
 template <class V>
 void visit_fields(V& v, GraphColour& colour, int index) {
     const std::size_t count = v.count("contacts", static_cast<std::size_t>(colour.contacts));
@@ -405,7 +407,7 @@ void visit_world(V& v, WorldState& world) {
         v.field("bound", r.bound);
         v.field("turned", r.turned);
     });
-    visit_all(v, "fixed", world.bodies.fixed, [&](BodyWarm& b) { visit_fields(v, b); });
+    visit_all(v, "statics", world.bodies.statics, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "awake", world.bodies.awake, [&](BodyWarm& b) { visit_fields(v, b); });
     v.leave();
 
@@ -443,9 +445,9 @@ void visit_world(V& v, WorldState& world) {
     v.leave();
 
     v.enter("manifolds");
-    for (std::size_t store = 0; store < world.graph.sets.size(); store++) {
-        v.enter(store);
-        visit_fields(v, world.graph.sets[store]);
+    for (std::size_t set = 0; set < world.graph.sets.size(); set++) {
+        v.enter(set);
+        visit_fields(v, world.graph.sets[set]);
         v.leave();
     }
     v.leave();

@@ -19,7 +19,8 @@ namespace jostle::physics {
 namespace {
 
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
-constexpr std::uint32_t version = 8;  // docs/format_changes.md has one line for each
+// docs/format_changes.md has one line for each. Version 8 lacks what is optional in the field list.
+constexpr std::uint32_t version = 9, oldest_version = 8;
 constexpr std::size_t header_bytes = 8 + 4 + 8 + 8;
 
 struct Saver {
@@ -34,6 +35,10 @@ struct Saver {
     void field(std::string_view, T& value) {
         out.write(value);
     }
+    template <class T>
+    void optional(std::string_view name, T& value) {
+        field(name, value);
+    }
     std::size_t count(std::string_view, std::size_t size) {
         out.write(static_cast<std::uint64_t>(size));
         return size;
@@ -47,16 +52,17 @@ struct Saver {
 template <class T>
 constexpr std::uint64_t largest_value() {
     if constexpr (std::is_same_v<T, Combine>) return 4;
-    if constexpr (std::is_same_v<T, SolverTier>) return tier_count;  // frozen
+    if constexpr (std::is_same_v<T, SolverTier>) return tier_count;  // asleep
     return 2;                                                        // BodyType, BodySet
 }
 
 struct Loader {
     static constexpr bool kLoading = true;
     ByteReader in;
-    SharedGeometry table;
-    Path path;
-    std::string error;
+    bool has_optional;
+    SharedGeometry table = {};
+    Path path = {};
+    std::string error = {};
 
     void enter(std::string_view name) { path.enter(name); }
     void enter(std::size_t index) { path.enter(index); }
@@ -85,6 +91,10 @@ struct Loader {
         } else {
             value = static_cast<T>(bits);
         }
+    }
+    template <class T>
+    void optional(std::string_view name, T& value) {
+        if (has_optional) field(name, value);
     }
     template <class Data>
     void shared(std::string_view name, std::shared_ptr<const Data>& data) {
@@ -155,9 +165,10 @@ Result<World> load(std::span<const std::byte> bytes) {
         return corrupt("it has " + std::to_string(bytes.size()) +
                        " bytes, fewer than the header's " + std::to_string(header_bytes));
     if (found_magic != magic) return corrupt("it does not begin with the mark of a Jostle world");
-    if (found_version != version)
+    if (found_version < oldest_version || found_version > version)
         return corrupt("it has format version " + std::to_string(found_version) +
-                       "; this library reads version " + std::to_string(version));
+                       "; this library reads versions " + std::to_string(oldest_version) + " to " +
+                       std::to_string(version));
     if (length != header.left())
         return corrupt("its header says " + std::to_string(length) + " bytes follow, there are " +
                        std::to_string(header.left()));
@@ -166,7 +177,7 @@ Result<World> load(std::span<const std::byte> bytes) {
         return corrupt("its checksum does not match: bytes were changed");
 
     auto state = std::make_unique<WorldState>();
-    Loader loader{.in = ByteReader(rest), .table = {}, .path = {}, .error = {}};
+    Loader loader{.in = ByteReader(rest), .has_optional = found_version > 8};
     if (const auto fault = loader.table.read(loader.in))
         return corrupt(*fault + " (at byte " + std::to_string(header_bytes + loader.in.at()) + ")");
     visit_world(loader, *state);

@@ -21,6 +21,10 @@ struct HashVisitor {
     void field(std::string_view, T& value) {
         hasher.add(bits_of(value));
     }
+    template <class T>
+    void optional(std::string_view name, T& value) {
+        if (value != T{}) field(name, value);
+    }
     std::size_t count(std::string_view, std::size_t size) {
         hasher.add(size);
         return size;

@@ -64,6 +64,7 @@ void run_second(StepContext& step, Stage name) {
 // One step, in the order in which it happens. Each stage is one file of this folder.
 void step_world(WorldState& world, StepScratch& scratch, double dt) {
     const FpModeScope fp_mode;
+    ASSERT(dt > 0);
     StepContext step = begin_step(world, scratch, dt);
     run<update_pairs>(step, Stage::update_pairs);                 // which shapes may touch
     run<update_contacts>(step, Stage::update_contacts);           // where they touch

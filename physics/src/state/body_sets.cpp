@@ -8,13 +8,15 @@ namespace jostle::physics {
 
 void enter_static(WorldState& world, const BodyWarm& warm) {
     BodyCold& cold = world.bodies.cold[warm.body];
-    cold.set = BodySet::fixed;
-    cold.at = static_cast<std::uint32_t>(world.bodies.fixed.size());
-    world.bodies.fixed.push_back(warm);
+    ASSERT(cold.type == BodyType::static_body);
+    cold.set = BodySet::static_set;
+    cold.at = static_cast<std::uint32_t>(world.bodies.statics.size());
+    world.bodies.statics.push_back(warm);
 }
 
 void enter_awake(WorldState& world, const BodyWarm& warm) {
     BodyCold& cold = world.bodies.cold[warm.body];
+    ASSERT(cold.type != BodyType::static_body);
     cold.set = BodySet::awake;
     cold.at = static_cast<std::uint32_t>(world.bodies.awake.size());
     world.bodies.awake.push_back(warm);
@@ -23,8 +25,9 @@ void enter_awake(WorldState& world, const BodyWarm& warm) {
 void leave_set(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     ASSERT(cold.set != BodySet::sleeping);
-    auto& set = cold.set == BodySet::fixed ? world.bodies.fixed : world.bodies.awake;
+    auto& set = cold.set == BodySet::static_set ? world.bodies.statics : world.bodies.awake;
     const std::uint32_t hole = cold.at;
+    ASSERT(hole < set.size() && set[hole].body == body);
     if (hole + 1 < set.size()) {
         set[hole] = set.back();
         BodyCold& moved = world.bodies.cold[set[hole].body];

@@ -19,15 +19,15 @@ namespace jostle::physics {
 inline constexpr std::uint32_t none = 0xffffffff;
 
 enum class BodySet : std::uint8_t {
-    fixed,     // BodyStore::fixed
-    awake,     // BodyStore::awake: dynamic bodies that move or sleep in place, all kinematic ones
-    sleeping,  // Island::sleepers of its island
+    static_set,  // BodyStore::statics
+    awake,       // BodyStore::awake: dynamic bodies that move or sleep in place, all kinematic ones
+    sleeping,    // Island::sleepers of its island
 };
 
 struct BodyCold {
     // What the user set.
     BodyType type = BodyType::dynamic;
-    bool may_sleep = true;
+    bool sleep_allowed = true;
     bool continuous = true;
     AxisLocks locks = 0;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
@@ -45,7 +45,7 @@ struct BodyCold {
                             // to turn. Never of bodies with locks: those need the full matrix
 
     // Where it is and what hangs on it.
-    BodySet set = BodySet::fixed;
+    BodySet set = BodySet::static_set;
     std::uint32_t at = 0;  // index in its set
     bool asleep_in_place =
         false;  // rests in an island that moves elsewhere (state/partial_sleep.h)
@@ -55,7 +55,7 @@ struct BodyCold {
     std::uint32_t first_joint = none;  // list of joints: joint * 2 + side
     std::uint32_t island = none;       // dynamic bodies always have one
     std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
-    std::uint64_t colours = 0;                             // colours its lanes take
+    std::uint64_t colours = 0;      // of its contacts in the constraint graph
     std::uint32_t constraints = 0;  // contacts of it that are in the constraint graph
 };
 
@@ -72,7 +72,7 @@ struct BodyWarm {
 
 // How far any point of a body can have moved since its creation, and can have moved when the next
 // step is over. A pair that does not touch is looked at again only when the sum of both exceeds
-// its limit. Indexed by body, apart from the rest because the scan over all waiting pairs reads
+// its limit. Indexed by body, apart from the rest because the scan over all separation bounds reads
 // nothing else.
 struct MotionBound {
     double travel = 0;  // m, never decreases
@@ -87,7 +87,7 @@ struct BodyStore {
     IdPool ids;
     FlatArray<BodyCold> cold;       // by index
     FlatArray<MotionBound> motion;  // by index
-    FlatArray<BodyWarm> fixed, awake;
+    FlatArray<BodyWarm> statics, awake;
     std::uint32_t asleep_in_place = 0;  // how many of the awake set are; derived
 };
 
@@ -111,22 +111,22 @@ inline Vec3 free_directions(const BodyCold& cold) {
     return {(cold.locks & lock_x) != 0 ? 0.0 : 1.0, (cold.locks & lock_y) != 0 ? 0.0 : 1.0,
             (cold.locks & lock_z) != 0 ? 0.0 : 1.0};
 }
-inline Vec3 free_turns(const BodyCold& cold) {
-    return {(cold.locks & lock_turn_x) != 0 ? 0.0 : 1.0,
-            (cold.locks & lock_turn_y) != 0 ? 0.0 : 1.0,
-            (cold.locks & lock_turn_z) != 0 ? 0.0 : 1.0};
+inline Vec3 free_rotations(const BodyCold& cold) {
+    return {(cold.locks & lock_rotation_x) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_rotation_y) != 0 ? 0.0 : 1.0,
+            (cold.locks & lock_rotation_z) != 0 ? 0.0 : 1.0};
 }
 
 // Inverse inertia in world axes. With locked turns: the inverse of what is left of the inertia when
 // the locked rows and columns are taken out, not a part of the full inverse.
 inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
-    constexpr AxisLocks turns = lock_turn_x | lock_turn_y | lock_turn_z;
+    constexpr AxisLocks turns = lock_rotation_x | lock_rotation_y | lock_rotation_z;
     if ((cold.locks & turns) == 0) {
         if (cold.isotropic) return cold.inverse_inertia;
         return warm.axes * cold.inverse_inertia * transpose(warm.axes);
     }
     if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
-    const Vec3 free = free_turns(cold);
+    const Vec3 free = free_rotations(cold);
     Mat3 left = warm.axes * cold.inertia * transpose(warm.axes);
     left = {scaled(left.x, free) * free.x, scaled(left.y, free) * free.y,
             scaled(left.z, free) * free.z};

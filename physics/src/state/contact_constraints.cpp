@@ -51,6 +51,7 @@ void add_contact(WorldState& world, std::uint32_t index, bool single) {
     }
     a.constraints++;
     if (two) b.constraints++;
+    ASSERT(c < colour_count && pair_kind_of(c) == kind);
     contact.colour = c;
     contact.slot = add_contact(world.graph, contact.colour_set, c, index);
     derive_flags(world, contact);

@@ -5,7 +5,7 @@
 
 #include "collision/narrowphase/collide_composite.h"
 #include "foundation/check.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "state/contact_constraints.h"
 #include "state/contact_load.h"
 #include "state/islands.h"
@@ -51,7 +51,10 @@ std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_
 
 void unlink_part(ContactStore& store, std::uint32_t part) {
     std::uint32_t* at = &store.contacts[store.contacts[part].parent].first_part;
-    while (*at != part) at = &store.contacts[*at].next_part;
+    while (*at != part) {
+        ASSERT(*at != none);
+        at = &store.contacts[*at].next_part;
+    }
     *at = store.contacts[part].next_part;
 }
 
@@ -64,6 +67,7 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
     store.contacts[index].composite =
         is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
         is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
+    ASSERT(!store.pairs.contains(pair_key(shape_a, shape_b)));
     store.pairs.insert(pair_key(shape_a, shape_b));
     add_separation_bound(world, index, -1);
     return index;
@@ -71,6 +75,7 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
 
 std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t key) {
     auto& contacts = world.contacts.contacts;
+    ASSERT(contacts[parent].composite && contacts[parent].parent == none);
     const std::uint32_t index =
         new_contact(world, contacts[parent].shape_a, contacts[parent].shape_b);
     contacts[index].parent = parent;
@@ -84,6 +89,7 @@ std::uint32_t create_part(WorldState& world, std::uint32_t parent, std::uint64_t
 
 void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<ContactEnd>& ended) {
     ContactStore& store = world.contacts;
+    ASSERT(store.ids.alive(contact));
     while (store.contacts[contact].first_part != none)
         destroy_contact(world, store.contacts[contact].first_part, ended);
     Contact& c = store.contacts[contact];
@@ -109,11 +115,12 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     store.ids.give_back(contact);
 }
 
-void end_touch_of_pair(WorldState& world, std::uint32_t pair) {
+void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended) {
     Contact& c = world.contacts.contacts[pair];
+    ASSERT(world.contacts.ids.alive(pair) && c.parent == none);
     if (!c.touching || c.parts_touching > 0) return;
     c.touching = false;
-    report_end(world, c, world.events.contacts_ended);
+    report_end(world, c, ended);
 }
 
 void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {
@@ -179,6 +186,7 @@ void note_masses(WorldState& world, const Contact& c) {
 
 void begin_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
+    ASSERT(!c.touching && !c.composite);
     c.touching = true;
     if (is_dynamic(world, c.body_b)) note_masses(world, c);
     if (c.parent != none) world.contacts.contacts[c.parent].parts_touching++;
@@ -188,6 +196,7 @@ void begin_touch(WorldState& world, std::uint32_t contact) {
 
 void end_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
+    ASSERT(c.touching && !c.composite);
     c.touching = false;
     for (const std::uint32_t body : {c.body_a, c.body_b})
         if (world.bodies.cold[body].asleep_in_place)
@@ -195,6 +204,7 @@ void end_touch(WorldState& world, std::uint32_t contact) {
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole parted is seen when the step's changes are all in.
+        ASSERT(parent.parts_touching > 0);
         parent.parts_touching--;
         world.changed_pairs.push_back(c.parent);
     }

@@ -31,6 +31,6 @@ void end_touch(WorldState& world, std::uint32_t contact);
 
 void report_end(const WorldState& world, const Contact& contact, std::vector<ContactEnd>& ended);
 // Ends the touch of a composite pair none of whose parts touches any more, and reports it.
-void end_touch_of_pair(WorldState& world, std::uint32_t pair);
+void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended);
 
 }  // namespace jostle::physics

@@ -2,11 +2,13 @@
 #include "state/contact_load.h"
 
 #include "constraint_graph/wide_rows.h"
+#include "foundation/check.h"
 #include "state/contact_constraints.h"
 
 namespace jostle::physics {
 
 Vec3 load_of(const WorldState& world, const Contact& contact) {
+    ASSERT(world.last_dt > 0);
     const ContactPlace place = place_of(world, contact);
     const ContactConstraintWide& block = *place.block;
     const int lane = place.lane;

@@ -2,8 +2,9 @@
 //
 // Contacts: one record per pair of shapes whose fat boxes overlap, from that moment until they
 // part; and one per manifold of pairs that have several. A contact is in one of three places: in a
-// lane of the solver (it has a manifold), on the waiting list (too far apart for one), or dormant
-// (no body of it is awake; its manifold, if any, is kept by the sleeping island).
+// slot of the constraint graph (it has a manifold), on the list of separation bounds (too far apart
+// for one), or dormant (no body of it is awake; its manifold, if any, is kept by the sleeping
+// island).
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 
 #include "collision/narrowphase/collide.h"
 #include "constraint_graph/solver_tier.h"
+#include "foundation/check.h"
 #include "foundation/flat_array.h"
 #include "foundation/id_pool.h"
 #include "foundation/key_set.h"
@@ -23,11 +25,11 @@ struct alignas(64) Contact {
     std::uint32_t shape_a = none, shape_b = none;
     std::uint32_t body_a = none, body_b = none;  // a is dynamic, b may be anything
     PairCache cache;
-    std::int32_t colour = -1;  // of its lane; -1: no lane
+    std::int32_t colour = -1;  // of its slot; -1: none
     std::int32_t slot = 0;     // in that colour
-    ColourSetKey colour_set;   // of its lane
+    ColourSetKey colour_set;   // of its slot
     bool touching = false;     // pressed in the last step; binds the two bodies into one island
-    bool has_bound = false;    // has an entry on the waiting list
+    bool has_bound = false;    // has an entry on the list of separation bounds
     bool dormant = false;
     bool composite = false;  // has parts, below
     bool queued = false;     // within a step: already among the pairs to look at
@@ -35,7 +37,7 @@ struct alignas(64) Contact {
     double limit = -1;  // m: to be looked at when the motion bounds of both bodies exceeds it
     // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};
-    float load[3] = {};  // N, on b, when one of its bodies was frozen
+    float load[3] = {};  // N, on b, when one of its bodies fell asleep in place
 
     // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
     // of its own, a part, that names it as parent.
@@ -73,7 +75,7 @@ struct ContactStore {
     IdPool ids;
     FlatArray<Contact> contacts;
     FlatArray<SeparationBound> bounds;
-    bool some_dormant = true;  // of those waiting, perhaps; not saved
+    bool some_dormant = true;  // of those with a bound, perhaps; not saved
     KeySet pairs;              // pair_key() of each contact that is no part; derived
 };
 
@@ -89,6 +91,7 @@ template <class Visit>
 void for_each_contact(const ContactStore& store, const BodyCold& body, Visit&& visit) {
     for (std::uint32_t edge = body.first_edge; edge != none;) {
         const std::uint32_t contact = edge / 2;
+        ASSERT(contact < store.contacts.size());
         edge = store.contacts[contact].next[edge % 2];
         visit(contact);
     }

@@ -14,7 +14,7 @@ namespace jostle::physics {
 struct PendingEvents {
     std::vector<ContactEnd> ended;
     std::vector<TriggerEvent> left;
-    std::vector<BodyId> woke;
+    std::vector<BodyId> woke, fell_asleep;
 };
 
 struct EventStore {
@@ -54,6 +54,7 @@ struct EventStore {
         contacts_ended.swap(pending.ended);
         triggers_left.swap(pending.left);
         woke.swap(pending.woke);
+        fell_asleep.swap(pending.fell_asleep);
     }
 };
 

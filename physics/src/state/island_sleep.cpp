@@ -2,7 +2,7 @@
 #include "state/island_sleep.h"
 
 #include "foundation/check.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "state/body_sets.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -42,6 +42,7 @@ std::vector<std::uint32_t> who_stays_asleep(WorldState& world,
 void wake_island(WorldState& world, std::uint32_t island_index, std::vector<BodyId>& woke) {
     Island& island = world.islands.islands[island_index];
     if (!island.asleep) return;
+    ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = false;
     const std::vector<BodyWarm> sleepers = std::move(island.sleepers);
     const std::vector<SavedContact> manifolds = std::move(island.manifolds);
@@ -58,7 +59,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
-    // What has no manifold waits as before. A contact with another island that still sleeps is
+    // What has no manifold keeps its bound. A contact with another island that still sleeps is
     // awake now on one side.
     for (const BodyWarm& warm : sleepers)
         for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
@@ -85,7 +86,8 @@ std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
 
 }  // namespace
 
-void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
+void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
+                         std::vector<ContactEnd>& ended) {
     Island& island = world.islands.islands[island_index];
     ASSERT(!island.asleep && island.sleepers.empty());
     island.sleepers.reserve(island.bodies);
@@ -104,19 +106,19 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
                 other_cold.set == BodySet::awake && !inside && !is_parked(world, other);
             if (c.colour >= 0) {
                 // A manifold with an awake outsider (near, not touching) or a kinematic one ends;
-                // the pair waits.
+                // the pair gets a bound.
                 const bool keep = inside || !other_moves;
                 if (keep) island.manifolds.push_back(save_contact(world, contact));
                 remove_contact(world, contact);
                 if (!keep) {
                     if (c.parent != none) {
                         const std::uint32_t parent = c.parent;
-                        destroy_contact(world, contact, world.events.contacts_ended);
-                        end_touch_of_pair(world, parent);
+                        destroy_contact(world, contact, ended);
+                        end_touch_of_pair(world, parent, ended);
                         return;
                     }
                     if (c.touching) {
-                        report_end(world, c, world.events.contacts_ended);
+                        report_end(world, c, ended);
                         end_touch(world, contact);
                     }
                     add_separation_bound(world, contact, -1);
@@ -131,12 +133,14 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index) {
         BodyCold& cold = world.bodies.cold[body];
         BodyWarm warm = world.bodies.awake[cold.at];
         warm.v = warm.w = {};
+        ASSERT(!cold.asleep_in_place && cold.constraints == 0);
         leave_set(world, body);
         cold.set = BodySet::sleeping;
         cold.at = static_cast<std::uint32_t>(island.sleepers.size());
         island.sleepers.push_back(warm);
         world.bodies.motion[body].bound = world.bodies.motion[body].travel;
     }
+    ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = true;
 }
 

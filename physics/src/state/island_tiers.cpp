@@ -126,6 +126,7 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
 }
 
 void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey to) {
+    ASSERT(!islands.empty() && to != asleep_set);
     const ColourSetKey from = world.islands.islands[islands.front()].colour_set;
     if (from == to) return;
     const bool other_tier = from.tier != to.tier;
@@ -155,6 +156,7 @@ void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, C
 }
 
 void scale_warm_start(WorldState& world, const Island& island, float scale) {
+    ASSERT(!island.asleep && scale >= 0 && scale <= 1);
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next)
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
@@ -165,6 +167,7 @@ void scale_warm_start(WorldState& world, const Island& island, float scale) {
 
 void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
+    ASSERT(!ia.asleep && !ib.asleep);
     if (ia.colour_set == ib.colour_set) return;
     // What touches a heap does not make it slender, nor the other way round; nor tall, when it was
     // content with less at the last look: a ball that left a tall heap and comes back.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes of tier and of batch: manifolds move from store to store, and impulses, which are those
+// Changes of tier and of batch: contacts move from set to set, and impulses, which are those
 // of one sub-step, follow its length.
 #pragma once
 

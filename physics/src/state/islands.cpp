@@ -18,6 +18,8 @@ std::uint32_t create_island(WorldState& world) {
 void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t body) {
     Island& island = world.islands.islands[island_index];
     BodyCold& cold = world.bodies.cold[body];
+    ASSERT(world.islands.ids.alive(island_index));
+    ASSERT(cold.island == none && cold.type == BodyType::dynamic);
     cold.island = island_index;
     cold.island_prev = island.last;
     cold.island_next = none;
@@ -33,6 +35,7 @@ void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t 
 void remove_from_island(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
     const std::uint32_t index = cold.island;
+    ASSERT(index != none);
     Island& island = world.islands.islands[index];
     if (cold.island_prev != none)
         world.bodies.cold[cold.island_prev].island_next = cold.island_next;
@@ -43,6 +46,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
     else
         island.last = cold.island_prev;
     cold.island = cold.island_prev = cold.island_next = none;
+    ASSERT(island.bodies > 0);
     island.mass -= world.bodies.cold[body].mass;
     if (--island.bodies == 0) {
         island = Island{};
@@ -52,9 +56,11 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
 
 void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
+    ASSERT(world.islands.ids.alive(a) && world.islands.ids.alive(b));
     match_sets(world, a, b);
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
+    ASSERT(ia.colour_set == ib.colour_set);
     if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);
     Island& into = world.islands.islands[a];
     Island& from = world.islands.islands[b];
@@ -103,6 +109,7 @@ void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
 }  // namespace
 
 void split_island(WorldState& world, std::uint32_t island) {
+    ASSERT(world.islands.ids.alive(island) && !world.islands.islands[island].asleep);
     std::vector<std::uint32_t> bodies;
     for (std::uint32_t b = world.islands.islands[island].first; b != none;
          b = world.bodies.cold[b].island_next)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "foundation/check.h"
 #include "state/islands.h"
 #include "state/shape_proxy.h"
 
@@ -32,6 +33,8 @@ void unlink_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, Bo
 
 void link_joint(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
+    ASSERT(j.body_a != j.body_b);
+    ASSERT(is_dynamic(world, j.body_a) || is_dynamic(world, j.body_b));
     link_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
     link_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
     if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
@@ -40,6 +43,7 @@ void link_joint(WorldState& world, std::uint32_t joint) {
 
 void destroy_joint(WorldState& world, std::uint32_t joint) {
     Joint& j = world.joints.joints[joint];
+    ASSERT(world.joints.ids.alive(joint));
     const std::uint32_t a = j.body_a, b = j.body_b;
     unlink_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
     unlink_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
@@ -85,6 +89,7 @@ JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
             seen[other] = 1;
             found.push_back(other);
         });
+    ASSERT(seen.size() == world.bodies.cold.size());
     for (const std::uint32_t part : found) seen[part] = 0;
     std::sort(found.begin(), found.end());
     return {found, to_kinematic};

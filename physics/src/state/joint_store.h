@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "foundation/check.h"
 #include "foundation/id_pool.h"
 #include "jostle/physics/joint_defs.h"
 #include "state/body_store.h"
@@ -47,6 +48,7 @@ template <class Visit>
 void for_each_joint(const JointStore& store, const BodyCold& body, Visit&& visit) {
     for (std::uint32_t edge = body.first_joint; edge != none;) {
         const std::uint32_t joint = edge / 2;
+        ASSERT(joint < store.joints.size());
         edge = store.joints[joint].next[edge % 2];
         visit(joint);
     }

@@ -6,7 +6,7 @@
 #include "constraint_graph/effective_mass.h"
 #include "constraint_graph/wide_rows.h"
 #include "foundation/check.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "state/contact_constraints.h"
 #include "state/contact_load.h"
 #include "state/joint_graph.h"
@@ -54,6 +54,7 @@ void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
 void wake_in_place(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
     if (!cold.asleep_in_place) return;
+    ASSERT(cold.set == BodySet::awake && world.bodies.asleep_in_place > 0);
     cold.asleep_in_place = false;
     world.bodies.asleep_in_place--;
     for_each_constraint(world, body,
@@ -86,6 +87,7 @@ void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
 }
 
 void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
+    ASSERT(mass >= 0);
     std::vector<std::uint32_t> met{body};
     auto& seen = world.scratch.met;
     seen.resize(world.bodies.cold.size(), 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "state/separation_bounds.h"
 
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "state/contact_store.h"
 
 namespace jostle::physics {
@@ -15,6 +17,7 @@ void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double
 
 void add_separation_bound(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
     Contact& c = world.contacts.contacts[contact];
+    ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
     c.dormant = false;
     if (c.has_bound) return;  // was dormant meanwhile: keeps its place and limit
     c.has_bound = true;
@@ -23,7 +26,7 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
     w.limit = a.travel + b.travel + slack;
     const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
     if (slack >= 0 && length_squared(apart) <= 1e6)
-        set_separation_bound(w, apart, direction, slack - slack_reserve, a, b);
+        set_separation_bound(w, apart, direction, slack - tuning::slack_reserve, a, b);
     c.limit = w.limit;
     world.contacts.bounds.push_back(w);
 }
@@ -35,6 +38,65 @@ void resume_separation_bound(WorldState& world, std::uint32_t contact) {
     c.has_bound = true;
     world.contacts.bounds.push_back(
         {.contact = contact, .body_a = c.body_a, .body_b = c.body_b, .limit = c.limit});
+}
+
+namespace {
+
+// What is left of a pair's slack, m, and how much of that this step may use up.
+struct Slack {
+    double left, next;
+};
+
+// Along a direction by what look() would see; else by the same bounds as update_motion_bound()'s,
+// on their motion against each other.
+Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
+    const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
+    const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
+    const double turned =
+        world.bodies.motion[w.body_a].turned + world.bodies.motion[w.body_b].turned;
+    const double turning = length(wa.w) * a.radius + length(wb.w) * b.radius;
+    const Vec3 kept = direction_of(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
+    if (w.directed)
+        return {w.budget + dot(kept, apart) - turned,
+                dt * maximum(0, turning - dot(kept, velocity))};
+    const auto force = [](const BodyWarm& warm, const BodyCold& cold) {
+        return warm.force == Vec3{} ? 0 : length(warm.force) * cold.inverse_mass;
+    };
+    const double pull = 2 * length(world.def.gravity) + force(wa, a) + force(wb, b);
+    return {w.budget - length(apart - kept) - turned,
+            1.5 * dt * (length(velocity) + turning) + dt * dt * pull};
+}
+
+// Most new pairs are of bodies that fly along with each other: if the balls around them cannot
+// touch in this step, the pair gets a bound along their centres without a look. That happens once:
+// a look ends pairs that have parted.
+bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
+    const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
+    // What forces do not move may have a plane, which no ball holds.
+    if (a.type != BodyType::dynamic || b.type != BodyType::dynamic) return false;
+    const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
+    const Vec3 apart = wb.center - wa.center;
+    const double distance = length(apart);
+    const double slack =
+        distance - a.radius - b.radius - tuning::speculative_margin - tuning::slack_reserve;
+    if (slack <= 0) return false;
+    const Vec3 direction = apart * (1 / distance);
+    if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;
+    const MotionBound &ra = world.bodies.motion[w.body_a], &rb = world.bodies.motion[w.body_b];
+    set_separation_bound(w, apart, direction, slack, ra, rb);
+    w.limit = ra.travel + rb.travel + slack;
+    return true;
+}
+
+}  // namespace
+
+bool is_due(const WorldState& world, SeparationBound& w, double dt) {
+    const MotionBound &a = world.bodies.motion[w.body_a], &b = world.bodies.motion[w.body_b];
+    if (a.bound + b.bound <= w.limit) return false;
+    if (w.budget == SeparationBound::not_measured) return !bound_by_spheres(world, w, dt);
+    const Slack slack = slack_of(world, w, dt);
+    w.limit = a.travel + b.travel + slack.left;
+    return slack.next > slack.left;
 }
 
 }  // namespace jostle::physics

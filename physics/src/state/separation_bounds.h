@@ -7,10 +7,6 @@
 
 namespace jostle::physics {
 
-// What is held back of a slack, m: within a kilometre the floats of SeparationBound::apart are off
-// by less.
-inline constexpr double slack_reserve = 1e-4;
-
 // From now on by the motion of the two centres, which are `apart`, against each other: along a
 // direction, or by its length if that is zero. `a`, `b`: of the two bodies.
 void set_separation_bound(SeparationBound& bound, Vec3 apart, Vec3 direction, double slack,
@@ -22,5 +18,9 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
                           Vec3 direction = {});
 // A dormant contact has its bound again, as before.
 void resume_separation_bound(WorldState& world, std::uint32_t contact);
+
+// Whether a pair may touch in the next step of `dt`; if not, knows from when on to ask again.
+// Writes the bound alone: for many threads.
+bool is_due(const WorldState& world, SeparationBound& bound, double dt);
 
 }  // namespace jostle::physics

@@ -4,16 +4,17 @@
 #include <algorithm>
 
 #include "collision/broadphase/fat_box.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "geometry/bounds.h"
-#include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
 namespace {
 
 // Where the shape's box is found.
 BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
-    const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
-    return fixed ? *world.shapes.fixed : *world.shapes.moving;
+    const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
+    return fixed ? *world.shapes.statics : *world.shapes.moving;
 }
 
 }  // namespace
@@ -38,6 +39,7 @@ void create_proxy(WorldState& world, std::uint32_t index) {
         auto& planes = world.shapes.planes;
         planes.insert(std::lower_bound(planes.begin(), planes.end(), index), index);
     } else {
+        ASSERT(shape.leaf < 0);
         shape.leaf = index_of(world, shape).insert(shape.fat, index, shape.filter.category);
     }
     world.shapes.reporters += shape.report_stays ? 1 : 0;
@@ -53,9 +55,11 @@ void destroy_proxy(WorldState& world, std::uint32_t index) {
     if (is_plane(shape)) {
         std::erase(world.shapes.planes, index);
     } else {
+        ASSERT(shape.leaf >= 0);
         index_of(world, shape).remove(shape.leaf);
         shape.leaf = -1;
     }
+    ASSERT(!shape.report_stays || world.shapes.reporters > 0);
     world.shapes.reporters -= shape.report_stays ? 1 : 0;
     if (shape.trigger) {
         std::erase(world.shapes.triggers, index);
@@ -80,7 +84,7 @@ void enlarge_aabb(WorldState& world, std::uint32_t index, const BodyWarm& warm, 
     ShapeRecord& shape = world.shapes.shapes[index];
     if (is_plane(shape)) return;
     shape.fat = bounds_of(placed(shape, warm));
-    if (world.bodies.cold[shape.body].type != BodyType::fixed) {
+    if (world.bodies.cold[shape.body].type != BodyType::static_body) {
         const double radius = world.bodies.cold[shape.body].radius;
         shape.fat = fat_box(shape.fat, warm.v * dt, radius);
     }
@@ -97,7 +101,8 @@ void enlarge_proxy(WorldState& world, std::uint32_t index, const BodyWarm& warm,
 AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
     if (is_plane(shape)) return {1e300, 1e300};
     // A quarter of the margin early: manifolds begin before surfaces meet.
-    const Aabb box = grow(bounds_of(placed(shape, warm)), 0.25 * tuning::fat_margin);
+    const Aabb box =
+        grow(bounds_of(placed(shape, warm)), tuning::fat_margin_reserve * tuning::fat_margin);
     const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
     const Vec3 ahead = warm.v * dt;
     const auto least = [](Vec3 a, Vec3 b) {
@@ -123,6 +128,7 @@ void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     const BodyCold& cold = world.bodies.cold[body];
     const BodyWarm& warm = warm_of(world, body);
     MotionBound& motion = world.bodies.motion[body];
+    ASSERT(dt > 0 && motion.turned <= motion.travel);
     // Half as much again as the present speed, and twice what gravity and forces can add.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
     const double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +

@@ -24,6 +24,7 @@ struct ShapeRecord {
     Filter filter;
     bool trigger = false;
     bool report_stays = false;
+    std::uint64_t user_data = 0;
     std::uint32_t body = none;
     std::uint32_t next = none;  // shape of the same body
     Aabb fat;                   // bounds plus margin; unused by planes
@@ -45,7 +46,7 @@ struct ShapeStore {
     std::vector<std::uint32_t> triggers;  // indices, rising; derived
     std::uint32_t reporters = 0;          // shapes with report_stays; derived
     // Where boxes are found: what never moves apart from all else. Derived.
-    OwnedBroadPhase fixed = make_broad_phase(BroadPhase::dynamic_tree),
+    OwnedBroadPhase statics = make_broad_phase(BroadPhase::dynamic_tree),
                     moving = make_broad_phase(BroadPhase::dynamic_tree);
 };
 

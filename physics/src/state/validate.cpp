@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
+#include "jostle/physics/limits.h"
 
 namespace jostle::physics {
 namespace {
@@ -43,8 +44,8 @@ Fault check_sets(const WorldState& world) {
         }
         return {};
     };
-    std::size_t members = world.bodies.fixed.size() + world.bodies.awake.size();
-    if (Fault f = check_set(world.bodies.fixed, BodySet::fixed, none)) return f;
+    std::size_t members = world.bodies.statics.size() + world.bodies.awake.size();
+    if (Fault f = check_set(world.bodies.statics, BodySet::static_set, none)) return f;
     if (Fault f = check_set(world.bodies.awake, BodySet::awake, none)) return f;
     for (std::uint32_t i = 0; i < world.islands.islands.size(); i++) {
         const Island& island = world.islands.islands[i];
@@ -64,7 +65,7 @@ Fault check_bodies(const WorldState& world) {
         if (!world.bodies.ids.alive(i)) continue;
         const BodyCold& b = world.bodies.cold[i];
         const bool dynamic = b.type == BodyType::dynamic;
-        if ((b.type == BodyType::fixed) != (b.set == BodySet::fixed))
+        if ((b.type == BodyType::static_body) != (b.set == BodySet::static_set))
             return at("bodies", i, "is in a set that its type does not belong to");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
@@ -107,7 +108,7 @@ Fault check_shapes(const WorldState& world) {
             world.bodies.cold[shapes[s].body].type == BodyType::dynamic)
             return at("shapes", s, "is a surface on a dynamic body");
         if (kind_of(shapes[s].geometry) == ShapeKind::plane &&
-            world.bodies.cold[shapes[s].body].type != BodyType::fixed)
+            world.bodies.cold[shapes[s].body].type != BodyType::static_body)
             return at("shapes", s, "is a plane on a body that moves");
     }
     for (const std::uint32_t s : world.shapes.moved)
@@ -168,7 +169,7 @@ Fault check_joints(const WorldState& world) {
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
             return at("joints", i, "joins two islands");
         const auto moves = [](const BodyCold& c) {
-            return c.type != BodyType::fixed && !c.asleep_in_place;
+            return c.type != BodyType::static_body && !c.asleep_in_place;
         };
         if ((a.asleep_in_place && moves(b)) || (b.asleep_in_place && moves(a)))
             return at("joints", i, "ties a body that sleeps in place to one that moves");
@@ -242,7 +243,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
         if (colour.metas[block].contact[c.slot % lanes_per_block(c.colour)] != i)
-            return at("contacts", i, "and its lane disagree");
+            return at("contacts", i, "and its slot disagree");
         const BodyType b = world.bodies.cold[c.body_b].type;
         const PairKind kind = b == BodyType::dynamic     ? PairKind::dynamic
                               : b == BodyType::kinematic ? PairKind::kinematic
@@ -251,7 +252,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             return at("contacts", i, "has a colour of another kind");
         if (world.bodies.cold[c.body_a].set != BodySet::awake ||
             world.bodies.cold[c.body_b].set == BodySet::sleeping)
-            return at("contacts", i, "is in the solver with a sleeping body");
+            return at("contacts", i, "is in the constraint graph with a sleeping body");
     }
     if (Fault f = check_parts(world, i)) return f;
     if (c.touching && world.bodies.cold[c.body_b].type == BodyType::dynamic &&
@@ -297,7 +298,7 @@ Fault check_contacts(const WorldState& world) {
     }
     for (std::uint32_t i = 0; i < contacts.size(); i++)
         if (world.contacts.ids.alive(i) && contacts[i].has_bound != (entries[i] != 0))
-            return at("contacts", i, "waits without an entry");
+            return at("contacts", i, "has a bound without an entry");
     return {};
 }
 
@@ -318,7 +319,7 @@ Fault check_graph(const WorldState& world) {
                 world.contacts.contacts[contact].colour != c ||
                 index_of(world.contacts.contacts[contact].colour_set) != set ||
                 world.contacts.contacts[contact].slot != slot)
-                return "manifolds: a lane of colour " + std::to_string(c) + " belongs to nobody";
+                return "graph: a slot of colour " + std::to_string(c) + " belongs to no contact";
             const Contact& owner = world.contacts.contacts[contact];
             for (const std::uint32_t body : {owner.body_a, owner.body_b}) {
                 if (world.bodies.cold[body].type != BodyType::dynamic) continue;
@@ -381,7 +382,7 @@ Fault check_islands(const WorldState& world) {
 }  // namespace
 
 std::optional<std::string> find_fault(const WorldState& world) {
-    if (world.def.substeps < 1 || world.def.substeps > tuning::max_substeps)
+    if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
     if (!(world.last_dt >= 0 && world.last_dt <= 0.25)) return "world.last_dt is out of range";
     if (Fault f = check_pool("bodies", world.bodies.ids, world.bodies.cold)) return f;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "foundation/check.h"
 #include "state/island_sleep.h"
 #include "state/partial_sleep.h"
 
@@ -10,6 +11,7 @@ namespace jostle::physics {
 
 void ensure_awake(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke) {
     const BodyCold& cold = world.bodies.cold[body];
+    ASSERT(cold.type == BodyType::dynamic);
     if (cold.set == BodySet::sleeping) wake_island(world, cold.island, woke);
     wake_from_partial_sleep(world, body, woke);
 }
@@ -38,6 +40,9 @@ void apply_wake_requests(WorldState& world, std::vector<BodyId>& woke) {
             else
                 wake_around(world, r.body, r.mass, woke);
         }
+    ASSERT(std::none_of(requests.begin(), requests.end(), [&](const WakeRequest& r) {
+        return world.bodies.cold[r.body].set == BodySet::sleeping;
+    }));
     requests.clear();
 }
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "constraint_graph/constraint_graph.h"
+#include "foundation/check.h"
 #include "foundation/task_team.h"
 #include "foundation/team_trial.h"
 #include "jostle/physics/defs.h"
@@ -60,10 +61,11 @@ struct WorldState : WorldStores {
 };
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
+    ASSERT(body < world.bodies.cold.size());
     const BodyCold& cold = world.bodies.cold[body];
     switch (cold.set) {
-        case BodySet::fixed:
-            return world.bodies.fixed[cold.at];
+        case BodySet::static_set:
+            return world.bodies.statics[cold.at];
         case BodySet::awake:
             return world.bodies.awake[cold.at];
         case BodySet::sleeping:

@@ -3,7 +3,7 @@
 
 #include "foundation/messages.h"
 #include "geometry/outline.h"
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 
 namespace jostle::physics {
 namespace {
@@ -24,7 +24,7 @@ Status check_vector(const char* name, Vec3 value, double limit) {
 Status check_pose(const char* name, const Transform& pose) {
     const std::string prefix = name;
     if (Status s =
-            check_vector((prefix + ".position").c_str(), pose.position, tuning::max_coordinate);
+            check_vector((prefix + ".position").c_str(), pose.position, limits::max_coordinate);
         !s.ok())
         return s;
     const double norm = norm_squared(pose.rotation);
@@ -41,27 +41,28 @@ Status check_world(const WorldDef& def) {
     if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
     if (def.broad_phase > BroadPhase::uniform_grid)
         return invalid("broad_phase is of no known kind");
-    if (Status s = check_range("substeps", def.substeps, 1, tuning::max_substeps); !s.ok())
+    if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;
-    return check_range("threads", def.threads, 1, tuning::max_threads);
+    return check_range("threads", def.threads, 1, limits::max_threads);
 }
 
 Status check_body(const BodyDef& def) {
     if (Status s = check_pose("pose", def.pose); !s.ok()) return s;
-    if (Status s = check_vector("linear_velocity", def.linear_velocity, tuning::max_speed); !s.ok())
+    if (Status s = check_vector("linear_velocity", def.linear_velocity, limits::max_speed); !s.ok())
         return s;
-    if (Status s = check_vector("angular_velocity", def.angular_velocity, tuning::max_speed);
+    if (Status s = check_vector("angular_velocity", def.angular_velocity, limits::max_speed);
         !s.ok())
         return s;
     if (Status s = check_range("linear_damping", def.linear_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("angular_damping", def.angular_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("gravity_scale", def.gravity_scale, -1e3, 1e3); !s.ok()) return s;
     if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
+    if (Status s = check_body_type(def.type); !s.ok()) return s;
     if (def.locks >= 64) return invalid("locks has bits beyond the six axes");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
-    if (def.type == BodyType::fixed && moves)
+    if (def.type == BodyType::static_body && moves)
         return invalid(
-            "a fixed body has no velocity; make it kinematic, or leave the velocity out");
+            "a static body has no velocity; make it kinematic, or leave the velocity out");
     return {};
 }
 
@@ -100,7 +101,7 @@ Status check_material(const Material& m) {
     if (Status s = check_range("rolling_friction", m.rolling_friction, 0, 100); !s.ok()) return s;
     if (Status s = check_range("torsional_friction", m.torsional_friction, 0, 100); !s.ok())
         return s;
-    if (Status s = check_vector("surface_velocity", m.surface_velocity, tuning::max_speed); !s.ok())
+    if (Status s = check_vector("surface_velocity", m.surface_velocity, limits::max_speed); !s.ok())
         return s;
     if (m.friction_rule > Combine::maximum || m.restitution_rule > Combine::maximum)
         return invalid("friction_rule or restitution_rule is of no known kind");
@@ -112,8 +113,8 @@ Status check_shape(const ShapeDef& def, BodyType type) {
     if (Status s = check_pose("shape pose", def.pose); !s.ok()) return s;
     if (Status s = check_material(def.material); !s.ok()) return s;
     const ShapeKind kind = kind_of(def.geometry);
-    if (kind == ShapeKind::plane && type != BodyType::fixed)
-        return invalid("a plane is infinite; only a fixed body may carry one");
+    if (kind == ShapeKind::plane && type != BodyType::static_body)
+        return invalid("a plane is infinite; only a static body may carry one");
     const bool surface = kind == ShapeKind::mesh || kind == ShapeKind::height_field;
     if (surface && type == BodyType::dynamic)
         return invalid(std::string("a ") + kind_name(kind) +
@@ -123,11 +124,48 @@ Status check_shape(const ShapeDef& def, BodyType type) {
                        " has no inside; a trigger needs a solid shape");
     if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
     if (type != BodyType::dynamic || def.trigger || def.mass > 0)
-        return check_range("density", def.density, 0, tuning::max_density);
+        return check_range("density", def.density, 0, limits::max_density);
     if (!(def.density > 0))
         return invalid("density is " + text(def.density) +
                        "; a dynamic body needs a shape of density above 0 to have mass");
-    return check_range("density", def.density, 1e-6, tuning::max_density);
+    return check_range("density", def.density, 1e-6, limits::max_density);
+}
+
+Status check_body_type(BodyType type) {
+    if (type == BodyType::static_body || type == BodyType::kinematic || type == BodyType::dynamic)
+        return {};
+    return invalid("type is of no known kind");
+}
+
+Status check_body_in(const WorldState& world, const BodyDef& def) {
+    if (Status s = check_body(def); !s.ok()) return s;
+    return world.def.planar ? check_flat_body(def) : Status{};
+}
+
+Status check_shape_in(const WorldState& world, const ShapeDef& def, BodyType type) {
+    if (Status s = check_shape(def, type); !s.ok()) return s;
+    return world.def.planar ? check_flat_shape(def) : Status{};
+}
+
+Status check_shapes_in(const WorldState& world, std::span<const ShapeDef> defs, BodyType type) {
+    for (std::size_t k = 0; k < defs.size(); k++)
+        if (Status s = check_shape_in(world, defs[k], type); !s.ok()) {
+            if (defs.size() == 1) return s;
+            return Error{s.error().code, "shapes[" + std::to_string(k) + "]: " + s.error().message};
+        }
+    return {};
+}
+
+ShapeDef def_of(const ShapeRecord& shape) {
+    return {.geometry = shape.geometry,
+            .pose = shape.pose,
+            .material = shape.material,
+            .density = shape.density,
+            .mass = shape.mass,
+            .filter = shape.filter,
+            .trigger = shape.trigger,
+            .report_stays = shape.report_stays,
+            .user_data = shape.user_data};
 }
 
 Status check_id(const WorldState& world, BodyId id) {

@@ -4,6 +4,7 @@
 // its range.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "geometry/geometry_checks.h"
@@ -24,6 +25,14 @@ Status check_flat(const char* name, const Transform& pose);
 Status check_flat_body(const BodyDef& def);
 Status check_flat_shape(const ShapeDef& def);
 Status check_shape(const ShapeDef& def, BodyType type);
+Status check_body_type(BodyType type);
+// In this world, which may be planar. Of several shapes the error says which: "shapes[2]: ...".
+Status check_body_in(const WorldState& world, const BodyDef& def);
+Status check_shape_in(const WorldState& world, const ShapeDef& def, BodyType type);
+Status check_shapes_in(const WorldState& world, std::span<const ShapeDef> defs, BodyType type);
+
+// What a shape was made from.
+ShapeDef def_of(const ShapeRecord& shape);
 
 Status check_id(const WorldState& world, BodyId id);
 Status check_id(const WorldState& world, ShapeId id);

@@ -5,7 +5,7 @@
 
 #include "constraints/joints/angles.h"
 #include "foundation/messages.h"
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "jostle/physics/world.h"
 #include "state/contact_graph.h"
 #include "state/joint_graph.h"
@@ -36,8 +36,8 @@ Status check_limit(const char* name, const JointLimit& limit, double low, double
 Status check_kind(const JointKind& joint) {
     if (const auto* hinge = std::get_if<HingeJoint>(&joint)) {
         if (Status s = check_limit("hinge.limit", hinge->limit, -pi, pi); !s.ok()) return s;
-        if (Status s = check_range("hinge.motor.speed", hinge->motor.speed, -tuning::max_speed,
-                                   tuning::max_speed);
+        if (Status s = check_range("hinge.motor.speed", hinge->motor.speed, -limits::max_speed,
+                                   limits::max_speed);
             !s.ok())
             return s;
         if (Status s = check_range("hinge.motor.max_torque", hinge->motor.max_torque, 0, 1e12);
@@ -199,6 +199,12 @@ std::vector<JointId> World::joints_of(BodyId body) const {
                    [&](std::uint32_t joint) { ids.push_back(joint_id(*state_, joint)); });
     std::sort(ids.begin(), ids.end());
     return ids;
+}
+
+Status World::set_user_data(JointId joint, std::uint64_t data) {
+    if (Status s = check_id(*state_, joint); !s.ok()) return s;
+    state_->joints.joints[joint.index].user_data = data;
+    return {};
 }
 
 }  // namespace jostle::physics

@@ -10,7 +10,7 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "geometry/bounds.h"
 #include "geometry/ray.h"
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "world/checks.h"
 #include "world/query_source.h"
 
@@ -48,9 +48,9 @@ std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
 }
 
 Status check_ray(const Ray& ray) {
-    if (Status s = check_vector("ray.origin", ray.origin, tuning::max_coordinate); !s.ok())
+    if (Status s = check_vector("ray.origin", ray.origin, limits::max_coordinate); !s.ok())
         return s;
-    if (Status s = check_vector("ray.motion", ray.motion, tuning::max_coordinate); !s.ok())
+    if (Status s = check_vector("ray.motion", ray.motion, limits::max_coordinate); !s.ok())
         return s;
     if (ray.motion == Vec3{})
         return Error{ErrorCode::invalid_argument, "ray.motion is zero; it must have a length"};
@@ -105,7 +105,7 @@ std::optional<RayHit> first_hit(const QuerySource& source, const Ray& ray,
 Status check_cast(const ShapeCast& cast) {
     if (Status s = check_probe("cast.geometry", cast.geometry); !s.ok()) return s;
     if (Status s = check_pose("cast.pose", cast.pose); !s.ok()) return s;
-    return check_vector("cast.motion", cast.motion, tuning::max_coordinate);
+    return check_vector("cast.motion", cast.motion, limits::max_coordinate);
 }
 
 // When the moving shape first touches this one.
@@ -274,9 +274,9 @@ Result<std::vector<std::optional<ShapeCastHit>>> Queries::cast_shapes(
 
 Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,
                                                   const QueryFilter& filter) const {
-    if (Status s = check_vector("box.low", box.low, tuning::max_coordinate); !s.ok())
+    if (Status s = check_vector("box.low", box.low, limits::max_coordinate); !s.ok())
         return s.error();
-    if (Status s = check_vector("box.high", box.high, tuning::max_coordinate); !s.ok())
+    if (Status s = check_vector("box.high", box.high, limits::max_coordinate); !s.ok())
         return s.error();
     if (box.high.x < box.low.x || box.high.y < box.low.y || box.high.z < box.low.z)
         return Error{ErrorCode::invalid_argument,
@@ -301,7 +301,7 @@ Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry, co
 }
 
 Result<std::vector<ShapeId>> Queries::shapes_at(Vec3 point, const QueryFilter& filter) const {
-    if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s.error();
+    if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s.error();
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, {point, point}, filter)) {
         const ShapeKind kind = kind_of(*shape.placed.geometry);
@@ -313,8 +313,8 @@ Result<std::vector<ShapeId>> Queries::shapes_at(Vec3 point, const QueryFilter& f
 
 Result<std::optional<ClosestPoint>> Queries::closest_point(Vec3 point, double max_distance,
                                                            const QueryFilter& filter) const {
-    if (Status s = check_vector("point", point, tuning::max_coordinate); !s.ok()) return s.error();
-    if (Status s = check_range("max_distance", max_distance, 0, tuning::max_coordinate); !s.ok())
+    if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s.error();
+    if (Status s = check_range("max_distance", max_distance, 0, limits::max_coordinate); !s.ok())
         return s.error();
     return nearest(*source_, point, max_distance, filter);
 }

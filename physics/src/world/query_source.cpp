@@ -18,7 +18,7 @@ public:
     explicit LiveSource(const WorldState& world) : world_(world) {}
     std::uint64_t step() const override { return world_.steps; }
     QueryShape shape(std::uint32_t index) const override { return shape_at(world_, index); }
-    const BroadPhaseIndex& fixed() const override { return *world_.shapes.fixed; }
+    const BroadPhaseIndex& fixed() const override { return *world_.shapes.statics; }
     const BroadPhaseIndex& moving() const override { return *world_.shapes.moving; }
     const std::vector<std::uint32_t>& planes() const override { return world_.shapes.planes; }
 
@@ -27,9 +27,9 @@ private:
 };
 
 // Owns all that it shows; geometry that is shared stays shared.
-class FrozenSource final : public QuerySource {
+class CopiedSource final : public QuerySource {
 public:
-    explicit FrozenSource(const WorldState& world)
+    explicit CopiedSource(const WorldState& world)
         : step_(world.steps), planes_(world.shapes.planes) {
         const std::uint32_t count = world.shapes.ids.size();
         shapes_.resize(count);
@@ -40,7 +40,7 @@ public:
             shapes_[i] = shape_at(world, i);
             shapes_[i].placed.geometry = &geometry_[i];
         }
-        fixed_ = world.shapes.fixed->clone();
+        fixed_ = world.shapes.statics->clone();
         moving_ = world.shapes.moving->clone();
         fixed_->flush();
         moving_->flush();
@@ -66,7 +66,7 @@ Queries World::queries() const {
 }
 
 Queries World::query_frame() const {
-    return Queries(std::make_shared<const FrozenSource>(*state_));
+    return Queries(std::make_shared<const CopiedSource>(*state_));
 }
 
 }  // namespace jostle::physics

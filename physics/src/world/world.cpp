@@ -3,14 +3,21 @@
 // World: checks arguments, changes state, calls the step.
 #include "jostle/physics/world.h"
 
-#include "jostle/physics/tuning.h"
+#include "jostle/physics/limits.h"
 #include "stages/step_world.h"
+#include "state/shape_proxy.h"
+#include "state/wake.h"
+#include "world/body_change.h"
 #include "world/checks.h"
 
 namespace jostle::physics {
 
 World::World(std::unique_ptr<WorldState> state)
     : state_(std::move(state)), scratch_(std::make_unique<StepScratch>()) {}
+World::World() : World(WorldDef{}) {}
+
+World::World(const WorldDef& def) : World(create(def).value()) {}
+
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -19,7 +26,7 @@ Result<World> World::create(const WorldDef& def) {
     if (Status s = check_world(def); !s.ok()) return s.error();
     auto state = std::make_unique<WorldState>();
     state->def = def;
-    state->shapes.fixed = make_broad_phase(def.broad_phase);
+    state->shapes.statics = make_broad_phase(def.broad_phase);
     state->shapes.moving = make_broad_phase(def.broad_phase);
     state->team = std::make_unique<TaskTeam>(def.threads);
     return World(std::move(state));
@@ -41,8 +48,23 @@ int World::substeps() const {
     return state_->def.substeps;
 }
 
+Status World::set_gravity(Vec3 gravity) {
+    WorldState& world = *state_;
+    WorldDef def = world.def;
+    def.gravity = gravity;
+    if (Status s = check_world(def); !s.ok()) return s;
+    if (gravity == world.def.gravity) return {};
+    // What lay still may fall.
+    for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
+        if (world.bodies.ids.alive(body)) wake_body(world, body);
+    world.def.gravity = gravity;
+    for (const BodyWarm& warm : world.bodies.awake)
+        update_motion_bound(world, warm.body, expected_dt(world));
+    return {};
+}
+
 Status World::set_threads(int threads) {
-    if (Status s = check_range("threads", threads, 1, tuning::max_threads); !s.ok()) return s;
+    if (Status s = check_range("threads", threads, 1, limits::max_threads); !s.ok()) return s;
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
     state_->team = std::make_unique<TaskTeam>(threads);

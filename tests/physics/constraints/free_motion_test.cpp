@@ -124,7 +124,7 @@ TEST(FreeMotion, gyroscopic_is_what_turns_far_and_unevenly) {
     ball.isotropic = true;
     EXPECT_FALSE(is_gyroscopic(warm, ball, 0.01));
     BodyCold hinged = plank();
-    hinged.locks = lock_turn_x;
+    hinged.locks = lock_rotation_x;
     EXPECT_FALSE(is_gyroscopic(warm, hinged, 0.01));
 }
 

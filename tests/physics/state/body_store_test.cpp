@@ -53,12 +53,12 @@ TEST(BodyStore, inertia_turns_with_the_body) {
 // full inverse: a door does not turn about anything but its hinge.
 TEST(BodyStore, locked_turns_leave_the_inverse_of_what_is_left) {
     BodyCold cold = uneven_body();
-    cold.locks = lock_turn_x | lock_turn_z;
+    cold.locks = lock_rotation_x | lock_rotation_z;
     const Mat3 inverse = world_inverse_inertia(turned(eighth_about_x), cold);
     EXPECT_TRUE(near(inverse.y, {0, 1 / 6.0, 0}, 1e-12));
     EXPECT_TRUE(near(inverse.x, {}, 1e-12));
     EXPECT_TRUE(near(inverse.z, {}, 1e-12));
-    cold.locks = lock_turn_x | lock_turn_y | lock_turn_z;
+    cold.locks = lock_rotation_x | lock_rotation_y | lock_rotation_z;
     EXPECT_EQ(world_inverse_inertia(turned({}), cold), diagonal({0, 0, 0}));
     EXPECT_EQ(free_turns(cold), Vec3{});
     EXPECT_EQ(free_directions(cold), (Vec3{1, 1, 1}));

@@ -22,7 +22,7 @@ public:
         : random_(seed), world_(std::move(World::create({.threads = threads}).value())) {
         const auto fixed = [&](Vec3 at, Geometry geometry) {
             ASSERT_TRUE(world_
-                            .create_body({.type = BodyType::fixed, .pose = {.position = at}},
+                            .create_body({.type = BodyType::static_body, .pose = {.position = at}},
                                          {.geometry = geometry})
                             .ok());
         };
@@ -60,7 +60,7 @@ public:
         }
         if (what > 0.25 && what < 0.255)
             bodies_.push_back(*world_.create_body(
-                {.type = BodyType::fixed, .pose = {.position = {in(-4, 4), 0.2, in(-4, 4)}}},
+                {.type = BodyType::static_body, .pose = {.position = {in(-4, 4), 0.2, in(-4, 4)}}},
                 {.geometry = Box{{0.2, 0.2, 0.2}}}));
     }
 

@@ -87,7 +87,7 @@ TEST_F(BadInput, body_definitions) {
     refuses_body({.linear_damping = nan}, "linear_damping");
     refuses_body({.angular_damping = -0.1}, "angular_damping");
     refuses_body({.gravity_scale = inf}, "gravity_scale");
-    refuses(world_.create_body({.type = BodyType::fixed, .linear_velocity = {1, 0, 0}}),
+    refuses(world_.create_body({.type = BodyType::static_body, .linear_velocity = {1, 0, 0}}),
             "velocity");
 }
 
@@ -100,8 +100,8 @@ TEST_F(BadInput, shape_definitions) {
         refuses_shape({.geometry = Box{{1, size, 1}}}, "half_extents.y");
         refuses_shape({.geometry = Box{{1, 1, size}}}, "half_extents.z");
     }
-    refuses_shape({.geometry = Plane{{0, 0, 0}}}, "normal", BodyType::fixed);
-    refuses_shape({.geometry = Plane{{0, nan, 0}}}, "normal", BodyType::fixed);
+    refuses_shape({.geometry = Plane{{0, 0, 0}}}, "normal", BodyType::static_body);
+    refuses_shape({.geometry = Plane{{0, nan, 0}}}, "normal", BodyType::static_body);
     refuses_shape({.pose = {{nan, 0, 0}, {}}}, "position");
     refuses_shape({.pose = {{}, {0, 0, 0, 0}}}, "rotation");
     refuses_shape({.material = {.friction = -0.5}}, "friction");
@@ -168,7 +168,7 @@ TEST_F(BadInput, pushes) {
         refuses(world_.apply_torque(id, {1, 0, 0}), "dynamic", precondition);
         refuses(world_.apply_angular_impulse(id, {1, 0, 0}), "dynamic", precondition);
     }
-    refuses(world_.set_velocity(floor_, {1, 0, 0}, {}), "fixed", precondition);
+    refuses(world_.set_velocity(floor_, {1, 0, 0}, {}), "static", precondition);
     refuses(world_.destroy_shape(world_.shapes_of(box_)[0]), "last shape", precondition);
 }
 

@@ -48,7 +48,7 @@ struct RandomScene {
         Random random(seed);
         for (int i = 0; i < bodies; i++) {
             const Transform pose{random.vector(6), random.rotation()};
-            const BodyType type = i % 3 == 0 ? BodyType::fixed : BodyType::dynamic;
+            const BodyType type = i % 3 == 0 ? BodyType::static_body : BodyType::dynamic;
             const BodyId body = must(world.create_body({.type = type, .pose = pose}));
             for (int k = 0; k <= i % 2; k++) {
                 const Geometry geometry = random_convex(random);
@@ -66,7 +66,7 @@ struct RandomScene {
         std::vector<Vec3> vertices;
         for (int i = 0; i < 12; i++) vertices.push_back(random.vector(3));
         add_one(
-            BodyType::fixed,
+            BodyType::static_body,
             Mesh{must(build_mesh(vertices,
                                  std::vector<std::array<std::uint32_t, 3>>{
                                      {0, 1, 2}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {9, 10, 11}}))},
@@ -75,10 +75,10 @@ struct RandomScene {
         for (int i = 0; i < 35; i++) grid.heights.push_back(random.in(-1, 1));
         grid.holes.assign(24, 0);
         grid.holes[9] = 1;
-        add_one(BodyType::fixed, HeightField{must(build_height_field(grid))},
+        add_one(BodyType::static_body, HeightField{must(build_height_field(grid))},
                 {{random.in(-2, 2), -4, random.in(-2, 2)}, random.rotation()});
         const BodyId ground =
-            must(world.create_body({.type = BodyType::fixed, .pose = {{0, -5, 0}, {}}}));
+            must(world.create_body({.type = BodyType::static_body, .pose = {{0, -5, 0}, {}}}));
         shapes.push_back(
             {must(world.create_shape(ground, {.geometry = Plane{}})), Plane{}, {{0, -5, 0}, {}}});
     }
@@ -365,9 +365,9 @@ TEST(Queries, closest_point_is_the_nearest_surface) {
 TEST(Queries, filters_hide_categories_and_triggers) {
     World world = make_world({.gravity = {}});
     const BodyId wall =
-        must(world.create_body({.type = BodyType::fixed, .pose = {{2, 0, 0}, {}}},
+        must(world.create_body({.type = BodyType::static_body, .pose = {{2, 0, 0}, {}}},
                                {.geometry = Box{{0.1, 1, 1}}, .filter = {.category = 4}}));
-    must(world.create_body({.type = BodyType::fixed, .pose = {{1, 0, 0}, {}}},
+    must(world.create_body({.type = BodyType::static_body, .pose = {{1, 0, 0}, {}}},
                            {.geometry = Sphere{0.3}, .trigger = true}));
     const Ray ray{{0, 0, 0}, {5, 0, 0}};
     EXPECT_EQ(must(world.queries().cast_ray(ray))->body, wall);

@@ -98,7 +98,7 @@ TEST(DragSpring, pulls_no_harder_than_200_metres_per_second_squared) {
 
 TEST(DragSpring, a_body_that_is_gone_is_an_error_and_a_fixed_one_stays) {
     World world = weightless();
-    const BodyId wall = *world.create_body({.type = BodyType::fixed}, {.geometry = Box{}});
+    const BodyId wall = *world.create_body({.type = BodyType::static_body}, {.geometry = Box{}});
     EXPECT_TRUE(pull(world, {wall, {}, {5, 0, 0}}, dt).ok());
     EXPECT_EQ(world.body(wall)->pose.position, (Vec3{}));
     ASSERT_TRUE(world.destroy_body(wall).ok());

@@ -6,15 +6,19 @@
 #include <algorithm>
 
 #include "jostle/scenes/catalog.h"
+#include "support/error_of.h"
 
 namespace jostle::server {
+
+using test::error_of;
+
 namespace {
 
 constexpr double dt = 1.0 / 60;
 
 class HostedWorldTest : public testing::Test {
 protected:
-    InputOutcome apply(ClientId client, Action action) {
+    InputResult apply(ClientId client, Action action) {
         return world.apply(
             {.client = client, .sequence = ++sequence, .action = std::move(action), .reply = {}},
             tick);
@@ -23,9 +27,9 @@ protected:
         SpawnCommand command;
         command.shape.geometry = physics::Sphere{0.3};
         command.pose.position = {5, y, 0};
-        const InputOutcome outcome = apply(client, command);
-        EXPECT_EQ(outcome.code, InputCode::applied) << outcome.message;
-        return outcome.entity;
+        const InputResult result = apply(client, command);
+        EXPECT_TRUE(result.status.ok()) << result.status.error().message;
+        return result.entity;
     }
     Frame step(int times = 1) {
         for (int i = 0; i < times; ++i) EXPECT_TRUE(world.step(dt).ok());
@@ -46,88 +50,91 @@ protected:
 TEST_F(HostedWorldTest, a_frame_lists_entities_and_roster_alike) {
     const EntityId ball = spawn(1);
     const Frame frame = step();
-    ASSERT_EQ(frame.entities.size(), frame.roster->size());
+    ASSERT_EQ(frame.entities.size(), frame.entity_list->size());
     for (std::size_t i = 0; i < frame.entities.size(); ++i) {
-        EXPECT_EQ(frame.entities[i].id, (*frame.roster)[i]->id);
+        EXPECT_EQ(frame.entities[i].id, (*frame.entity_list)[i]->id);
         EXPECT_TRUE(i == 0 || frame.entities[i - 1].id < frame.entities[i].id);
     }
-    EXPECT_EQ(frame.roster->back()->id, ball);
-    EXPECT_EQ(frame.roster->back()->owner, 1u);
-    EXPECT_EQ(step().roster, frame.roster) << "nothing appeared or went: the same roster";
+    EXPECT_EQ(frame.entity_list->back()->id, ball);
+    EXPECT_EQ(frame.entity_list->back()->owner, 1u);
+    EXPECT_EQ(step().entity_list, frame.entity_list) << "nothing appeared or went: the same list";
     spawn(1);
-    EXPECT_NE(step().roster, frame.roster);
+    EXPECT_NE(step().entity_list, frame.entity_list);
 }
 
 TEST_F(HostedWorldTest, an_input_is_applied_at_most_once) {
     const Command command{.client = 1, .sequence = 5, .action = ReleaseCommand{}, .reply = {}};
-    EXPECT_EQ(world.apply(command, tick).code, InputCode::applied);
-    EXPECT_EQ(world.apply(command, tick).code, InputCode::invalid);
+    EXPECT_TRUE(world.apply(command, tick).status.ok());
+    EXPECT_EQ(error_of(world.apply(command, tick).status).code, ErrorCode::invalid_argument);
 }
 
 TEST_F(HostedWorldTest, ids_are_never_used_again) {
     const EntityId first = spawn(1);
-    EXPECT_EQ(apply(1, DeleteCommand{first}).code, InputCode::applied);
+    EXPECT_TRUE(apply(1, DeleteCommand{first}).status.ok());
     const EntityId second = spawn(1);
     EXPECT_GT(second, first);
-    EXPECT_EQ(apply(1, DeleteCommand{first}).code, InputCode::not_found);
+    EXPECT_EQ(error_of(apply(1, DeleteCommand{first}).status).code, ErrorCode::not_found);
     EXPECT_NE(find(step(), second), nullptr);
 }
 
 TEST_F(HostedWorldTest, limits_hold_for_one_client_and_for_the_world) {
     for (int i = 0; i < 3; ++i) spawn(1, 20 + i);
-    EXPECT_EQ(apply(1, SpawnCommand{}).code, InputCode::limit);
+    EXPECT_EQ(error_of(apply(1, SpawnCommand{}).status).code, ErrorCode::resource_exhausted);
     const std::size_t scene = step().entities.size() - 3;
     for (ClientId client = 2; step().entities.size() < 20; ++client) spawn(client, 20.0 + client);
-    EXPECT_EQ(apply(99, SpawnCommand{}).code, InputCode::limit);
-    EXPECT_EQ(apply(1, LeaveCommand{}).code, InputCode::applied);
+    EXPECT_EQ(error_of(apply(99, SpawnCommand{}).status).code, ErrorCode::resource_exhausted);
+    EXPECT_TRUE(apply(1, LeaveCommand{}).status.ok());
     EXPECT_EQ(step().entities.size(), 17u);
     EXPECT_GT(scene, 0u);
-    EXPECT_EQ(apply(99, SpawnCommand{}).code, InputCode::applied);
+    EXPECT_TRUE(apply(99, SpawnCommand{}).status.ok());
 }
 
 TEST_F(HostedWorldTest, rights_are_the_worlds_to_decide) {
     const EntityId theirs = spawn(2);
-    EXPECT_EQ(apply(1, DeleteCommand{theirs}).code, InputCode::not_allowed);
-    EXPECT_EQ(apply(1, DeleteCommand{1}).code, InputCode::not_allowed) << "the scene's";
-    EXPECT_EQ(apply(1, ImpulseCommand{.entity = 1, .impulse = {1, 0, 0}, .point = {}}).code,
-              InputCode::not_allowed)
+    EXPECT_EQ(error_of(apply(1, DeleteCommand{theirs}).status).code, ErrorCode::permission_denied);
+    EXPECT_EQ(error_of(apply(1, DeleteCommand{1}).status).code, ErrorCode::permission_denied)
+        << "the scene's";
+    EXPECT_EQ(
+        error_of(apply(1, ImpulseCommand{.entity = 1, .impulse = {1, 0, 0}, .point = {}}).status)
+            .code,
+        ErrorCode::permission_denied)
         << "the ground is not dynamic";
-    EXPECT_EQ(apply(1, DragCommand{}).code, InputCode::not_found) << "nothing is held";
+    EXPECT_EQ(error_of(apply(1, DragCommand{}).status).code, ErrorCode::not_found)
+        << "nothing is held";
 }
 
 TEST_F(HostedWorldTest, an_impulse_is_cut_to_20_metres_a_second) {
     const EntityId ball = spawn(1, 100);
     const double before = find(step(), ball)->pose.position.x;
-    EXPECT_EQ(apply(1, ImpulseCommand{.entity = ball, .impulse = {1e6, 0, 0}, .point = {}}).code,
-              InputCode::applied);
+    EXPECT_TRUE(
+        apply(1, ImpulseCommand{.entity = ball, .impulse = {1e6, 0, 0}, .point = {}}).status.ok());
     EXPECT_NEAR(find(step(60), ball)->pose.position.x - before, 20, 1e-6);
 }
 
 TEST_F(HostedWorldTest, a_held_body_follows_the_hand_and_falls_when_let_go) {
     const EntityId ball = spawn(1, 10);
     const physics::Vec3 target{4, 12, 3};
-    EXPECT_EQ(apply(1, GrabCommand{ball, find(step(), ball)->pose.position}).code,
-              InputCode::applied);
-    EXPECT_EQ(apply(1, DragCommand{target}).code, InputCode::applied);
+    EXPECT_TRUE(apply(1, GrabCommand{ball, find(step(), ball)->pose.position}).status.ok());
+    EXPECT_TRUE(apply(1, DragCommand{target}).status.ok());
     const Frame held = step(240);
     EXPECT_LT(length(find(held, ball)->pose.position - target), 0.2);
-    EXPECT_EQ(apply(1, ReleaseCommand{}).code, InputCode::applied);
+    EXPECT_TRUE(apply(1, ReleaseCommand{}).status.ok());
     EXPECT_LT(find(step(30), ball)->pose.position.y, target.y - 1);
 }
 
 TEST_F(HostedWorldTest, deleting_a_held_body_lets_go_of_it) {
     const EntityId ball = spawn(2);
-    EXPECT_EQ(apply(1, GrabCommand{ball, {5, 20, 0}}).code, InputCode::applied);
-    EXPECT_EQ(apply(2, DeleteCommand{ball}).code, InputCode::applied);
-    EXPECT_EQ(apply(1, DragCommand{}).code, InputCode::not_found);
+    EXPECT_TRUE(apply(1, GrabCommand{ball, {5, 20, 0}}).status.ok());
+    EXPECT_TRUE(apply(2, DeleteCommand{ball}).status.ok());
+    EXPECT_EQ(error_of(apply(1, DragCommand{}).status).code, ErrorCode::not_found);
     step(2);
 }
 
 TEST_F(HostedWorldTest, an_explosion_pushes_away_and_less_with_distance) {
     const EntityId near = spawn(1, 50);
     const double before = find(step(), near)->pose.position.x;
-    EXPECT_EQ(apply(1, ExplodeCommand{.center = {4, 50, 0}, .radius = 4, .speed = 8}).code,
-              InputCode::applied);
+    EXPECT_TRUE(
+        apply(1, ExplodeCommand{.center = {4, 50, 0}, .radius = 4, .speed = 8}).status.ok());
     // One metre of four away: three quarters of the speed, nearly all of it along x.
     EXPECT_NEAR(find(step(60), near)->pose.position.x - before, 6, 0.1);
 }

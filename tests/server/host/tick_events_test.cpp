@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a world tells of its ticks: who touched whom, by entity, once per happening.
+// What a world tells of its ticks: who touched whom, by entity, once per event.
 #include "host/tick_events.h"
 
 #include <gtest/gtest.h>
@@ -26,13 +26,13 @@ scenes::SceneDescription floor_alone() {
     const physics::ShapeDef slab{.geometry = physics::Box{{50, 0.5, 50}},
                                  .pose = {.position = {0, -0.5, 0}}};
     scene.bodies.push_back(
-        {.name = "floor", .body = {.type = physics::BodyType::fixed}, .shapes = {slab}});
+        {.name = "floor", .body = {.type = physics::BodyType::static_body}, .shapes = {slab}});
     return scene;
 }
 
 class TickEventsTest : public testing::Test {
 protected:
-    InputOutcome apply(Action action) {
+    InputResult apply(Action action) {
         return world.apply(
             {.client = 1, .sequence = ++sequence, .action = std::move(action), .reply = {}}, tick);
     }
@@ -69,7 +69,7 @@ TEST_F(TickEventsTest, a_ball_dropped_from_5_metres_begins_at_the_speed_of_its_f
     const EntityId ball = drop_ball(5);
     const auto ticks = run(120);
     const double speed = std::sqrt(2 * 9.81 * 5);
-    const auto began = all(ticks, &TickEvents::began);
+    const auto began = all(ticks, &TickEvents::contacts_began);
     ASSERT_EQ(began.size(), 1u);
     EXPECT_EQ(std::minmax(began[0].a, began[0].b), std::minmax(floor, ball));
     EXPECT_NEAR(began[0].speed, speed, 0.02 * speed);
@@ -78,30 +78,30 @@ TEST_F(TickEventsTest, a_ball_dropped_from_5_metres_begins_at_the_speed_of_its_f
     const auto hits = all(ticks, &TickEvents::hits);
     ASSERT_EQ(hits.size(), 1u);
     EXPECT_NEAR(hits[0].speed, speed, 0.02 * speed);
-    EXPECT_TRUE(all(ticks, &TickEvents::ended).empty());
+    EXPECT_TRUE(all(ticks, &TickEvents::contacts_ended).empty());
     EXPECT_EQ(all(ticks, &TickEvents::fell_asleep), std::vector{ball});
 }
 
 TEST_F(TickEventsTest, the_end_of_a_deleted_ball_names_it_even_when_another_takes_its_place) {
     const EntityId ball = drop_ball(0.1);
     run(30);
-    EXPECT_EQ(apply(DeleteCommand{ball}).code, InputCode::applied);
+    EXPECT_TRUE(apply(DeleteCommand{ball}).status.ok());
     const EntityId heir = drop_ball(0.1);  // with the body that has become free
     const auto ticks = run(30);
-    const auto ended = all(ticks, &TickEvents::ended);
+    const auto ended = all(ticks, &TickEvents::contacts_ended);
     ASSERT_EQ(ended.size(), 1u);
     EXPECT_EQ(std::minmax(ended[0].a, ended[0].b), std::minmax(floor, ball));
-    const auto began = all(ticks, &TickEvents::began);
+    const auto began = all(ticks, &TickEvents::contacts_began);
     ASSERT_EQ(began.size(), 1u);
     EXPECT_EQ(std::minmax(began[0].a, began[0].b), std::minmax(floor, heir));
 }
 
 TEST_F(TickEventsTest, many_balls_that_land_together_are_sorted_by_entity) {
     for (int i = 0; i < 10; i++) drop_ball(1, 40 - 3.0 * i);
-    const auto began = all(run(60), &TickEvents::began);
+    const auto began = all(run(60), &TickEvents::contacts_began);
     ASSERT_EQ(began.size(), 10u);
-    EXPECT_TRUE(std::ranges::is_sorted(
-        began, {}, [](const ContactHappening& c) { return std::pair(c.a, c.b); }));
+    EXPECT_TRUE(std::ranges::is_sorted(began, {},
+                                       [](const ContactEvent& c) { return std::pair(c.a, c.b); }));
 }
 
 TEST_F(TickEventsTest, nothing_is_told_while_nothing_happens) {
@@ -135,7 +135,7 @@ TEST(WorldHostEvents, frames_carry_the_newest_64_ticks_only_while_somebody_liste
     // Something happens in every tick.
     const physics::ShapeDef ball{.geometry = physics::Sphere{0.5}, .report_stays = true};
     scene.bodies.push_back({.name = "ball",
-                            .body = {.pose = {.position = {0, 0.5, 0}}, .may_sleep = false},
+                            .body = {.pose = {.position = {0, 0.5, 0}}, .sleep_allowed = false},
                             .shapes = {ball}});
     const auto host = *WorldHost::start("w1", "floor", scene, {});
     const auto wait = [&](auto condition) {

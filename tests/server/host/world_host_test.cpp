@@ -10,7 +10,7 @@
 #include <set>
 #include <thread>
 
-#include "host/outcome_mailbox.h"
+#include "host/result_queue.h"
 #include "host/world_directory.h"
 #include "jostle/scenes/catalog.h"
 
@@ -50,8 +50,8 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
     WorldHostSettings settings;
     settings.command_queue_max = 16;  // so that pushes are refused at times
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
-    std::vector<std::shared_ptr<OutcomeMailbox>> mailboxes;
-    for (int c = 0; c < clients; ++c) mailboxes.push_back(std::make_shared<OutcomeMailbox>());
+    std::vector<std::shared_ptr<ResultQueue>> queues;
+    for (int c = 0; c < clients; ++c) queues.push_back(std::make_shared<ResultQueue>());
     std::vector<std::thread> threads;
     for (int c = 0; c < clients; ++c) {
         threads.emplace_back([&, c] {
@@ -62,7 +62,7 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
                 const Command command{.client = static_cast<ClientId>(c + 1),
                                       .sequence = i,
                                       .action = spawn,
-                                      .reply = mailboxes[static_cast<std::size_t>(c)]};
+                                      .reply = queues[static_cast<std::size_t>(c)]};
                 while (!host->push(command)) std::this_thread::sleep_for(1ms);
             }
         });
@@ -72,27 +72,28 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
     std::thread reader([&] {
         while (!done) {
             const FramePtr frame = host->frame();
-            ASSERT_EQ(frame->entities.size(), frame->roster->size());
+            ASSERT_EQ(frame->entities.size(), frame->entity_list->size());
         }
     });
     for (std::thread& thread : threads) thread.join();
     std::set<EntityId> spawned;
-    int outcomes = 0;
+    int results = 0;
     EXPECT_TRUE(wait_until([&] {
-        for (const auto& mailbox : mailboxes) {
-            for (const InputOutcome& outcome : mailbox->take()) {
-                outcomes++;
-                EXPECT_EQ(outcome.code, InputCode::applied) << outcome.message;
-                EXPECT_TRUE(spawned.insert(outcome.entity).second);
+        for (const auto& queue : queues) {
+            for (const InputResult& result : queue->take()) {
+                results++;
+                EXPECT_TRUE(result.status.ok()) << result.status.error().message;
+                EXPECT_TRUE(spawned.insert(result.entity).second);
             }
         }
-        return outcomes == clients * each;
+        return results == clients * each;
     }));
     done = true;
     reader.join();
     const FramePtr frame = host->frame();
-    EXPECT_EQ(std::ranges::count_if(*frame->roster, [](const auto& e) { return e->owner != 0; }),
-              clients * each);
+    EXPECT_EQ(
+        std::ranges::count_if(*frame->entity_list, [](const auto& e) { return e->owner != 0; }),
+        clients * each);
 }
 
 TEST(WorldHost, one_that_cannot_go_on_ends_alone) {

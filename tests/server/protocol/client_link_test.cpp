@@ -35,7 +35,7 @@ protected:
 struct TestClient {
     explicit TestClient(PlayContext& context) : link(context, "test", Clock::now()) {}
 
-    void say(const v1::ClientMessage& message, Clock::duration later = 0s) {
+    void send(const v1::ClientMessage& message, Clock::duration later = 0s) {
         link.receive(message.SerializeAsString(), Clock::now() + later);
     }
     void hello(const std::function<void(v1::Hello&)>& change = [](v1::Hello&) {}) {
@@ -43,19 +43,19 @@ struct TestClient {
         message.mutable_hello()->set_protocol(1);
         change(*message.mutable_hello());
         state.wants_events = message.hello().events();
-        say(message);
+        send(message);
     }
     void ack(std::uint32_t frame, bool need_keyframe = false) {
         v1::ClientMessage message;
         message.mutable_ack()->set_frame(frame);
         message.mutable_ack()->set_need_keyframe(need_keyframe);
-        say(message);
+        send(message);
     }
     void inputs(std::uint32_t first, std::vector<v1::Input> list) {
         v1::ClientMessage message;
         message.mutable_input()->set_first_sequence(first);
         for (v1::Input& input : list) *message.mutable_input()->add_inputs() = std::move(input);
-        say(message);
+        send(message);
     }
     // Takes all that the link has to say.
     void listen(Clock::duration later = 0s) {
@@ -179,7 +179,7 @@ TEST_F(ClientLinkTest, what_a_client_spawned_goes_with_it) {
     ASSERT_TRUE(stayer.listen_until([&] { return stayer.state.entities.contains(body); }));
     v1::ClientMessage leave;
     leave.mutable_leave();
-    leaver.say(leave);
+    leaver.send(leave);
     EXPECT_TRUE(leaver.link.end() && leaver.link.end()->ok());
     EXPECT_EQ(sessions.clients(), 1);
     EXPECT_TRUE(stayer.listen_until([&] { return !stayer.state.entities.contains(body); }));
@@ -240,7 +240,7 @@ TEST_F(ClientLinkTest, pings_are_answered) {
     client.hello();
     v1::ClientMessage ping;
     ping.mutable_ping()->set_client_time_us(42);
-    client.say(ping);
+    client.send(ping);
     client.listen();
     EXPECT_EQ(client.state.pongs, 1);
 }
@@ -249,44 +249,45 @@ TEST_F(ClientLinkTest, refuses_politely) {
     struct Case {
         const char* what;
         std::function<void(TestClient&)> misbehave;
-        AnswerCode code;
+        ErrorCode code;
     };
     v1::ClientMessage second_hello;
     second_hello.mutable_hello()->set_protocol(1);
     const Case cases[] = {
         {"protocol", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_protocol(2); }); },
-         AnswerCode::failed_precondition},
+         ErrorCode::failed_precondition},
         {"world", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_world("nowhere"); }); },
-         AnswerCode::not_found},
+         ErrorCode::not_found},
         {"ticket", [](TestClient& c) { c.hello([](v1::Hello& h) { h.set_ticket("forged"); }); },
-         AnswerCode::unauthenticated},
-        {"ack before hello", [](TestClient& c) { c.ack(1); }, AnswerCode::failed_precondition},
+         ErrorCode::unauthenticated},
+        {"ack before hello", [](TestClient& c) { c.ack(1); }, ErrorCode::failed_precondition},
         {"garbage", [](TestClient& c) { c.link.receive("\xff\xff", Clock::now()); },
-         AnswerCode::invalid_argument},
+         ErrorCode::invalid_argument},
         {"size", [](TestClient& c) { c.link.receive(std::string(70000, 'x'), Clock::now()); },
-         AnswerCode::resource_exhausted},
+         ErrorCode::resource_exhausted},
         {"second hello",
          [&](TestClient& c) {
              c.hello();
-             c.say(second_hello);
+             c.send(second_hello);
          },
-         AnswerCode::failed_precondition},
+         ErrorCode::failed_precondition},
         {"batch",
          [](TestClient& c) {
              c.hello();
              c.inputs(1, std::vector<v1::Input>(65));
          },
-         AnswerCode::invalid_argument},
+         ErrorCode::invalid_argument},
     };
     for (const Case& c : cases) {
         TestClient client(context);
         c.misbehave(client);
-        ASSERT_TRUE(client.link.end()) << c.what;
-        EXPECT_EQ(client.link.end()->code, c.code) << c.what;
+        ASSERT_TRUE(client.link.end() && !client.link.end()->ok()) << c.what;
+        EXPECT_EQ(client.link.end()->error().code, c.code) << c.what;
         client.listen();
         ASSERT_FALSE(client.state.notices.empty()) << c.what;
         EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_REFUSED) << c.what;
-        EXPECT_EQ(client.state.notices.back().message(), client.link.end()->message) << c.what;
+        EXPECT_EQ(client.state.notices.back().message(), client.link.end()->error().message)
+            << c.what;
     }
     EXPECT_EQ(sessions.clients(), 0);
 }
@@ -296,27 +297,27 @@ TEST_F(ClientLinkTest, a_full_server_says_so) {
     one.hello();
     two.hello();
     three.hello();
-    ASSERT_TRUE(three.link.end());
-    EXPECT_EQ(three.link.end()->code, AnswerCode::resource_exhausted);
-    one.link.peer_closed(Clock::now());
+    ASSERT_TRUE(three.link.end() && !three.link.end()->ok());
+    EXPECT_EQ(three.link.end()->error().code, ErrorCode::resource_exhausted);
+    one.link.on_peer_closed(Clock::now());
     TestClient four(context);
     four.hello();
     EXPECT_FALSE(four.link.end());
 }
 
 TEST_F(ClientLinkTest, silence_ends_a_conversation) {
-    TestClient mute(context), sleep_time(context);
-    sleep_time.hello();
+    TestClient mute(context), quiet(context);
+    quiet.hello();
     mute.listen(4s);
     EXPECT_FALSE(mute.link.end());
     mute.listen(6s);
-    ASSERT_TRUE(mute.link.end());
-    EXPECT_EQ(mute.link.end()->code, AnswerCode::deadline_exceeded);
-    sleep_time.listen(9s);
-    EXPECT_FALSE(sleep_time.link.end());
-    sleep_time.link.wait_for_write(Clock::now() + 11s);  // it does not read either
-    ASSERT_TRUE(sleep_time.link.end());
-    EXPECT_EQ(sleep_time.link.end()->code, AnswerCode::deadline_exceeded);
+    ASSERT_TRUE(mute.link.end() && !mute.link.end()->ok());
+    EXPECT_EQ(mute.link.end()->error().code, ErrorCode::deadline_exceeded);
+    quiet.listen(9s);
+    EXPECT_FALSE(quiet.link.end());
+    quiet.link.wait_for_write(Clock::now() + 11s);  // it does not read either
+    ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
+    EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
 TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
@@ -330,8 +331,8 @@ TEST_F(ClientLinkTest, a_flood_is_dropped_then_ended) {
     ASSERT_EQ(client.state.notices.size(), 1u) << "told once";
     EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_RATE_LIMIT);
     for (int i = 0; i < 1200; ++i) client.link.receive(message, now);
-    ASSERT_TRUE(client.link.end());
-    EXPECT_EQ(client.link.end()->code, AnswerCode::resource_exhausted);
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
 }
 
 TEST_F(ClientLinkTest, an_ack_for_each_snapshot_is_no_flood) {
@@ -353,11 +354,11 @@ TEST_F(ClientLinkTest, one_that_asks_without_reading_is_ended) {
     v1::ClientMessage ping;
     ping.mutable_ping();
     for (int second = 0; second < 9 && !client.link.end(); ++second) {
-        for (int i = 0; i < 80; ++i) client.say(ping, std::chrono::seconds(second));
+        for (int i = 0; i < 80; ++i) client.send(ping, std::chrono::seconds(second));
         client.link.wait_for_write(Clock::now() + std::chrono::seconds(second));
     }
-    ASSERT_TRUE(client.link.end());
-    EXPECT_EQ(client.link.end()->code, AnswerCode::resource_exhausted);
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::resource_exhausted);
 }
 
 TEST_F(ClientLinkTest, draining_and_closing_are_told) {
@@ -365,16 +366,16 @@ TEST_F(ClientLinkTest, draining_and_closing_are_told) {
     client.hello();
     context.draining = true;
     late.hello();
-    ASSERT_TRUE(late.link.end());
-    EXPECT_EQ(late.link.end()->code, AnswerCode::unavailable);
+    ASSERT_TRUE(late.link.end() && !late.link.end()->ok());
+    EXPECT_EQ(late.link.end()->error().code, ErrorCode::unavailable);
     client.listen();
     EXPECT_FALSE(client.link.end()) << "may go on until the drain is over";
     ASSERT_EQ(client.state.notices.size(), 1u);
     EXPECT_EQ(client.state.notices[0].code(), v1::NOTICE_CODE_DRAINING);
     context.closing = true;
     client.listen();
-    ASSERT_TRUE(client.link.end());
-    EXPECT_EQ(client.link.end()->code, AnswerCode::unavailable);
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::unavailable);
 }
 
 TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
@@ -383,8 +384,8 @@ TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
     client.listen();
     worlds.remove("stack");
     client.listen();
-    ASSERT_TRUE(client.link.end());
-    EXPECT_EQ(client.link.end()->code, AnswerCode::aborted);
+    ASSERT_TRUE(client.link.end() && !client.link.end()->ok());
+    EXPECT_EQ(client.link.end()->error().code, ErrorCode::aborted);
     EXPECT_EQ(client.state.notices.back().code(), v1::NOTICE_CODE_WORLD_CLOSED);
 }
 
@@ -393,8 +394,8 @@ TEST_F(ClientLinkTest, a_deleted_world_ends_its_conversations) {
 // A floor of entity 1, a gate of entity 2 above it and a ball of entity 3 that falls through it.
 constexpr const char* gate_scene = R"({
   "name": "gate", "bodies": [
-    {"name": "floor", "type": "BODY_TYPE_FIXED", "shapes": [{"plane": {}}]},
-    {"name": "gate", "type": "BODY_TYPE_FIXED", "position": {"y": 3},
+    {"name": "floor", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]},
+    {"name": "gate", "type": "BODY_TYPE_STATIC", "position": {"y": 3},
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
     {"name": "ball", "position": {"y": 6}, "maySleep": false, "shapes": [{"sphere": {"radius": 0.5}, "reportStays": true}]}]})";
 
@@ -542,8 +543,8 @@ TEST_F(ClientLinkTest, a_ticket_leads_to_its_world_once) {
     client.listen();
     EXPECT_EQ(client.state.welcome.world_name(), "second");
     thief.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
-    ASSERT_TRUE(thief.link.end());
-    EXPECT_EQ(thief.link.end()->code, AnswerCode::unauthenticated);
+    ASSERT_TRUE(thief.link.end() && !thief.link.end()->ok());
+    EXPECT_EQ(thief.link.end()->error().code, ErrorCode::unauthenticated);
 }
 
 }  // namespace

@@ -11,8 +11,12 @@
 
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/query.pb.h"
+#include "support/error_of.h"
 
 namespace jostle::server {
+
+using test::error_of;
+
 namespace {
 
 // Entities 1 to 6. Nothing moves: what is dynamic hangs without weight.
@@ -20,12 +24,12 @@ constexpr const char* scene_json = R"({
   "name": "shelf",
   "world": {"gravity": {}},
   "bodies": [
-    {"name": "floor", "type": "BODY_TYPE_FIXED",
+    {"name": "floor", "type": "BODY_TYPE_STATIC",
      "shapes": [{"plane": {}}, {"box": {"halfExtents": {"x": 1, "y": 1, "z": 1}}, "position": {"x": 20, "y": 1}}]},
     {"name": "box", "position": {"y": 2},
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 1, "z": 1}}}]},
     {"name": "ball", "position": {"y": 6}, "shapes": [{"sphere": {"radius": 0.5}}]},
-    {"name": "gate", "type": "BODY_TYPE_FIXED", "position": {"y": 8},
+    {"name": "gate", "type": "BODY_TYPE_STATIC", "position": {"y": 8},
      "shapes": [{"box": {"halfExtents": {"x": 1, "y": 0.5, "z": 1}}, "trigger": true}]},
     {"name": "left", "position": {"x": -10, "y": 5}, "shapes": [{"sphere": {"radius": 0.5}, "filter": {"category": 4}}]},
     {"name": "right", "position": {"x": -8, "y": 5}, "shapes": [{"sphere": {"radius": 0.5}}]}],
@@ -58,8 +62,8 @@ protected:
     }
     v1::CastRaysResponse cast(const v1::CastRaysRequest& request) const {
         v1::CastRaysResponse response;
-        const Answer answer = queries.cast_rays(request, response);
-        EXPECT_TRUE(answer.ok()) << answer.message;
+        const Status status = queries.cast_rays(request, response);
+        EXPECT_TRUE(status.ok()) << status.error().message;
         return response;
     }
     static std::vector<EntityId> entities(const v1::Hits& hits) {
@@ -148,8 +152,8 @@ TEST_F(QueryControlTest, a_falling_ball_is_cast_onto_the_box) {
     ASSERT_TRUE(queries.cast_shapes(request, response).ok());
     EXPECT_EQ(entities(response.shapes(0)), (Ids{box, floor}));
     request.set_mode(v1::HIT_MODE_ANY);
-    const Answer any = queries.cast_shapes(request, response);
-    EXPECT_EQ(any.code, AnswerCode::invalid_argument);
+    const Error any = error_of(queries.cast_shapes(request, response));
+    EXPECT_EQ(any.code, ErrorCode::invalid_argument);
     EXPECT_NE(any.message.find("mode is 2"), std::string::npos) << any.message;
 }
 
@@ -172,7 +176,7 @@ TEST_F(QueryControlTest, overlap_names_what_touches_a_shape_or_holds_a_point) {
     ASSERT_TRUE(queries.overlap(request, response).ok());
     EXPECT_EQ(response.entities_size(), 1) << "in two shapes of one entity, named once";
     request.clear_what();
-    EXPECT_EQ(queries.overlap(request, response).message, "give shape or point");
+    EXPECT_EQ(error_of(queries.overlap(request, response)).message, "give shape or point");
 }
 
 TEST_F(QueryControlTest, the_closest_point_has_its_distance_and_none_has_no_entity) {
@@ -195,7 +199,7 @@ TEST_F(QueryControlTest, the_closest_point_has_its_distance_and_none_has_no_enti
 TEST_F(QueryControlTest, debug_shows_the_layers_that_were_asked_for_and_no_others) {
     v1::DebugRequest request;
     v1::DebugResponse response;
-    EXPECT_EQ(queries.debug(request, response).code, AnswerCode::invalid_argument);
+    EXPECT_EQ(error_of(queries.debug(request, response)).code, ErrorCode::invalid_argument);
     request.set_bounds(true);
     request.set_joints(true);
     ASSERT_TRUE(queries.debug(request, response).ok());
@@ -229,7 +233,7 @@ TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_s
     physics::ShapeDef grain;
     grain.geometry = physics::Sphere{0.01};
     for (int row = 0; row < 1025; row++) {
-        scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::fixed}});
+        scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::static_body}});
         for (int i = 0; i < 20; i++) {
             grain.pose.position = {i * 1.0, row * 1.0, 0};
             scene.bodies.back().shapes.push_back(grain);
@@ -240,8 +244,8 @@ TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_s
     request.set_world("dust");
     request.set_bounds(true);
     v1::DebugResponse response;
-    const Answer answer = queries.debug(request, response);
-    ASSERT_TRUE(answer.ok()) << answer.message;
+    const Status status = queries.debug(request, response);
+    ASSERT_TRUE(status.ok()) << status.error().message;
     EXPECT_EQ(response.bounds_size(), 20000);
     EXPECT_TRUE(response.cut());
 }
@@ -250,19 +254,19 @@ TEST_F(QueryControlTest, too_much_at_once_is_refused_with_the_limit) {
     v1::CastRaysRequest rays;
     for (int i = 0; i < 1001; i++) add_ray(rays, {}, {0, 1, 0});
     v1::CastRaysResponse ray_hits;
-    Answer answer = queries.cast_rays(rays, ray_hits);
-    EXPECT_EQ(answer.code, AnswerCode::invalid_argument);
-    EXPECT_EQ(answer.message, "rays has 1001 entries; at most 1000 are allowed");
+    Error error = error_of(queries.cast_rays(rays, ray_hits));
+    EXPECT_EQ(error.code, ErrorCode::invalid_argument);
+    EXPECT_EQ(error.message, "rays has 1001 entries; at most 1000 are allowed");
     v1::CastShapesRequest shapes;
     for (int i = 0; i < 101; i++) shapes.add_shapes();
     v1::CastShapesResponse shape_hits;
-    answer = queries.cast_shapes(shapes, shape_hits);
-    EXPECT_EQ(answer.message, "shapes has 101 entries; at most 100 are allowed");
+    error = error_of(queries.cast_shapes(shapes, shape_hits));
+    EXPECT_EQ(error.message, "shapes has 101 entries; at most 100 are allowed");
     v1::ClosestPointsRequest points;
     for (int i = 0; i < 1001; i++) points.add_points();
     v1::ClosestPointsResponse nearest;
-    answer = queries.closest_points(points, nearest);
-    EXPECT_EQ(answer.message, "points has 1001 entries; at most 1000 are allowed");
+    error = error_of(queries.closest_points(points, nearest));
+    EXPECT_EQ(error.message, "points has 1001 entries; at most 1000 are allowed");
 }
 
 TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
@@ -270,7 +274,7 @@ TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
     scene.name = "row";
     physics::ShapeDef grain;
     grain.geometry = physics::Sphere{0.1};
-    scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::fixed}});
+    scene.bodies.push_back({.name = "row", .body = {.type = physics::BodyType::static_body}});
     for (int i = 0; i < 100; i++) {
         grain.pose.position = {i * 1.0, 0, 0};
         scene.bodies[0].shapes.push_back(grain);
@@ -281,16 +285,16 @@ TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
     request.set_mode(v1::HIT_MODE_ALL);
     for (int i = 0; i < 501; i++) add_ray(request, {-1, 0, 0}, {200, 0, 0});
     v1::CastRaysResponse response;
-    const Answer answer = queries.cast_rays(request, response);
-    EXPECT_EQ(answer.code, AnswerCode::resource_exhausted);
-    EXPECT_NE(answer.message.find("50000 hits"), std::string::npos) << answer.message;
+    const Error error = error_of(queries.cast_rays(request, response));
+    EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
+    EXPECT_NE(error.message.find("50000 hits"), std::string::npos) << error.message;
 }
 
 TEST_F(QueryControlTest, foreign_numbers_are_refused_by_name) {
     const auto refusal = [&](auto method, const auto& request, auto response) {
-        const Answer answer = (queries.*method)(request, response);
-        EXPECT_EQ(answer.code, AnswerCode::invalid_argument) << answer.message;
-        return answer.message;
+        const Error error = error_of((queries.*method)(request, response));
+        EXPECT_EQ(error.code, ErrorCode::invalid_argument) << error.message;
+        return error.message;
     };
     v1::CastRaysRequest ray = down();
     ray.mutable_rays(0)->mutable_origin()->set_z(std::nan(""));
@@ -333,14 +337,14 @@ TEST_F(QueryControlTest, a_world_that_stops_is_unavailable_and_one_that_is_not_t
     EXPECT_EQ(cast(down()).rays_size(), 1);
     worlds.find("")->stop();
     v1::CastRaysResponse response;
-    Answer answer = queries.cast_rays(down(), response);
-    EXPECT_EQ(answer.code, AnswerCode::unavailable);
-    EXPECT_EQ(answer.message, "the world was closed");
+    Error error = error_of(queries.cast_rays(down(), response));
+    EXPECT_EQ(error.code, ErrorCode::unavailable);
+    EXPECT_EQ(error.message, "the world was closed");
     v1::CastRaysRequest elsewhere = down();
     elsewhere.set_world("elsewhere");
-    answer = queries.cast_rays(elsewhere, response);
-    EXPECT_EQ(answer.code, AnswerCode::not_found);
-    EXPECT_EQ(answer.message, "there is no world \"elsewhere\"");
+    error = error_of(queries.cast_rays(elsewhere, response));
+    EXPECT_EQ(error.code, ErrorCode::not_found);
+    EXPECT_EQ(error.message, "there is no world \"elsewhere\"");
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <random>
 #include <thread>
 
-#include "replication/client_cursor.h"
-#include "session/pacing.h"
+#include "replication/baseline_tracker.h"
+#include "session/flow_control.h"
 
 namespace jostle::server {
 namespace {
@@ -49,13 +49,12 @@ struct Receiver {
             return nullptr;
         };
         bases = {head[1], head[2], head[3]};
-        wire::QuantizedFrame frame;
         const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
-        const auto error = wire::decode_frame(frame, head[0], packed,
-                                              {base(head[1]), base(head[2]), base(head[3])}, {});
-        ASSERT_FALSE(error) << *error;
-        EXPECT_EQ(wire::frame_crc(frame), head[4]);
-        ring.push_back(std::move(frame));
+        auto frame =
+            wire::decode_frame(head[0], packed, {base(head[1]), base(head[2]), base(head[3])}, {});
+        ASSERT_TRUE(frame.ok()) << frame.error().message;
+        EXPECT_EQ(wire::frame_crc(*frame), head[4]);
+        ring.push_back(std::move(*frame));
         if (ring.size() > 32) ring.pop_front();
     }
     std::deque<wire::QuantizedFrame> ring;
@@ -64,29 +63,29 @@ struct Receiver {
 
 TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
     SnapshotCache cache({}, serialize);
-    ClientCursor one, two;
+    BaselineTracker one, two;
     for (std::uint32_t tick = 1; tick <= 50; ++tick) {
         const FramePtr frame = frame_at(tick);
         const SharedBytes a = cache.encoding(frame, one.bases_for(tick));
         const SharedBytes b = cache.encoding(frame, two.bases_for(tick));
         EXPECT_EQ(a, b) << "the same bytes, not equal ones";
-        one.sent(tick);
-        two.sent(tick);
+        one.on_sent(tick);
+        two.on_sent(tick);
     }
     EXPECT_EQ(cache.encodings_made(), 50u);
 }
 
 TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
     SnapshotCache cache({}, serialize);
-    ClientCursor cursors[3];
+    BaselineTracker trackers[3];
     Receiver receivers[3];
     const std::uint32_t every[] = {1, 3, 7};
     for (std::uint32_t tick = 1; tick <= 200; ++tick) {
         const FramePtr frame = frame_at(tick);
         for (int c = 0; c < 3; ++c) {
             if (tick % every[c] != 0) continue;
-            receivers[c].take(*cache.encoding(frame, cursors[c].bases_for(tick)));
-            cursors[c].sent(tick);
+            receivers[c].take(*cache.encoding(frame, trackers[c].bases_for(tick)));
+            trackers[c].on_sent(tick);
         }
     }
     for (int c = 0; c < 3; ++c) {
@@ -98,10 +97,10 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
 
 TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     SnapshotCache cache({}, serialize);
-    ClientCursor slow;
+    BaselineTracker slow;
     Receiver receiver;
     receiver.take(*cache.encoding(frame_at(1), slow.bases_for(1)));
-    slow.sent(1);
+    slow.on_sent(1);
     for (std::uint32_t tick = 2; tick < 2 + SnapshotCache::ring; ++tick)
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
@@ -109,16 +108,16 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     EXPECT_EQ(receiver.bases, BaseNumbers{});
 }
 
-TEST(SnapshotCache, a_cursor_that_forgot_asks_for_an_absolute_frame) {
-    ClientCursor cursor;
-    EXPECT_EQ(cursor.bases_for(5), BaseNumbers{});
-    cursor.sent(5);
-    cursor.sent(6);
-    cursor.sent(7);
-    EXPECT_EQ(cursor.bases_for(8), (BaseNumbers{7, 6, 5}));
-    EXPECT_EQ(cursor.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
-    cursor.mean_rate();
-    EXPECT_EQ(cursor.bases_for(8), BaseNumbers{});
+TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
+    BaselineTracker baselines;
+    EXPECT_EQ(baselines.bases_for(5), BaseNumbers{});
+    baselines.on_sent(5);
+    baselines.on_sent(6);
+    baselines.on_sent(7);
+    EXPECT_EQ(baselines.bases_for(8), (BaseNumbers{7, 6, 5}));
+    EXPECT_EQ(baselines.bases_for(1000), BaseNumbers{}) << "too far apart to predict from";
+    baselines.reset();
+    EXPECT_EQ(baselines.bases_for(8), BaseNumbers{});
 }
 
 TEST(SnapshotCache, bodies_at_rest_are_silent) {
@@ -127,14 +126,14 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
         packed = s.packed.size();
         return serialize(s);
     });
-    ClientCursor cursor;
+    BaselineTracker baselines;
     for (std::uint32_t tick = 1; tick <= 5; ++tick) {
         auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         for (EntityId id = 1; id <= 1000; ++id)
             frame->entities.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
-        cache.encoding(frame, cursor.bases_for(tick));
-        cursor.sent(tick);
+        cache.encoding(frame, baselines.bases_for(tick));
+        baselines.on_sent(tick);
     }
     EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
 }
@@ -143,9 +142,9 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
     using namespace std::chrono_literals;
     constexpr std::uint32_t clients = 12, ticks = 600;
     struct Client {
-        ClientCursor cursor;
+        BaselineTracker baselines;
         Receiver receiver;
-        Pacing pacing{{}, 60, 1};
+        FlowControl flow{{}, 60, 1};
         std::deque<std::uint32_t> unacked;
         int received = 0;
     };
@@ -159,21 +158,21 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
             Client& client = all[c];
             // The higher its number, the more rarely a client finds time to acknowledge.
             if (random() % (c + 1) == 0) {
-                for (const std::uint32_t acked : client.unacked) client.pacing.acked(acked, now);
+                for (const std::uint32_t acked : client.unacked) client.flow.on_ack(acked, now);
                 client.unacked.clear();
             }
-            if (random() % 400 == 0) client.cursor.mean_rate();  // a CRC that did not match
-            if (c > 5 && random() % 10 == 0) continue;           // a write is pending
-            if (!client.pacing.may_send(tick, now)) continue;
-            client.receiver.take(*cache.encoding(frame, client.cursor.bases_for(tick)));
-            client.cursor.sent(tick);
-            client.pacing.sent(tick, now);
+            if (random() % 400 == 0) client.baselines.reset();  // a CRC that did not match
+            if (c > 5 && random() % 10 == 0) continue;          // a write is pending
+            if (!client.flow.may_send(tick, now)) continue;
+            client.receiver.take(*cache.encoding(frame, client.baselines.bases_for(tick)));
+            client.baselines.on_sent(tick);
+            client.flow.on_sent(tick, now);
             client.unacked.push_back(tick);
             client.received++;
         }
     }
     EXPECT_EQ(all[0].received, static_cast<int>(ticks)) << "one that keeps up misses nothing";
-    EXPECT_GT(all[clients - 1].pacing.skipped(), 0u) << "one that does not is spared";
+    EXPECT_GT(all[clients - 1].flow.skipped(), 0u) << "one that does not is spared";
     for (const Client& client : all) EXPECT_GT(client.received, 50);
 }
 
@@ -184,11 +183,11 @@ TEST(SnapshotCache, network_threads_may_ask_at_once) {
     std::vector<std::thread> threads;
     for (std::uint32_t t = 0; t < 4; ++t) {
         threads.emplace_back([&, t] {
-            ClientCursor cursor;
+            BaselineTracker baselines;
             Receiver receiver;
             for (std::uint32_t tick = 1 + t; tick <= 200; tick += t + 1) {
-                receiver.take(*cache.encoding(frames[tick - 1], cursor.bases_for(tick)));
-                cursor.sent(tick);
+                receiver.take(*cache.encoding(frames[tick - 1], baselines.bases_for(tick)));
+                baselines.on_sent(tick);
             }
         });
     }

@@ -7,11 +7,13 @@
 #include <limits>
 
 #include "jostle/physics/hull.h"
+#include "support/error_of.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
+using test::error_of;
 
 const Clock::time_point start{};
 
@@ -22,20 +24,21 @@ SpawnCommand good_spawn() {
 }
 
 TEST(Admission, good_numbers_pass) {
-    EXPECT_FALSE(refuse_numbers(good_spawn()));
-    EXPECT_FALSE(refuse_numbers(ImpulseCommand{1, {1, 2, 3}, physics::Vec3{}}));
-    EXPECT_FALSE(refuse_numbers(ExplodeCommand{{}, 20, 20}));
-    EXPECT_FALSE(refuse_numbers(ReleaseCommand{}));
+    EXPECT_TRUE(check_numbers(good_spawn()).ok());
+    EXPECT_TRUE(check_numbers(ImpulseCommand{1, {1, 2, 3}, physics::Vec3{}}).ok());
+    EXPECT_TRUE(check_numbers(ExplodeCommand{{}, 20, 20}).ok());
+    EXPECT_TRUE(check_numbers(ReleaseCommand{}).ok());
 }
 
 TEST(Admission, every_number_is_checked_and_named) {
     const double bad_numbers[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e9, 1e9};
     for (const double bad : bad_numbers) {
         const auto refuses = [&](const char* name, const Action& action) {
-            const auto refusal = refuse_numbers(action);
-            ASSERT_TRUE(refusal) << name << " " << bad;
-            EXPECT_EQ(refusal->code, InputCode::invalid);
-            EXPECT_NE(refusal->message.find(name), std::string::npos) << refusal->message;
+            const Status status = check_numbers(action);
+            ASSERT_FALSE(status.ok()) << name << " " << bad;
+            EXPECT_EQ(status.error().code, ErrorCode::invalid_argument);
+            EXPECT_NE(status.error().message.find(name), std::string::npos)
+                << status.error().message;
         };
         SpawnCommand spawn = good_spawn();
         spawn.pose.position.y = bad;
@@ -88,12 +91,11 @@ TEST(Admission, bodies_of_six_kinds_may_be_spawned_and_a_refusal_lists_them) {
           physics::Geometry{physics::Cone{2, 2}}, physics::Geometry{hull_of(1, 32)},
           physics::Geometry{hull_of(2, 12)}}) {
         spawn.shape.geometry = good;
-        EXPECT_FALSE(refuse_numbers(spawn)) << refuse_numbers(spawn)->message;
+        EXPECT_TRUE(check_numbers(spawn).ok()) << check_numbers(spawn).error().message;
     }
     const auto refusal_of = [&](const physics::Geometry& bad) {
         spawn.shape.geometry = bad;
-        const auto refusal = refuse_numbers(spawn);
-        return refusal ? refusal->message : "";
+        return error_of(check_numbers(spawn)).message;
     };
     const std::string allowed =
         "allowed are sphere, capsule, box, cylinder, cone, and hull of at most 32 points, with "
@@ -111,10 +113,10 @@ TEST(Admission, bodies_of_six_kinds_may_be_spawned_and_a_refusal_lists_them) {
 TEST(Admission, a_mass_given_outright_is_held_to_what_sizes_and_densities_allow) {
     SpawnCommand spawn = good_spawn();
     spawn.shape.mass = 50;
-    EXPECT_FALSE(refuse_numbers(spawn));
+    EXPECT_TRUE(check_numbers(spawn).ok());
     spawn.shape.mass = 1e12;
-    ASSERT_TRUE(refuse_numbers(spawn));
-    EXPECT_EQ(refuse_numbers(spawn)->message, "mass is 1e+12; it must be from 0.001 to 1e+06");
+    EXPECT_EQ(error_of(check_numbers(spawn)).message,
+              "mass is 1e+12; it must be from 0.001 to 1e+06");
 }
 
 TEST(Admission, rates_allow_a_burst_of_one_second_and_refill) {
@@ -126,9 +128,10 @@ TEST(Admission, rates_allow_a_burst_of_one_second_and_refill) {
     EXPECT_FALSE(admission.admit_message(1, start));
     EXPECT_TRUE(admission.admit_message(1, start + 101ms));
     EXPECT_FALSE(admission.admit_message(1, start + 102ms));
-    for (int i = 0; i < 5; ++i) EXPECT_FALSE(admission.refuse_input(ReleaseCommand{}, start));
-    EXPECT_EQ(admission.refuse_input(ReleaseCommand{}, start)->code, InputCode::limit);
-    EXPECT_FALSE(admission.refuse_input(ReleaseCommand{}, start + 300ms));
+    for (int i = 0; i < 5; ++i) EXPECT_TRUE(admission.admit_input(ReleaseCommand{}, start).ok());
+    EXPECT_EQ(error_of(admission.admit_input(ReleaseCommand{}, start)).code,
+              ErrorCode::resource_exhausted);
+    EXPECT_TRUE(admission.admit_input(ReleaseCommand{}, start + 300ms).ok());
 }
 
 TEST(Admission, bytes_count_as_well) {
@@ -143,7 +146,8 @@ TEST(Admission, bytes_count_as_well) {
 TEST(Admission, a_spectator_may_not_touch) {
     Admission admission({}, true, start);
     EXPECT_TRUE(admission.admit_message(10, start)) << "acks are fine";
-    EXPECT_EQ(admission.refuse_input(ReleaseCommand{}, start)->code, InputCode::not_allowed);
+    EXPECT_EQ(error_of(admission.admit_input(ReleaseCommand{}, start)).code,
+              ErrorCode::permission_denied);
 }
 
 }  // namespace

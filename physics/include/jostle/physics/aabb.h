@@ -8,7 +8,7 @@
 namespace jostle::physics {
 
 struct Aabb {
-    Vec3 low, high;
+    Vec3 low = {}, high = {};
 
     bool operator==(const Aabb&) const = default;
 };

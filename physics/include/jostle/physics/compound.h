@@ -19,8 +19,8 @@ class Bvh;
 inline constexpr std::size_t max_compound_children = 60000;
 
 struct CompoundChild {
-    Geometry geometry;  // convex
-    Transform pose;     // in the compound
+    Geometry geometry = {};  // convex
+    Transform pose = {};     // in the compound
 };
 
 struct CompoundShape {

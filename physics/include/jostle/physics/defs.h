@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "jostle/physics/geometry.h"
 #include "jostle/physics/transform.h"
@@ -12,9 +13,9 @@
 namespace jostle::physics {
 
 enum class BodyType {
-    fixed,      // never moves: floors, walls
-    kinematic,  // moves by its velocity alone and pushes others: platforms
-    dynamic,    // moves by forces, impulses and contacts
+    static_body,  // never moves: floors, walls
+    kinematic,    // moves by its velocity alone and pushes others: platforms
+    dynamic,      // moves by forces, impulses and contacts
 };
 
 // How a pair makes one coefficient of two. When the two materials ask for different rules the one
@@ -37,7 +38,7 @@ struct Material {
     double torsional_friction = 0;
     // Of the surface against its body, m/s in the body's axes: a conveyor belt. Contacts drive
     // what touches along their tangent plane.
-    Vec3 surface_velocity;
+    Vec3 surface_velocity = {};
     Combine friction_rule = Combine::geometric_mean;
     Combine restitution_rule = Combine::maximum;
 
@@ -62,35 +63,43 @@ inline bool may_meet(const Filter& a, const Filter& b) {
 
 struct ShapeDef {
     Geometry geometry = Box{};
-    Transform pose;  // of the shape in its body
-    Material material;
+    Transform pose = {};  // of the shape in its body
+    Material material = {};
     double density =
         1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
     double mass = 0;  // kg; above 0 it replaces the density
-    Filter filter;
-    bool trigger = false;       // touches nothing; reports what is inside it. Adds no mass
-    bool report_stays = false;  // its touching contacts are listed in Events::contacts after each
-                                // step, with their impulses
+    Filter filter = {};
+    bool trigger = false;  // touches nothing; reports what is inside it. Adds no mass
+    // Its touching contacts are listed in Events::contacts after each step, with their impulses.
+    bool report_stays = false;
+    std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 
 // Directions in which a body cannot move, as bits: along the world's axes, and about them.
 using AxisLocks = std::uint8_t;
-inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;                   // motion along
-inline constexpr AxisLocks lock_turn_x = 8, lock_turn_y = 16, lock_turn_z = 32;  // turns about
+inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;  // motion along
+inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16,
+                           lock_rotation_z = 32;  // turns about
 
 struct BodyDef {
     BodyType type = BodyType::dynamic;
-    Transform pose;
-    Vec3 linear_velocity;        // m/s, of the centre of mass
-    Vec3 angular_velocity;       // rad/s, world axes
+    Transform pose = {};
+    Vec3 linear_velocity = {};   // m/s, of the centre of mass
+    Vec3 angular_velocity = {};  // rad/s, world axes
     double linear_damping = 0;   // 1/s, >= 0: dv/dt = -damping v
     double angular_damping = 0;  // 1/s, >= 0
     double gravity_scale = 1;    // 0 floats, -1 rises
-    bool may_sleep = true;
+    bool sleep_allowed = true;
     AxisLocks locks = 0;
     bool continuous = true;       // swept when it moves further than its own thickness in a step
     double mass = 0;              // kg; above 0: what the shapes give is scaled to it
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
+};
+
+// A body with its shapes, for World::create_bodies.
+struct BodyAndShapes {
+    BodyDef body = {};
+    std::vector<ShapeDef> shapes = {};
 };
 
 // How pairs are found. The result is the same, the cost is not: docs/performance.md.
@@ -102,13 +111,12 @@ enum class BroadPhase : std::uint8_t {
 
 struct WorldDef {
     Vec3 gravity{0, -9.81, 0};  // m/s^2
-    // 1 to 64 solver passes per step: more is stiffer and more exact. Islands of few layers, all
-    // slow, take half as many, heaps that come to rest half as many again where bodies may sleep,
-    // towers and walls of many layers twice as many, such in which something lies on a hundredth of
-    // its mass four times.
+    // Sub-steps per step, 1 to 64: more is stiffer and more exact. Multiplied per island: flat and
+    // slow x1/2, heaps that come to rest x3/2 (where bodies may sleep), more than 40 layers on
+    // little ground x2, mass ratio over 100 on top x4.
     int substeps = 8;
-    // 1 to 64; the result has the same bits for every number. Steps of less than two milliseconds
-    // have them where a trial shows that they help (thread_trials.h).
+    // Threads per step, 1 to 64. The result has the same bits for any number. Steps of less than
+    // two milliseconds use them only where a trial shows that they help (thread_trials.h).
     int threads = 1;
     bool sleeping = true;    // bodies at rest leave the step
     bool continuous = true;  // fast bodies are swept, so that nothing tunnels

@@ -43,9 +43,9 @@ struct BallJoint {
 
 // Turns about the frames' common z axis. The angle is that of b's x axis against a's, in -pi..pi.
 struct HingeJoint {
-    JointLimit limit;  // rad, within -pi..pi
-    JointMotor motor;
-    JointSpring spring;       // pulls the angle towards spring_angle when hertz > 0
+    JointLimit limit = {};  // rad, within -pi..pi
+    JointMotor motor = {};
+    JointSpring spring = {};  // pulls the angle towards spring_angle when hertz > 0
     double spring_angle = 0;  // rad
 
     bool operator==(const HingeJoint&) const = default;
@@ -62,7 +62,7 @@ struct ConeTwistJoint {
 
 // The frames stay together in full.
 struct FixedJoint {
-    JointSpring linear, angular;  // rigid by default
+    JointSpring linear = {}, angular = {};  // rigid by default
 
     bool operator==(const FixedJoint&) const = default;
 };
@@ -71,7 +71,7 @@ struct FixedJoint {
 // towards rest_length between the two limits.
 struct DistanceJoint {
     double min_length = 1, max_length = 1;  // m
-    JointSpring spring;
+    JointSpring spring = {};
     double rest_length = 1;  // m
 
     bool operator==(const DistanceJoint&) const = default;
@@ -82,8 +82,8 @@ inline constexpr int joint_kinds = 5;
 const char* kind_name(const JointKind& kind);  // "ball", "hinge", ...
 
 struct JointDef {
-    BodyId body_a, body_b;       // at least one of them dynamic
-    Transform frame_a, frame_b;  // in the bodies' own frames
+    BodyId body_a = {}, body_b = {};       // at least one of them dynamic
+    Transform frame_a = {}, frame_b = {};  // in the bodies' own frames
     JointKind kind = BallJoint{};
     bool collide_connected = false;  // whether the two bodies' shapes collide with each other
     double break_force = 0;          // N; 0: never breaks
@@ -92,10 +92,10 @@ struct JointDef {
 };
 
 struct JointState {
-    JointId id;
+    JointId id = {};
     JointDef def;
-    Vec3 force;             // N on b, world, mean of the last step
-    Vec3 torque;            // N m on b, world
+    Vec3 force = {};        // N on b, world, mean of the last step
+    Vec3 torque = {};       // N m on b, world
     double angle = 0;       // hinge: rad; cone-twist: rad of twist
     double swing = 0;       // cone-twist: rad
     double separation = 0;  // m between the frames' origins; distance: the present length

@@ -33,17 +33,17 @@ struct StepProfile {
     std::array<double, stage_count> stage_ms{};  // 0 when the stage was skipped
     // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
     std::array<const char*, stage_count> stage_skipped{};
-    double step_ms = 0;        // of all stages
-    int bodies_awake = 0;      // dynamic and kinematic bodies that the step moved
-    int bodies_frozen = 0;     // bodies at rest in islands that are awake elsewhere
-    int bodies_in_solver = 0;  // of those, the ones with a manifold; the others fly free
-    int bodies_flat = 0;       // of those, the ones in flat and slow islands: half the sub-steps
-    int bodies_tall = 0;       // ... in tall islands: twice the sub-steps
-    int bodies_heavy = 0;      // ... and in islands with a heavy load: four times the sub-steps
-    int pairs = 0;             // shapes whose fat boxes overlap
-    int pairs_checked = 0;     // narrow phase calls
-    int manifolds = 0;         // awake manifolds in the solver
-    int touching = 0;          // of those, the ones that press
+    double step_ms = 0;              // of all stages
+    int bodies_awake = 0;            // dynamic and kinematic bodies that the step moved
+    int bodies_asleep_in_place = 0;  // bodies at rest in islands that are awake elsewhere
+    int bodies_in_solver = 0;        // of those, the ones with a manifold; the others fly free
+    int bodies_flat = 0;    // of those, the ones in flat and slow islands: half the sub-steps
+    int bodies_tall = 0;    // ... in tall islands: twice the sub-steps
+    int bodies_heavy = 0;   // ... and in islands with a heavy load: four times the sub-steps
+    int pairs = 0;          // shapes whose fat boxes overlap
+    int pairs_checked = 0;  // narrow phase calls
+    int manifolds = 0;      // awake, in the constraint graph
+    int touching = 0;       // of those, the ones that press
     int islands_awake = 0;
     int joints = 0;        // of awake bodies
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread

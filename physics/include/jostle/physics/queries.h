@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to a world between steps, or to a frozen copy of it. Answers do not depend on the broad
+// Questions to a world between steps, or to a copy of one. Answers do not depend on the broad
 // phase's internals: ties go to the lower id.
 #pragma once
 
@@ -22,55 +22,55 @@ namespace jostle::physics {
 struct QueryFilter {
     std::uint32_t categories = 0xffffffff;  // shapes whose Filter::category has a bit in here
     bool triggers = false;                  // whether triggers are seen
-    BodyId ignore;                          // a body that is not seen
+    BodyId ignore = {};                     // a body that is not seen
 };
 
 struct Ray {
-    Vec3 origin;  // m
-    Vec3 motion;  // m: the ray ends at origin + motion
+    Vec3 origin = {};  // m
+    Vec3 motion = {};  // m: the ray ends at origin + motion
 };
 
 struct RayHit {
-    ShapeId shape;
-    BodyId body;
+    ShapeId shape = {};
+    BodyId body = {};
     double fraction = 0;  // 0..1 of the motion; 0 when the origin is inside the shape
-    Vec3 point;           // m, world
-    Vec3 normal;  // unit, out of the shape; opposite to the motion when the origin is inside
+    Vec3 point = {};      // m, world
+    Vec3 normal = {};  // unit, out of the shape; opposite to the motion when the origin is inside
 };
 
 // A convex shape that moves without turning.
 struct ShapeCast {
-    Geometry geometry;  // convex
-    Transform pose;     // where it starts
-    Vec3 motion;        // m
+    Geometry geometry = {};  // convex
+    Transform pose = {};     // where it starts
+    Vec3 motion = {};        // m
 };
 
 struct ShapeCastHit {
-    ShapeId shape;
-    BodyId body;
+    ShapeId shape = {};
+    BodyId body = {};
     double fraction = 0;  // 0..1 of the motion when they touch; 0 when they overlap at the start
-    Vec3 point;           // m, world: where they touch
-    Vec3 normal;          // unit, out of the shape that was hit
+    Vec3 point = {};      // m, world: where they touch
+    Vec3 normal = {};     // unit, out of the shape that was hit
 };
 
 struct ClosestPoint {
-    ShapeId shape;
-    BodyId body;
+    ShapeId shape = {};
+    BodyId body = {};
     double distance = 0;  // m; negative inside a solid shape: the way out
-    Vec3 point;           // m, world, on the shape's surface
-    Vec3 normal;          // unit, out of the shape
+    Vec3 point = {};      // m, world, on the shape's surface
+    Vec3 normal = {};     // unit, out of the shape
 };
 
 // How two shapes stand to each other.
 struct ShapeDistance {
-    double distance = 0;    // m; negative: the depth of the overlap (least way to part them)
-    Vec3 normal;            // unit, from a to b
-    Vec3 point_a, point_b;  // m, world, on the surfaces; the closest or the deepest pair
+    double distance = 0;  // m; negative: the depth of the overlap (least way to part them)
+    Vec3 normal = {};     // unit, from a to b
+    Vec3 point_a = {}, point_b = {};  // m, world, on the surfaces; the closest or the deepest pair
 };
 
 // The points where two shapes touch: what the solver works on.
 struct ContactManifold {
-    Vec3 normal;  // unit, from a to b
+    Vec3 normal = {};  // unit, from a to b
     struct Point {
         Vec3 position;   // m, world, halfway between the surfaces
         double gap = 0;  // m along the normal; negative: overlap

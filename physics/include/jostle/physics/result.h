@@ -1,64 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Result<T>: a value, or an Error that says what was wrong, where, and what to do. Status: success,
-// or an Error. No exceptions cross the library's border; a call that returns an Error has changed
-// nothing.
+// The solver's calls report errors as all of Jostle does.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <variant>
+#include "jostle/base/result.h"
 
 namespace jostle::physics {
 
-enum class ErrorCode {
-    invalid_argument,     // a number is not finite, out of range or contradicts another
-    not_found,            // the id names nothing (any more)
-    failed_precondition,  // right call, wrong moment or wrong kind of body
-    corrupt_data,         // saved bytes that are not a world
-};
-
-struct Error {
-    ErrorCode code = ErrorCode::invalid_argument;
-    std::string message;
-};
-
-template <class T>
-class [[nodiscard]] Result {
-public:
-    Result(T value) : content_(std::move(value)) {}
-    Result(Error error) : content_(std::move(error)) {}
-
-    bool ok() const { return content_.index() == 0; }
-    explicit operator bool() const { return ok(); }
-
-    // Only when ok().
-    T& value() { return std::get<0>(content_); }
-    const T& value() const { return std::get<0>(content_); }
-    T& operator*() { return value(); }
-    const T& operator*() const { return value(); }
-    T* operator->() { return &value(); }
-    const T* operator->() const { return &value(); }
-
-    // Only when not ok().
-    const Error& error() const { return std::get<1>(content_); }
-
-private:
-    std::variant<T, Error> content_;
-};
-
-class [[nodiscard]] Status {
-public:
-    Status() = default;
-    Status(Error error) : error_(std::move(error)) {}
-
-    bool ok() const { return !error_; }
-    explicit operator bool() const { return ok(); }
-    const Error& error() const { return *error_; }  // only when not ok()
-
-private:
-    std::optional<Error> error_;
-};
+using jostle::Error;
+using jostle::ErrorCode;
+using jostle::Result;
+using jostle::Status;
 
 }  // namespace jostle::physics

@@ -9,8 +9,8 @@
 namespace jostle::physics {
 
 struct Transform {
-    Vec3 position;  // m
-    Quat rotation;
+    Vec3 position = {};  // m
+    Quat rotation = {};
 
     bool operator==(const Transform&) const = default;
 };

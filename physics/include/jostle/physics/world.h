@@ -39,10 +39,11 @@ struct BodyState {
     Vec3 center;            // of mass, m, world
     Vec3 linear_velocity;   // m/s, of the centre of mass
     Vec3 angular_velocity;  // rad/s, world axes
-    double mass = 0;        // kg; 0 for fixed and kinematic bodies
+    double mass = 0;        // kg; 0 for static and kinematic bodies
     Mat3 inertia;  // kg m^2 about the centre of mass, world axes; zero for fixed and kinematic
                    // bodies
-    bool awake = false;  // false for fixed bodies and for what rests
+    bool awake = false;  // false for static bodies and for what sleeps
+    bool sleep_allowed = true;
     AxisLocks locks = 0;
     std::uint64_t user_data = 0;
 };
@@ -58,6 +59,7 @@ struct ShapeState {
     Filter filter;
     bool trigger = false;
     bool report_stays = false;
+    std::uint64_t user_data = 0;
 };
 
 // A contact of the present moment, for debug views and tests.
@@ -88,6 +90,10 @@ struct WorldSummary {
 
 class World {
 public:
+    World();  // of WorldDef{}
+    // For a def of your own making: one that is out of range ends the program with the reason. Who
+    // does not know it calls create().
+    explicit World(const WorldDef& def);
     static Result<World> create(const WorldDef& def = {});
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
@@ -97,8 +103,16 @@ public:
     Result<BodyId> create_body(const BodyDef& def);
     // A body with one shape: the common case.
     Result<BodyId> create_body(const BodyDef& def, const ShapeDef& shape);
+    Result<BodyId> create_body(const BodyDef& def, std::span<const ShapeDef> shapes);
+    // All or none, in their order. The error names the body: "bodies[3]: ...".
+    Result<std::vector<BodyId>> create_bodies(std::span<const BodyAndShapes> bodies);
     Result<ShapeId> create_shape(BodyId body, const ShapeDef& def);
+    // Replaces all shapes of a body. Its origin and the velocity of its points stay.
+    Result<std::vector<ShapeId>> set_shapes(BodyId body, std::span<const ShapeDef> shapes);
+    // With its shapes, contacts and joints. What rested on it wakes.
     Status destroy_body(BodyId body);
+    // All or none. An id that is unknown, or named twice, is an error.
+    Status destroy_bodies(std::span<const BodyId> bodies);
     Status destroy_shape(ShapeId shape);
 
     bool contains(BodyId body) const;
@@ -111,12 +125,29 @@ public:
     void copy_bodies(std::vector<BodyState>& out) const;
     std::vector<BodyId> bodies() const;
 
-    // Mass and inertia are those of the shapes (BodyDef::mass included); these change the rest.
+    // --- changing what a body or a shape is; each wakes the body ---
+    // Contacts begin anew. Shapes and joints must suit the type: a dynamic body has a solid shape,
+    // a joint at least one dynamic body. A body that becomes static stops.
+    Status set_type(BodyId body, BodyType type);
+    // kg; 0: back to what its shapes give. Inertia scales with it.
+    Status set_mass(BodyId body, double mass);
     Status set_material(ShapeId shape, const Material& material);
     Status set_filter(ShapeId shape, const Filter& filter);
     Status set_damping(BodyId body, double linear, double angular);
     Status set_gravity_scale(BodyId body, double scale);
     Status set_locks(BodyId body, AxisLocks locks);  // what is locked stops
+    // Kept, saved and returned, never read. These wake nobody.
+    Status set_user_data(BodyId body, std::uint64_t data);
+    Status set_user_data(ShapeId shape, std::uint64_t data);
+    Status set_user_data(JointId joint, std::uint64_t data);
+
+    // --- sleep ---
+    Status wake(BodyId body);
+    // true: as wake(). false: the body sleeps at once, with its island (all that touches or is
+    // jointed to it), until something disturbs one of them. Dynamic bodies only.
+    Status set_awake(BodyId body, bool awake);
+    // Whether the body may fall asleep by itself (BodyDef::sleep_allowed).
+    Status set_sleep_allowed(BodyId body, bool allowed);
 
     // --- joints ---
     Result<JointId> create_joint(const JointDef& def);
@@ -130,7 +161,9 @@ public:
 
     // --- pushing bodies about; each wakes the body ---
     Status set_pose(BodyId body, const Transform& pose);
-    Status set_velocity(BodyId body, Vec3 linear, Vec3 angular);
+    Status set_velocity(BodyId body, Vec3 linear, Vec3 angular);  // m/s, rad/s
+    Status set_linear_velocity(BodyId body, Vec3 velocity);       // m/s, of the centre of mass
+    Status set_angular_velocity(BodyId body, Vec3 velocity);      // rad/s, world axes
     // Gives a kinematic body the velocity that takes it to the pose within dt (a step): unlike
     // set_pose it pushes what is in the way.
     Status move_to(BodyId body, const Transform& pose, double dt);
@@ -139,13 +172,13 @@ public:
     Status apply_force(BodyId body, Vec3 force,
                        Vec3 point);                 // N at a world point, during the next step
     Status apply_torque(BodyId body, Vec3 torque);  // N m, during the next step
-    Status wake(BodyId body);
 
     // --- time ---
     // Advances by dt seconds, 1e-5 to 0.25.
     Status step(double dt);
     std::uint64_t step_count() const;
     Vec3 gravity() const;
+    Status set_gravity(Vec3 gravity);  // m/s^2; wakes every body when it changes
     int substeps() const;
     Status set_threads(
         int threads);  // not part of the state: changes nothing but the time a step takes
@@ -154,6 +187,10 @@ public:
     Events events() const;
     const StepProfile& profile() const;
     WorldSummary summary() const;
+    // The manifolds of one body, touching or near, awake or asleep, by shapes.
+    Result<std::vector<ContactInfo>> contacts_of(BodyId body) const;
+    // Who touches it, each once, by id.
+    Result<std::vector<BodyId>> touching_bodies(BodyId body) const;
 
     // --- queries ---
     // About the present moment: good until the world changes.

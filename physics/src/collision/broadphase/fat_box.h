@@ -4,9 +4,9 @@
 // motion needs no new one, and stretched ahead.
 #pragma once
 
+#include "foundation/tuning.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/scalar.h"
-#include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
 

@@ -4,6 +4,7 @@
 #include "collision/narrowphase/manifold_reduction.h"
 #include "collision/narrowphase/polyhedron.h"
 #include "collision/narrowphase/segments.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {
@@ -280,7 +281,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
         } else if (!side_by_side && fa.count == 2 && fb.count == 2) {
             side_by_side = add_side_by_side(sink, fa, fb, n);
         }
-        if (side_by_side) lost = maximum(lost, crossing_gap * (a.radius + b.radius));
+        if (side_by_side) lost = maximum(lost, tuning::crossing_gap * (a.radius + b.radius));
     }
     // What cutting lost: the point that the normal came from.
     double lowest = 1e300;

@@ -2,6 +2,7 @@
 #include "collision/narrowphase/collide_round.h"
 
 #include "collision/narrowphase/segments.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {
@@ -20,8 +21,6 @@ Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double 
 }
 
 // ---- box against segment, in the box's frame ----
-
-constexpr double same_gap = 1e-4;  // of the radius: points that much deeper are points of their own
 
 struct BoxSegment {
     double t;          // where on the segment, -half..half
@@ -149,7 +148,7 @@ Manifold collide_capsules(const Placed& a, const Placed& b, double margin) {
     };
     add_at(low);
     add_at(high);
-    if (line.count > 0 && m.distance >= nearer - same_gap * thin) return line;
+    if (line.count > 0 && m.distance >= nearer - tuning::same_gap * thin) return line;
     const double aside = half_of_crossing(ca.radius + cb.radius, thin, c);
     for (const double s : {at.s - aside, at.s + aside})
         if (low < s && s < high) add_at(s);
@@ -219,7 +218,7 @@ std::optional<Manifold> collide_box_capsule(const Placed& a, const Placed& b, do
         };
         add_at(along.low);
         add_at(along.high);
-        if (m.count > 0 && gap >= nearer - same_gap * r) return m;
+        if (m.count > 0 && gap >= nearer - tuning::same_gap * r) return m;
         const double aside = half_of_crossing(r, r, d[k]);
         for (const double at : {near.t - aside, near.t + aside})
             if (along.low < at && at < along.high) add_at(at);

@@ -5,14 +5,12 @@
 
 #include "collision/narrowphase/collide_convex.h"
 #include "collision/narrowphase/gjk.h"
+#include "foundation/tuning.h"
 #include "geometry/bounds.h"
 #include "geometry/surface.h"
 
 namespace jostle::physics {
 namespace {
-
-constexpr double same_piece = 0.9962;  // cosine of 5 degrees: normals of one manifold
-constexpr double flat = 1e-3;          // of the shape's size: how even the ground of one is
 
 // Points of one triangle.
 struct Patch {
@@ -25,7 +23,7 @@ struct Patch {
 
 // A triangle that comes nearer than what may push there: a seam forbids its own contact, and its
 // face does not reach as far. Normally its neighbour pushes instead.
-struct SeparationBound {
+struct HeldTriangle {
     Vec3 corner[3];  // from the shape's position
     Witness witness;
     Vec3 nearest;  // on the triangle; the witness of flat features need not lie on both
@@ -38,14 +36,14 @@ struct SeparationBound {
 // its normal on the shape's side.
 bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n) {
     const double up = dot(n, face), out = dot(n, outward);
-    constexpr double slack = 0.01;   // rad
-    if (out < -slack) return false;  // leans inward: the face itself pushes
-    if (edge.border) return up > -slack;
-    if (edge.fold * side > -1e-4 * edge.reach) return out < slack;  // flat or hollow
+    if (out < -tuning::edge_slack) return false;  // leans inward: the face itself pushes
+    if (edge.border) return up > -tuning::edge_slack;
+    if (edge.fold * side > -1e-4 * edge.reach) return out < tuning::edge_slack;  // flat or hollow
     // A ridge: anything between the two faces' normals.
     const Vec3 other = edge.normal * side;
     const double other_up = dot(other, face), other_out = dot(other, outward);
-    return out * other_up - up * other_out < slack;  // sine of the angle beyond the other normal
+    return out * other_up - up * other_out <
+           tuning::edge_slack;  // sine of the angle beyond the other normal
 }
 
 // Whether the normal that a pair found may act, given where on the triangle it acts.
@@ -123,9 +121,10 @@ private:
     // Only what goes on as a plane makes one manifold: on a curved ground four points of many
     // cannot stand for the others, and which four are best changes with every step.
     bool continues(Vec3 normal, Vec3 ground, const Patch& next) const {
-        if (dot(normal, next.normal) < same_piece) return false;
+        if (dot(normal, next.normal) < tuning::same_piece) return false;
         for (int k = 0; k < next.points.count; k++)
-            if (absolute(dot(on_ground(next, k) - ground, normal)) > flat * size_) return false;
+            if (absolute(dot(on_ground(next, k) - ground, normal)) > tuning::even_ground * size_)
+                return false;
         return true;
     }
 
@@ -181,11 +180,11 @@ private:
             for (int k = 0; k < patch.points.count; k++)
                 nearest = minimum(nearest, patch.points.gap[k]);
             if (nearest > gap_of(w) + slack())
-                waiting_.push_back({{corner[0], corner[1], corner[2]},
-                                    w,
-                                    nearest_on(triangle, w.on_a),
-                                    t.index,
-                                    dot(w.normal, face) <= 0});
+                held_.push_back({{corner[0], corner[1], corner[2]},
+                                 w,
+                                 nearest_on(triangle, w.on_a),
+                                 t.index,
+                                 dot(w.normal, face) <= 0});
         }
         if (patch.points.count > 0) take(patch, corner);
     }
@@ -197,7 +196,7 @@ private:
     bool is_behind(const SurfaceTriangle& t, const Vec3 corner[3], const Witness& w) {
         const Vec3 front = normal_of(t);
         const double up = dot(front, w.normal);
-        if (gap_of(w) > -flat * size_ && absolute(up) > 0.5) return up < 0;
+        if (gap_of(w) > -tuning::even_ground * size_ && absolute(up) > 0.5) return up < 0;
         const Vec3 middle = middle_of(shape_);
         const Vec3 nearest = nearest_on(triangle_convex(corner, {}, {}), middle);
         const bool below = dot(middle - corner[0], front) < 0;
@@ -244,7 +243,7 @@ private:
         return g.distance > 0 ? g.on_a : p;
     }
     double gap_of(const Witness& w) const { return w.distance - shape_.radius; }
-    double slack() const { return 1e-3 * size_; }
+    double slack() const { return tuning::even_ground * size_; }
 
     // A shape that is below the face without reaching up to it, as a plank under the edge of a
     // table, is not in it.
@@ -273,7 +272,7 @@ private:
 
     // A neighbour pushes in its stead where it is nearest to the shape, and as far out.
     void cover(const Vec3 corner[3], double gap) {
-        for (SeparationBound& w : waiting_)
+        for (HeldTriangle& w : held_)
             if (!w.covered && gap <= gap_of(w.witness) + slack() && holds(corner, w.nearest)) {
                 w.covered = true;
                 cover(w.corner, gap);
@@ -298,11 +297,11 @@ private:
     // Where no neighbour pushes, as at the sharp folds of a crumpled surface, a seam is an edge
     // like any other. The nearest first; those that it covers need nothing more.
     void take_the_uncovered() {
-        for (std::size_t k = 0; k < patches_.size() && !waiting_.empty(); k++)
+        for (std::size_t k = 0; k < patches_.size() && !held_.empty(); k++)
             cover(patches_[k].corner, patches_[k].deepest);
         for (;;) {
-            SeparationBound* next = nullptr;
-            for (SeparationBound& w : waiting_)
+            HeldTriangle* next = nullptr;
+            for (HeldTriangle& w : held_)
                 if (!w.covered && !(w.through && any_overlaps()) &&
                     (next == nullptr || w.witness.distance < next->witness.distance))
                     next = &w;
@@ -325,7 +324,7 @@ private:
     double size_ = 0;
     Vec3 way_out_;  // zero: not known yet
     std::vector<Patch> patches_;
-    std::vector<SeparationBound> waiting_;
+    std::vector<HeldTriangle> held_;
 };
 
 }  // namespace

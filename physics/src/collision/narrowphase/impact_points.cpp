@@ -4,7 +4,7 @@
 #include "collision/narrowphase/collide.h"
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/collide_convex.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 

@@ -7,14 +7,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
-#include "jostle/physics/tuning.h"
 
 namespace jostle::physics {
 
 namespace {
-
-constexpr double bears_much = 0.001;  // m
 
 // As below, of any number.
 int best_four(FacePoint* points, int count) {
@@ -72,7 +70,8 @@ int reduce_to_four(FacePoint* points, int count) {
     };
     // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
     // which the body rocks: the wider, the better. The rest comes last.
-    const int deep = nearer(0, -bears_much), close = nearer(deep, tuning::reuse_distance);
+    const int deep = nearer(0, -tuning::bearing_overlap),
+              close = nearer(deep, tuning::reuse_distance);
     if (deep >= 4) return best_four(points, deep);
     if (deep == 0 && close >= 4) return best_four(points, close);
     if (close == 0) return best_four(points, count);

@@ -3,6 +3,7 @@
 // The closest points of two segments: the cores of capsules.
 #pragma once
 
+#include "foundation/tuning.h"
 #include "jostle/physics/vec3.h"
 
 namespace jostle::physics {
@@ -35,10 +36,11 @@ inline SegmentPair closest_on_segments(Vec3 a, Vec3 u, double ha, Vec3 b, Vec3 v
 // Round edges that cross at a small angle touch in a long ellipse (Hertz). As one point, which
 // every turn moves along them by `distance / sine^2` for each radian, they would rock ever more
 // under a load: a step holds it where it was. So they touch in two, this far on both sides of the
-// nearest, where their axes, `distance` apart, are by so much of `radius` further from each other.
-inline constexpr double crossing_gap = 2e-4;
+// nearest, where their axes, `distance` apart, are by tuning::crossing_gap of `radius` further from
+// each other.
 inline double half_of_crossing(double distance, double radius, double cosine) {
-    return square_root(2 * crossing_gap * radius * distance / maximum(1 - cosine * cosine, 1e-12));
+    return square_root(2 * tuning::crossing_gap * radius * distance /
+                       maximum(1 - cosine * cosine, 1e-12));
 }
 
 }  // namespace jostle::physics

@@ -4,6 +4,7 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/gjk.h"
 #include "collision/narrowphase/segments.h"
+#include "foundation/tuning.h"
 #include "geometry/bounds.h"
 #include "geometry/bvh.h"
 #include "geometry/surface.h"
@@ -20,20 +21,18 @@ struct Gap {
     Vec3 turn;        // a step: how the normal goes along with what it belongs to, as a guess
 };
 
-// Gaps need not be exact to advance safely: a direction that separates by nearly as much will do.
-constexpr double loose = 0.1;
-
 // Fastest closing of any two points along any direction, m per step: what is further apart than
 // they can come in the time that is left needs no better direction.
 double closing_at_most(const SweptShape& a, const SweptShape& b) {
-    return length(a.sweep.motion - b.sweep.motion) + length(a.sweep.turn) * a.radius +
-           length(b.sweep.turn) * b.radius;
+    return length(a.sweep.translation - b.sweep.translation) +
+           length(a.sweep.rotation_vector) * a.radius + length(b.sweep.rotation_vector) * b.radius;
 }
 
 // Fastest closing of any two points along a direction, m per step.
 double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b, Vec3 normal) {
-    return dot(a.motion - b.motion, normal) + length(cross(normal, a.turn)) * radius_a +
-           length(cross(normal, b.turn)) * radius_b;
+    return dot(a.translation - b.translation, normal) +
+           length(cross(normal, a.rotation_vector)) * radius_a +
+           length(cross(normal, b.rotation_vector)) * radius_b;
 }
 
 // What part of the way is checked at.
@@ -45,7 +44,7 @@ struct Search {
 // Whether the balls around the two bodies' centres never touch on the way.
 bool balls_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     const Vec3 apart = center_at(b.sweep, way.from) - center_at(a.sweep, way.from);
-    const Vec3 motion = b.sweep.motion - a.sweep.motion;
+    const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const double speed2 = length_squared(motion);
     const double nearest =
         speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, way.until - way.from) : 0;
@@ -70,10 +69,11 @@ template <class ExtentA, class ExtentB>
 double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, double t,
                  const Search& way, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
     const Vec3 n = now.normal, apart = center_at(b.sweep, t) - center_at(a.sweep, t);
-    const Vec3 motion = b.sweep.motion - a.sweep.motion;
-    const Vec3 across_a = cross(n, a.sweep.turn), across_b = cross(n, b.sweep.turn);
+    const Vec3 motion = b.sweep.translation - a.sweep.translation;
+    const Vec3 across_a = cross(n, a.sweep.rotation_vector),
+               across_b = cross(n, b.sweep.rotation_vector);
     const double high = way.until - t;
-    const double spin_a = length(a.sweep.turn), spin_b = length(b.sweep.turn);
+    const double spin_a = length(a.sweep.rotation_vector), spin_b = length(b.sweep.rotation_vector);
     const auto bend = [&](double turn) {
         const double size = 1 + turn * high;
         return spin_a * (0.5 * spin_a * size + turn) * a.radius +
@@ -173,12 +173,12 @@ Gap gap_of(const GjkResult& g, const SweptShape& a, const SweptShape& b, double 
     const Vec3 n = g.normal;
     Vec3 turn;
     if (fa.points > 2)
-        turn = cross(a.sweep.turn, n);
+        turn = cross(a.sweep.rotation_vector, n);
     else if (fb.points > 2)
-        turn = cross(b.sweep.turn, n);
+        turn = cross(b.sweep.rotation_vector, n);
     else
-        turn = turn_with_edges(n, fa.edge - n * dot(fa.edge, n), a.sweep.turn,
-                               fb.edge - n * dot(fb.edge, n), b.sweep.turn);
+        turn = turn_with_edges(n, fa.edge - n * dot(fa.edge, n), a.sweep.rotation_vector,
+                               fb.edge - n * dot(fb.edge, n), b.sweep.rotation_vector);
     return {g.distance - radius_a - radius_b, n,
             origin + (g.on_a + n * radius_a + g.on_b - n * radius_b) * 0.5, turn};
 }
@@ -223,8 +223,9 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const Search& way
         ca = convex_at(a, pa, origin);
         cb = convex_at(b, pb, origin);
         const double radii = ca.radius + cb.radius;
-        const GjkGoal early{
-            .beyond = radii + way.gap + most * (way.until - t), .loose = loose, .radii = radii};
+        const GjkGoal early{.beyond = radii + way.gap + most * (way.until - t),
+                            .loose = tuning::loose_gap,
+                            .radii = radii};
         const GjkResult g = gjk(ca, cb, hint, exact ? GjkGoal{} : early);
         hint = g.normal;
         return gap_of(g, a, b, ca.radius, cb.radius, origin);
@@ -284,7 +285,7 @@ Impact rod_impact(const SweptShape& a, const SweptShape& b, const Search& way) {
     const auto gap_at = [&](double t, bool) {
         ra = rod_at(a, t);
         rb = rod_at(b, t);
-        return gap_of(ra, rb, a.sweep.turn, b.sweep.turn);
+        return gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     };
     return advance(a, b, way, gap_at, [&](const Gap& now, double t, double least) {
         return safe_step(a, b, now, t, way, least, extent_of(ra, center_at(a.sweep, t)),
@@ -314,14 +315,14 @@ Rod rod_around(const SweptShape& shape, double t) {
             half[i], square_root(u * u + v * v)};
 }
 
-// Whether the rods around two shapes show that they do not meet: of long thin ones that tumble
+// Whether the rods around two shapes show that they do not meet: of long thin ones that turn fast
 // past each other, whose balls say nothing, most. Cheaper than the direction of their own gap.
 bool rods_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
     const Rod ra = rod_around(a, way.from), rb = rod_around(b, way.from);
     if (maximum(ra.half - 2 * ra.radius, rb.half - 2 * rb.radius) < 0) return false;
     // Beyond doubt: further than what counts as a touch, however roughly that is measured.
     const Search wider{way.from, way.until, 3 * way.gap};
-    const Gap now = gap_of(ra, rb, a.sweep.turn, b.sweep.turn);
+    const Gap now = gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     if (now.distance <= wider.gap) return false;
     const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
     const double left = way.until - way.from;
@@ -338,8 +339,8 @@ Aabb way_in(const SweptShape& frame, const SweptShape& shape, const Search& way)
     const Aabb box = swept_bounds(shape, way.from, way.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
-    const double own = (length(frame.sweep.motion) +
-                        length(frame.sweep.turn) *
+    const double own = (length(frame.sweep.translation) +
+                        length(frame.sweep.rotation_vector) *
                             (length(half) + length(middle - center_at(frame.sweep, way.from)))) *
                        (way.until - way.from);
     const Placed p = placed_at(frame, way.from);
@@ -375,7 +376,7 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
                 const GjkGoal early{.beyond = c.radius + way.gap + most * (way.until - at),
-                                    .loose = loose,
+                                    .loose = tuning::loose_gap,
                                     .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
                 hint = g.normal;
@@ -402,11 +403,12 @@ SweptShape child_of(const SweptShape& compound, const CompoundChild& child) {
 }  // namespace
 
 Vec3 center_at(const Sweep& s, double fraction) {
-    return s.center + s.motion * (fraction - s.from);
+    return s.center + s.translation * (fraction - s.from);
 }
 Quat rotation_at(const Sweep& s, double fraction) {
-    if (s.turn == Vec3{} || fraction == s.from) return s.rotation;
-    return from_rotation_vector(s.turn * (fraction - s.from)) * s.rotation;  // unit to rounding
+    if (s.rotation_vector == Vec3{} || fraction == s.from) return s.rotation;
+    return from_rotation_vector(s.rotation_vector * (fraction - s.from)) *
+           s.rotation;  // unit to rounding
 }
 
 Placed placed_at(const SweptShape& shape, double fraction) {
@@ -418,9 +420,9 @@ Placed placed_at(const SweptShape& shape, double fraction) {
 Aabb swept_bounds(const SweptShape& shape, double from, double until) {
     const Aabb start = bounds_of(placed_at(shape, from)), end = bounds_of(placed_at(shape, until));
     const Aabb both = unite(start, end);
-    if (shape.sweep.turn == Vec3{}) return both;
+    if (shape.sweep.rotation_vector == Vec3{}) return both;
     // On its way round a point stays within the chord of its arc: r (1 - cos(angle / 2)).
-    const double angle = length(shape.sweep.turn) * (until - from);
+    const double angle = length(shape.sweep.rotation_vector) * (until - from);
     const double bulge =
         angle < pi ? shape.radius * (1 - sin_cos(0.5 * angle).cos) : 2 * shape.radius;
     return grow(both, bulge);

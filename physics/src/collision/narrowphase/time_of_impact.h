@@ -15,8 +15,8 @@ struct Sweep {
     double from = 0;  // the fraction at which `center` and `rotation` hold
     Vec3 center;      // m
     Quat rotation;
-    Vec3 motion, turn;  // m, rad over a whole step
-    double until = 1;   // the fraction to which it goes
+    Vec3 translation, rotation_vector;  // m, rad over a whole step
+    double until = 1;                   // the fraction to which it goes
 };
 Vec3 center_at(const Sweep& sweep, double fraction);
 Quat rotation_at(const Sweep& sweep, double fraction);

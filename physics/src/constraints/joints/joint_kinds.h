@@ -11,7 +11,7 @@ namespace jostle::physics::JOSTLE_ISA {
 
 struct JointLoad {
     Wide3 impulse;  // N s
-    Wide3 angular;     // N m s
+    Wide3 angular;  // N m s
 };
 
 struct Ball {
@@ -35,16 +35,16 @@ struct Hinge {
     }
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide& t) {
-        const Wide3 axis = z_axis(pair.a.turn * load4(t.frame_a));
+        const Wide3 axis = z_axis(pair.a.rotation * load4(t.frame_a));
         pair.push(pair.to_world(block.point));
-        pair.turn(pair.to_world(t.angular) + axis * along_axis(t));
+        pair.apply_angular(pair.to_world(t.angular) + axis * along_axis(t));
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
                                          JointConstraintWide& block, JointAngularWide& t,
                                          unsigned uses) {
-        const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
-        const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
+        const WideQuat frame_a = pair.a.rotation * load4(t.frame_a);
+        const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Wide3 axis = z_axis(frame_a);
         if (uses != 0) {
             const WideRow<true> row(pair, axis);
@@ -61,12 +61,12 @@ struct Hinge {
                 limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - angle, t.upper);
             }
         }
-        Wide3 turn = pair.to_world(t.angular), point = pair.to_world(block.point);
-        hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), turn);
+        Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
+        hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), angular);
         hold_points(pair, rigid<kRelax>(step), point);
-        pair.keep(t.angular, turn);
+        pair.keep(t.angular, angular);
         pair.keep(block.point, point);
-        return {point, turn + axis * along_axis(t)};
+        return {point, angular + axis * along_axis(t)};
     }
 };
 
@@ -84,33 +84,33 @@ struct ConeTwist {
             // At a swing of a half turn there is no twist to speak of.
             twist = (a + b) * (splat(1) / max(splat(1) + cosine, splat(0.05f)));
         }
-        JOSTLE_INLINE Wide3 turn(const JointAngularWide& t, Wide3 drive) const {
-            return twist * (load(t.lower) - load(t.upper)) - swing * load(t.swing) + drive;
+        JOSTLE_INLINE Wide3 total(const JointAngularWide& t, Wide3 friction) const {
+            return twist * (load(t.lower) - load(t.upper)) - swing * load(t.swing) + friction;
         }
     };
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide& t) {
-        const Axes axes(pair.a.turn * load4(t.frame_a), pair.b.turn * load4(t.frame_b));
+        const Axes axes(pair.a.rotation * load4(t.frame_a), pair.b.rotation * load4(t.frame_b));
         pair.push(pair.to_world(block.point));
-        pair.turn(axes.turn(t, pair.to_world(t.friction)));
+        pair.apply_angular(axes.total(t, pair.to_world(t.friction)));
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
                                          JointConstraintWide& block, JointAngularWide& t,
                                          unsigned uses) {
-        const WideQuat frame_a = pair.a.turn * load4(t.frame_a);
-        const WideQuat frame_b = pair.b.turn * load4(t.frame_b);
+        const WideQuat frame_a = pair.a.rotation * load4(t.frame_a);
+        const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Axes axes(frame_a, frame_b);
-        Wide3 drive = pair.to_world(t.friction), point = pair.to_world(block.point);
+        Wide3 friction = pair.to_world(t.friction), point = pair.to_world(block.point);
         if ((uses & uses_motor) != 0) {
             // Friction against all turning.
-            const Wide3 stop = drive - solve3(pair.turn_matrix(), pair.spin());
+            const Wide3 stop = friction - solve3(pair.turn_matrix(), pair.spin());
             const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
             const WideMask slips = size > most;
             const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
-            pair.turn(stop * share - drive);
-            drive = stop * share;
-            pair.keep(t.friction, drive);
+            pair.apply_angular(stop * share - friction);
+            friction = stop * share;
+            pair.keep(t.friction, friction);
         }
         if ((uses & uses_limit) != 0) {
             const WideQuat q = conjugate(frame_a) * frame_b;
@@ -126,7 +126,7 @@ struct ConeTwist {
                           t.swing);
         hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
-        return {point, axes.turn(t, drive)};
+        return {point, axes.total(t, friction)};
     }
 };
 
@@ -143,7 +143,7 @@ struct Fixed {
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide& t) {
         pair.push(pair.to_world(block.point));
-        pair.turn(pair.to_world(t.angular));
+        pair.apply_angular(pair.to_world(t.angular));
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
@@ -151,15 +151,15 @@ struct Fixed {
                                          unsigned) {
         // The turn from a's frame to b's, of which frame_b has that at the start: the shorter way
         // round.
-        const WideQuat q = pair.b.turn * load4(t.frame_b) * conjugate(pair.a.turn);
+        const WideQuat q = pair.b.rotation * load4(t.frame_b) * conjugate(pair.a.rotation);
         const Wide sign = select(splat(0) > q.w, splat(-2), splat(2));
-        Wide3 turn = pair.to_world(t.angular), point = pair.to_world(block.point);
+        Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
         hold_rotation(pair, soft_or_rigid<kRelax>(step, t.spring_soft), Wide3{q.x, q.y, q.z} * sign,
-                      turn);
+                      angular);
         hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
-        pair.keep(t.angular, turn);
+        pair.keep(t.angular, angular);
         pair.keep(block.point, point);
-        return {point, turn};
+        return {point, angular};
     }
 };
 

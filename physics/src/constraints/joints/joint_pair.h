@@ -10,7 +10,7 @@
 #include "constraint_graph/joint_constraint_wide.h"
 #include "constraints/contact_kernel.h"
 #include "constraints/joints/joint_step.h"
-#include "math/wide_turn.h"
+#include "math/wide_rotation.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 
@@ -66,9 +66,9 @@ struct JointSide {
     Wide3 v, w, dp;
     Wide3 inverse_mass;  // per axis of the world
     WideSymmetric inverse_inertia;
-    WideQuat turn;  // since the start of the step
-    Wide3 arm;      // of the anchor, now
-    Wide3 swept;    // how the anchor moved by that turn
+    WideQuat rotation;  // since the start of the step
+    Wide3 arm;          // of the anchor, now
+    Wide3 swept;        // how the anchor moved by that turn
 
     JOSTLE_INLINE void load_from(const HotBody* bodies, const std::int32_t* index,
                                  const float (*start_arm)[8]) {
@@ -82,9 +82,9 @@ struct JointSide {
         dp = {motion[0], motion[1], motion[2]};
         inverse_mass = {state[6] * inertia[6], state[6] * inertia[7], state[6] * motion[6]};
         inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
-        turn = from_rotation_vector({motion[3], motion[4], motion[5]});
+        rotation = from_rotation_vector({motion[3], motion[4], motion[5]});
         const Wide3 start = load3(start_arm);
-        swept = turned_by(turn, start);
+        swept = rotated_by(rotation, start);
         arm = start + swept;
     }
     JOSTLE_INLINE void store_to() {
@@ -111,8 +111,9 @@ struct JointPair {
         b.load_from(bodies, block.b, block.arm_b);
         apart = load3(block.apart) + (b.dp - a.dp) + (b.swept - a.swept);
         const WideMask by_b = b.state[6] > splat(0);
-        carried = {select(by_b, b.turn.x, a.turn.x), select(by_b, b.turn.y, a.turn.y),
-                   select(by_b, b.turn.z, a.turn.z), select(by_b, b.turn.w, a.turn.w)};
+        carried = {
+            select(by_b, b.rotation.x, a.rotation.x), select(by_b, b.rotation.y, a.rotation.y),
+            select(by_b, b.rotation.z, a.rotation.z), select(by_b, b.rotation.w, a.rotation.w)};
     }
     JOSTLE_INLINE void store() {
         a.store_to();
@@ -137,7 +138,7 @@ struct JointPair {
         b.v = b.v + b.push(impulse);
         b.w = b.w + b.inverse_inertia * cross(b.arm, impulse);
     }
-    JOSTLE_INLINE void turn(Wide3 impulse) {
+    JOSTLE_INLINE void apply_angular(Wide3 impulse) {
         a.w = a.w - a.inverse_inertia * impulse;
         b.w = b.w + b.inverse_inertia * impulse;
     }
@@ -184,7 +185,7 @@ JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error
     const Wide3 want = pair.spin() + error * s.bias_rate;
     const Wide3 d = -(solve3(pair.turn_matrix(), want) * s.mass_scale) - impulse * s.impulse_scale;
     impulse = impulse + d;
-    pair.turn(d);
+    pair.apply_angular(d);
 }
 
 // The two turns across an axis.
@@ -206,7 +207,7 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
         -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * (s.mass_scale * scale)) -
         impulse * s.impulse_scale;
     impulse = impulse + d;
-    pair.turn(d);
+    pair.apply_angular(d);
 }
 
 // One degree of freedom: an angle about an axis, or a length along a line.
@@ -224,21 +225,21 @@ struct WideRow {
     }
     JOSTLE_INLINE void apply(JointPair& pair, Wide impulse) const {
         if constexpr (kAngular)
-            pair.turn(direction * impulse);
+            pair.apply_angular(direction * impulse);
         else
             pair.push(direction * impulse);
     }
 };
 
-// `room`: how much there is left before the limit; negative: beyond it. `sign` times the row's
+// `left`: how much there is before the limit; negative: beyond it. `sign` times the row's
 // direction is that in which the impulse, which is kept, may push (>= 0).
 template <bool kRelax, bool kAngular>
 JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideRow<kAngular>& row,
-                             float sign, Wide room, float* kept) {
-    const WideMask free = room > splat(0);
+                             float sign, Wide left, float* kept) {
+    const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
-    const Wide bias = room * select(free, splat(step.inverse_h), s.bias_rate);
+    const Wide bias = left * select(free, splat(step.inverse_h), s.bias_rate);
     const Wide before = load(kept);
     const Wide toward = row.speed(pair) * splat(sign);
     const Wide now =

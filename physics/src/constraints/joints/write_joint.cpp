@@ -5,7 +5,7 @@
 
 #include "constraint_graph/wide_rows.h"
 #include "constraints/softness.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "constraints/write_manifold.h"
+#include "foundation/check.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -26,6 +27,7 @@ Skipped begin_contacts(StepContext& step) {
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
     for (const NewContact& next : begins) {
+        ASSERT(next.check < scratch.checks.size());
         const ContactCheck& check = scratch.checks[next.check];
         std::uint32_t contact = check.contact;
         const auto list = static_cast<std::size_t>(check.list);
@@ -42,6 +44,7 @@ Skipped begin_contacts(StepContext& step) {
         if (world.bodies.cold[c.body_b].type == BodyType::dynamic)
             match_sets(world, world.bodies.cold[c.body_a].island,
                        world.bodies.cold[c.body_b].island);
+        ASSERT(manifold->count >= 1 && manifold->count <= 4);
         add_contact(world, contact, manifold->count == 1);
         write_manifold(world, world.contacts.contacts[contact], *manifold, true);
     }

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "stages/contacts/choose_checks.h"
-#include "jostle/physics/tuning.h"
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 #include "foundation/prefetch.h"
-#include "stages/contacts/separation_bound.h"
 #include "stages/step_scratch.h"
+#include "state/separation_bounds.h"
 
 namespace jostle::physics {
 namespace {
 
 void queue(ContactStore& store, ContactScratch& scratch, std::uint32_t contact) {
     Contact& c = store.contacts[contact];
+    ASSERT(store.ids.alive(contact) && c.parent == none);
     if (c.queued) return;
     c.queued = true;
     scratch.checks.push_back({.contact = contact, .list = c.composite ? scratch.part_lists++ : -1});

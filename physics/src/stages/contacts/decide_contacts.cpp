@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "foundation/check.h"
 #include "foundation/prefetch.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "stages/contacts/pair_motion.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
@@ -79,7 +80,7 @@ double begin_margin(const WorldState& world, const Contact& c) {
 }
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
-// step, and the pair waits until something new may come near.
+// step, and the pair gets a bound until something new may come near.
 void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     auto& contacts = world.contacts.contacts;
@@ -111,6 +112,7 @@ void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
 
 void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
+    ASSERT(world.contacts.ids.alive(check.contact));
     const Contact& c = world.contacts.contacts[check.contact];
     if (c.composite) return decide_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this

@@ -6,7 +6,8 @@
 #include "collision/narrowphase/collide.h"
 #include "collision/narrowphase/collide_planar.h"
 #include "constraints/write_manifold.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/contacts/pair_ahead.h"
 #include "stages/contacts/pair_motion.h"
 #include "stages/continuous/ccd_policy.h"
@@ -40,7 +41,7 @@ double closing_along(const WorldState& world, const Contact& c, Vec3 direction) 
 double closing_by_turning(const WorldState& world, const Contact& c) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const Vec3 wa = motion_of(world, c.body_a).w, wb = motion_of(world, c.body_b).w;
-    return length(wa) * a.radius + (b.type == BodyType::fixed ? 0 : length(wb) * b.radius);
+    return length(wa) * a.radius + (b.type == BodyType::static_body ? 0 : length(wb) * b.radius);
 }
 
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
@@ -65,10 +66,6 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
     return smallest;
 }
 
-// A composite pair is looked at a little further than it needs, so that it need not be looked at
-// in every step.
-constexpr double composite_slack = 0.01;  // m
-
 // Finds for each part that exists the manifold that continues it: the same child, and of pieces of
 // a surface the one with the nearest normal.
 void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>& found) {
@@ -77,7 +74,7 @@ void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>&
         if (part.colour < 0) continue;
         const Vec3 normal = normal_of(place_of(world, part));
         FoundPart* best = nullptr;
-        double most = 0.9;
+        double most = tuning::same_part;
         for (FoundPart& f : found) {
             if (f.contact != none || f.part.key != part.key) continue;
             const double like = dot(f.part.manifold.normal, normal);
@@ -98,7 +95,7 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     const double dt = step.dt;
     const Contact& c = world.contacts.contacts[check.contact];
     const double way = closing_way(world, c, dt);
-    check.near = closing_reach(world, c, way) + composite_slack;
+    check.near = closing_reach(world, c, way) + tuning::composite_slack;
     const bool swept = will_be_swept(step, c, way);
     std::optional<double> meeting;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
@@ -135,11 +132,6 @@ Approach approach_of(WorldState& world, const Contact& c) {
     return {normal_of(place), gap};
 }
 
-// m. What two will touch with is plain once they are this far in each other. A crate slides towards
-// a tile that lies flush with the one under it: before they meet the side of the tile is what parts
-// them most, and would stop it; past that it is the top. More than contacts overlap at rest.
-constexpr double just_past = 1e-3;
-
 // The points where a pair may touch in this step.
 Manifold manifold_ahead(const StepContext& step, Contact& c) {
     WorldState& world = step.world;
@@ -171,14 +163,15 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
         if (!meeting) return now;
         if (*meeting > 0)
             return within(tuning::speculative_margin,
-                          PairAhead(world, c, minimum(dt, *meeting + just_past / most)));
+                          PairAhead(world, c, minimum(dt, *meeting + tuning::just_past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
     const double margin = tuning::speculative_margin + closing_reach(world, c, way);
     const double closing = closing_along(world, c, near.normal);
     if (!c.touching && near.gap > 0 && near.gap < closing * dt)
-        return within(margin, PairAhead(world, c, minimum(dt, (near.gap + just_past) / closing)));
+        return within(margin,
+                      PairAhead(world, c, minimum(dt, (near.gap + tuning::just_past) / closing)));
     return within(margin, pair);
 }
 
@@ -188,6 +181,7 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;
     Contact& c = world.contacts.contacts[check.contact];
+    ASSERT(c.queued);
     c.queued = false;
     if (c.composite) return look_at_composite(step, check);
     const Manifold manifold = manifold_ahead(step, c);
@@ -200,6 +194,7 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
         write_manifold(world, c, manifold, false);
         check.done = is_in_its_list(world, c);
     } else if (check.gap_ahead < tuning::speculative_margin) {
+        ASSERT(c.colour < 0 || manifold.count == 0);
         check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
         scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
     }

@@ -3,12 +3,11 @@
 
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/write_manifold.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {
-
-constexpr double noticed = 1e-4;  // m of motion in a step
 
 SweptShape swept(const WorldState& world, std::uint32_t body, std::uint32_t shape, double dt) {
     const ShapeRecord& s = world.shapes.shapes[shape];
@@ -52,6 +51,7 @@ PairAhead::PairAhead(const WorldState& world, const Contact& contact, double tim
       b_(world, contact.body_b, contact.shape_b, time) {}
 
 void PairAhead::count_back(Manifold& m, double way) const {
+    ASSERT(time_ >= 0 && anchor_blend_ >= 0 && anchor_blend_ <= 1);
     if (time_ == 0) return;
     const Vec3 carried = (a_.v + (b_.v - a_.v) * anchor_blend_) * time_;
     for (int i = 0; i < m.count; i++) {
@@ -66,7 +66,7 @@ void PairAhead::count_back(Manifold& m, double way) const {
 // start. No further than to half of what is thin: a body may be stopped before it gets there.
 double time_to_middle(const WorldState& world, const Contact& c, double way, double dt) {
     const bool touching = c.composite ? c.parts_touching > 0 : c.touching;
-    if (!touching || way < noticed) return 0;
+    if (!touching || way < tuning::noticed_motion) return 0;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;

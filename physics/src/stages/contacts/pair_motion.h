@@ -19,7 +19,7 @@ inline BodyMotion motion_of(const WorldState& world, std::uint32_t body) {
 inline double closing_way(const WorldState& world, const Contact& c, double dt) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const BodyMotion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);
-    const double turning_b = b.type == BodyType::fixed ? 0 : length(mb.w) * b.radius;
+    const double turning_b = b.type == BodyType::static_body ? 0 : length(mb.w) * b.radius;
     return (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
 }
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "foundation/prefetch.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "stages/contacts/choose_checks.h"
 #include "stages/contacts/decide_contacts.h"
 #include "stages/contacts/look_at_pair.h"

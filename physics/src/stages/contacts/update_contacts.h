@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Narrow phase: where pairs touch. Looks at the waiting pairs whose bodies could have met and at
-// the manifolds that moved too far to be reused; all others keep what they have.
+// Narrow phase: where pairs touch. Chooses the pairs whose bodies could have met and the manifolds
+// that moved too far to be reused (choose_checks), looks at each on any thread (look_at_pair), and
+// decides one after the other what follows (decide_contacts). All others keep what they have.
 #pragma once
 
 #include "stages/step_context.h"

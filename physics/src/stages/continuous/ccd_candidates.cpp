@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "foundation/tuning.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -15,7 +16,7 @@ void CcdCandidates::find(std::uint32_t body, const Aabb& way, std::vector<std::u
             near.push_back(s);
     });
     found_.clear();
-    world_.shapes.fixed->query(way, 0xffffffff, found_);
+    world_.shapes.statics->query(way, 0xffffffff, found_);
     world_.shapes.moving->query(way, 0xffffffff, found_);
     // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
     for (const std::uint32_t shape : found_)
@@ -54,7 +55,7 @@ void CcdCandidates::note_fast() {
     swept_.set_all(bodies, [&](std::uint32_t body) {
         const BodyCold& cold = world_.bodies.cold[body];
         const Vec3 from = before_[cold.at].center, to = world_.bodies.awake[cold.at].center;
-        return grow({min(from, to), max(from, to)}, cold.radius + 0.01);
+        return grow({min(from, to), max(from, to)}, cold.radius + tuning::swept_margin);
     });
 }
 

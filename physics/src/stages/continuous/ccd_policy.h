@@ -5,7 +5,7 @@
 #pragma once
 
 #include "constraints/combine.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "stages/step_context.h"
 #include "stages/step_scratch.h"
 

@@ -10,7 +10,8 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "constraints/combine.h"
 #include "constraints/impact.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
 #include "stages/continuous/swept_motions.h"
@@ -62,6 +63,7 @@ private:
     }
     std::size_t add(std::uint32_t body, bool fast) {
         if (where_.empty()) where_.resize(world_.bodies.cold.size(), nobody);
+        ASSERT(where_[body] == nobody);
         where_[body] = static_cast<std::uint32_t>(bodies_.size());
         ToiBody t;
         t.body = body;
@@ -105,7 +107,7 @@ private:
         enqueue_check(k);
     }
     void recheck_against(std::size_t k, std::uint32_t body) {
-        bodies_[k].turned.push_back(body);
+        bodies_[k].diverted.push_back(body);
         enqueue_check(k);
     }
     void enqueue_check(std::size_t k) {
@@ -152,7 +154,7 @@ private:
                 drop_passed_candidates(bodies_[static_cast<std::size_t>(k)]);
         });
         step_.team.finish();  // the trees: finalize.cpp
-        world_.shapes.fixed->flush();
+        world_.shapes.statics->flush();
         for (ToiBody& t : bodies_)
             if (has_strayed(t)) candidates_.find(t.body, t.swept, t.candidates);
     }
@@ -182,7 +184,8 @@ private:
         const std::uint32_t known = toi_body_of(body);
         if (known == nobody) return motions_.of(world_, body);
         const Sweep& sweep = bodies_[known].sweep;
-        return {sweep.center, sweep.motion, length(sweep.turn) * world_.bodies.cold[body].radius};
+        return {sweep.center, sweep.translation,
+                length(sweep.rotation_vector) * world_.bodies.cold[body].radius};
     }
 
     void start(ToiBody& t, const std::vector<std::uint32_t>& met) {
@@ -236,7 +239,8 @@ private:
     Aabb swept_aabb_of(const ToiBody& t) const {
         if (t.sweep.until < 1) {
             const Vec3 from = t.sweep.center, to = center_at(t.sweep, 1);
-            return grow({min(from, to), max(from, to)}, world_.bodies.cold[t.body].radius + 0.01);
+            return grow({min(from, to), max(from, to)},
+                        world_.bodies.cold[t.body].radius + tuning::swept_margin);
         }
         Aabb box{};
         bool first = true;
@@ -247,7 +251,7 @@ private:
             box = first ? own : unite(box, own);
             first = false;
         }
-        return grow(box, 0.01);
+        return grow(box, tuning::swept_margin);
     }
 
     bool may_hit(std::uint32_t own, std::uint32_t other) const {
@@ -291,14 +295,14 @@ private:
                     if (!is_looked_at_by(k, world_.shapes.shapes[other].body))
                         find_impact_with(t, other);
         } else {
-            for (const std::uint32_t body : t.turned)
+            for (const std::uint32_t body : t.diverted)
                 for (std::uint32_t s = world_.bodies.cold[body].first_shape; s != none;
                      s = world_.shapes.shapes[s].next)
                     find_impact_with(t, s);
         }
         t.checked = true;
         t.queued = false;
-        t.turned.clear();
+        t.diverted.clear();
         note_next(k);
     }
 
@@ -326,10 +330,10 @@ private:
         // Of two that search one looks, for both.
         if (known != nobody && searches(known))
             least = minimum(least, motion_without_sweep(step_, cold_other, cold));
-        least *= changed ? 0.4 : 0.8;
+        least *= changed ? tuning::sweep_share_after_impact : tuning::sweep_share;
         const SweptMotion motion = motion_now(other);
-        const double way = length(t.sweep.motion - motion.motion) +
-                           length(t.sweep.turn) * cold.radius + motion.turning;
+        const double way = length(t.sweep.translation - motion.motion) +
+                           length(t.sweep.rotation_vector) * cold.radius + motion.turning;
         return way * (1 - t.sweep.from) > least;
     }
 
@@ -370,9 +374,9 @@ private:
             // the whole is in by what they lack. Of what it held only those by which it may yet go
             // through: a limb that is stopped here leaves its joints.
             SweptShape core_a = a, core_b = b;
-            for (const double scale : {0.95, 0.9, 0.8, 0.65, 0.45, 0.25}) {
+            for (const double scale : tuning::swept_cores) {
                 if (!touches) break;
-                if (held && scale > 0.7) continue;
+                if (held && scale > tuning::held_core) continue;
                 (of_other ? core_b : core_a).scale = scale;
                 const Impact later =
                     time_of_impact(core_a, core_b, from, tuning::sweep_gap, t.fraction);
@@ -413,8 +417,8 @@ private:
         for (const ImpactPoint& p : points) {
             const Vec3 ra = p.position - ca, rb = p.position - cb;
             const Vec3 u = (sb.v + cross(sb.w, rb)) - (sa.v + cross(sa.w, ra));
-            const Vec3 swept = (motion.motion + cross(motion.turn, rb)) -
-                               (t.sweep.motion + cross(t.sweep.turn, ra));
+            const Vec3 swept = (motion.translation + cross(motion.rotation_vector, rb)) -
+                               (t.sweep.translation + cross(t.sweep.rotation_vector, ra));
             if (dot(u, p.normal) < -least ||
                 (!at_start && dot(swept, p.normal) < -least * step_.dt))
                 return true;
@@ -439,6 +443,7 @@ private:
 
     void impact(std::size_t index) {
         const double at = bodies_[index].fraction;
+        ASSERT(at >= bodies_[index].sweep.from && at <= 1);
         const std::uint32_t own = bodies_[index].own_shape, other = bodies_[index].other_shape;
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);

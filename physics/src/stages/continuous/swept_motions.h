@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "collision/narrowphase/time_of_impact.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_context.h"
 #include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
@@ -36,7 +37,8 @@ public:
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 const Sweep& sweep = sweeps_[k] = way_of(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
-                motions_[k] = {sweep.center, sweep.motion, length(sweep.turn) * radius};
+                motions_[k] = {sweep.center, sweep.translation,
+                               length(sweep.rotation_vector) * radius};
             }
         });
         dt_ = step.dt;
@@ -47,7 +49,10 @@ public:
         return awake < place_.size() && place_[awake] != not_known;
     }
     // Its way, if it is.
-    const Sweep& sweep_of(std::uint32_t awake) const { return sweeps_[place_[awake]]; }
+    const Sweep& sweep_of(std::uint32_t awake) const {
+        ASSERT(knows(awake));
+        return sweeps_[place_[awake]];
+    }
     // Of any body; one whose way is not known comes from where its velocity leads back to.
     SweptMotion of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
@@ -68,7 +73,7 @@ public:
         const double linear = length(motion.motion - met.motion);
         // A little less than foreseen, so that nothing falls between the two.
         if (linear + motion.turning + met.turning <
-            0.8 * tuning::sweep_fraction * cold.inner_radius)
+            tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius)
             return false;
         const BodyCold& cold_other = world.bodies.cold[other];
         if (cold_other.type != BodyType::dynamic)
@@ -77,7 +82,7 @@ public:
         const Vec3 apart = met.center - motion.center, closing = motion.motion - met.motion;
         const double nearest =
             clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
-        const double reach = cold.radius + cold_other.radius + 0.01;
+        const double reach = cold.radius + cold_other.radius + tuning::swept_margin;
         return length_squared(apart - closing * nearest) < reach * reach;
     }
 
@@ -85,7 +90,8 @@ private:
     static bool is_on_way(const WorldState& world, const SweptMotion& motion, double radius,
                           const ShapeRecord& shape) {
         const Vec3 end = motion.center + motion.motion;
-        const Aabb way = grow({min(motion.center, end), max(motion.center, end)}, radius + 0.01);
+        const Aabb way =
+            grow({min(motion.center, end), max(motion.center, end)}, radius + tuning::swept_margin);
         return is_plane(shape) ? reaches_plane(world, shape, way) : overlap(way, shape.fat);
     }
 

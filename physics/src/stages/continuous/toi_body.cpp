@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "constraints/free_motion.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
-
-constexpr double leg_error = 0.01;  // rad: by which an even turn may miss a gyroscopic body's
 
 // An even turn from one attitude to the other, rad, of all that end there the one most like
 // `wished`: so that the way ends where the body does, however often it went round.
@@ -20,7 +19,7 @@ Vec3 way_round(Quat from, Quat to, Vec3 wished) {
     const Vec3 v{turn.x, turn.y, turn.z};
     const double l = length(v);
     const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
-    const double angle = 2 * arc_tangent(l, turn.w), round = 2 * pi;
+    const double angle = 2 * arc_tangent(l, from.w), round = 2 * pi;
     return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
 }
 
@@ -51,13 +50,13 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
         const Mat3 axes = to_matrix(t.spin_rotation);
         const Vec3 w = transposed_times(axes, t.spin);
         const double bend = length(cold.inverse_inertia * cross(w, cold.inertia * w));
-        const double legs = left * dt * square_root(bend / (8 * leg_error));
+        const double legs = left * dt * square_root(bend / (8 * tuning::leg_error));
         if (legs > 1) t.sweep.until = from + left / std::ceil(legs);
     }
     const bool last = t.sweep.until == 1;
     const Quat to = last ? t.end_rotation : spin_at(world, t, t.sweep.until, dt).rotation;
     const double part = t.sweep.until - from;
-    t.sweep.turn =
+    t.sweep.rotation_vector =
         part > 0 ? way_round(t.sweep.rotation, to, t.spin * (part * dt)) * (1 / part) : Vec3{};
 }
 
@@ -110,27 +109,28 @@ void next_leg(const WorldState& world, ToiBody& t, double dt) {
     aim(world, t, dt);
 }
 
-void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& turn,
+void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& from,
             double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
+    ASSERT(cold.type == BodyType::dynamic && fraction >= 0 && fraction <= 1);
     const double left = 1 - fraction, time = left * dt;
     // From here on it flies, whatever held it before: the next step's contacts will see.
-    const FreeSpin free = time > 0 ? spin_of(world, t.body, turn.rotation, turn.w, time)
-                                   : FreeSpin{turn.rotation, turn.w};
+    const FreeSpin free = time > 0 ? spin_of(world, t.body, from.rotation, from.w, time)
+                                   : FreeSpin{from.rotation, from.w};
     t.end_rotation = free.rotation;
     t.end_spin = free.w;
     t.spin_at = fraction;
-    t.spin = turn.w;
-    t.spin_rotation = turn.rotation;
-    t.velocity = turn.v;
-    const Vec3 mean = turn.v + t.gain * (0.5 * left);
-    t.sweep = {fraction, turn.center, turn.rotation, mean * dt, {}};
+    t.spin = from.w;
+    t.spin_rotation = from.rotation;
+    t.velocity = from.v;
+    const Vec3 mean = from.v + t.gain * (0.5 * left);
+    t.sweep = {fraction, from.center, from.rotation, mean * dt, {}};
     t.changed = true;
     if (is_exhausted(t)) {
-        t.sweep.motion = {};
+        t.sweep.translation = {};
         return;
     }
-    const double way = (length(turn.v) + length(turn.w) * cold.radius) * time;
+    const double way = (length(from.v) + length(from.w) * cold.radius) * time;
     t.fast |= cold.continuous && way > tuning::sweep_fraction * cold.inner_radius;
     aim(world, t, dt);
 }
@@ -140,6 +140,8 @@ bool is_exhausted(const ToiBody& t) {
 }
 
 void finish_toi(WorldState& world, const ToiBody& t, double dt) {
+    ASSERT(t.changed && world.bodies.cold[t.body].set == BodySet::awake);
+    ASSERT(!world.bodies.cold[t.body].asleep_in_place);
     const bool stayed = is_exhausted(t);
     const double until = stayed ? t.sweep.from : 1;
     const BodyCold& cold = world.bodies.cold[t.body];

@@ -30,8 +30,8 @@ struct ToiBody {
     int impacts = 0;
     // The first impact that is known, if any.
     bool checked = false, queued = false;
-    std::uint32_t anew_in = 0;          // the round in which it last looked at everything
-    std::vector<std::uint32_t> turned;  // bodies that go another way since then
+    std::uint32_t anew_in = 0;            // the round in which it last looked at everything
+    std::vector<std::uint32_t> diverted;  // bodies that go another way since then
     double fraction = Impact::never;
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;
@@ -59,7 +59,7 @@ struct Departure {
     Vec3 v, w;  // m/s, rad/s: from here on
 };
 // From an impact on, with another velocity. It may be fast now.
-void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& turn, double dt);
+void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& from, double dt);
 // Whether it has used up its impacts and is where it will be when the step ends.
 bool is_exhausted(const ToiBody& t);
 // Its body is where the way ends, and moves as it did there.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/finalize.h"
-#include "jostle/physics/tuning.h"
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 #include "stages/finalize/finalize_body.h"
 #include "stages/step_scratch.h"
@@ -36,6 +38,7 @@ Skipped finalize(StepContext& step) {
         }
     });
     // In order of the awake set.
+    ASSERT(scratch.left_fat_aabb.size() == world.bodies.awake.size());
     auto& moves = scratch.moves;
     moves.clear();
     for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/finalize_body.h"
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
 
@@ -20,13 +21,13 @@ bool is_sound(const FreeMotion& motion, Vec3 center) {
 bool left_fat_aabb(WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
     MotionBound& motion = world.bodies.motion[warm.body];
     if (motion.travel + length(warm.v) * dt <= motion.fits_until) return false;
-    AabbMargin room{1e300, 1e300};
+    AabbMargin margin{1e300, 1e300};
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
         const AabbMargin own = margin_in_fat_aabb(world.shapes.shapes[s], warm, dt);
-        room = {minimum(room.now, own.now), minimum(room.next, own.next)};
+        margin = {minimum(margin.now, own.now), minimum(margin.next, own.next)};
     }
-    motion.fits_until = motion.travel + room.now;
-    return room.next < 0;
+    motion.fits_until = motion.travel + margin.now;
+    return margin.next < 0;
 }
 
 // Whether a shape of a body that moved is no longer within its fat box.
@@ -57,7 +58,7 @@ void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Q
     const bool still = way < tuning::sleep_speed * dt;
     const bool sways = way < tuning::drift_speed * dt &&
                        length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift;
-    warm.sleep_time = cold.may_sleep && (still || sways) ? warm.sleep_time + dt : 0;
+    warm.sleep_time = cold.sleep_allowed && (still || sways) ? warm.sleep_time + dt : 0;
 }
 
 // Whether a body's velocity does not lead back to where it came from, by more than a part of what
@@ -86,6 +87,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     FinalizeScratch& scratch = step.scratch.finalize;
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
+    ASSERT(cold.set == BodySet::awake && cold.at == awake_index && !cold.asleep_in_place);
     warm.force = warm.torque = {};
     const Vec3 center = warm.center + motion.displacement;
     if (!is_sound(motion, center)) {

@@ -11,7 +11,7 @@
 
 namespace jostle::physics {
 
-// Makes room for one flag per awake body; serially, before the first finalize_body of a step.
+// Makes space for the flags of each awake body; serially, before the first finalize_body of a step.
 void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch);
 
 // A state that is not finite is not taken over: the body stays where it was, at rest, and is

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/integrate_free.h"
-#include "jostle/physics/tuning.h"
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 
 #include "constraints/free_motion.h"
 #include "stages/finalize/finalize_body.h"
@@ -16,6 +18,7 @@ Skipped integrate_free(StepContext& step) {
     step.team.run(static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = free[static_cast<std::size_t>(k)];
+            ASSERT(i < world.bodies.awake.size());
             const BodyWarm& warm = world.bodies.awake[i];
             finalize_body(
                 step, i,

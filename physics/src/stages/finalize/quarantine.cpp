@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/quarantine.h"
 
+#include "foundation/check.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/shape_proxy.h"
@@ -31,6 +32,7 @@ Skipped quarantine(StepContext& step) {
     for (std::uint32_t i = 0; i < not_finite.size(); i++) {
         if (not_finite[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;
+        ASSERT(is_finite(world.bodies.awake[i].center));
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];

@@ -5,7 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/island_tiers.h"
 
@@ -102,6 +103,7 @@ void assign(WorldState& world, const std::vector<std::uint32_t>& weights, Solver
         group.stays = batch < batches && (loads[batch] == 0 || loads[batch] + group.weight <= fair);
         if (group.stays) loads[batch] += group.weight;
     }
+    ASSERT(batches >= 1 && batches <= batch_count);
     std::uint8_t to = 0;
     for (const Group& group : groups) {
         if (group.stays) continue;

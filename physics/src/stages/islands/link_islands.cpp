@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "constraint_graph/wide_rows.h"
+#include "foundation/check.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -37,6 +38,7 @@ void report_begin(WorldState& world, const Contact& c) {
 
 void change_touch(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
+    ASSERT(c.colour >= 0 && !c.composite);
     if (!c.touching) {
         if (c.parent == none)
             report_begin(world, c);
@@ -58,7 +60,7 @@ void report_composites(WorldState& world) {
         if (!world.contacts.ids.alive(pair)) continue;
         Contact& c = world.contacts.contacts[pair];
         if (!c.composite) continue;
-        end_touch_of_pair(world, pair);
+        end_touch_of_pair(world, pair, world.events.contacts_ended);
         if (c.touching || c.parts_touching == 0) continue;
         std::uint32_t first = c.first_part;
         while (!world.contacts.contacts[first].touching)

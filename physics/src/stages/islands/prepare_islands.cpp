@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/islands/assign_batches.h"
 #include "stages/islands/sort_constraints.h"
 #include "stages/step_scratch.h"
@@ -40,6 +41,7 @@ void measure_extents(const WorldState& world, std::vector<IslandExtent>& extents
 // Its extent on the ground in its narrowest direction, m: a box of that depth has the same
 // variance.
 double depth_of(const IslandExtent& e) {
+    ASSERT(e.bodies > 0);
     const double n = e.bodies, xx = e.xx / n - e.x * e.x / (n * n),
                  xy = e.xy / n - e.x * e.y / (n * n), yy = e.yy / n - e.y * e.y / (n * n);
     const double half = 0.5 * (xx - yy);

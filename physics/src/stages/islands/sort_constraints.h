@@ -8,7 +8,7 @@
 
 namespace jostle::physics {
 
-// Brings lanes of large stores into the order of their bodies where many are out of it.
+// Brings the contacts of large colour sets into the order of their bodies where many are out of it.
 void sort_constraints(StepContext& step);
 
 }  // namespace jostle::physics

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/contact_graph.h"
 #include "state/joint_graph.h"
@@ -30,8 +31,9 @@ void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
 void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out) {
     const ShapeStore& store = world.shapes;
     const ShapeRecord& shape = store.shapes[index];
+    ASSERT(store.ids.alive(index) && shape.moved);
     if (shape.trigger) return;  // looked at by update_triggers
-    const bool fixed = world.bodies.cold[shape.body].type == BodyType::fixed;
+    const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
     if (is_plane(shape)) {
         for (std::uint32_t other = 0; other < store.ids.size(); other++)
             if (store.ids.alive(other) && !is_plane(store.shapes[other]) &&
@@ -43,7 +45,7 @@ void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out
     const std::uint32_t mask = shape.filter.group > 0 ? 0xffffffff : shape.filter.mask;
     out.near.clear();
     store.moving->query(shape.fat, mask, out.near);
-    if (!fixed) store.fixed->query(shape.fat, mask, out.near);
+    if (!fixed) store.statics->query(shape.fat, mask, out.near);
     for (const std::uint32_t other : out.near) add_pair(world, index, other, out.pairs);
     if (fixed) return;
     for (const std::uint32_t plane : store.planes)
@@ -91,9 +93,10 @@ Skipped update_pairs(StepContext& step) {
     std::vector<std::uint32_t>& moved = world.shapes.moved;
     world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
     if (moved.empty()) return "no shape left its fat box";
-    world.shapes.fixed->flush();
+    world.shapes.statics->flush();
     world.shapes.moving->flush();
     const std::vector<ShapePair>& pairs = find_new_pairs(step);
+    ASSERT(std::is_sorted(pairs.begin(), pairs.end()));
     for (const std::uint32_t shape : moved) world.shapes.shapes[shape].moved = false;
     moved.clear();
     for (const auto& [a, b] : pairs) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "collision/narrowphase/collide_composite.h"
+#include "foundation/check.h"
 #include "geometry/bounds.h"
 #include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
@@ -20,6 +21,7 @@ bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
 void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,
                std::vector<Inside>& inside) {
     const ShapeRecord& shape = world.shapes.shapes[trigger];
+    ASSERT(shape.trigger);
     const BodyCold& own = world.bodies.cold[shape.body];
     const auto& before = world.triggers.inside;
     const bool fresh = std::find(world.triggers.fresh.begin(), world.triggers.fresh.end(),
@@ -28,7 +30,7 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
         const ShapeRecord& o = world.shapes.shapes[other];
         if (o.trigger || o.body == shape.body || !may_meet(shape.filter, o.filter)) return;
         const BodyCold& body = world.bodies.cold[o.body];
-        if (own.type == BodyType::fixed && body.type == BodyType::fixed) return;
+        if (own.type == BodyType::static_body && body.type == BodyType::static_body) return;
         // Between two that do not move nothing changes.
         const Inside pair{trigger, other};
         const bool still = !fresh && own.set != BodySet::awake && body.set != BodySet::awake;
@@ -45,8 +47,8 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
     } else {
         const Aabb box = bounds_of(placed(shape, warm_of(world, shape.body)));
         world.shapes.moving->query(box, 0xffffffff, found);
-        if (own.type != BodyType::fixed) {
-            world.shapes.fixed->query(box, 0xffffffff, found);
+        if (own.type != BodyType::static_body) {
+            world.shapes.statics->query(box, 0xffffffff, found);
             for (const std::uint32_t plane : world.shapes.planes)
                 if (reaches_plane(world, world.shapes.shapes[plane], box)) found.push_back(plane);
         }
@@ -66,7 +68,7 @@ TriggerEvent event_of(const WorldState& world, const Inside& pair) {
 Skipped update_triggers(StepContext& step) {
     WorldState& world = step.world;
     if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return "no triggers";
-    world.shapes.fixed->flush();
+    world.shapes.statics->flush();
     world.shapes.moving->flush();
     std::vector<Inside> inside;
     for (const std::uint32_t trigger : world.shapes.triggers)

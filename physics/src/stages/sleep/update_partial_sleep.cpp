@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_load.h"
@@ -107,6 +108,7 @@ void put_parts_to_sleep(StepContext& step) {
         std::any_of(scratch.longest.begin(), scratch.longest.end(),
                     [](double sleep_time) { return sleep_time >= tuning::partial_sleep_time; });
     if (!any) return;
+    ASSERT(scratch.longest.size() == world.islands.ids.size());
     find_restless(world, scratch);
     // By island: how many rest among what rests.
     auto& count = scratch.resting;

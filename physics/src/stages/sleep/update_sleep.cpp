@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/sleep/update_sleep.h"
 
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/sleep/update_partial_sleep.h"
 #include "stages/step_scratch.h"
 #include "state/island_sleep.h"
@@ -54,13 +55,14 @@ void measure_rest(const WorldState& world, SleepScratch& scratch) {
 
 // Of bodies that slept in place it has been told.
 void fall_asleep(WorldState& world, std::uint32_t island) {
+    ASSERT(!world.islands.islands[island].may_be_split);
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
          body = world.bodies.cold[body].island_next) {
         if (!world.bodies.cold[body].asleep_in_place)
             world.events.fell_asleep.push_back(body_id(world, body));
         wake_in_place(world, body);
     }
-    put_island_to_sleep(world, island);
+    put_island_to_sleep(world, island, world.events.contacts_ended);
 }
 
 }  // namespace

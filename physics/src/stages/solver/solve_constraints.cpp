@@ -8,7 +8,8 @@
 #include "constraint_graph/wide_rows.h"
 #include "constraints/contact_passes.h"
 #include "constraints/free_motion.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "stages/solver/solve_joints.h"
 #include "stages/step_scratch.h"
 
@@ -70,7 +71,7 @@ void sort_out_bodies(StepContext& step) {
     collect(scratch.set_of, scratch.bodies, [](std::uint32_t) { return true; });
     collect(scratch.set_of, scratch.jointed,
             [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
-    world.profile.bodies_frozen = static_cast<int>(world.bodies.asleep_in_place);
+    world.profile.bodies_asleep_in_place = static_cast<int>(world.bodies.asleep_in_place);
     world.profile.bodies_awake =
         static_cast<int>(world.bodies.awake.size() - world.bodies.asleep_in_place);
     world.profile.bodies_in_solver =
@@ -92,6 +93,7 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     ExternalChange& external = scratch.external[index + 1];
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
+    ASSERT(!cold.asleep_in_place);
     const bool gyroscopic = is_gyroscopic(warm, cold, step.dt);
     scratch.is_gyroscopic[index + 1] = gyroscopic ? 1 : 0;
     if (gyroscopic) {
@@ -166,6 +168,7 @@ struct SolverTask {
 
 SolverTask make_task(const StepContext& step, SolverTier tier, std::size_t first,
                      std::size_t last) {
+    ASSERT(first < last && last <= solved_set_count);
     SolverTask task{tier, first, last, 0};
     task.weight = static_cast<std::uint32_t>(step.scratch.solver.bodies.of(first, last).size());
     for (std::size_t k = first; k < last; k++)
@@ -231,6 +234,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
                   std::span<const std::uint32_t> kinematic) {
     SolverScratch& scratch = step.scratch.solver;
     const ContactSettings& set = step.contacts[index_of(task.tier)];
+    ASSERT(set.substeps >= 1);
     const double h = step.dt / set.substeps;
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();

@@ -7,8 +7,9 @@
 
 #include "constraints/joints/write_joint.h"
 #include "constraints/kernels.h"
+#include "foundation/check.h"
 #include "foundation/prefetch.h"
-#include "jostle/physics/tuning.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/joint_graph.h"
 
@@ -58,6 +59,7 @@ void find_bodies(const WorldState& world, JointLevels& levels) {
         return cold.inverse_mass != 0 && !cold.asleep_in_place ? hot : -hot;
     };
     for (LeveledJoint& found : levels.joints) {
+        ASSERT(world.joints.ids.alive(found.joint));
         const Joint& joint = world.joints.joints[found.joint];
         found.kind = static_cast<std::uint32_t>(joint.kind.index());
         found.a = hot_of(joint.body_a);

@@ -111,7 +111,7 @@ TEST(BroadPhase, plate_on_400_pillars_has_400_contacts) {
     for (int i = 0; i < 400; i++)
         add(world, {.geometry = Box{{0.1, 0.5, 0.1}},
                     .position = {(i % 20) * 0.5 - 4.75, 0.5, (i / 20) * 0.5 - 4.75},
-                    .type = BodyType::fixed});
+                    .type = BodyType::static_body});
     const BodyId plate = add(world, {.geometry = Box{{5, 0.05, 5}}, .position = {0, 1.05, 0}});
     run(world, 2);
     int touching = 0;

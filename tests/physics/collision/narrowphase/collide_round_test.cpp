@@ -75,7 +75,7 @@ Manifold crossed(double turn, double depth) {
 // At both ends, as far apart as they are there, and at two points about the crossing, no more than
 // a five-thousandth of the radius further apart than there. On the crossing alone, which runs along
 // them with every turn, a capsule in a heap rocked at 1.7 rad/s for seconds; with it and the ends
-// one under fifty times its weight shook at 0.1 m/s for as long as one checked.
+// one under fifty times its weight shook at 0.1 m/s for as long as one looked.
 TEST(CollideCapsule, crosses_another_at_a_small_angle_in_four_points) {
     for (const double turn : {0.05, 0.12, 0.25})
         for (const double depth : {0.0, 0.001, 0.05}) {

@@ -16,7 +16,7 @@ using namespace physics;
 SweptShape falling(const Geometry& geometry, Vec3 center, double way, Quat rotation = {}) {
     return {.geometry = &geometry,
             .radius = 2,
-            .sweep = {.center = center, .rotation = rotation, .motion = {0, -way, 0}}};
+            .sweep = {.center = center, .rotation = rotation, .translation = {0, -way, 0}}};
 }
 
 // A box of 1 m, 2.5 m above the floor, falls by 4 m: it meets the floor half way, with four

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How often pairs are checked at.
+// How often pairs are looked at.
 #include <gtest/gtest.h>
 
 #include "support/world_builder.h"
@@ -23,7 +23,7 @@ int checks_of(World& world) {
 // It comes no nearer to the wall, however fast it falls. Turning would matter: it does not turn.
 TEST(UpdateContacts, what_falls_along_a_wall_is_looked_at_once) {
     World world = make_world();
-    add(world, {.geometry = Box{{0.5, 50, 5}}, .type = BodyType::fixed});
+    add(world, {.geometry = Box{{0.5, 50, 5}}, .type = BodyType::static_body});
     add(world, {.position = {1.03, 40, 0}, .velocity = {0, -10, 0}});
     EXPECT_LE(checks_of(world), 1);
 }
@@ -53,7 +53,7 @@ TEST(UpdateContacts, what_rests_beside_a_sleeper_lets_it_sleep) {
     const BodyId sleeper = add(world, {.position = {0, 0.5, 0}});
     run(world, 2);
     ASSERT_FALSE(state_of(world, sleeper).awake);
-    add(world, {.position = {1.0005, 0.5, 0}, .may_sleep = false});
+    add(world, {.position = {1.0005, 0.5, 0}, .sleep_allowed = false});
     run(world, 1);
     std::size_t woken = 0;
     for (int k = 0; k < 60; k++) {

@@ -42,8 +42,8 @@ TEST(ToiBody, an_even_sweep_ends_where_the_body_does) {
         to.rotation = from_axis_angle({0, 0, 1}, turns * 2 * pi);
         to.w = {0, 0, turns * 2 * pi / dt};
         const Sweep sweep = even_sweep(from, to, dt);
-        EXPECT_EQ(sweep.motion, (Vec3{3, 4, 0}));
-        EXPECT_TRUE(near(sweep.turn, {0, 0, turns * 2 * pi}, 1e-9)) << turns;
+        EXPECT_EQ(sweep.translation, (Vec3{3, 4, 0}));
+        EXPECT_TRUE(near(sweep.rotation_vector, {0, 0, turns * 2 * pi}, 1e-9)) << turns;
         EXPECT_TRUE(
             near(rotate(rotation_at(sweep, 1), {1, 0, 0}), rotate(to.rotation, {1, 0, 0}), 1e-9));
     }

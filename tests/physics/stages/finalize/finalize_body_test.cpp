@@ -24,7 +24,7 @@ struct Step {
     StepScratch scratch;
 
     explicit Step(bool may_sleep = true) {
-        add(world, {.may_sleep = may_sleep});
+        add(world, {.sleep_allowed = may_sleep});
         must(world.step(dt));
         warm().sleep_time = 0;
     }

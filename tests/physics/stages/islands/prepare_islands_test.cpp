@@ -66,7 +66,7 @@ TEST(Tiers, an_overhanging_box_sinks_on_no_point) {
     EXPECT_GT(lowest, -0.0002);
 }
 
-TEST(Tiers, the_floor_bears_the_same_weight_in_the_step_in_which_the_effort_changes) {
+TEST(Tiers, the_floor_bears_the_same_weight_in_the_step_in_which_the_tier_changes) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     std::vector<BodyId> tower = add_tower(world, 38, 0);
@@ -107,7 +107,7 @@ TEST(Tiers, when_the_upper_half_is_gone_the_rest_goes_back_within_a_second_and_s
     EXPECT_NEAR(highest, 29.5, 0.01);
 }
 
-// Each of them joins the tower as an island that has not been checked at for long.
+// Each of them joins the tower as an island that has not been looked at for long.
 TEST(Tiers, what_falls_upon_it_does_not_keep_it_tall) {
     World world = make_world({.sleeping = false});
     add_floor(world);
@@ -147,7 +147,7 @@ TEST(Tiers, a_light_box_on_a_heavy_one_is_no_load) {
     EXPECT_EQ(world.profile().bodies_heavy, 0);
 }
 
-TEST(Tiers, what_a_manifold_ties_to_a_tower_shares_its_effort_until_it_is_gone) {
+TEST(Tiers, what_a_manifold_ties_to_a_tower_shares_its_tier_until_it_is_gone) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add_tower(world, 60, 0);

@@ -73,7 +73,7 @@ TEST(UpdatePairs, a_pair_is_made_once_in_the_order_of_its_shapes) {
 TEST(UpdatePairs, something_new_beside_a_sleeper_wakes_it) {
     World world = make_world();
     add_floor(world);
-    add(world, {.position = {50, 0.5, 0}, .may_sleep = false});
+    add(world, {.position = {50, 0.5, 0}, .sleep_allowed = false});
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
     run(world, 2);
     ASSERT_FALSE(state_of(world, box).awake);

@@ -12,38 +12,18 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "jostle/client/client_options.h"
+#include "jostle/client/client_stats.h"
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/interpolation.h"
+#include "jostle/client/loop.h"
 #include "jostle/client/world_view.h"
 
 namespace jostle::client {
 
-struct ClientOptions {
-    std::string target = "localhost:50051";
-    std::string world;              // name or id; empty: the first
-    std::string ticket;             // from WorldClient::join, when the server asks for one
-    std::string name;               // at most 32 bytes
-    std::uint32_t snapshot_hz = 0;  // 0: the world's rate
-    bool spectator = false;
-    bool events = false;    // asks for what happens in the world: see take_events()
-    bool reconnect = true;  // after a lost connection, with growing pauses up to 5 s
-};
-
-struct ClientStats {
-    bool connected = false;  // welcomed, and not ended since
-    std::uint32_t client_id = 0;
-    std::uint64_t snapshots = 0, bytes_received = 0;
-    std::uint64_t inputs_sent = 0, inputs_applied = 0, inputs_refused = 0;
-    std::uint64_t decode_errors = 0;    // snapshots that did not decode or whose CRC did not match
-    std::uint64_t stream_failures = 0;  // ends that nobody asked for
-    double rtt_ms = 0;
-    std::string last_error;  // the newest failure, for people
-};
-
-class Loop;
+struct ClientState;
 
 class Client {
 public:
@@ -72,24 +52,8 @@ public:
     std::optional<v1::WorldStats> world_stats() const;
 
 private:
-    friend class Loop;
-    struct Impl;
-    explicit Client(std::shared_ptr<Impl> impl);
-    std::shared_ptr<Impl> impl_;
-};
-
-// One thread that moves the messages of its clients.
-class Loop {
-public:
-    Loop();
-    ~Loop();  // ends what is still connected
-    Loop(const Loop&) = delete;
-    Loop& operator=(const Loop&) = delete;
-
-private:
-    friend class Client;
-    struct Impl;
-    std::shared_ptr<Impl> impl_;
+    explicit Client(std::shared_ptr<ClientState> state);
+    std::shared_ptr<ClientState> state_;  // shared with the loop: the last of the two lets go
 };
 
 }  // namespace jostle::client

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Questions to a world that runs on a server: what does a ray hit, what overlaps a shape, what is
-// nearest. Each call blocks up to 5 s; errors are the server's words. Any thread.
+// nearest. Each call blocks up to 5 s; errors carry the server's message. Any thread.
 //
 //     client::QueryClient queries("localhost:50051", "sandbox");
 //     const auto hit = queries.cast_ray({0, 10, 0}, {0, -20, 0});
-//     if (hit.ok() && hit.value) std::printf("entity %u\n", hit.value->entity);
+//     if (hit.ok() && hit->value) std::printf("entity %u\n", hit->value->entity);
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "jostle/base/result.h"
 #include "jostle/v1/query.pb.h"
 
 namespace jostle::client {
@@ -43,12 +44,9 @@ struct Nearest {
 };
 
 template <class Value>
-struct QueryAnswer {
+struct Answer {
     Value value{};
     std::uint32_t tick = 0;  // of the world that was asked
-    std::string error;       // empty: the value counts
-
-    bool ok() const { return error.empty(); }
 };
 
 class QueryClient {
@@ -58,15 +56,16 @@ public:
     ~QueryClient();
 
     // The first thing that the ray from `origin` to `origin + motion` meets, if any.
-    QueryAnswer<std::optional<RayHit>> cast_ray(Point origin, Point motion,
-                                                const QueryOptions& options = {});
+    Result<Answer<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
+                                                   const QueryOptions& options = {});
     // Entities, rising: what touches a convex shape where it stands, or holds a point.
-    QueryAnswer<std::vector<std::uint32_t>> overlap(const v1::Shape& shape,
-                                                    const QueryOptions& options = {});
-    QueryAnswer<std::vector<std::uint32_t>> overlap(Point point, const QueryOptions& options = {});
+    Result<Answer<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
+                                                       const QueryOptions& options = {});
+    Result<Answer<std::vector<std::uint32_t>>> overlap(Point point,
+                                                       const QueryOptions& options = {});
     // The nearest surface within `max_distance` (m) of the point, if any.
-    QueryAnswer<std::optional<Nearest>> closest_point(Point point, double max_distance,
-                                                      const QueryOptions& options = {});
+    Result<Answer<std::optional<Nearest>>> closest_point(Point point, double max_distance,
+                                                         const QueryOptions& options = {});
 
 private:
     struct Impl;

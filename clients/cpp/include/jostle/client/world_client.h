@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The control plane: list, create, delete and join worlds. Each call blocks up to 5 s; errors are
-// the server's words.
+// The control plane: list, create, delete and join worlds. Each call blocks up to 5 s; errors carry
+// the server's message.
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
+#include "jostle/base/result.h"
 #include "jostle/v1/world.pb.h"
 
 namespace jostle::client {
@@ -17,12 +17,10 @@ public:
     explicit WorldClient(const std::string& target);
     ~WorldClient();
 
-    // Nothing on success, otherwise why not.
-    std::optional<std::string> list(v1::ListWorldsResponse& response);
-    std::optional<std::string> create(const v1::CreateWorldRequest& request,
-                                      v1::CreateWorldResponse& response);
-    std::optional<std::string> remove(const std::string& world);
-    std::optional<std::string> join(const std::string& world, v1::JoinWorldResponse& response);
+    Result<v1::ListWorldsResponse> list();
+    Result<v1::CreateWorldResponse> create(const v1::CreateWorldRequest& request);
+    Status remove(const std::string& world);
+    Result<v1::JoinWorldResponse> join(const std::string& world);
 
 private:
     struct Impl;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client knows of its world: who is there (rosters) and where (snapshots). No network in
+// What one client knows of its world: who is there (entities) and where (snapshots). No network in
 // it: it is handed messages. One thread at a time.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "jostle/base/result.h"
 #include "jostle/v1/play.pb.h"
 #include "wire/frame_codec.h"
 #include "wire/quantize.h"
@@ -25,11 +26,11 @@ public:
     void apply(const v1::Roster& roster);
     // Decodes and checks. An error leaves the last good frame in place; the client should ask for a
     // keyframe.
-    std::optional<std::string> apply(const v1::Snapshot& snapshot);
+    Status apply(const v1::Snapshot& snapshot);
 
     // Frame 0 until the first snapshot.
     const wire::QuantizedFrame& frame() const { return frames_.empty() ? none_ : frames_.back(); }
-    const std::map<std::uint32_t, v1::Entity>& roster() const { return roster_; }
+    const std::map<std::uint32_t, v1::Entity>& entities() const { return entities_; }
     const wire::QuantSpec& spec() const { return spec_; }
     // Nothing when the entity is not in the newest frame.
     std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
@@ -40,7 +41,7 @@ private:
     wire::QuantSpec spec_;
     wire::QuantizedFrame none_;
     std::deque<wire::QuantizedFrame> frames_;
-    std::map<std::uint32_t, v1::Entity> roster_;
+    std::map<std::uint32_t, v1::Entity> entities_;
 };
 
 }  // namespace jostle::client

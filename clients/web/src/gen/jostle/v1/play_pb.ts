@@ -632,8 +632,8 @@ export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 16);
 
 /**
- * Which entities exist and what they look like. Versions rise by one per message to this client; every Snapshot comes
- * after the Roster that names all of its entities.
+ * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
+ * change comes in several messages, what is gone first. A Snapshot comes after the Rosters that name all of its entities.
  *
  * @generated from message jostle.v1.Roster
  */
@@ -847,7 +847,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
   tick: number;
 
   /**
-   * spawned or grabbed
+   * which one it was about: spawned, pushed, grabbed, dragged or deleted; 0: none
    *
    * @generated from field: uint32 entity = 4;
    */
@@ -891,7 +891,7 @@ export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 23);
 
 /**
- * Ten times a second.
+ * At most ten times a second (a setting of the server), when nothing else is waiting to be sent.
  *
  * @generated from message jostle.v1.WorldStats
  */
@@ -902,33 +902,43 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
   tick: number;
 
   /**
+   * of any type
+   *
    * @generated from field: uint32 bodies = 2;
    */
   bodies: number;
 
   /**
+   * of the dynamic ones
+   *
    * @generated from field: uint32 awake = 3;
    */
   awake: number;
 
   /**
+   * that press
+   *
    * @generated from field: uint32 contacts = 4;
    */
   contacts: number;
 
   /**
+   * of this world
+   *
    * @generated from field: uint32 clients = 5;
    */
   clients: number;
 
   /**
-   * since the last WorldStats
+   * over the ticks of the last second
    *
    * @generated from field: double step_ms_mean = 6;
    */
   stepMsMean: number;
 
   /**
+   * likewise
+   *
    * @generated from field: double step_ms_max = 7;
    */
   stepMsMax: number;
@@ -1195,7 +1205,7 @@ export enum InputCode {
   NOT_ALLOWED = 4,
 
   /**
-   * too many bodies, inputs or bytes
+   * too many bodies, inputs a second, or inputs waiting for the world
    *
    * @generated from enum value: INPUT_CODE_LIMIT = 5;
    */
@@ -1237,7 +1247,7 @@ export enum NoticeCode {
   REFUSED = 3,
 
   /**
-   * inputs are being dropped; slow down
+   * messages are being dropped; slow down
    *
    * @generated from enum value: NOTICE_CODE_RATE_LIMIT = 4;
    */

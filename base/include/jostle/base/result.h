@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// Result<T>: a value, or an Error that says what was wrong, where, and what to do. Status: success,
+// or an Error. How every library and program of ours reports what went wrong: no exceptions cross a
+// border, and a call that returns an Error has changed nothing.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace jostle {
+
+// The meanings are those of gRPC's codes of the same names.
+enum class ErrorCode {
+    invalid_argument,     // a number is not finite, out of range or contradicts another
+    not_found,            // the id names nothing (any more)
+    failed_precondition,  // right call, wrong moment or wrong kind of body
+    corrupt_data,         // bytes that are not what they should be, as of a saved world
+    already_exists,       // the name is taken
+    permission_denied,    // known, and not allowed to do that
+    unauthenticated,      // no ticket, or one that is not good (any more)
+    resource_exhausted,   // full, or too much: later, and slower
+    deadline_exceeded,    // the other side was silent too long
+    aborted,              // the other side ended it, as when a world is closed
+    unavailable,          // not there, or going down: try another, or later
+    internal,             // our own mistake
+};
+
+struct Error {
+    ErrorCode code = ErrorCode::invalid_argument;
+    std::string message;
+};
+
+// Who takes success for granted where there is none: the program ends, and says what was wrong.
+[[noreturn]] inline void end_without_value(const Error& error) {
+    std::fprintf(stderr, "jostle: %s\n", error.message.c_str());
+    std::abort();
+}
+
+//     World world = World::create(def).value();   // the value moves out of a temporary
+//     if (const auto body = world.create_body(def)) use(*body);
+template <class T>
+class [[nodiscard]] Result {
+public:
+    Result(T value) : content_(std::move(value)) {}
+    Result(Error error) : content_(std::move(error)) {}
+
+    bool ok() const { return content_.index() == 0; }
+    explicit operator bool() const { return ok(); }
+
+    // Only when ok(); else the program ends.
+    T& value() & {
+        if (!ok()) end_without_value(error());
+        return *std::get_if<0>(&content_);
+    }
+    const T& value() const& {
+        if (!ok()) end_without_value(error());
+        return *std::get_if<0>(&content_);
+    }
+    T value() && { return std::move(value()); }
+    T& operator*() & { return value(); }
+    const T& operator*() const& { return value(); }
+    T operator*() && { return std::move(value()); }
+    T* operator->() { return &value(); }
+    const T* operator->() const { return &value(); }
+
+    // Only when not ok().
+    const Error& error() const { return *std::get_if<1>(&content_); }
+
+private:
+    std::variant<T, Error> content_;
+};
+
+class [[nodiscard]] Status {
+public:
+    Status() = default;
+    Status(Error error) : error_(std::move(error)) {}
+
+    bool ok() const { return !error_; }
+    explicit operator bool() const { return ok(); }
+    const Error& error() const { return *error_; }  // only when not ok()
+    // For programs that have nothing to say to a failure: they end, and say which it was.
+    void expect() const {
+        if (!ok()) end_without_value(*error_);
+    }
+
+private:
+    std::optional<Error> error_;
+};
+
+}  // namespace jostle

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "loop_thread.h"
+
+#include <algorithm>
+
+#include "status/grpc_status.h"
+
+namespace jostle::client {
+namespace {
+
+// Inputs, pings and reconnects need no better; messages that arrive are handled at once.
+constexpr auto housekeeping_period = std::chrono::milliseconds(5);
+constexpr auto longest_pause = std::chrono::seconds(5);
+
+// Of a stream that nobody here wanted to end.
+Error why_it_ended(const Status& end) {
+    if (end.ok()) return {ErrorCode::aborted, "the stream ended: the server closed it"};
+    return {end.error().code, "the stream ended: " + end.error().message};
+}
+
+}  // namespace
+
+LoopThread::LoopThread() : thread_([this] { run(); }) {}
+
+LoopThread::~LoopThread() {
+    stopping_ = true;
+    thread_.join();
+}
+
+void LoopThread::add(std::shared_ptr<ClientState> client) {
+    const std::lock_guard lock(mutex_);
+    new_clients_.push_back(std::move(client));
+}
+
+void LoopThread::take_new_clients() {
+    const std::lock_guard lock(mutex_);
+    clients_.insert(clients_.end(), new_clients_.begin(), new_clients_.end());
+    new_clients_.clear();
+}
+
+void LoopThread::run() {
+    Clock::time_point housekeeping = Clock::now();
+    while (!stopping_) {
+        void* tag = nullptr;
+        bool ok = false;
+        const auto wait = std::max(Clock::duration::zero(), housekeeping - Clock::now());
+        const auto next = queue_.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + wait);
+        const Clock::time_point now = Clock::now();
+        if (next == grpc::CompletionQueue::GOT_EVENT)
+            handle(*static_cast<Connection::Tag*>(tag), ok, now);
+        if (now < housekeeping) continue;
+        take_new_clients();
+        for (const auto& client : clients_) advance(*client, now);
+        std::erase_if(clients_, [](const auto& client) { return client->over; });
+        housekeeping = now + housekeeping_period;
+    }
+    drain();
+}
+
+void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point now) {
+    // A client stays on the list until its connection has nothing in flight.
+    ClientState& client = *static_cast<ClientState*>(tag.owner);
+    const std::string* received = client.connection->handle(tag.event, ok);
+    if (received) {
+        const std::lock_guard lock(client.mutex);
+        client.conversation.receive(*received, now);
+    }
+    advance(client, now);
+}
+
+// Starts what can be started: a connection, the next write, the next attempt.
+void LoopThread::advance(ClientState& client, Clock::time_point now) {
+    if (client.over) return;
+    if (!client.connection) {
+        if (now < client.connect_at) return;
+        const std::lock_guard lock(client.mutex);
+        if (client.gone || client.conversation.leaving()) {
+            client.over = true;
+            return;
+        }
+        client.conversation.begin(now);
+        client.connection =
+            std::make_unique<Connection>(client.conversation.options().target, queue_, &client);
+        return;
+    }
+    if (client.gone) client.connection->cancel();
+    if (client.connection->finished()) {
+        if (client.connection->idle()) after_end(client, now);
+        return;
+    }
+    while (client.connection->ready_to_write()) {
+        std::optional<std::string> message;
+        bool goodbye = false;
+        {
+            const std::lock_guard lock(client.mutex);
+            message = client.conversation.take_message(now);
+            goodbye = client.conversation.leave_sent();
+        }
+        if (message)
+            client.connection->write(*message);
+        else if (goodbye)
+            client.connection->close_writes();
+        else
+            break;
+    }
+}
+
+void LoopThread::after_end(ClientState& client, Clock::time_point now) {
+    const Status end = from_grpc(client.connection->status());
+    client.connection.reset();
+    const std::lock_guard lock(client.mutex);
+    const bool wanted = client.gone || client.conversation.leaving();
+    if (client.conversation.stats().connected) client.pause = std::chrono::milliseconds(250);
+    client.conversation.ended(wanted ? Status() : why_it_ended(end));
+    if (wanted || !client.conversation.options().reconnect) {
+        client.over = true;
+        return;
+    }
+    client.connect_at = now + client.pause;
+    client.pause = std::min<Clock::duration>(client.pause * 2, longest_pause);
+}
+
+// Cancels what is connected and takes the last events off the queue_.
+void LoopThread::drain() {
+    for (const auto& client : clients_)
+        if (client->connection) client->connection->cancel();
+    queue_.Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    // No new operation may be started now, so the connections only count.
+    while (queue_.Next(&tag, &ok)) {
+    }
+    for (const auto& client : clients_) client->connection.reset();
+}
+
+}  // namespace jostle::client

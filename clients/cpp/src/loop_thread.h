@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The thread of a Loop: a completion queue, and the clients whose connections it moves.
+#pragma once
+
+#include <grpcpp/completion_queue.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "client_state.h"
+
+namespace jostle::client {
+
+class LoopThread {
+public:
+    LoopThread();
+    ~LoopThread();  // ends what is still connected
+    // Any thread.
+    void add(std::shared_ptr<ClientState> client);
+
+private:
+    void run();
+    void take_new_clients();
+    void advance(ClientState& client, Clock::time_point now);
+    void handle(const Connection::Tag& tag, bool ok, Clock::time_point now);
+    void after_end(ClientState& client, Clock::time_point now);
+    void drain();
+
+    grpc::CompletionQueue queue_;
+    std::mutex mutex_;  // guards new_clients_
+    std::vector<std::shared_ptr<ClientState>> new_clients_;
+    std::vector<std::shared_ptr<ClientState>> clients_;  // the thread's own
+    std::atomic<bool> stopping_{false};
+    std::thread thread_;
+};
+
+}  // namespace jostle::client

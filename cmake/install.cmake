@@ -1,0 +1,70 @@
+# cmake --install, find_package(jostle) from another project, and Debian packages.
+#   find_package(jostle REQUIRED COMPONENTS physics)          jostle::physics: the solver, nothing but a compiler
+#   find_package(jostle REQUIRED COMPONENTS client)           jostle::client: the C++ client, with protobuf and gRPC
+# Two packages: `jostle` has the programs and the viewer, `jostle-dev` the libraries and headers.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(jostle_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/jostle)
+
+# jostle_install(SET TARGET... ): the libraries of one export set, under their names without "jostle_".
+function(jostle_install set)
+    foreach(target ${ARGN})
+        string(REPLACE jostle_ "" name ${target})
+        set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    endforeach()
+    install(TARGETS ${ARGN} EXPORT jostle_${set} COMPONENT dev)
+    install(EXPORT jostle_${set} FILE jostle_${set}.cmake NAMESPACE jostle:: DESTINATION ${jostle_cmake_dir} COMPONENT dev)
+endfunction()
+
+jostle_install(physics jostle_base jostle_physics)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/base/include/ ${PROJECT_SOURCE_DIR}/physics/include/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+
+if(JOSTLE_RPC)
+    jostle_install(client jostle_wire jostle_proto jostle_rpc jostle_client)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/cpp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+    # "wire/quantize.h" is too common a name for the top of an include folder.
+    target_include_directories(jostle_wire PUBLIC $<INSTALL_INTERFACE:include/jostle>)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/proto/wire DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/jostle COMPONENT dev
+        FILES_MATCHING PATTERN "*.h")
+    install(DIRECTORY ${PROJECT_BINARY_DIR}/proto/jostle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
+        FILES_MATCHING PATTERN "*.pb.h")
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/proto/jostle DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/proto COMPONENT dev
+        FILES_MATCHING PATTERN "*.proto")
+endif()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/jostleConfig.cmake.in ${PROJECT_BINARY_DIR}/jostleConfig.cmake
+    INSTALL_DESTINATION ${jostle_cmake_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/jostleConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/jostleConfig.cmake ${PROJECT_BINARY_DIR}/jostleConfigVersion.cmake
+    DESTINATION ${jostle_cmake_dir} COMPONENT dev)
+
+if(JOSTLE_SERVER AND JOSTLE_RPC)
+    install(TARGETS jostle-server jostle-bot jostle-load jostle-sim jostle-bench COMPONENT programs)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/web COMPONENT programs)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/bot/scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
+    install(FILES ${PROJECT_SOURCE_DIR}/server/jostle-server.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+
+# cpack -G DEB in the build folder.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME jostle)
+set(CPACK_PACKAGE_VENDOR "The Jostle developers")
+set(CPACK_PACKAGE_CONTACT "The Jostle developers <jostle@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "An authoritative physics server with thin clients")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL programs dev)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION net)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME jostle)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME jostle-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libgrpc++-dev, libprotobuf-dev")
+include(CPack)

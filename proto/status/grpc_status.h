@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Our Status as gRPC's and back: one table, for the server and for clients.
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <string>
+
+#include "jostle/base/result.h"
+
+namespace jostle {
+
+struct GrpcCode {
+    ErrorCode ours;
+    grpc::StatusCode grpc;
+};
+
+// Read from the top both ways: bytes that a client sent and that are corrupt are a wrong argument.
+inline constexpr GrpcCode grpc_codes[] = {
+    {ErrorCode::invalid_argument, grpc::StatusCode::INVALID_ARGUMENT},
+    {ErrorCode::corrupt_data, grpc::StatusCode::INVALID_ARGUMENT},
+    {ErrorCode::not_found, grpc::StatusCode::NOT_FOUND},
+    {ErrorCode::failed_precondition, grpc::StatusCode::FAILED_PRECONDITION},
+    {ErrorCode::already_exists, grpc::StatusCode::ALREADY_EXISTS},
+    {ErrorCode::permission_denied, grpc::StatusCode::PERMISSION_DENIED},
+    {ErrorCode::unauthenticated, grpc::StatusCode::UNAUTHENTICATED},
+    {ErrorCode::resource_exhausted, grpc::StatusCode::RESOURCE_EXHAUSTED},
+    {ErrorCode::deadline_exceeded, grpc::StatusCode::DEADLINE_EXCEEDED},
+    {ErrorCode::aborted, grpc::StatusCode::ABORTED},
+    {ErrorCode::unavailable, grpc::StatusCode::UNAVAILABLE},
+    {ErrorCode::internal, grpc::StatusCode::INTERNAL},
+};
+
+inline grpc::Status to_grpc(const Status& status) {
+    if (status.ok()) return grpc::Status::OK;
+    for (const GrpcCode& code : grpc_codes)
+        if (code.ours == status.error().code) return {code.grpc, status.error().message};
+    return {grpc::StatusCode::INTERNAL, status.error().message};
+}
+
+// Codes that we never send are the other side's internal errors.
+inline Status from_grpc(const grpc::Status& status) {
+    if (status.ok()) return {};
+    Error error{ErrorCode::internal, status.error_message()};
+    for (const GrpcCode& code : grpc_codes) {
+        if (code.grpc != status.error_code()) continue;
+        error.code = code.ours;
+        break;
+    }
+    if (error.message.empty()) error.message = "the server gave no reason";
+    return error;
+}
+
+}  // namespace jostle

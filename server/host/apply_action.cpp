@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "host/apply_action.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace jostle::server {
+
+using namespace physics;
+
+namespace {
+
+constexpr double impulse_speed_max = 20;  // m/s that one impulse may give a body
+
+Error refused(ErrorCode code, std::string message) {
+    return {code, std::move(message)};
+}
+
+Error no_such_entity(EntityId id) {
+    return refused(ErrorCode::not_found, "there is no entity " + std::to_string(id));
+}
+
+// What the solver says no to is an input with wrong numbers.
+Status from_solver(const Status& status) {
+    return status.ok() ? status : refused(ErrorCode::invalid_argument, status.error().message);
+}
+
+// One kind of action each; a kind without one does not compile.
+struct Apply {
+    HostedState& state;
+    ClientId client;
+    EntityId& about;
+
+    Status operator()(const SpawnCommand& c) const {
+        if (static_cast<int>(state.entities.size()) >= state.limits.bodies_max)
+            return refused(ErrorCode::resource_exhausted,
+                           "the world is full: it holds " +
+                               std::to_string(state.limits.bodies_max) + " bodies");
+        if (state.ownership.count(client) >= state.limits.bodies_owned_max)
+            return refused(ErrorCode::resource_exhausted,
+                           "you own " + std::to_string(state.limits.bodies_owned_max) +
+                               " bodies, the most allowed; delete some first");
+        const Result<BodyId> body =
+            state.world.create_body(BodyDef{.pose = c.pose,
+                                            .linear_velocity = c.linear_velocity,
+                                            .angular_velocity = c.angular_velocity},
+                                    c.shape);
+        if (!body.ok()) return from_solver(body.error());
+        about = state.entities.add(state.world, *body, client, c.color, {});
+        state.ownership.add(client, about);
+        return {};
+    }
+
+    Status operator()(const ImpulseCommand& c) const {
+        about = c.entity;
+        const Result<const Entity*> entity = dynamic_entity(c.entity);
+        if (!entity.ok()) return entity.error();
+        const BodyState body = *state.world.body((*entity)->body);
+        const double most = body.mass * impulse_speed_max, size = length(c.impulse);
+        const Vec3 impulse = size > most ? c.impulse * (most / size) : c.impulse;
+        Vec3 point = c.point.value_or(body.center);
+        // A point far outside the body would be a lever of any length.
+        const Vec3 arm = point - body.center;
+        const double reach = 2;
+        if (length(arm) > reach) point = body.center + arm * (reach / length(arm));
+        return from_solver(state.world.apply_impulse((*entity)->body, impulse, point));
+    }
+
+    Status operator()(const GrabCommand& c) const {
+        about = c.entity;
+        const Result<const Entity*> entity = dynamic_entity(c.entity);
+        if (!entity.ok()) return entity.error();
+        state.grabs.grab(client, *state.world.body((*entity)->body), c.point);
+        return {};
+    }
+
+    Status operator()(const DragCommand& c) const {
+        const std::optional<BodyId> body = state.grabs.drag(client, c.target);
+        if (!body) return refused(ErrorCode::not_found, "you hold nothing; grab an entity first");
+        about = state.entities.entity_of(*body);
+        return {};
+    }
+
+    Status operator()(const ReleaseCommand&) const {
+        state.grabs.release(client);
+        return {};
+    }
+
+    Status operator()(const DeleteCommand& c) const {
+        about = c.entity;
+        if (!state.entities.find(c.entity)) return no_such_entity(c.entity);
+        if (!state.ownership.owns(client, c.entity))
+            return refused(ErrorCode::permission_denied,
+                           "entity " + std::to_string(c.entity) + " is not yours");
+        remove(c.entity);
+        return {};
+    }
+
+    Status operator()(const ExplodeCommand& c) const {
+        Status status;
+        for (const auto& [id, entity] : state.entities.all()) {
+            if (entity.description->type != BodyType::dynamic) continue;
+            const BodyState body = *state.world.body(entity.body);
+            const Vec3 away = body.center - c.center;
+            const double distance = length(away);
+            if (distance >= c.radius) continue;
+            const double speed = c.speed * (1 - distance / c.radius);
+            const Vec3 impulse = normalized(away) * (speed * body.mass);
+            if (Status pushed = state.world.apply_impulse(entity.body, impulse, body.center);
+                !pushed.ok())
+                status = from_solver(pushed);
+        }
+        return status;
+    }
+
+    Status operator()(const LeaveCommand& c) const {
+        if (!c.keep_bodies)
+            for (const EntityId id : state.ownership.owned_by(client)) remove(id);
+        state.ownership.forget(client);
+        state.grabs.release(client);
+        return {};
+    }
+
+private:
+    void remove(EntityId id) const {
+        const BodyId body = state.entities.find(id)->body;
+        state.grabs.release_body(body);
+        state.ownership.remove(id);
+        state.entities.remove(id);
+        // The registry and the world agree, so the body is there.
+        static_cast<void>(state.world.destroy_body(body).ok());
+    }
+
+    Result<const Entity*> dynamic_entity(EntityId id) const {
+        const Entity* entity = state.entities.find(id);
+        if (!entity) return no_such_entity(id);
+        if (entity->description->type != BodyType::dynamic)
+            return refused(ErrorCode::permission_denied,
+                           "entity " + std::to_string(id) + " is not dynamic; it cannot be moved");
+        return entity;
+    }
+};
+
+}  // namespace
+
+Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& about) {
+    return std::visit(Apply{state, client, about}, action);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// What an action does to a world: the only place where one becomes a World call. On the thread that
+// owns the world.
+#pragma once
+
+#include "host/command.h"
+#include "host/entity_registry.h"
+#include "host/grabs.h"
+#include "host/ownership.h"
+#include "jostle/base/result.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::server {
+
+struct HostLimits {
+    int bodies_max = 20000;     // of the whole world
+    int bodies_owned_max = 50;  // of one client
+};
+
+// All that an action may change.
+struct HostedState {
+    physics::World world;
+    HostLimits limits;
+    EntityRegistry entities;
+    Ownership ownership;
+    Grabs grabs;
+};
+
+// `about` becomes the entity that the action is about, if any, also when it is refused.
+Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& about);
+
+}  // namespace jostle::server

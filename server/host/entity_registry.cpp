@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "host/entity_registry.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, ClientId owner,
+                             std::optional<std::uint32_t> color, std::string name) {
+    const physics::BodyState state = *world.body(body);
+    auto description = std::make_shared<EntityDescription>();
+    const EntityId id = description->id = next_id_++;
+    description->type = state.type;
+    for (const physics::ShapeId shape : world.shapes_of(body))
+        description->shapes.push_back(*world.shape(shape));
+    description->owner = owner;
+    description->color = color;
+    description->name = std::move(name);
+    description->mass = state.mass;
+    entities_.emplace(id, Entity{body, std::move(description)});
+    if (entity_of_body_.size() <= body.index) entity_of_body_.resize(body.index + 1, 0);
+    entity_of_body_[body.index] = id;
+    list_ = nullptr;
+    places_ = nullptr;
+    return id;
+}
+
+void EntityRegistry::remove(EntityId id) {
+    const auto at = entities_.find(id);
+    if (at == entities_.end()) return;
+    entity_of_body_[at->second.body.index] = 0;
+    removed_.emplace(at->second.body, id);
+    entities_.erase(at);
+    list_ = nullptr;
+    places_ = nullptr;
+}
+
+void EntityRegistry::on_step() {
+    removed_before_step_ = std::exchange(removed_, {});
+}
+
+const Entity* EntityRegistry::find(EntityId id) const {
+    const auto at = entities_.find(id);
+    return at == entities_.end() ? nullptr : &at->second;
+}
+
+EntityId EntityRegistry::entity_of(physics::BodyId body) const {
+    const auto at = removed_before_step_.find(body);
+    return at != removed_before_step_.end() ? at->second : entity_of_body_[body.index];
+}
+
+const std::shared_ptr<const EntityList>& EntityRegistry::list() {
+    if (!list_) {
+        auto list = std::make_shared<EntityList>();
+        list->reserve(entities_.size());
+        for (const auto& [id, entity] : entities_) list->push_back(entity.description);
+        list_ = std::move(list);
+    }
+    return list_;
+}
+
+const std::shared_ptr<const ShapePlaces>& EntityRegistry::places() {
+    if (!places_) places_ = std::make_shared<const ShapePlaces>(places_in(*list()));
+    return places_;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/client_message.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <utility>
+
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/play.pb.h"
+#include "protocol/vector_message.h"
+#include "session/admission.h"
+
+namespace jostle::server {
+
+using google::protobuf::internal::WireFormatLite;
+using google::protobuf::io::CodedOutputStream;
+namespace {
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+// All zero means no rotation, and readers normalise; what has no direction is refused.
+Result<physics::Quat> to_rotation(const v1::Quat& q) {
+    const physics::Quat quat{q.x(), q.y(), q.z(), q.w()};
+    const double size = norm_squared(quat);
+    if (size == 0) return physics::Quat{};
+    if (!(size > 1e-12 && size < 1e12))
+        return invalid("rotation is not a quaternion near unit length");
+    return normalized(quat);
+}
+
+// What may never be spawned is refused before it costs the work of building it.
+Status check_kind(const v1::Shape& shape) {
+    switch (shape.kind_case()) {
+        case v1::Shape::kPlane:
+        case v1::Shape::kMesh:
+        case v1::Shape::kHeightField:
+        case v1::Shape::kCompound: {
+            const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(shape.kind_case());
+            return invalid(
+                fmt::format("spawn.shape is a {}; {}", kind->name(), spawned_shapes_allowed));
+        }
+        case v1::Shape::kHull:
+            if (shape.hull().points_size() > spawned_hull_points_max)
+                return invalid(fmt::format("spawn.shape.hull.points has {} entries; {}",
+                                           shape.hull().points_size(), spawned_shapes_allowed));
+            return {};
+        default:
+            return {};
+    }
+}
+
+Result<Action> action_of(const v1::SpawnInput& spawn) {
+    if (const Status kind = check_kind(spawn.shape()); !kind.ok()) return kind.error();
+    Result<physics::ShapeDef> shape = scenes::shape_from_message(spawn.shape(), "spawn.shape");
+    if (!shape.ok()) return shape.error();
+    const Result<physics::Quat> rotation = to_rotation(spawn.rotation());
+    if (!rotation.ok()) return rotation.error();
+    SpawnCommand command;
+    command.shape = *shape;
+    command.pose = {to_vector(spawn.position()), *rotation};
+    command.linear_velocity = to_vector(spawn.linear_velocity());
+    command.angular_velocity = to_vector(spawn.angular_velocity());
+    if (spawn.has_color()) command.color = spawn.color() & 0xffffff;
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::ImpulseInput& impulse) {
+    ImpulseCommand command{
+        .entity = impulse.entity(), .impulse = to_vector(impulse.impulse()), .point = std::nullopt};
+    if (impulse.has_point()) command.point = to_vector(impulse.point());
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::Input& input) {
+    switch (input.kind_case()) {
+        case v1::Input::kSpawn:
+            return action_of(input.spawn());
+        case v1::Input::kImpulse:
+            return action_of(input.impulse());
+        case v1::Input::kGrab:
+            return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point())}};
+        case v1::Input::kDrag:
+            return Action{DragCommand{to_vector(input.drag().target())}};
+        case v1::Input::kRelease:
+            return Action{ReleaseCommand{}};
+        case v1::Input::kDelete:
+            return Action{DeleteCommand{input.delete_().entity()}};
+        case v1::Input::kExplode:
+            return Action{ExplodeCommand{to_vector(input.explode().center()),
+                                         input.explode().radius(), input.explode().speed()}};
+        case v1::Input::KIND_NOT_SET:
+            break;
+    }
+    return invalid("the input is empty, or of a kind that this server does not know");
+}
+
+Ack decode(const v1::Ack& ack) {
+    return {ack.frame(), ack.need_keyframe()};
+}
+
+Result<ClientMessage> decode(const v1::Hello& hello) {
+    if (hello.name().size() > client_name_bytes_max) {
+        return invalid(fmt::format("hello.name has {} bytes; at most {} are allowed",
+                                   hello.name().size(), client_name_bytes_max));
+    }
+    return ClientMessage{Hello{.protocol = hello.protocol(),
+                               .world = hello.world(),
+                               .ticket = hello.ticket(),
+                               .name = hello.name(),
+                               .snapshot_hz = hello.snapshot_hz(),
+                               .spectator = hello.spectator(),
+                               .events = hello.events()}};
+}
+
+Result<ClientMessage> decode(const v1::InputBatch& batch) {
+    const std::uint64_t first = batch.first_sequence();
+    if (first == 0 && batch.inputs_size() > 0) {
+        return invalid("input.first_sequence is 0; inputs are numbered from 1");
+    }
+    if (first + static_cast<std::uint64_t>(batch.inputs_size()) > 0xffffffffu) {
+        return invalid("input.first_sequence leaves no numbers for the inputs; join again");
+    }
+    InputBatch decoded;
+    decoded.first_sequence = batch.first_sequence();
+    decoded.client_time_us = batch.client_time_us();
+    if (batch.has_ack()) decoded.ack = decode(batch.ack());
+    decoded.inputs.reserve(static_cast<std::size_t>(batch.inputs_size()));
+    for (const v1::Input& input : batch.inputs()) decoded.inputs.push_back(action_of(input));
+    return ClientMessage{std::move(decoded)};
+}
+
+}  // namespace
+
+Result<ClientMessage> decode_client_message(std::string_view bytes) {
+    v1::ClientMessage message;
+    if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
+        return invalid(fmt::format("the {} bytes are not a jostle.v1.ClientMessage", bytes.size()));
+    }
+    switch (message.message_case()) {
+        case v1::ClientMessage::kHello:
+            return decode(message.hello());
+        case v1::ClientMessage::kInput:
+            return decode(message.input());
+        case v1::ClientMessage::kAck:
+            return ClientMessage{decode(message.ack())};
+        case v1::ClientMessage::kPing:
+            return ClientMessage{Ping{message.ping().client_time_us()}};
+        case v1::ClientMessage::kLeave:
+            return ClientMessage{Leave{}};
+        case v1::ClientMessage::MESSAGE_NOT_SET:
+            break;
+    }
+    return invalid("the ClientMessage is empty, or of a kind that this server does not know");
+}
+
+}  // namespace jostle::server

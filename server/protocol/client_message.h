@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// What a client sends: the messages of play.proto, decoded and checked. They came from strangers:
+// they are parsed strictly and each refusal says which field is wrong. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host/command.h"
+#include "jostle/base/result.h"
+
+namespace jostle::server {
+
+inline constexpr std::uint32_t protocol_version = 1;
+inline constexpr std::size_t client_name_bytes_max = 32;
+
+struct Hello {
+    std::uint32_t protocol = 0;
+    std::string world, ticket, name;
+    std::uint32_t snapshot_hz = 0;  // 0: the world's rate
+    bool spectator = false;
+    bool events = false;
+};
+struct Ack {
+    std::uint32_t frame = 0;
+    bool need_keyframe = false;
+};
+struct InputBatch {
+    std::uint32_t first_sequence = 0;
+    std::vector<Result<Action>> inputs;  // an error refuses that input alone
+    std::optional<Ack> ack;
+    std::uint32_t client_time_us = 0;
+};
+struct Ping {
+    std::uint64_t client_time_us = 0;
+};
+struct Leave {};
+
+using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave>;
+
+// The bytes of one ClientMessage. An error refuses the whole message.
+Result<ClientMessage> decode_client_message(std::string_view bytes);
+
+}  // namespace jostle::server

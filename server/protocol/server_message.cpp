@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/server_message.h"
+
+#include "jostle/scenes/shape_message.h"
+#include "jostle/v1/play.pb.h"
+#include "protocol/message_head.h"
+#include "protocol/vector_message.h"
+
+namespace jostle::server {
+
+namespace {
+
+v1::BodyType to_message(physics::BodyType type) {
+    switch (type) {
+        case physics::BodyType::static_body:
+            return v1::BODY_TYPE_STATIC;
+        case physics::BodyType::kinematic:
+            return v1::BODY_TYPE_KINEMATIC;
+        case physics::BodyType::dynamic:
+            return v1::BODY_TYPE_DYNAMIC;
+    }
+    return v1::BODY_TYPE_UNSPECIFIED;
+}
+
+void set(v1::Entity& to, const EntityDescription& from) {
+    to.set_id(from.id);
+    to.set_type(to_message(from.type));
+    // Only what a viewer draws: where it is and how big. Density and material stay with the server.
+    for (const physics::ShapeState& shape : from.shapes)
+        scenes::write_outline(*to.add_shapes(), shape.geometry, shape.pose);
+    to.set_owner(from.owner);
+    if (from.color) to.set_color(*from.color);
+    to.set_name(from.name);
+    to.set_mass(from.mass);
+}
+
+v1::InputCode input_code_of(const Status& status) {
+    if (status.ok()) return v1::INPUT_CODE_APPLIED;
+    switch (status.error().code) {
+        case ErrorCode::not_found:
+            return v1::INPUT_CODE_NOT_FOUND;
+        case ErrorCode::permission_denied:
+            return v1::INPUT_CODE_NOT_ALLOWED;
+        case ErrorCode::resource_exhausted:
+            return v1::INPUT_CODE_LIMIT;
+        default:
+            return v1::INPUT_CODE_INVALID;
+    }
+}
+
+v1::NoticeCode to_message(NoticeKind kind) {
+    switch (kind) {
+        case NoticeKind::draining:
+            return v1::NOTICE_CODE_DRAINING;
+        case NoticeKind::world_closed:
+            return v1::NOTICE_CODE_WORLD_CLOSED;
+        case NoticeKind::refused:
+            return v1::NOTICE_CODE_REFUSED;
+        case NoticeKind::rate_limit:
+            return v1::NOTICE_CODE_RATE_LIMIT;
+    }
+    return v1::NOTICE_CODE_UNSPECIFIED;
+}
+
+}  // namespace
+
+std::string encode_welcome(const Welcome& from) {
+    v1::ServerMessage message;
+    v1::Welcome& welcome = *message.mutable_welcome();
+    welcome.set_client_id(from.client);
+    welcome.set_world_id(from.world_id);
+    welcome.set_world_name(from.world_name);
+    welcome.set_tick(from.tick);
+    welcome.set_tick_hz(from.tick_hz);
+    welcome.set_snapshot_hz(from.snapshot_hz);
+    welcome.set_ack_window(from.ack_window);
+    v1::QuantSpec& quant = *welcome.mutable_quant();
+    quant.set_units_per_meter(static_cast<std::uint32_t>(from.quant.units_per_meter));
+    quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
+    welcome.set_server_time_us(from.server_time_us);
+    write_vector(*welcome.mutable_gravity(), from.gravity);
+    return message.SerializeAsString();
+}
+
+std::string encode_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
+                          std::span<const EntityId> removed) {
+    v1::ServerMessage message;
+    v1::Roster& roster = *message.mutable_roster();
+    for (const auto& entity : added) set(*roster.add_added(), *entity);
+    for (const EntityId id : removed) roster.add_removed(id);
+    return message.SerializeAsString();
+}
+
+std::string encode_input_results(std::span<const InputResult> results) {
+    v1::ServerMessage message;
+    for (const InputResult& from : results) {
+        v1::InputResult& to = *message.mutable_input_results()->add_results();
+        to.set_sequence(from.sequence);
+        to.set_code(input_code_of(from.status));
+        to.set_tick(from.tick);
+        to.set_entity(from.entity);
+        if (!from.status.ok()) to.set_message(from.status.error().message);
+    }
+    return message.SerializeAsString();
+}
+
+std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us) {
+    v1::ServerMessage message;
+    message.mutable_pong()->set_client_time_us(client_time_us);
+    message.mutable_pong()->set_server_time_us(server_time_us);
+    return message.SerializeAsString();
+}
+
+std::string encode_world_stats(const Frame& frame, std::uint32_t clients) {
+    v1::ServerMessage message;
+    v1::WorldStats& stats = *message.mutable_stats();
+    stats.set_tick(frame.tick);
+    stats.set_bodies(static_cast<std::uint32_t>(frame.entities.size()));
+    stats.set_awake(static_cast<std::uint32_t>(frame.awake));
+    stats.set_contacts(static_cast<std::uint32_t>(frame.contacts));
+    stats.set_clients(clients);
+    stats.set_step_ms_mean(frame.step_ms_mean);
+    stats.set_step_ms_max(frame.step_ms_max);
+    stats.set_late_ticks(frame.late_ticks);
+    return message.SerializeAsString();
+}
+
+std::string encode_notice(NoticeKind kind, const std::string& text) {
+    v1::ServerMessage message;
+    message.mutable_notice()->set_code(to_message(kind));
+    message.mutable_notice()->set_message(text);
+    return message.SerializeAsString();
+}
+
+std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
+    v1::Snapshot snapshot;
+    snapshot.set_frame(encoded.frame);
+    snapshot.set_base_frame(encoded.bases.base);
+    snapshot.set_base2_frame(encoded.bases.base2);
+    snapshot.set_base3_frame(encoded.bases.base3);
+    snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
+    snapshot.set_crc(encoded.crc);
+    snapshot.set_server_time_us(to_us(encoded.due));
+    return snapshot.SerializeAsString();
+}
+
+std::string encode_snapshot_head(const Private& from, std::size_t shared_bytes) {
+    v1::Snapshot fields;
+    v1::Private& own = *fields.mutable_own();
+    own.set_input_sequence(from.input_sequence);
+    own.set_echo_client_time_us(from.echo_client_time_us);
+    own.set_snapshots_skipped(from.snapshots_skipped);
+    return encode_head(v1::ServerMessage::kSnapshotFieldNumber, fields, shared_bytes);
+}
+
+}  // namespace jostle::server

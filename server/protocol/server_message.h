@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// What the server sends (event_message has the events): each function returns the bytes of one
+// ServerMessage of play.proto, or one of the two pieces of a Snapshot. Pure functions; any thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "host/command.h"
+#include "host/frame.h"
+#include "replication/snapshot_cache.h"
+
+namespace jostle::server {
+
+struct Welcome {
+    ClientId client = 0;
+    std::string world_id, world_name;
+    std::uint32_t tick = 0;
+    double tick_hz = 0;
+    std::uint32_t snapshot_hz = 0;
+    std::uint32_t ack_window = 0;
+    wire::QuantSpec quant;
+    std::uint64_t server_time_us = 0;
+    physics::Vec3 gravity;
+};
+enum class NoticeKind { draining, world_closed, refused, rate_limit };
+
+std::string encode_welcome(const Welcome& welcome);
+std::string encode_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
+                          std::span<const EntityId> removed);
+std::string encode_input_results(std::span<const InputResult> results);
+std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
+std::string encode_world_stats(const Frame& frame, std::uint32_t clients);
+std::string encode_notice(NoticeKind kind, const std::string& message);
+
+// --- snapshots: a shared piece and a private one, one after the other, are one ServerMessage ---
+
+struct Private {
+    std::uint32_t input_sequence = 0;
+    std::uint32_t echo_client_time_us = 0;
+    std::uint32_t snapshots_skipped = 0;
+};
+
+// The fields of jostle.v1.Snapshot that all clients share.
+std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
+// What stands before them: the field and length of the snapshot in its ServerMessage, then the
+// client's own field.
+std::string encode_snapshot_head(const Private& own, std::size_t shared_bytes);
+
+}  // namespace jostle::server

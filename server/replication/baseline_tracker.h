@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// What one client was sent. The stream is reliable and ordered, so the last frame put on it is a
+// base that the client will have when it needs it; nothing has to be acknowledged first. Clients on
+// the same cadence have the same bases and share their bytes.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "replication/snapshot_cache.h"
+
+namespace jostle::server {
+
+class BaselineTracker {
+public:
+    // The bases for the frame that is to be sent now: the last one sent, and two older ones about
+    // as far apart, because extrapolating a short step over a long one multiplies the rounding
+    // noise.
+    BaseNumbers bases_for(std::uint32_t frame) const;
+    void on_sent(std::uint32_t frame);
+    // The client lost track: the next snapshot is absolute.
+    void reset() { sent_.clear(); }
+    std::uint32_t last() const { return sent_.empty() ? 0 : sent_.back(); }
+
+private:
+    std::deque<std::uint32_t> sent_;  // rising; at most as many as the client keeps
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+//
+// The accuracy check against closed forms.
+#include "speed/accuracy_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "parts.h"
+#include "support/random.h"
+
+namespace {
+
+using namespace jostle::bench;
+namespace scenes = jostle::scenes;
+using jostle::physics::Box;
+using jostle::physics::Capsule;
+using jostle::physics::compose;
+using jostle::physics::from_axis_angle;
+using jostle::physics::Quat;
+using jostle::physics::Sphere;
+using jostle::physics::Transform;
+using jostle::physics::Vec3;
+
+constexpr double pi = jostle::physics::pi, exact = 1e-9;
+
+const Box cube{{0.5, 0.5, 0.5}};
+const Quat eighth_about_z = from_axis_angle({0, 0, 1}, pi / 4);
+
+Transform at(Vec3 position, Quat rotation = {}) {
+    return {position, rotation};
+}
+
+// The same wherever the pair stands, however it is turned and whoever is asked first.
+double depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
+             const Transform& pose_b) {
+    const double here = penetration_depth(a, pose_a, b, pose_b);
+    const Transform moved{{3, -2, 7}, from_axis_angle({1, 2, -3}, 1.234)};
+    EXPECT_NEAR(penetration_depth(a, compose(moved, pose_a), b, compose(moved, pose_b)), here,
+                exact);
+    EXPECT_NEAR(penetration_depth(b, pose_b, a, pose_a), here, exact);
+    return here;
+}
+
+TEST(AccuracyCheck, boxes_face_to_face) {
+    EXPECT_NEAR(depth(cube, at({}), cube, at({0, 0.999, 0})), 0.001, exact);
+    EXPECT_LE(depth(cube, at({}), cube, at({0, 1.001, 0})), 0);
+}
+
+TEST(AccuracyCheck, box_on_its_edge) {
+    // Its half diagonal is sqrt(2)/2 and reaches 1 mm into the other's top at 0.5.
+    const double height = 0.5 + std::sqrt(0.5) - 0.001;
+    EXPECT_NEAR(depth(cube, at({}), cube, at({0.1, height, 0}, eighth_about_z)), 0.001, exact);
+}
+
+TEST(AccuracyCheck, boxes_edge_across_edge) {
+    // Two edges, one along z and one along x, cross over each other on the y axis.
+    const Quat eighth_about_x = from_axis_angle({1, 0, 0}, pi / 4);
+    const double height = 2 * std::sqrt(0.5) - 0.001;
+    EXPECT_NEAR(depth(cube, at({}, eighth_about_z), cube, at({0, height, 0}, eighth_about_x)),
+                0.001, exact);
+}
+
+TEST(AccuracyCheck, sphere_against_face_edge_corner_and_inside) {
+    const Sphere ball{0.3};
+    EXPECT_NEAR(depth(ball, at({0.1, 0.79, 0}), cube, at({})), 0.01, exact);
+    EXPECT_NEAR(depth(ball, at({0.6, 0.6, 0}), cube, at({})), 0.3 - 0.1 * std::sqrt(2), exact);
+    EXPECT_NEAR(depth(ball, at({0.6, 0.6, 0.6}), cube, at({})), 0.3 - 0.1 * std::sqrt(3), exact);
+    EXPECT_NEAR(depth(ball, at({0.4, 0, 0}), cube, at({})), 0.3 + 0.1, exact);
+}
+
+TEST(AccuracyCheck, spheres) {
+    EXPECT_NEAR(depth(Sphere{0.3}, at({}), Sphere{0.2}, at({0.3, 0.39, 0})),
+                0.5 - std::sqrt(0.09 + 0.39 * 0.39), exact);
+}
+
+TEST(AccuracyCheck, capsules_side_by_side_crossed_and_end_to_end) {
+    const Capsule rod{0.2, 1};
+    const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
+    EXPECT_NEAR(depth(rod, at({}), rod, at({0.399, 0.7, 0})), 0.001, exact);
+    EXPECT_NEAR(depth(rod, at({}), rod, at({0, 0, 0.39}, along_x)), 0.01, exact);
+    EXPECT_NEAR(depth(rod, at({}), rod, at({0, 2.395, 0})), 0.005, exact);
+    EXPECT_NEAR(depth(rod, at({}), Sphere{0.1}, at({0.29, -0.4, 0})), 0.01, exact);
+}
+
+TEST(AccuracyCheck, capsule_lies_on_box_stands_on_it_and_leans_on_its_edge) {
+    const Capsule rod{0.2, 1};
+    const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
+    EXPECT_NEAR(depth(rod, at({0.3, 0.698, 0}, along_x), cube, at({})), 0.002, exact);
+    EXPECT_NEAR(depth(rod, at({0.3, 1.698, 0}), cube, at({})), 0.002, exact);
+    // At 45 degrees over the edge at (0.5, 0.5): the axis passes it at 0.19.
+    const double over = 0.5 + 0.19 * std::sqrt(0.5);
+    EXPECT_NEAR(depth(rod, at({over, over, 0}, eighth_about_z), cube, at({})), 0.01, exact);
+}
+
+TEST(AccuracyCheck, capsule_whose_axis_is_inside_a_box) {
+    // Lying 0.1 below the top face: out by 0.1, and by its own radius.
+    const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
+    EXPECT_NEAR(depth(Capsule{0.2, 0.3}, at({0, 0.4, 0}, along_x), cube, at({})), 0.3, exact);
+}
+
+// How far a shape reaches from its centre along a unit vector.
+double reach(const Primitive& shape, const Transform& pose, Vec3 along) {
+    const Vec3 local = inverse_rotate(pose.rotation, along);
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+    if (const auto* rod = std::get_if<Capsule>(&shape))
+        return rod->radius + rod->half_length * std::abs(local.y);
+    return dot(abs(local), std::get<Box>(shape).half_extents);
+}
+
+// The overlap is the least over all directions of the overlap of the projections; here the least
+// over many, refined: an independent way to the same number.
+double least_projection(const Primitive& a, const Transform& pose_a, const Primitive& b,
+                        const Transform& pose_b) {
+    const Vec3 between = pose_b.position - pose_a.position;
+    const auto overlap_along = [&](Vec3 n) {
+        return reach(a, pose_a, n) + reach(b, pose_b, n) - std::abs(dot(between, n));
+    };
+    jostle::test::Random random(7);
+    Vec3 best{0, 1, 0};
+    const auto try_axis = [&](Vec3 n) {
+        if (overlap_along(n) < overlap_along(best)) best = n;
+    };
+    for (int k = 0; k < 10000; k++) try_axis(random.direction());
+    for (double size = 0.1; size > 1e-6; size *= 0.99)
+        for (int k = 0; k < 3; k++) try_axis(normalized(best + random.vector(size)));
+    return overlap_along(best);
+}
+
+TEST(AccuracyCheck, agrees_with_a_search_over_all_directions) {
+    jostle::test::Random random(3);
+    const Primitive shapes[] = {Sphere{0.3}, Capsule{0.2, 0.25}, Box{{0.3, 0.25, 0.35}}};
+    int overlapping = 0;
+    for (int k = 0; k < 300; k++) {
+        const Primitive &a = shapes[k % 3], &b = shapes[k / 3 % 3];
+        const Transform pose_a = at({}, random.rotation());
+        const Transform pose_b = at(random.vector(0.4), random.rotation());
+        const double searched = least_projection(a, pose_a, b, pose_b);
+        const double exact_depth = penetration_depth(a, pose_a, b, pose_b);
+        if (exact_depth <= 0) continue;
+        overlapping++;
+        ASSERT_LE(exact_depth, searched + exact);
+        ASSERT_NEAR(exact_depth, searched, 5e-3) << a.index() << " " << b.index();
+    }
+    EXPECT_GT(overlapping, 200);
+}
+
+// Two spheres, each 4 mm deep in the floor and 20 mm in the other.
+struct ThreeBodies {
+    scenes::SceneDescription scene;
+    std::vector<Transform> poses;
+
+    ThreeBodies() {
+        scene.bodies = {scenes::fixed_box("floor", {0, -1, 0}, {10, 1, 10}),
+                        scenes::loose("left", {0, 0.496, 0}, Sphere{0.5}),
+                        scenes::loose("right", {0.98, 0.496, 0}, Sphere{0.5})};
+        for (const scenes::SceneBody& body : scene.bodies) poses.push_back(body.body.pose);
+    }
+};
+
+TEST(AccuracyCheck, adds_up_a_scene) {
+    ThreeBodies three;
+    const Penetration both = AccuracyCheck(three.scene).penetration(three.poses);
+    EXPECT_EQ(both.pairs, 3);
+    EXPECT_EQ(both.over_1cm, 1);
+    EXPECT_NEAR(both.deepest, 0.02, exact);
+    EXPECT_NEAR(both.mean, (0.004 + 0.004 + 0.02) / 3, exact);
+}
+
+TEST(AccuracyCheck, passes_over_what_a_joint_connects_and_measures_its_drift) {
+    ThreeBodies three;
+    scenes::join(three.scene, "link", 2, 1, at({0.5, 0.496, 0}), jostle::physics::BallJoint{});
+    const AccuracyCheck check(three.scene);
+    EXPECT_EQ(check.penetration(three.poses).over_1cm, 0);
+    EXPECT_NEAR(check.joint_drift(three.poses), 0, exact);
+    three.poses[2].position += {0.003, 0, 0.004};
+    EXPECT_NEAR(check.joint_drift(three.poses), 0.005, exact);
+    // A turn moves the anchor about the body's centre, 0.48 m away: a chord.
+    three.poses[2] = {three.scene.bodies[2].body.pose.position, from_axis_angle({0, 1, 0}, pi / 2)};
+    EXPECT_NEAR(check.joint_drift(three.poses), 0.48 * std::sqrt(2), exact);
+}
+
+TEST(AccuracyCheck, passes_over_bodies_that_collide_with_nothing) {
+    ThreeBodies three;
+    three.scene.bodies[2].shapes[0].filter.mask = 0;
+    EXPECT_EQ(AccuracyCheck(three.scene).penetration(three.poses).pairs, 1);
+}
+
+TEST(AccuracyCheck, counts_bodies_that_are_lost_and_goes_on) {
+    ThreeBodies three;
+    three.poses[2].position.x = std::numeric_limits<double>::quiet_NaN();
+    const Penetration found = AccuracyCheck(three.scene).penetration(three.poses);
+    EXPECT_EQ(found.lost, 1);
+    EXPECT_EQ(found.pairs, 1);
+}
+
+}  // namespace

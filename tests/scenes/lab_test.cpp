@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+//
+// The laboratory's scenes are what their definitions say, to the last digit: figures of other times
+// and of other engines' authors are about the same bodies.
+#include "jostle/scenes/lab.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "jostle/scenes/catalog.h"
+#include "support/near.h"
+
+namespace jostle::scenes {
+namespace {
+
+using namespace physics;
+using test::near;
+
+bool is_fixed(const SceneBody& body) {
+    return body.body.type == BodyType::static_body;
+}
+
+Vec3 position(const SceneBody& body) {
+    return body.body.pose.position;
+}
+
+template <class Shape>
+Shape shape(const SceneBody& body) {
+    return std::get<Shape>(body.shapes.at(0).geometry);
+}
+
+// The definition's generator, written a second time.
+struct Draws {
+    std::uint32_t s = 12345;
+    double operator()(double a, double b) {
+        s = s * 1664525 + 1013904223;
+        return a + (b - a) * ((s >> 8) / 16777216.0);
+    }
+};
+
+struct Expected {
+    const char* name;
+    std::size_t bodies, joints, fixed;
+    Vec3 first, last;  // of the bodies that move
+};
+
+const Expected expected[] = {
+    {"lab_pyramid_465", 466, 0, 1, {-14.5 * 1.05, 0.5, 0}, {0, 29.5, 0}},
+    {"lab_pyramid_5050", 5051, 0, 1, {-49.5, 0.5, 0}, {0, 99.5, 0}},
+    {"lab_player_901", 902, 0, 1, {-14.5, 0.2, -14.5}, {-18, 0.75, 0}},
+    {"lab_joint_grid_10000", 10000, 19794, 7, {0, 0, 0}, {99, -99, 0}},
+    {"lab_asleep_10000", 10001, 0, 1, {-99, 0.5, -99}, {99, 0.5, 99}},
+};
+
+TEST(Lab, counts_and_corners) {
+    for (const Expected& e : expected) {
+        SCOPED_TRACE(e.name);
+        const SceneDescription s = *find_scene(e.name);
+        EXPECT_EQ(s.bodies.size(), e.bodies);
+        EXPECT_EQ(s.joints.size(), e.joints);
+        EXPECT_EQ(std::count_if(s.bodies.begin(), s.bodies.end(), is_fixed),
+                  static_cast<std::ptrdiff_t>(e.fixed));
+        const auto first = std::find_if_not(s.bodies.begin(), s.bodies.end(), is_fixed);
+        EXPECT_TRUE(near(position(*first), e.first, 1e-12));
+        EXPECT_TRUE(near(position(s.bodies.back()), e.last, 1e-12));
+    }
+}
+
+TEST(Lab, gravity_density_friction_and_damping_are_the_same_for_all) {
+    int scenes = 0;
+    for (const CatalogEntry& entry : catalog()) {
+        if (!entry.name.starts_with("lab_")) continue;
+        scenes++;
+        SCOPED_TRACE(entry.name);
+        const SceneDescription scene = *find_scene(entry.name);
+        EXPECT_EQ(scene.hz, 60);
+        EXPECT_EQ(scene.world.gravity, (Vec3{0, -9.81, 0}));
+        for (const SceneBody& body : scene.bodies) {
+            ASSERT_EQ(body.shapes.size(), 1u);
+            ASSERT_EQ(body.shapes[0].density, 1000);
+            ASSERT_EQ(body.shapes[0].material, (Material{.friction = 0.5, .restitution = 0}));
+            ASSERT_EQ(body.body.linear_damping, 0.05);
+            ASSERT_EQ(body.body.angular_damping, 0.05);
+        }
+    }
+    EXPECT_EQ(scenes, 9);
+}
+
+TEST(Lab, floors_are_two_metres_thick) {
+    for (const char* name :
+         {"lab_pyramid_465", "lab_pyramid_5050", "lab_boxes_1000", "lab_pile_5000",
+          "lab_player_901", "lab_ragdolls_40", "lab_asleep_10000"}) {
+        const SceneBody floor = find_scene(name)->bodies[0];
+        const double half = std::string_view(name) == "lab_asleep_10000" ? 250 : 200;
+        EXPECT_EQ(shape<Box>(floor).half_extents, (Vec3{half, 1, half})) << name;
+        EXPECT_EQ(floor.body.pose, (Transform{{0, -1, 0}, {}})) << name;
+        EXPECT_TRUE(is_fixed(floor)) << name;
+    }
+}
+
+TEST(Lab, dropped_boxes_stand_where_the_draws_say) {
+    const SceneDescription c = *find_scene("lab_boxes_1000");
+    ASSERT_EQ(c.bodies.size(), 1001u);
+    Draws draw;
+    const double x = draw(-0.05, 0.05), z = draw(-0.05, 0.05);
+    EXPECT_TRUE(near(position(c.bodies[1]), {-5.4 + x, 1.5, -5.4 + z}, 1e-12));
+    double last_x = 0, last_z = 0;
+    for (int k = 1; k < 1000; k++) {
+        last_x = draw(-0.05, 0.05);
+        last_z = draw(-0.05, 0.05);
+    }
+    EXPECT_TRUE(near(position(c.bodies[1000]), {5.4 + last_x, 12.3, 5.4 + last_z}, 1e-12));
+}
+
+TEST(Lab, pile_is_mixed_and_walled) {
+    const SceneDescription d = *find_scene("lab_pile_5000");
+    ASSERT_EQ(d.bodies.size(), 5005u);
+    EXPECT_EQ(shape<Box>(d.bodies[1]).half_extents, (Vec3{0.5, 10, 6}));
+    EXPECT_EQ(position(d.bodies[1]), (Vec3{5.5, 10, 0}));
+    EXPECT_EQ(shape<Box>(d.bodies[4]).half_extents, (Vec3{6, 10, 0.5}));
+    EXPECT_EQ(position(d.bodies[4]), (Vec3{0, 10, -5.5}));
+    EXPECT_EQ(shape<Sphere>(d.bodies[5]).radius, 0.3);
+    EXPECT_EQ(shape<Box>(d.bodies[6]).half_extents, (Vec3{0.3, 0.25, 0.35}));
+    EXPECT_EQ(shape<Capsule>(d.bodies[7]), (Capsule{0.2, 0.25}));
+    // Six draws a body: x, z, the axis, the angle. The last body is number 4999 = 34 * 144 + 103.
+    Draws draw;
+    const double x = draw(-0.03, 0.03), z = draw(-0.03, 0.03);
+    EXPECT_TRUE(near(position(d.bodies[5]), {-4.125 + x, 0.6, -4.125 + z}, 1e-12));
+    for (int k = 2; k < 6 * 4999; k++) draw(0, 1);
+    const double last_x = draw(-0.03, 0.03), last_z = draw(-0.03, 0.03);
+    EXPECT_TRUE(near(position(d.bodies.back()),
+                     {(7 - 5.5) * 0.75 + last_x, 0.6 + 0.8 * 34, (8 - 5.5) * 0.75 + last_z},
+                     1e-12));
+    Vec3 axis;
+    for (int k = 0; k < 3; k++) axis[k] = draw(-1, 1);
+    EXPECT_EQ(d.bodies.back().body.pose.rotation, from_axis_angle(axis, draw(0, 2 * pi)));
+}
+
+TEST(Lab, piles_of_any_count_are_as_deep) {
+    EXPECT_EQ(lab_pile(5000).bodies.back().body.pose,
+              find_scene("lab_pile_5000")->bodies.back().body.pose);
+    for (const int count : {500, 20000}) {
+        const SceneDescription pile = lab_pile(count);
+        ASSERT_EQ(pile.bodies.size(), static_cast<std::size_t>(count) + 5);
+        const double inner = 2 * (position(pile.bodies[1]).x - 0.5);
+        EXPECT_NEAR(inner * inner / count, 0.02, 1e-9);
+        for (std::size_t k = 5; k < pile.bodies.size(); k++)
+            ASSERT_LT(std::abs(position(pile.bodies[k]).x), inner / 2 - 0.52);
+    }
+}
+
+TEST(Lab, player_is_the_last_body) {
+    const SceneDescription e = *find_scene("lab_player_901");
+    EXPECT_EQ(e.bodies.back().name, "player");
+    EXPECT_EQ(shape<Box>(e.bodies.back()).half_extents, (Vec3{0.75, 0.75, 0.75}));
+}
+
+TEST(Lab, ragdolls_are_joined_where_their_parts_meet) {
+    const SceneDescription f = *find_scene("lab_ragdolls_40");
+    ASSERT_EQ(f.bodies.size(), 441u);
+    ASSERT_EQ(f.joints.size(), 400u);
+    // The first: feet at (-0.6, 0.5, -0.6), leaning by 0.35 about x, its pelvis 1 m up.
+    EXPECT_TRUE(
+        near(position(f.bodies[1]), {-0.6, 0.5 + std::cos(0.35), -0.6 + std::sin(0.35)}, 1e-12));
+    // The last: heading 0.62831853 * 9 + 0.9, level 9, its right lower leg at (-0.1, 0.24, 0).
+    const Vec3 low = rotate(from_axis_angle({1, 0, 0}, 0.35), {-0.1, 0.24, 0});
+    const Vec3 leg = rotate(from_axis_angle({0, 1, 0}, 0.62831853 * 9 + 0.3 * 3), low);
+    EXPECT_TRUE(near(position(f.bodies[440]), Vec3{0.6, 18.5, 0.6} + leg, 1e-12));
+    for (const SceneJoint& joint : f.joints) {
+        EXPECT_LT(joint.body_a, joint.body_b);
+        const Transform a = compose(f.bodies[joint.body_a].body.pose, joint.joint.frame_a);
+        const Transform b = compose(f.bodies[joint.body_b].body.pose, joint.joint.frame_b);
+        EXPECT_TRUE(near(a.position, b.position, 1e-12));
+        EXPECT_NEAR((conjugate(a.rotation) * b.rotation).w, 1, 1e-12);
+    }
+    const auto limit = [&](std::size_t joint) {
+        return std::get<HingeJoint>(f.joints[joint].joint.kind).limit;
+    };
+    EXPECT_NEAR(limit(4).lower, -120 * pi / 180, 1e-9);  // left elbow
+    EXPECT_NEAR(limit(5).upper, 120 * pi / 180, 1e-9);   // right elbow
+    const auto neck = std::get<ConeTwistJoint>(f.joints[1].joint.kind);
+    EXPECT_NEAR(neck.swing, 35 * pi / 180, 1e-9);
+    EXPECT_NEAR(neck.twist.lower, -45 * pi / 180, 1e-9);
+}
+
+TEST(Lab, grid_hangs_from_its_middle_and_collides_with_nothing) {
+    const SceneDescription g = *find_scene("lab_joint_grid_10000");
+    for (std::size_t k = 0; k < g.bodies.size(); k++) {
+        ASSERT_FALSE(may_meet(g.bodies[k].shapes[0].filter, Filter{}));
+        ASSERT_EQ(is_fixed(g.bodies[k]), k % 100 == 0 && k / 100 >= 47 && k / 100 <= 53);
+    }
+    for (const SceneJoint& joint : g.joints)
+        ASSERT_FALSE(is_fixed(g.bodies[joint.body_a]) && is_fixed(g.bodies[joint.body_b]));
+    EXPECT_EQ(g.joints[0].joint.frame_a.position, (Vec3{0, -0.5, 0}));
+    EXPECT_EQ(g.joints[0].joint.frame_b.position, (Vec3{0, 0.5, 0}));
+}
+
+TEST(Lab, bullets_fly_at_the_wall) {
+    const SceneDescription i = *find_scene("lab_bullets_1000");
+    ASSERT_EQ(i.bodies.size(), 1001u);
+    EXPECT_EQ(shape<Box>(i.bodies[0]).half_extents, (Vec3{0.025, 10, 10}));
+    Draws draw;
+    EXPECT_TRUE(near(position(i.bodies[1]), {draw(-15, -5), -7.75, -7.75}, 1e-12));
+    for (int k = 1; k < 999; k++) draw(-15, -5);
+    EXPECT_TRUE(near(position(i.bodies[1000]), {draw(-15, -5), -4.25, 7.75}, 1e-12));
+    EXPECT_EQ(i.bodies[1000].body.linear_velocity, (Vec3{200, 0, 0}));
+}
+
+}  // namespace
+}  // namespace jostle::scenes

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "host/grabs.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+namespace {
+
+using namespace physics;
+
+constexpr double dt = 1.0 / 60;
+
+class GrabsTest : public testing::Test {
+protected:
+    BodyId add(double x) {
+        return *world.create_body({.pose = {.position = {x, 0, 0}}}, {.geometry = Sphere{0.5}});
+    }
+    void grab(ClientId client, BodyId body) {
+        grabs.grab(client, *world.body(body), world.body(body)->pose.position);
+    }
+    double x_after(BodyId body, int ticks) {
+        for (int i = 0; i < ticks; i++) {
+            grabs.pull_all(world, dt);
+            EXPECT_TRUE(world.step(dt).ok());
+        }
+        return world.body(body)->pose.position.x;
+    }
+
+    World world = std::move(*World::create({.gravity = {}}));
+    Grabs grabs;
+};
+
+TEST_F(GrabsTest, what_is_held_stays_until_it_is_dragged) {
+    const BodyId ball = add(0);
+    grab(1, ball);
+    EXPECT_NEAR(x_after(ball, 60), 0, 1e-9);
+    EXPECT_EQ(grabs.drag(1, {3, 0, 0}), ball);
+    EXPECT_NEAR(x_after(ball, 120), 3, 0.01);
+}
+
+TEST_F(GrabsTest, a_client_holds_one_body_and_several_may_hold_the_same) {
+    const BodyId one = add(0), two = add(5);
+    grab(1, one);
+    grab(1, two);
+    EXPECT_EQ(grabs.drag(1, {5, 0, 0}), two);
+    grab(2, two);
+    EXPECT_EQ(grabs.drag(2, {5, 0, 0}), two);
+    grabs.release(1);
+    EXPECT_FALSE(grabs.drag(1, {}));
+    EXPECT_TRUE(grabs.drag(2, {5, 0, 0}));
+}
+
+TEST_F(GrabsTest, a_body_that_is_gone_is_held_by_nobody) {
+    const BodyId one = add(0), two = add(5);
+    grab(1, one);
+    grab(2, one);
+    grab(3, two);
+    grabs.release_body(one);
+    EXPECT_FALSE(grabs.drag(1, {}));
+    EXPECT_FALSE(grabs.drag(2, {}));
+    // One that the world no longer has is let go of with the next pull.
+    ASSERT_TRUE(world.destroy_body(two).ok());
+    grabs.pull_all(world, dt);
+    EXPECT_FALSE(grabs.drag(3, {}));
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/server_message.h"
+
+#include <gtest/gtest.h>
+
+#include "jostle/v1/play.pb.h"
+
+namespace jostle::server {
+namespace {
+
+v1::ServerMessage parse(const std::string& bytes) {
+    v1::ServerMessage message;
+    EXPECT_TRUE(message.ParseFromString(bytes));
+    return message;
+}
+
+TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
+    const EncodedSnapshot encoded{.frame = 300,
+                                  .bases = {299, 298, 297},
+                                  .packed = {std::byte{1}, std::byte{0}, std::byte{255}},
+                                  .crc = 0xdeadbeef,
+                                  .due = Clock::time_point(std::chrono::microseconds(123456))};
+    const std::string shared = encode_shared_snapshot(encoded);
+    for (const Private own : {Private{}, Private{0xffffffff, 0xffffffff, 0xffffffff}}) {
+        const auto message = parse(encode_snapshot_head(own, shared.size()) + shared);
+        ASSERT_TRUE(message.has_snapshot());
+        const v1::Snapshot& snapshot = message.snapshot();
+        EXPECT_EQ(snapshot.frame(), 300u);
+        EXPECT_EQ(snapshot.base_frame(), 299u);
+        EXPECT_EQ(snapshot.base3_frame(), 297u);
+        EXPECT_EQ(snapshot.packed(), std::string("\x01\x00\xff", 3));
+        EXPECT_EQ(snapshot.crc(), 0xdeadbeef);
+        EXPECT_EQ(snapshot.server_time_us(), 123456u);
+        EXPECT_EQ(snapshot.own().input_sequence(), own.input_sequence);
+        EXPECT_EQ(snapshot.own().echo_client_time_us(), own.echo_client_time_us);
+        EXPECT_EQ(snapshot.own().snapshots_skipped(), own.snapshots_skipped);
+    }
+}
+
+TEST(ServerMessage, a_roster_carries_what_a_viewer_draws) {
+    EntityDescription box{.id = 9,
+                          .type = physics::BodyType::kinematic,
+                          .shapes = {},
+                          .owner = 4,
+                          .color = 0xff8800,
+                          .name = "lift",
+                          .mass = 12};
+    physics::ShapeState shape;
+    shape.geometry = physics::Box{{1, 2, 3}};
+    shape.pose.position = {0, 5, 0};
+    box.shapes.push_back(shape);
+    const std::vector added{std::make_shared<const EntityDescription>(box)};
+    const std::vector<EntityId> removed{2, 3};
+    const auto message = parse(encode_roster(added, removed));
+    const v1::Roster& roster = message.roster();
+    ASSERT_EQ(roster.added_size(), 1);
+    const v1::Entity& entity = roster.added(0);
+    EXPECT_EQ(entity.id(), 9u);
+    EXPECT_EQ(entity.type(), v1::BODY_TYPE_KINEMATIC);
+    EXPECT_EQ(entity.owner(), 4u);
+    EXPECT_EQ(entity.color(), 0xff8800u);
+    EXPECT_EQ(entity.name(), "lift");
+    EXPECT_EQ(entity.mass(), 12);
+    EXPECT_EQ(entity.shapes(0).box().half_extents().z(), 3);
+    EXPECT_EQ(entity.shapes(0).position().y(), 5);
+    EXPECT_EQ(roster.removed_size(), 2);
+    EXPECT_EQ(roster.removed(1), 3u);
+}
+
+TEST(ServerMessage, results_and_notices_keep_code_and_text) {
+    const InputResult refused{.sequence = 5,
+                              .status = Error{ErrorCode::permission_denied, "not yours"},
+                              .tick = 77,
+                              .entity = 6};
+    const auto results = parse(encode_input_results(std::span(&refused, 1)));
+    const v1::InputResult& result = results.input_results().results(0);
+    EXPECT_EQ(result.sequence(), 5u);
+    EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);
+    EXPECT_EQ(result.tick(), 77u);
+    EXPECT_EQ(result.entity(), 6u);
+    EXPECT_EQ(result.message(), "not yours");
+    const auto notice = parse(encode_notice(NoticeKind::world_closed, "bye"));
+    EXPECT_EQ(notice.notice().code(), v1::NOTICE_CODE_WORLD_CLOSED);
+    EXPECT_EQ(notice.notice().message(), "bye");
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -109,7 +109,8 @@ TEST(FreeMotion, principal_ratios_give_what_the_whole_inertia_gives) {
     const Vec3 w{3, -2, 4};
     const EulerStep plain = euler_step(*ratios, w, 0.1), whole = euler_step(askew, turn * w, 0.1);
     EXPECT_TRUE(near(whole.w, turn * plain.w, 1e-9));
-    EXPECT_TRUE(near(rotate(whole.turn, turn.x), turn * rotate(plain.turn, {1, 0, 0}), 1e-9));
+    EXPECT_TRUE(
+        near(rotate(whole.rotation, turn.x), turn * rotate(plain.rotation, {1, 0, 0}), 1e-9));
 }
 
 // Its axes may be taken as they stood as long as it turns by less than 0.02 rad in a step.

@@ -60,7 +60,7 @@ TEST(BodyStore, locked_turns_leave_the_inverse_of_what_is_left) {
     EXPECT_TRUE(near(inverse.z, {}, 1e-12));
     cold.locks = lock_rotation_x | lock_rotation_y | lock_rotation_z;
     EXPECT_EQ(world_inverse_inertia(turned({}), cold), diagonal({0, 0, 0}));
-    EXPECT_EQ(free_turns(cold), Vec3{});
+    EXPECT_EQ(free_rotations(cold), Vec3{});
     EXPECT_EQ(free_directions(cold), (Vec3{1, 1, 1}));
 }
 

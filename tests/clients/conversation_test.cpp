@@ -120,7 +120,7 @@ TEST(Conversation, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_n
     stream.welcome();
     for (int i = 0; i < 40; i++) stream.conversation.send({});
     EXPECT_EQ(stream.next()->input().inputs_size(), 32);
-    stream.conversation.ended("gone");
+    stream.conversation.ended(Error{ErrorCode::unavailable, "gone"});
     EXPECT_FALSE(stream.next());
     stream.now += milliseconds(500);
     stream.conversation.begin(stream.now);
@@ -224,9 +224,9 @@ TEST(Conversation, goodbye_comes_after_the_last_input) {
     stream.conversation.send({});
     stream.conversation.leave();
     EXPECT_TRUE(stream.next()->has_input());
-    EXPECT_FALSE(stream.conversation.goodbye_said());
+    EXPECT_FALSE(stream.conversation.leave_sent());
     EXPECT_TRUE(stream.next()->has_leave());
-    EXPECT_TRUE(stream.conversation.goodbye_said());
+    EXPECT_TRUE(stream.conversation.leave_sent());
     EXPECT_FALSE(stream.next());
 }
 

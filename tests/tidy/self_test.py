@@ -25,10 +25,23 @@ CASES = [
     ("check_names.py", "docs/a.md", "see /home" + "/somebody\n", "a path of somebody's machine"),
     ("check_links.py", "docs/a.md", "[gone](gone.md)\n", "the link gone.md leads nowhere"),
     ("check_links.py", "docs/a.md", "in `server/gone.cpp`\n", "there is no server/gone.cpp"),
+    ("check_tests.py", "physics/src/state/lonely.cpp", "// SPDX-License-Identifier: MIT\n",
+     "physics/src/state/lonely.cpp: no test. Write tests/physics/state/lonely_test.cpp"),
+    ("check_tests.py", "tests/physics/foundation/prefetch_test.cpp", "// SPDX-License-Identifier: MIT\n",
+     "physics/src/foundation/prefetch.h has a test of its own now"),
+    ("check_tests.py", "tests/physics/foundation/prefetch_test.cpp", "// SPDX-License-Identifier: MIT\n",
+     "tests/physics/foundation/prefetch_test.cpp: is in no CMakeLists.txt"),
+    ("check_tests.py", "tests/physics/state/odd_test.cpp", "// SPDX-License-Identifier: MIT\n",
+     "tests/physics/state/odd_test.cpp: mirrors no source"),
+    ("check_tests.py", "physics/src/state/wake.cpp", "// SPDX-License-Identifier: MIT\n",
+     "physics/src/persist/derive.cpp is gone"),
+    ("check_tests.py", "physics/src/persist/derive.cpp", "// SPDX-License-Identifier: MIT\n",
+     "physics/src/persist/derive.cpp is said to be exercised by tests/physics/persist/save_load_test.cpp, which does not exist"),
 ]
 # What the faulty files refer to.
 OTHERS = {"physics/src/state/high.h": "", "server/gateway/b.h": "", "physics/include/jostle/physics/world.h": "",
-          "server/host/a.h": "", "server/host/b.h": '#include "host/a.h"\n'}
+          "server/host/a.h": "", "server/host/b.h": '#include "host/a.h"\n',
+          "physics/src/foundation/prefetch.h": "inline void prefetch() {}\n"}
 
 
 def main():

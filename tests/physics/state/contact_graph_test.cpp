@@ -166,7 +166,7 @@ TEST(ContactGraph, a_pair_ends_to_touch_once_when_its_last_part_does) {
     begin_touch(scene.state, second);
     scene.state.contacts.contacts[scene.pair].touching = true;  // as link_islands reports it
     EXPECT_EQ(scene.contact(scene.pair).parts_touching, 2u);
-    auto& reported = scene.state.events.contacts_ended;
+    std::vector<ContactEnd>& reported = scene.ended;
     end_touch(scene.state, first);
     end_touch_of_pair(scene.state, scene.pair, reported);
     EXPECT_TRUE(reported.empty()) << "the other still touches";

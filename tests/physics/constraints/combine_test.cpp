@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// One coefficient from two materials, by the stronger rule.
+#include "constraints/combine.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+TEST(Combine, of_four_tenths_and_nine_tenths) {
+    const auto both = [](Combine rule) { return combine(0.4, rule, 0.9, rule); };
+    EXPECT_NEAR(both(Combine::average), 0.65, 1e-15);
+    EXPECT_NEAR(both(Combine::geometric_mean), 0.6, 1e-15);
+    EXPECT_EQ(both(Combine::minimum), 0.4);
+    EXPECT_NEAR(both(Combine::multiply), 0.36, 1e-15);
+    EXPECT_EQ(both(Combine::maximum), 0.9);
+}
+
+TEST(Combine, the_rule_further_down_the_list_wins_from_either_side) {
+    constexpr Combine rules[] = {Combine::average, Combine::geometric_mean, Combine::minimum,
+                                 Combine::multiply, Combine::maximum};
+    for (const Combine weak : rules)
+        for (const Combine strong : rules) {
+            if (strong < weak) continue;
+            EXPECT_EQ(combine(0.4, weak, 0.9, strong), combine(0.4, strong, 0.9, strong));
+            EXPECT_EQ(combine(0.4, strong, 0.9, weak), combine(0.4, strong, 0.9, strong));
+        }
+}
+
+// Ice under a crate: the geometric mean; a ball that bounces on clay: the higher of the two.
+TEST(Combine, materials_that_say_nothing_take_mean_friction_and_the_higher_restitution) {
+    const Material ice{.friction = 0.01, .restitution = 0}, ball{.friction = 1, .restitution = 0.8};
+    EXPECT_NEAR(pair_friction(ice, ball), 0.1, 1e-15);
+    EXPECT_EQ(pair_restitution(ice, ball), 0.8);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+//
+// Which lists of contacts are solved, in which order, and whom their empty lanes push.
+#include "constraints/contact_passes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+constexpr ColourSetKey low{SolverTier::low, 0}, low_next{SolverTier::low, 1};
+
+// Contacts whose lanes name bodies 1 and 2.
+void add(ConstraintGraph& graph, ColourSetKey key, int colour, int contacts) {
+    for (int k = 0; k < contacts; k++) {
+        const auto slot = add_contact(graph, key, colour, static_cast<std::uint32_t>(k));
+        const ContactPlace place = place_at(graph, key, colour, slot);
+        place.block->a[place.lane] = 1;
+        place.block->b[place.lane] = 2;
+    }
+}
+
+TEST(ContactPasses, runs_stand_in_the_order_of_the_solve_with_their_singles) {
+    const auto graph = std::make_unique<ConstraintGraph>();
+    const int dynamic_overflow = overflow_colours, on_wall = dynamic_colours + kinematic_colours;
+    add(*graph, low, on_wall, 17);
+    add(*graph, low, 3, 1);
+    add(*graph, low, single_colours + 3, 9);
+    add(*graph, low, single_colours + 5, 1);
+    add(*graph, low, dynamic_overflow, 2);
+    std::vector<ColourRun> runs;
+    list_runs(*graph, index_of(low), index_of(low) + 1, runs);
+    ASSERT_EQ(runs.size(), 4u);
+    const int numbers[] = {dynamic_overflow, 3, 5, on_wall};
+    const int blocks[] = {2, 1, 0, 3}, singles[] = {0, 2, 1, 0};
+    for (std::size_t k = 0; k < 4; k++) {
+        EXPECT_EQ(runs[k].number, numbers[k]);
+        EXPECT_EQ(runs[k].blocks, blocks[k]);
+        EXPECT_EQ(runs[k].singles, singles[k]);
+        EXPECT_FALSE(runs[k].shared);
+    }
+    EXPECT_EQ(runs[0].single, nullptr);
+}
+
+// Each task has bodies of its own for them, one for each kind of list, so that no two threads write
+// to one.
+TEST(ContactPasses, empty_lanes_name_the_spare_bodies_of_their_task) {
+    const auto graph = std::make_unique<ConstraintGraph>();
+    add(*graph, low, 0, 3);
+    add(*graph, low_next, single_colours, 7);
+    add(*graph, low_next, overflow_colours, 2);
+    std::vector<ColourRun> runs;
+    const std::size_t first = index_of(low);
+    list_runs(*graph, first, first + 2, runs);
+    ASSERT_EQ(runs.size(), 3u);
+    const std::int32_t several = HotBodies::spare_index(first, false),
+                       single = HotBodies::spare_index(first, true);
+    const auto& of_three = runs[0].colour->blocks[0];
+    EXPECT_EQ(of_three.a[2], 1);
+    for (int lane = 3; lane < 8; lane++) EXPECT_EQ(of_three.a[lane], several);
+    EXPECT_EQ(runs[1].colour->blocks[1].b[0], 2) << "one by one: one lane, and seven empty ones";
+    EXPECT_EQ(runs[1].colour->blocks[1].b[1], several);
+    EXPECT_EQ(runs[2].single->blocks[0].b[7], single);
+}
+
+TEST(ContactPasses, two_thousand_contacts_are_shared_but_for_their_overflow) {
+    const auto graph = std::make_unique<ConstraintGraph>();
+    add(*graph, low, 0, 1999);
+    add(*graph, low, overflow_colours, 1);
+    std::vector<ColourRun> runs;
+    list_runs(*graph, index_of(low), index_of(low) + 1, runs);
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_FALSE(runs[0].shared);
+    EXPECT_TRUE(runs[1].shared);
+}
+
+// Nothing bounces unless a lane says so; then none of the passes need be called.
+TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
+    const auto graph = std::make_unique<ConstraintGraph>();
+    add(*graph, low, single_colours, 1);
+    const ContactPlace place = place_at(*graph, low, single_colours, 0);
+    std::vector<ColourRun> runs;
+    list_runs(*graph, index_of(low), index_of(low) + 1, runs);
+    HotBodies bodies;
+    bodies.resize(3);
+    for (std::size_t k = 1; k < 3; k++) {
+        bodies[k] = {};
+        bodies[k].inverse_mass = 1;
+    }
+    // Along x, b comes at a with 4 m/s.
+    place.block->normal[0][0] = 1;
+    place.block->gap[0][0] = 0;
+    bodies[2].v[0] = -4;
+    TaskTeam team(1);
+    const ContactSettings set = contact_settings(1.0 / 60, {}, SolverTier::low);
+    const ContactTask task{runs, bodies.data(), set, team};
+    EXPECT_FALSE(begin_restitution(task));
+    place.meta->set(LaneFlag::bounces, 0, true);
+    EXPECT_TRUE(begin_restitution(task));
+    const auto& scratch = runs[0].single->restitutions[0];
+    EXPECT_NEAR(double{scratch.approach[0][0]}, -4, 1e-6);
+}
+
+}  // namespace
+}  // namespace jostle::test

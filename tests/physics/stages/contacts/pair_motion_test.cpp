@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// How far two bodies may move against each other in a step.
+#include "stages/contacts/pair_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "state/contact_graph.h"
+#include "state/world_access.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+constexpr double dt = 1.0 / 60;
+
+// Two balls of 0.5 m that fly along with each other, 6 m/s apart, and one of them spins.
+TEST(PairMotion, closing_way_is_velocity_and_both_turns) {
+    World world = make_world();
+    add(world, {.geometry = Sphere{0.5}, .velocity = {100, 6, 0}});
+    add(world, {.geometry = Sphere{0.5},
+                .position = {5, 0, 0},
+                .velocity = {100, 0, 0},
+                .spin = {0, 24, 0}});
+    WorldState& state = state_of(world);
+    const std::uint32_t contact = create_contact(state, 0, 1);
+    EXPECT_NEAR(closing_way(state, state.contacts.contacts[contact], dt), (6 + 12) * dt, 1e-12);
+}
+
+// A wall a hundred metres wide does not turn, however far its corners are.
+TEST(PairMotion, what_never_moves_adds_nothing) {
+    World world = make_world();
+    add(world, {.geometry = Sphere{0.5}, .velocity = {0, -3, 0}});
+    add_static(world, {.geometry = Box{{100, 1, 100}}, .position = {0, -5, 0}});
+    WorldState& state = state_of(world);
+    const std::uint32_t contact = create_contact(state, 0, 1);
+    EXPECT_NEAR(closing_way(state, state.contacts.contacts[contact], dt), 3 * dt, 1e-12);
+    EXPECT_EQ(motion_of(state, 0).v, (Vec3{0, -3, 0}));
+}
+
+}  // namespace
+}  // namespace jostle::test

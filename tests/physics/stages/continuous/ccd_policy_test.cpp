@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Which pairs are swept, and whose impacts the contact solver resolves.
+#include "stages/continuous/ccd_policy.h"
+
+#include <gtest/gtest.h>
+
+#include "stages/step_scratch.h"
+#include "state/world_access.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// Balls of 0.4 m, in flight but for those that leaned on something when the step began.
+struct Scene {
+    World world = make_world();
+    WorldState& state = state_of(world);
+    StepScratch scratch;
+    StepContext step{state, scratch, *state.team, 1.0 / 60, {}};
+
+    std::uint32_t ball(double restitution = 0) {
+        scratch.contacts.had_contacts.push_back(0);
+        return add(world, {.geometry = Sphere{0.4},
+                           .position = {3.0 * static_cast<double>(state.bodies.cold.size()), 0, 0},
+                           .restitution = restitution})
+            .index;
+    }
+    void leans(std::uint32_t body) { scratch.contacts.had_contacts[body] = 1; }
+    double without_sweep(std::uint32_t mover, std::uint32_t other) const {
+        return motion_without_sweep(step, state.bodies.cold[mover], state.bodies.cold[other]);
+    }
+};
+
+// Half its thickness in free flight, half of both where one of the two already leans on others.
+TEST(CcdPolicy, a_body_may_move_by_half_its_thickness_unswept) {
+    Scene scene;
+    const std::uint32_t a = scene.ball(), b = scene.ball();
+    EXPECT_NEAR(scene.without_sweep(a, b), 0.2, 1e-12);
+    scene.leans(b);
+    EXPECT_NEAR(scene.without_sweep(a, b), 0.4, 1e-12);
+    const std::uint32_t wall =
+        add_static(scene.world, {.geometry = Box{{9, 9, 9}}, .position = {0, 99, 0}}).index;
+    EXPECT_NEAR(scene.without_sweep(a, wall), 0.2, 1e-12) << "a wall leans on nobody";
+}
+
+TEST(CcdPolicy, what_leans_and_does_not_bounce_is_the_contact_solvers) {
+    Scene scene;
+    const std::uint32_t a = scene.ball(), b = scene.ball(), bouncy = scene.ball(0.5);
+    EXPECT_FALSE(uses_speculative_contact(scene.step, a, b)) << "both fly: the sweep's";
+    scene.leans(b);
+    EXPECT_TRUE(uses_speculative_contact(scene.step, a, b));
+    EXPECT_TRUE(uses_speculative_contact(scene.step, b, a));
+    EXPECT_FALSE(uses_speculative_contact(scene.step, b, bouncy)) << "it has to go back";
+}
+
+// From a sweep it would leave its joints.
+TEST(CcdPolicy, what_hangs_on_joints_is_the_contact_solvers) {
+    Scene scene;
+    const std::uint32_t a = scene.ball(), b = scene.ball(0.5), c = scene.ball();
+    must(scene.world.create_joint(
+        {.body_a = body_id(scene.state, b), .body_b = body_id(scene.state, c)}));
+    EXPECT_TRUE(uses_speculative_contact(scene.step, a, b));
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// A body whose state ran away rests where it last was, and is reported; the others go on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "state/contact_constraints.h"
+#include "state/validate.h"
+#include "state/world_access.h"
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+TEST(Quarantine, a_flier_stops_where_it_last_was_and_is_reported_once) {
+    World world = make_world();
+    const BodyId lost = add(world, {.position = {0, 5, 0}, .velocity = {1, 0, 0}});
+    const BodyId other = add(world, {.position = {9, 5, 0}});
+    must(world.step(1.0 / 60));
+    const Vec3 last = position_of(world, lost);
+    WorldState& state = state_of(world);
+    warm_of(state, lost.index).v.x = std::nan("");
+    must(world.step(1.0 / 60));
+    ASSERT_EQ(world.events().quarantined.size(), 1u);
+    EXPECT_EQ(world.events().quarantined[0], lost);
+    EXPECT_EQ(position_of(world, lost), last);
+    EXPECT_EQ(velocity_of(world, lost), Vec3{});
+    must(world.step(1.0 / 60));
+    EXPECT_TRUE(world.events().quarantined.empty());
+    EXPECT_LT(velocity_of(world, lost).y, 0) << "it falls on from there";
+    EXPECT_NEAR(velocity_of(world, other).y, -9.81 * 3 / 60, 1e-9);
+    EXPECT_EQ(find_fault(state), std::nullopt);
+}
+
+// The middle one of three boxes upon each other: its impulses are as unsound as it is. They are
+// forgotten, and a second later the stack stands.
+TEST(Quarantine, a_stack_recovers) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    std::vector<BodyId> boxes;
+    for (int k = 0; k < 3; k++) boxes.push_back(add(world, {.position = {0, 0.5 + k, 0}}));
+    run(world, 1);
+    WorldState& state = state_of(world);
+    warm_of(state, boxes[1].index).w.y = std::nan("");
+    must(world.step(1.0 / 60));
+    EXPECT_FALSE(world.events().quarantined.empty());
+    for (const BodyId body : world.events().quarantined)
+        for_each_contact(state.contacts, state.bodies.cold[body.index], [&](std::uint32_t index) {
+            const Contact& c = state.contacts.contacts[index];
+            if (c.colour < 0) return;
+            const ContactPlace place = place_of(state, c);
+            for (const auto& lambda : place.block->lambda) EXPECT_EQ(lambda[place.lane], 0);
+            EXPECT_TRUE(place.meta->has(LaneFlag::needs_rebuild, place.lane));
+        });
+    run(world, 1);
+    for (int k = 0; k < 3; k++)
+        EXPECT_TRUE(
+            near(position_of(world, boxes[static_cast<std::size_t>(k)]), {0, 0.5 + k, 0}, 0.02));
+    EXPECT_EQ(find_fault(state), std::nullopt);
+}
+
+}  // namespace
+}  // namespace jostle::test

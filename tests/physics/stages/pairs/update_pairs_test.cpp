@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// Which shapes become pairs.
+#include "stages/pairs/update_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include "state/world_access.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// After the first step.
+int pairs_of(World& world) {
+    must(world.step(1.0 / 60));
+    return world.profile().pairs;
+}
+
+TEST(UpdatePairs, fat_boxes_that_overlap_are_pairs) {
+    World near = make_world({.gravity = {}}), far = make_world({.gravity = {}});
+    for (World* world : {&near, &far}) add(*world, {});
+    add(near, {.position = {1.07, 0, 0}});
+    add(far, {.position = {1.09, 0, 0}});
+    EXPECT_EQ(pairs_of(near), 1) << "4 cm on each side";
+    EXPECT_EQ(pairs_of(far), 0);
+}
+
+TEST(UpdatePairs, a_plane_pairs_with_what_it_reaches) {
+    World world = make_world({.gravity = {}});
+    add_floor(world);
+    add(world, {.position = {100, 0.52, 0}});
+    add(world, {.position = {0, 0.6, 0}});
+    EXPECT_EQ(pairs_of(world), 1);
+}
+
+TEST(UpdatePairs, some_never_meet) {
+    World world = make_world({.gravity = {}});
+    for (int k = 0; k < 2; k++) {
+        add_static(world, {.position = {0, 0.1 * k, 0}});
+        add(world, {.position = {50, 0.1 * k, 0}, .type = BodyType::kinematic});
+    }
+    EXPECT_EQ(pairs_of(world), 0) << "nothing moves them by force";
+    const BodyId body = add(world, {.position = {100, 0, 0}});
+    must(world.create_shape(body, {.geometry = Sphere{2}}));
+    EXPECT_EQ(pairs_of(world), 0) << "of one body";
+    must(world.create_body({.pose = {.position = {100, 0, 0}}},
+                           {.geometry = Sphere{0.1}, .filter = {.mask = 0}}));
+    EXPECT_EQ(pairs_of(world), 0) << "its mask lets it see nobody";
+    must(world.create_body({.type = BodyType::kinematic, .pose = {.position = {100, 0, 0}}},
+                           {.geometry = Sphere{3}, .trigger = true}));
+    EXPECT_EQ(pairs_of(world), 0) << "triggers touch nothing";
+    const BodyId arm = must(world.create_body({.pose = {.position = {100, 1, 0}}}));
+    must(world.create_joint({.body_a = body, .body_b = arm}));
+    must(world.create_shape(arm, {.geometry = Sphere{1}}));
+    EXPECT_EQ(pairs_of(world), 0) << "a joint holds them";
+}
+
+TEST(UpdatePairs, a_pair_is_made_once_in_the_order_of_its_shapes) {
+    World world = make_world({.gravity = {}});
+    for (int k = 0; k < 4; k++) add(world, {.position = {0.3 * k, 0.3 * k, 0}});
+    EXPECT_EQ(pairs_of(world), 6);
+    const WorldState& state = state_of(world);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const Contact& c : state.contacts.contacts) pairs.emplace_back(c.shape_a, c.shape_b);
+    EXPECT_EQ(pairs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+                         {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
+    must(world.set_material({0, 1}, {}));
+    EXPECT_EQ(pairs_of(world), 6);
+}
+
+TEST(UpdatePairs, something_new_beside_a_sleeper_wakes_it) {
+    World world = make_world();
+    add_floor(world);
+    add(world, {.position = {50, 0.5, 0}, .sleep_allowed = false});
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    run(world, 2);
+    ASSERT_FALSE(state_of(world, box).awake);
+    add_static(world, {.position = {0.9, 0.5, 0}});
+    must(world.step(1.0 / 60));
+    EXPECT_TRUE(state_of(world, box).awake);
+    ASSERT_EQ(world.events().woke.size(), 1u);
+    EXPECT_EQ(world.events().woke[0], box);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// Joints are created, read, changed and destroyed. What they do: behaviour/joints_test.cpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+using testing::HasSubstr;
+
+struct Pair {
+    World world = make_world({.gravity = {}});
+    BodyId a = add(world, {}), b = add(world, {.position = {3, 0, 0}});
+
+    JointDef def(const JointKind& kind = BallJoint{}) const {
+        return {.body_a = a,
+                .body_b = b,
+                .frame_a = {.position = {1.5, 0, 0}},
+                .frame_b = {.position = {-1.5, 0, 0}},
+                .kind = kind};
+    }
+    std::string error_of(const JointDef& joint) {
+        const auto made = world.create_joint(joint);
+        return made.ok() ? "" : made.error().message;
+    }
+};
+
+TEST(JointCalls, a_joint_is_read_as_it_was_given) {
+    Pair pair;
+    JointDef def = pair.def(DistanceJoint{.min_length = 0, .max_length = 2});
+    def.frame_b.position = {-1, 0, 0};
+    def.break_force = 50;
+    def.user_data = 9;
+    const JointId joint = must(pair.world.create_joint(def));
+    const JointState state = must(pair.world.joint(joint));
+    EXPECT_EQ(state.id, joint);
+    EXPECT_EQ(state.def.body_b, pair.b);
+    EXPECT_EQ(state.def.break_force, 50);
+    EXPECT_EQ(state.def.user_data, 9u);
+    EXPECT_EQ(state.def.kind, def.kind);
+    EXPECT_NEAR(state.separation, 0.5, 1e-12);
+}
+
+TEST(JointCalls, angles_are_those_of_the_frames) {
+    Pair pair;
+    JointDef hinge = pair.def(HingeJoint{});
+    hinge.frame_b.rotation = from_axis_angle({0, 0, 1}, 0.3);
+    EXPECT_NEAR(must(pair.world.joint(must(pair.world.create_joint(hinge)))).angle, 0.3, 1e-12);
+    JointDef cone = pair.def(ConeTwistJoint{});
+    cone.frame_b.rotation = from_axis_angle({0, 1, 0}, 0.2) * from_axis_angle({1, 0, 0}, -0.4);
+    const JointState state = must(pair.world.joint(must(pair.world.create_joint(cone))));
+    EXPECT_NEAR(state.swing, 0.2, 1e-12);
+    EXPECT_NEAR(state.angle, -0.4, 1e-12);
+}
+
+TEST(JointCalls, what_is_wrong_is_named) {
+    Pair pair;
+    JointDef self = pair.def();
+    self.body_b = pair.a;
+    EXPECT_THAT(pair.error_of(self), HasSubstr("the same body"));
+    JointDef walls = pair.def();
+    walls.body_a = add_static(pair.world, {.position = {0, 9, 0}});
+    walls.body_b = add_static(pair.world, {.position = {9, 9, 0}});
+    EXPECT_THAT(pair.error_of(walls), HasSubstr("dynamic"));
+    EXPECT_THAT(pair.error_of(pair.def(HingeJoint{.limit = {true, 1, -1}})),
+                HasSubstr("hinge.limit.lower is above"));
+    EXPECT_THAT(pair.error_of(pair.def(ConeTwistJoint{.swing = 4})),
+                HasSubstr("cone_twist.swing is 4"));
+    EXPECT_THAT(pair.error_of(pair.def(DistanceJoint{.min_length = 2, .max_length = 1})),
+                HasSubstr("distance.max_length is 1; it must be from 2"));
+    EXPECT_THAT(pair.error_of(pair.def(FixedJoint{.linear = {.hertz = -1}})),
+                HasSubstr("fixed.linear.hertz is -1"));
+    JointDef broken = pair.def();
+    broken.break_force = std::nan("");
+    EXPECT_THAT(pair.error_of(broken), HasSubstr("break_force"));
+    EXPECT_TRUE(pair.world.joints().empty());
+}
+
+TEST(JointCalls, are_listed_in_order_and_per_body) {
+    Pair pair;
+    const BodyId c = add(pair.world, {.position = {6, 0, 0}});
+    const JointId first = must(pair.world.create_joint(pair.def()));
+    JointDef second_def = pair.def();
+    second_def.body_a = pair.b;
+    second_def.body_b = c;
+    const JointId second = must(pair.world.create_joint(second_def));
+    EXPECT_EQ(pair.world.joints(), (std::vector{first, second}));
+    EXPECT_EQ(pair.world.joints_of(pair.b), (std::vector{first, second}));
+    EXPECT_EQ(pair.world.joints_of(c), std::vector{second});
+    must(pair.world.destroy_joint(first));
+    EXPECT_FALSE(pair.world.contains(first));
+    EXPECT_EQ(pair.world.joints(), std::vector{second});
+    EXPECT_FALSE(pair.world.destroy_joint(first).ok());
+}
+
+TEST(JointCalls, numbers_of_a_joint_may_change_and_its_kind_may_not) {
+    Pair pair;
+    const JointId joint = must(pair.world.create_joint(pair.def(HingeJoint{})));
+    const JointKind faster = HingeJoint{.motor = {true, 2, 5}};
+    must(pair.world.set_joint(joint, faster));
+    EXPECT_EQ(must(pair.world.joint(joint)).def.kind, faster);
+    EXPECT_THAT(pair.world.set_joint(joint, BallJoint{}).error().message,
+                HasSubstr("the joint is a hinge; it cannot become a ball"));
+    EXPECT_EQ(must(pair.world.joint(joint)).def.kind, faster);
+}
+
+}  // namespace
+}  // namespace jostle::test

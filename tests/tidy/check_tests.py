@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+"""Tests mirror the solver's sources: fails, naming the file, for every source that no test is known to exercise.
+
+Usage: check_tests.py ROOT
+physics/src/state/wake.cpp has tests/physics/state/wake_test.cpp. A header without a .cpp counts if it holds a function body.
+What has no test of its own name has a line in COVERED_BY: the tests that exercise it, and why they do. A line is a promise that
+somebody looked: what a tool counted as executed is not yet proved.
+"""
+
+import pathlib
+import re
+import sys
+
+SOURCES, TESTS = "physics/src", "tests/physics"
+
+# Source, from physics/src: the tests, from tests, that exercise it, and why they do.
+COVERED_BY = {
+    "collision/broadphase/broad_phase_index.h":
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "the face that all three kinds are asked through"),
+    "collision/broadphase/fat_box.h":
+        (["physics/state/shape_proxy_test.cpp"], "one function: the boxes of a slow and of two fast balls, in numbers"),
+    "collision/broadphase/sort_and_sweep.cpp":
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "EveryBroadPhase: as a loop over all boxes answers"),
+    "collision/broadphase/uniform_grid.cpp":
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "EveryBroadPhase: as a loop over all boxes answers"),
+    "collision/narrowphase/collide_boxes.cpp":
+        (["physics/collision/narrowphase/collide_test.cpp"], "boxes against a search over all directions; four points at rest"),
+    "collision/narrowphase/collide_plane.cpp":
+        (["physics/collision/narrowphase/collide_test.cpp"], "every convex kind against a plane and a search over all directions"),
+    "collision/narrowphase/collide_surface.cpp":
+        (["physics/collision/narrowphase/collide_composite_test.cpp", "behaviour/terrain_test.cpp"],
+         "every kind against meshes and fields, part by part; seams that cannot be felt"),
+    "collision/narrowphase/manifold.h":
+        (["physics/collision/narrowphase/collide_test.cpp"], "two lines: pairs are looked at from both sides"),
+    "collision/narrowphase/nearest_point.cpp":
+        (["physics/world/query_test.cpp"], "closest_point against signed distances of every kind"),
+    "constraint_graph/wide_rows.h":
+        (["physics/constraint_graph/contact_constraint_wide_test.cpp"], "two lines: a vector into a lane and out of it"),
+    "constraints/body_kernel.h":
+        (["physics/constraints/kernels_test.cpp"], "one body accelerated and advanced by every instruction set"),
+    "constraints/contact_kernel.h":
+        (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
+         "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "constraints/joints/joint_kernel.h":
+        (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
+    "constraints/joints/joint_kinds.h":
+        (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
+    "constraints/joints/joint_pair.h":
+        (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
+    "constraints/joints/write_joint.cpp":
+        (["behaviour/joints_test.cpp"], "limits, motors, springs and forces of every kind are written there"),
+    "constraints/kernel_table.h":
+        (["determinism/golden_hashes_test.cpp"], "whole worlds by every instruction set of the machine, bit by bit"),
+    "constraints/kernels_avx2.cpp":
+        (["determinism/golden_hashes_test.cpp"], "an include and a name: whole worlds where the machine has it"),
+    "constraints/kernels_avx512.cpp":
+        (["determinism/golden_hashes_test.cpp"], "an include and a name: whole worlds where the machine has it"),
+    "constraints/kernels_avx512_two.cpp":
+        (["determinism/golden_hashes_test.cpp"], "whole worlds where the machine has it"),
+    "constraints/kernels_baseline.cpp":
+        (["determinism/golden_hashes_test.cpp"], "an include and a name: whole worlds where the machine has it"),
+    "constraints/kernels_scalar.cpp":
+        (["determinism/golden_hashes_test.cpp"], "an include and a name: whole worlds on every machine"),
+    "constraints/planar_kernel.h":
+        (["behaviour/planar_test.cpp"], "discs, beams and pyramids in planar worlds against closed forms"),
+    "foundation/prefetch.h":
+        (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),
+    "geometry/placed.h":
+        (["physics/geometry/bounds_test.cpp"], "one line: shapes in any pose"),
+    "persist/derive.cpp":
+        (["physics/persist/save_load_test.cpp"], "a loaded world goes on with the same bits"),
+    "persist/field_list.h":
+        (["physics/persist/save_load_test.cpp", "physics/persist/state_hash_test.cpp", "physics/persist/divergence_test.cpp"],
+         "its four visitors: save, load, hash and first difference"),
+    "persist/shared_geometry.cpp":
+        (["physics/persist/save_load_test.cpp", "physics/persist/hostile_bytes_test.cpp"],
+         "worlds of hulls, meshes, fields and compounds; and such bytes forged"),
+    "stages/contacts/begin_contacts.cpp":
+        (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],
+         "a world's manifolds begin there; the stores agree after each step"),
+    "stages/contacts/decide_contacts.cpp":
+        (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/contact_events_test.cpp", "behaviour/sleeping_test.cpp"],
+         "how often pairs are looked at; each touch begins and ends once; who is met asleep wakes"),
+    "stages/contacts/look_at_pair.cpp":
+        (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/friction_stop_test.cpp", "behaviour/rocking_test.cpp"],
+         "what passes by, what slides over seams, what rocks"),
+    "stages/continuous/ccd_candidates.cpp":
+        (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
+    "stages/continuous/solve_continuous.cpp":
+        (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
+    "stages/continuous/swept_motions.h":
+        (["behaviour/continuous_test.cpp"], "bullets that meet, beads in their order"),
+    "stages/finalize/finalize.cpp":
+        (["behaviour/stack_stays_test.cpp", "behaviour/sleeping_test.cpp"], "what rests comes back from the solver to the millimetre"),
+    "stages/finalize/integrate_free.cpp":
+        (["behaviour/free_fall_test.cpp"], "parabolas; the formula is constraints/free_motion's"),
+    "stages/islands/link_islands.cpp":
+        (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],
+         "each touch begins and ends once; the stores agree after each step"),
+    "stages/pairs/update_triggers.cpp":
+        (["behaviour/triggers_test.cpp"], "who enters, stays and leaves, and when"),
+    "stages/publish_events.cpp":
+        (["behaviour/contact_events_test.cpp", "behaviour/contact_reports_test.cpp"], "order of events; impulses of what stays"),
+    "stages/sleep/update_partial_sleep.cpp":
+        (["behaviour/partial_sleep_test.cpp"], "who sleeps in place and what wakes it"),
+    "stages/sleep/update_sleep.cpp":
+        (["behaviour/sleeping_test.cpp"], "what rests falls asleep, what is carried or may not does not"),
+    "stages/sleep/wake_bodies.cpp":
+        (["behaviour/sleeping_test.cpp", "behaviour/partial_sleep_test.cpp", "behaviour/continuous_test.cpp"],
+         "who is disturbed, and who is hit by a bullet; the rules are state/wake's"),
+    "stages/solver/solve_constraints.cpp":
+        (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",
+          "physics/stages/islands/assign_batches_test.cpp"],
+         "stacks, slopes and lifts; batches side by side"),
+    "stages/solver/solve_joints.cpp":
+        (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
+    "stages/solver/solver_scratch.h":
+        (["physics/stages/islands/assign_batches_test.cpp"], "one line: the bodies of a task's colour sets"),
+    "stages/step_world.cpp":
+        (["physics/world/profile_test.cpp", "physics/world/world_test.cpp"], "each stage ran or says why not; steps are counted"),
+    "state/contact_store.h":
+        (["physics/state/contact_graph_test.cpp"], "its lists and keys are walked there"),
+    "state/joint_store.h":
+        (["physics/state/joint_graph_test.cpp"], "its lists are walked there"),
+    "state/shape_store.h":
+        (["physics/state/shape_proxy_test.cpp"], "two lines: planes, and a shape where its body takes it"),
+    "state/wake_requests.h":
+        (["physics/state/wake_test.cpp"], "one line, and the order of requests"),
+    "state/world_access.h":
+        (["physics/state/wake_test.cpp"], "tests reach a world's stores by nothing else"),
+    "state/world_state.h":
+        (["physics/state/body_sets_test.cpp"], "a body's record is found in whichever set it is"),
+    "world/body_change.cpp":
+        (["physics/world/body_motion_test.cpp", "physics/world/body_settings_test.cpp"], "every call that pushes or changes a body"),
+    "world/query_source.cpp":
+        (["physics/world/query_test.cpp"], "the world and a copy of it give the same answers"),
+}
+
+COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"', re.S)
+# ") {", ") const {", ") noexcept : member(0) {": where a function's body begins.
+BODY = re.compile(r"\)\s*(?:const\s*)?(?:noexcept\s*)?(?:->\s*[^;{}()]+)?(?::[^;{}]*)?\{")
+
+
+def holds_logic(header):
+    return BODY.search(COMMENT_OR_STRING.sub("", header.read_text(encoding="utf-8"))) is not None
+
+
+def sources(root):
+    """Every .cpp, and every header with a function body that has no .cpp."""
+    found = sorted((root / SOURCES).rglob("*.cpp"))
+    for header in sorted((root / SOURCES).rglob("*.h")):
+        if not header.with_suffix(".cpp").exists() and holds_logic(header):
+            found.append(header)
+    return [str(path.relative_to(root)) for path in found]
+
+
+def mirror_of(source):
+    """physics/src/state/wake.cpp -> tests/physics/state/wake_test.cpp"""
+    return TESTS + source.removeprefix(SOURCES).rsplit(".", 1)[0] + "_test.cpp"
+
+
+def faults(root):
+    found, all_sources = [], sources(root)
+    mirrored = {source for source in all_sources if (root / mirror_of(source)).exists()}
+    for source in all_sources:
+        if source not in mirrored and source.removeprefix(f"{SOURCES}/") not in COVERED_BY:
+            found.append(f"{source}: no test. Write {mirror_of(source)}, or say in check_tests.py which test exercises it and why")
+    named = set()
+    for name, (tests, _) in COVERED_BY.items():
+        source, tests = f"{SOURCES}/{name}", [f"tests/{test}" for test in tests]
+        named.update(tests)
+        if source in mirrored:
+            found.append(f"check_tests.py: {source} has a test of its own now; take its line off COVERED_BY")
+        elif source not in all_sources:
+            found.append(f"check_tests.py: {source} is gone, or holds no function any more; take its line off COVERED_BY")
+        for test in tests:
+            if not (root / test).exists():
+                found.append(f"check_tests.py: {source} is said to be exercised by {test}, which does not exist")
+    lists = "".join(path.read_text(encoding="utf-8") for path in sorted((root / TESTS).rglob("CMakeLists.txt")))
+    mirrors = {mirror_of(source) for source in all_sources}
+    for path in sorted((root / TESTS).rglob("*_test.cpp")):
+        test = str(path.relative_to(root))
+        if re.search(rf"\b{re.escape(path.name)}\b", lists) is None:
+            found.append(f"{test}: is in no CMakeLists.txt, so nobody runs it")
+        if test not in mirrors and test not in named:
+            found.append(f"{test}: mirrors no source. Give it the name of what it exercises, or name it in COVERED_BY")
+    return found, len(all_sources), len(mirrored)
+
+
+def main():
+    found, count, mirrored = faults(pathlib.Path(sys.argv[1]))
+    for fault in found:
+        print(fault)
+    print(f"tests: {count} sources, {mirrored} with a test of their name, {len(COVERED_BY)} exercised by others, {len(found)} faults")
+    return 1 if found or count == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -31,6 +31,13 @@ struct JointId {
     auto operator<=>(const JointId&) const = default;
 };
 
+struct FieldId {  // a force field
+    std::uint32_t index = 0xffffffff;
+    std::uint32_t generation = 0;
+
+    auto operator<=>(const FieldId&) const = default;
+};
+
 inline bool is_null(BodyId id) {
     return id.index == 0xffffffff;
 }
@@ -38,6 +45,9 @@ inline bool is_null(ShapeId id) {
     return id.index == 0xffffffff;
 }
 inline bool is_null(JointId id) {
+    return id.index == 0xffffffff;
+}
+inline bool is_null(FieldId id) {
     return id.index == 0xffffffff;
 }
 

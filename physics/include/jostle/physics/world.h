@@ -15,11 +15,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/events.h"
+#include "jostle/physics/force_fields.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/joint_defs.h"
 #include "jostle/physics/profile.h"
@@ -28,6 +31,8 @@
 
 namespace jostle::physics {
 
+class Module;
+class StepListener;
 struct WorldState;
 struct StepScratch;
 
@@ -173,10 +178,32 @@ public:
                        Vec3 point);                 // N at a world point, during the next step
     Status apply_torque(BodyId body, Vec3 torque);  // N m, during the next step
 
+    // --- force fields: force_fields.h ---
+    // Each call wakes what is in the region that the field has, and in that which it had.
+    Result<FieldId> create_field(const FieldDef& def);
+    Status set_field(FieldId field, const FieldDef& def);
+    Status destroy_field(FieldId field);
+    bool contains(FieldId field) const;
+    Result<FieldDef> field(FieldId field) const;
+    std::vector<FieldId> fields() const;
+
+    // --- what takes part in the step: step_listener.h, module.h ---
+    // Called in the order of adding, modules among listeners. The caller keeps a listener alive
+    // until it is removed or the world ends; it belongs to no saved world and no restore point.
+    Status add_listener(StepListener& listener);
+    Status remove_listener(StepListener& listener);
+    // The world owns it. One of a tag.
+    Status add_module(std::unique_ptr<Module> module);
+    Status remove_module(std::string_view tag);
+    Module* module(std::string_view tag);  // null: none of that tag
+    const Module* module(std::string_view tag) const;
+    std::vector<std::string> modules() const;  // tags, in their order
+
     // --- time ---
-    // Advances by dt seconds, 1e-5 to 0.25.
+    // Advances by dt seconds, 1e-5 to 0.25. From within a step (a listener): failed_precondition.
     Status step(double dt);
     std::uint64_t step_count() const;
+    double time() const;  // s: the sum of all dt
     Vec3 gravity() const;
     Status set_gravity(Vec3 gravity);  // m/s^2; wakes every body when it changes
     int substeps() const;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// A module: a step listener with a state of its own that belongs to the world. It is saved, loaded,
+// hashed, compared and restored with it, and may tell clients about itself. Written on public
+// headers alone (physics/examples/hovercraft.h is one).
+//
+//     register_module("hovercraft", [] { return std::make_unique<Hovercraft>(); });
+//     world.add_module(std::make_unique<Hovercraft>(craft));
+//     auto* hovercraft = dynamic_cast<Hovercraft*>(world.module("hovercraft"));
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "jostle/physics/result.h"
+#include "jostle/physics/state_visitor.h"
+#include "jostle/physics/step_listener.h"
+
+namespace jostle::physics {
+
+// What clients are told of a module: bytes in a layout of its own, little endian, quantised as it
+// sees fit. All clients share them. Clients that do not know the tag skip them.
+class ChunkWriter {
+public:
+    // How clients name bodies.
+    using NameOf = std::function<std::uint32_t(BodyId)>;
+    explicit ChunkWriter(NameOf name_of) : name_of_(std::move(name_of)) {}
+
+    void u8(std::uint8_t value) { bits(value, 1); }
+    void u16(std::uint16_t value) { bits(value, 2); }
+    void u32(std::uint32_t value) { bits(value, 4); }
+    void f32(float value);
+    // The nearest of 2^(8 * bytes) even steps from low to high; clamped. bytes: 1 to 4.
+    void quantized(double value, double low, double high, int bytes);
+    // Four bytes; 0 for a body that clients do not know.
+    void body(BodyId body) { u32(name_of_(body)); }
+
+    std::vector<std::byte>& bytes() { return bytes_; }
+
+private:
+    void bits(std::uint64_t value, int bytes);
+
+    NameOf name_of_;
+    std::vector<std::byte> bytes_;
+};
+
+// What a scene says of a module, in its order.
+struct ModuleSettings {
+    std::vector<std::pair<std::string, double>> numbers;
+    std::vector<std::pair<std::string, BodyId>> bodies;
+};
+
+class Module : public StepListener {
+public:
+    // Names its kind in saved worlds, scenes and messages: 1 to 32 of a-z, 0-9 and _. A world has
+    // at most one module of a tag.
+    virtual std::string_view tag() const = 0;
+    // Every field that the next step depends on.
+    virtual void visit(StateVisitor& v) = 0;
+    // After its state was read by a visitor: makes anew what follows from it.
+    virtual void restored(const World& world) { static_cast<void>(world); }
+
+    // From a scene, after its bodies exist and before the module is added. The error names the
+    // setting. The default takes none.
+    virtual Status configure(World& world, const ModuleSettings& settings);
+    // For clients, after a step. Leaves nothing: nothing is sent.
+    virtual void publish(const World& world, ChunkWriter& chunk) const {
+        static_cast<void>(world), static_cast<void>(chunk);
+    }
+};
+
+// The kinds of modules that this process knows: load() and scenes make them by their tags. Any
+// thread.
+using MakeModule = std::function<std::unique_ptr<Module>()>;
+// A tag that is known already is refused (failed_precondition).
+Status register_module(std::string tag, MakeModule make);
+// An unknown tag is an error that lists the known ones.
+Result<std::unique_ptr<Module>> make_module(std::string_view tag);
+std::vector<std::string> module_tags();  // sorted
+
+// The state of one module as bytes, for scenes that keep it, and back. Foreign bytes are checked;
+// an error names the field. After an error the module's fields are of no use.
+std::vector<std::byte> save_module(Module& module);
+Status load_module(Module& module, std::span<const std::byte> bytes);
+
+}  // namespace jostle::physics

@@ -48,6 +48,10 @@ void derive_all(WorldState& world) {
     world.contacts.ids.rebuild_free_list();
     world.joints.ids.rebuild_free_list();
     world.islands.ids.rebuild_free_list();
+    world.fields.ids.rebuild_free_list();
+    world.fields.derive_active();
+    for (const ContactAnswer& answer : world.contacts.answers)
+        world.contacts.contacts[answer.contact].answered = true;
     derive_axes(world.bodies.statics);
     derive_axes(world.bodies.awake);
     for (Island& island : world.islands.islands) derive_axes(island.sleepers);

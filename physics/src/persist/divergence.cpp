@@ -27,7 +27,11 @@ struct Recorder {
         bits.push_back(bits_of(value));
     }
     template <class T>
-    void optional(std::string_view name, T& value) {
+    void optional(std::string_view name, T& value, std::uint32_t) {
+        field(name, value);
+    }
+    template <class T>
+    void unhashed(std::string_view name, T& value, std::uint32_t) {
         field(name, value);
     }
     std::size_t count(std::string_view, std::size_t size) {
@@ -86,7 +90,11 @@ struct Comparer {
         field(name, hash);
     }
     template <class T>
-    void optional(std::string_view name, T& value) {
+    void optional(std::string_view name, T& value, std::uint32_t) {
+        field(name, value);
+    }
+    template <class T>
+    void unhashed(std::string_view name, T& value, std::uint32_t) {
         field(name, value);
     }
     std::size_t count(std::string_view name, std::size_t size) {

@@ -6,12 +6,14 @@
 //
 // A visitor v has: v.field(name, number&), for bools, integers, floats and enums; v.enter(name) /
 // v.enter(index) and v.leave() for the path; v.count(name, size) -> size, which a loader replaces
-// by what it reads (and bounds); v.optional(name, number&), a field that most leave at zero and
-// that joined later: saved like any other, but a zero leaves a hash as it was; and kLoading.
+// by what it reads (and bounds); v.optional(name, number&, version), a field that most leave at
+// zero and that joined with a version of saved worlds: saved like any other, but a zero leaves a
+// hash as it was; v.unhashed, likewise, which no hash sees; and kLoading.
 #pragma once
 
 #include <string_view>
 
+#include "persist/module_visitor.h"
 #include "state/contact_constraints.h"
 #include "state/world_state.h"
 
@@ -193,7 +195,7 @@ void visit_fields(V& v, ShapeRecord& s) {
     v.field("group", s.filter.group);
     v.field("trigger", s.trigger);
     v.field("report_stays", s.report_stays);
-    v.optional("user_data", s.user_data);
+    v.optional("user_data", s.user_data, 9);
     v.field("body", s.body);
     v.field("next", s.next);
     visit(v, "fat", s.fat);
@@ -387,6 +389,90 @@ void visit_fields(V& v, Island& island) {
 }
 
 template <class V>
+void visit_fields(V& v, UniformWind& wind) {
+    visit(v, "velocity", wind.velocity);
+    visit(v, "gust", wind.gust);
+    v.field("gust_period", wind.gust_period);
+    v.field("density", wind.density);
+    v.field("drag", wind.drag);
+}
+template <class V>
+void visit_fields(V& v, RadialField& radial) {
+    visit(v, "center", radial.center);
+    v.field("strength", radial.strength);
+    v.field("falloff", radial.falloff);
+    v.field("nearest", radial.nearest);
+    v.field("per_mass", radial.per_mass);
+}
+template <class V>
+void visit_fields(V& v, VortexField& vortex) {
+    visit(v, "center", vortex.center);
+    visit(v, "axis", vortex.axis);
+    v.field("strength", vortex.strength);
+    v.field("pull", vortex.pull);
+    v.field("lift", vortex.lift);
+    v.field("falloff", vortex.falloff);
+    v.field("nearest", vortex.nearest);
+    v.field("per_mass", vortex.per_mass);
+}
+template <class V>
+void visit_fields(V& v, BuoyancyField& fluid) {
+    visit(v, "normal", fluid.normal);
+    v.field("offset", fluid.offset);
+    v.field("density", fluid.density);
+    visit(v, "flow", fluid.flow);
+    v.field("drag", fluid.drag);
+    v.field("angular_drag", fluid.angular_drag);
+}
+template <class V>
+void visit_fields(V& v, FieldDef& field) {
+    auto kind = static_cast<std::uint8_t>(field.force.index());
+    v.field("kind", kind);
+    if constexpr (V::kLoading)
+        if (!make_kind(kind, field.force)) return v.fail("kind", "is not a kind of force field");
+    std::visit([&](auto& force) { visit_fields(v, force); }, field.force);
+    bool bounded = field.region.has_value();
+    v.field("bounded", bounded);
+    if (bounded) {
+        Aabb region = field.region.value_or(Aabb{});
+        visit(v, "region", region);
+        field.region = region;
+    }
+    v.field("mask", field.mask);
+    v.field("user_data", field.user_data);
+}
+
+// What a world has only if something was added to it from outside: force fields, answers of
+// listeners, modules.
+template <class V>
+void visit_doors(V& v, WorldState& world) {
+    v.unhashed("time", world.time, 10);
+    auto fields = world.fields.ids.size();
+    v.optional("fields", fields, 10);
+    if (fields > 0) {
+        v.enter("fields");
+        v.field("time", world.time);
+        visit(v, "ids", world.fields.ids);
+        visit_all(v, "fields", world.fields.fields, [&](FieldDef& f) { visit_fields(v, f); });
+        v.leave();
+    }
+    auto answers = static_cast<std::uint32_t>(world.contacts.answers.size());
+    v.optional("answers", answers, 10);
+    if (answers > 0) {
+        v.enter("contacts");
+        visit_all(v, "answers", world.contacts.answers, [&](ContactAnswer& a) {
+            v.field("contact", a.contact);
+            v.field("friction", a.friction);
+            v.field("restitution", a.restitution);
+            visit(v, "surface_velocity", a.surface_velocity);
+            v.field("enabled", a.enabled);
+        });
+        v.leave();
+    }
+    visit_modules(v, world.listeners);
+}
+
+template <class V>
 void visit_world(V& v, WorldState& world) {
     v.enter("world");
     visit(v, "gravity", world.def.gravity);
@@ -456,6 +542,8 @@ void visit_world(V& v, WorldState& world) {
     visit(v, "ids", world.islands.ids);
     visit_all(v, "islands", world.islands.islands, [&](Island& i) { visit_fields(v, i); });
     v.leave();
+
+    visit_doors(v, world);
 }
 
 }  // namespace jostle::physics

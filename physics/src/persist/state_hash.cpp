@@ -22,9 +22,11 @@ struct HashVisitor {
         hasher.add(bits_of(value));
     }
     template <class T>
-    void optional(std::string_view name, T& value) {
+    void optional(std::string_view name, T& value, std::uint32_t) {
         if (value != T{}) field(name, value);
     }
+    template <class T>
+    void unhashed(std::string_view, T&, std::uint32_t) {}
     std::size_t count(std::string_view, std::size_t size) {
         hasher.add(size);
         return size;

@@ -2,7 +2,6 @@
 #include "stages/step_world.h"
 
 #include "foundation/check.h"
-#include "foundation/fp_mode.h"
 #include "stages/contacts/begin_contacts.h"
 #include "stages/contacts/update_contacts.h"
 #include "stages/continuous/solve_continuous.h"
@@ -63,7 +62,6 @@ void run_second(StepContext& step, Stage name) {
 
 // One step, in the order in which it happens. Each stage is one file of this folder.
 void step_world(WorldState& world, StepScratch& scratch, double dt) {
-    const FpModeScope fp_mode;
     ASSERT(dt > 0);
     StepContext step = begin_step(world, scratch, dt);
     run<update_pairs>(step, Stage::update_pairs);                 // which shapes may touch
@@ -85,6 +83,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());
     world.steps++;
+    world.time += dt;
     for (const double ms : world.profile.stage_ms) world.profile.step_ms += ms;
     world.team_use = {world.profile.step_ms, world.profile.solver_tasks};
 }

@@ -32,6 +32,7 @@ struct alignas(64) Contact {
     bool has_bound = false;    // has an entry on the list of separation bounds
     bool dormant = false;
     bool composite = false;  // has parts, below
+    bool answered = false;   // has an entry among ContactStore::answers
     bool queued = false;     // within a step: already among the pairs to look at
 
     double limit = -1;  // m: to be looked at when the motion bounds of both bodies exceeds it
@@ -67,6 +68,15 @@ struct SeparationBound {
     double limit = -1;  // m, on the sum of both bodies' reach
 };
 
+// What a listener said of a contact (jostle/physics/step_listener.h). Kept from the beginning of
+// its manifold to its end; composite pairs have one for each part.
+struct ContactAnswer {
+    std::uint32_t contact = none;
+    double friction = 0, restitution = 0;
+    Vec3 surface_velocity;  // m/s, world: of b against a
+    bool enabled = true;
+};
+
 inline Vec3 direction_of(const SeparationBound& w) {
     return {double{w.apart[0]}, double{w.apart[1]}, double{w.apart[2]}};
 }
@@ -75,8 +85,9 @@ struct ContactStore {
     IdPool ids;
     FlatArray<Contact> contacts;
     FlatArray<SeparationBound> bounds;
-    bool some_dormant = true;  // of those with a bound, perhaps; not saved
-    KeySet pairs;              // pair_key() of each contact that is no part; derived
+    std::vector<ContactAnswer> answers;  // rising by contact
+    bool some_dormant = true;            // of those with a bound, perhaps; not saved
+    KeySet pairs;                        // pair_key() of each contact that is no part; derived
 };
 
 inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {

@@ -15,9 +15,11 @@
 #include "state/body_store.h"
 #include "state/contact_store.h"
 #include "state/event_store.h"
+#include "state/field_store.h"
 #include "state/graph_scratch.h"
 #include "state/island_store.h"
 #include "state/joint_store.h"
+#include "state/listener_store.h"
 #include "state/shape_store.h"
 #include "state/trigger_store.h"
 #include "state/wake_requests.h"
@@ -30,6 +32,7 @@ struct WorldStores {
     WorldDef def;
     std::uint64_t steps = 0;
     double last_dt = 0;  // s; 0 before the first step
+    double time = 0;     // s: the sum of all steps
 
     BodyStore bodies;
     ShapeStore shapes;
@@ -38,6 +41,7 @@ struct WorldStores {
     JointStore joints;
     TriggerStore triggers;
     IslandStore islands;
+    FieldStore fields;
 };
 
 // How the last step used its threads. It decides who does the work of the next one, never what
@@ -48,6 +52,8 @@ struct TeamUse {
 };
 
 struct WorldState : WorldStores {
+    // Modules are part of the state; a restore point keeps theirs by their visitors.
+    ListenerStore listeners;
     // Not part of the state.
     EventStore events;
     WakeRequests wake_requests;
@@ -86,6 +92,9 @@ inline BodyId body_id(const WorldState& world, std::uint32_t body) {
 }
 inline JointId joint_id(const WorldState& world, std::uint32_t joint) {
     return {joint, world.joints.ids.generation(joint)};
+}
+inline FieldId field_id(const WorldState& world, std::uint32_t field) {
+    return {field, world.fields.ids.generation(field)};
 }
 inline ShapeId shape_id(const WorldState& world, std::uint32_t shape) {
     return {shape, world.shapes.ids.generation(shape)};

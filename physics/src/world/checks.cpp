@@ -189,6 +189,19 @@ Status check_id(const WorldState& world, JointId id) {
                                            "}; it never existed, broke or was destroyed"};
 }
 
+Status check_id(const WorldState& world, FieldId id) {
+    if (world.fields.ids.matches(id.index, id.generation)) return {};
+    return Error{ErrorCode::not_found, "no force field has the id {" + std::to_string(id.index) +
+                                           ", " + std::to_string(id.generation) +
+                                           "}; it never existed or was destroyed"};
+}
+
+Status check_not_stepping(const WorldState& world, const char* action) {
+    if (world.listeners.stepping == nullptr) return {};
+    return Error{ErrorCode::failed_precondition,
+                 std::string("the world is stepping; a listener cannot ") + action};
+}
+
 Geometry stored(const Geometry& geometry) {
     if (kind_of(geometry) != ShapeKind::plane) return geometry;
     return Plane{normalized(std::get<Plane>(geometry).normal)};

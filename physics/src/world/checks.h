@@ -37,6 +37,9 @@ ShapeDef def_of(const ShapeRecord& shape);
 Status check_id(const WorldState& world, BodyId id);
 Status check_id(const WorldState& world, ShapeId id);
 Status check_id(const WorldState& world, JointId id);
+Status check_id(const WorldState& world, FieldId id);
+// That no step is under way; `action` says what would be done in one.
+Status check_not_stepping(const WorldState& world, const char* action);
 Status check_material(const Material& material);
 
 // The geometry as it is stored: a plane's normal has unit length.

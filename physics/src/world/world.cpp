@@ -3,6 +3,7 @@
 // World: checks arguments, changes state, calls the step.
 #include "jostle/physics/world.h"
 
+#include "foundation/fp_mode.h"
 #include "jostle/physics/limits.h"
 #include "stages/step_world.h"
 #include "state/shape_proxy.h"
@@ -32,10 +33,37 @@ Result<World> World::create(const WorldDef& def) {
     return World(std::move(state));
 }
 
+namespace {
+
+// While a step is under way.
+class SteppingScope {
+public:
+    SteppingScope(ListenerStore& listeners, World& world) : listeners_(listeners) {
+        listeners_.stepping = &world;
+    }
+    ~SteppingScope() { listeners_.stepping = nullptr; }
+    SteppingScope(const SteppingScope&) = delete;
+    SteppingScope& operator=(const SteppingScope&) = delete;
+
+private:
+    ListenerStore& listeners_;
+};
+
+}  // namespace
+
 Status World::step(double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
+    if (Status s = check_not_stepping(*state_, "step it"); !s.ok()) return s;
+    const ListenerStore& listeners = state_->listeners;
+    const FpModeScope fp_mode;  // of listeners too
+    const SteppingScope stepping(state_->listeners, *this);
+    for (StepListener* listener : listeners.order) listener->before_step(*this, dt);
     step_world(*state_, *scratch_, dt);
+    for (StepListener* listener : listeners.order) listener->after_step(*this, dt);
     return {};
+}
+double World::time() const {
+    return state_->time;
 }
 
 std::uint64_t World::step_count() const {

@@ -13,11 +13,13 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "jostle/physics/result.h"
 
 namespace jostle::physics {
 
+class Module;
 class World;
 
 class RestorePoint {
@@ -35,11 +37,15 @@ public:
 
     // The world, this one or another, goes on with the same bits as the one that was kept: ids,
     // state_hash(), later steps and their events. It keeps its number of threads; events() is empty
-    // until the next step, profile() stays. May be repeated. An empty point is refused
-    // (failed_precondition).
+    // until the next step, profile() stays. Modules that it lacks are made by the registry
+    // (module.h), those that were not there are removed; listeners that are no modules stay. May be
+    // repeated. An empty point is refused (failed_precondition), and a module that this program
+    // does not know (not_found).
     Status restore(World& world) const;
 
 private:
+    Status restore_modules(World& world, std::vector<std::unique_ptr<Module>> missing) const;
+
     struct Kept;
     std::unique_ptr<Kept> kept_;
 };

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// The force fields of a world, as the user gave them.
+#pragma once
+
+#include <vector>
+
+#include "foundation/id_pool.h"
+#include "jostle/physics/force_fields.h"
+
+namespace jostle::physics {
+
+struct FieldStore {
+    IdPool ids;
+    std::vector<FieldDef> fields;       // by index
+    std::vector<std::uint32_t> active;  // indices of those that exist, rising; derived
+
+    bool empty() const { return active.empty(); }
+
+    void derive_active() {
+        active.clear();
+        for (std::uint32_t i = 0; i < ids.size(); i++)
+            if (ids.alive(i)) active.push_back(i);
+    }
+};
+
+}  // namespace jostle::physics

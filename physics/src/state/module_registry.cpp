@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "state/module_registry.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <mutex>
+
+#include "foundation/check.h"
+#include "jostle/physics/module.h"
+
+namespace jostle::physics {
+namespace {
+
+struct Registry {
+    std::mutex mutex;
+    std::map<std::string, MakeModule, std::less<>> kinds;
+};
+
+Registry& registry() {
+    static Registry instance;
+    return instance;
+}
+
+constexpr std::size_t longest_tag = 32;
+
+bool is_tag(std::string_view tag) {
+    const auto fits = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    return !tag.empty() && tag.size() <= longest_tag && std::all_of(tag.begin(), tag.end(), fits);
+}
+
+}  // namespace
+
+Status check_module_tag(std::string_view tag) {
+    if (is_tag(tag)) return {};
+    return Error{ErrorCode::invalid_argument, "the module's tag is \"" + std::string(tag) +
+                                                  "\"; give 1 to 32 of a-z, 0-9 and _"};
+}
+
+Status register_module(std::string tag, MakeModule make) {
+    if (Status s = check_module_tag(tag); !s.ok()) return s;
+    if (!make)
+        return Error{ErrorCode::invalid_argument,
+                     "module \"" + tag + "\": give a function that makes one"};
+    Registry& known = registry();
+    const std::lock_guard lock(known.mutex);
+    const std::string name = tag;
+    if (!known.kinds.emplace(std::move(tag), std::move(make)).second)
+        return Error{ErrorCode::failed_precondition,
+                     "module \"" + name + "\" is registered already; register it once"};
+    return {};
+}
+
+Result<std::unique_ptr<Module>> make_module(std::string_view tag) {
+    Registry& known = registry();
+    MakeModule make;
+    std::string tags;
+    {
+        const std::lock_guard lock(known.mutex);
+        if (const auto found = known.kinds.find(tag); found != known.kinds.end())
+            make = found->second;
+        for (const auto& [name, unused] : known.kinds) tags += (tags.empty() ? "" : ", ") + name;
+    }
+    const std::string quoted = "module \"" + std::string(tag) + "\"";
+    if (!make)
+        return Error{ErrorCode::not_found, quoted + " is not one that this program knows (" +
+                                               (tags.empty() ? "it knows none" : tags) +
+                                               "); call register_module() before"};
+    std::unique_ptr<Module> module = make();
+    if (!module || module->tag() != tag)
+        return Error{ErrorCode::failed_precondition,
+                     quoted + ": what was registered makes " +
+                         (module ? "\"" + std::string(module->tag()) + "\"" : "nothing")};
+    return module;
+}
+
+std::vector<std::string> module_tags() {
+    Registry& known = registry();
+    const std::lock_guard lock(known.mutex);
+    std::vector<std::string> tags;
+    for (const auto& [tag, unused] : known.kinds) tags.push_back(tag);
+    return tags;
+}
+
+Status Module::configure(World&, const ModuleSettings& settings) {
+    if (settings.numbers.empty() && settings.bodies.empty()) return {};
+    const std::string& name =
+        settings.numbers.empty() ? settings.bodies.front().first : settings.numbers.front().first;
+    return Error{
+        ErrorCode::invalid_argument,
+        "module \"" + std::string(tag()) + "\" takes no settings; leave out \"" + name + "\""};
+}
+
+void ChunkWriter::bits(std::uint64_t value, int bytes) {
+    for (int k = 0; k < bytes; k++)
+        bytes_.push_back(static_cast<std::byte>(value >> (8 * k) & 0xff));
+}
+
+void ChunkWriter::f32(float value) {
+    u32(std::bit_cast<std::uint32_t>(value));
+}
+
+void ChunkWriter::quantized(double value, double low, double high, int bytes) {
+    ASSERT(bytes >= 1 && bytes <= 4 && low < high);
+    const auto most = static_cast<double>((std::uint64_t{1} << (8 * bytes)) - 1);
+    const double share = clamp((value - low) / (high - low), 0, 1);  // NaN: 0
+    bits(static_cast<std::uint64_t>((share > 0 ? share : 0) * most + 0.5), bytes);
+}
+
+}  // namespace jostle::physics

@@ -5,9 +5,9 @@
 
 #include "constraint_graph/effective_mass.h"
 #include "constraint_graph/wide_rows.h"
-#include "constraints/combine.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 
 namespace jostle::physics {
@@ -95,16 +95,12 @@ double patch_of(const WorldState& world, const Contact& contact) {
 }
 
 // Rolling, turning and moving surfaces.
-void write_rolling(const WorldState& world, const Contact& contact, const ContactPlace& place,
-                   const Material& ma, const Material& mb, Vec3 roll) {
+void write_rolling(const ContactPlace& place, const Material& ma, const Material& mb, Vec3 surface,
+                   Vec3 roll) {
     RollingWide& rolling = *place.rolling;
     const int lane = place.lane;
     const Vec3 n = get_lane(place.block->normal, lane), t1 = get_lane(place.block->tangent, lane);
     const Vec3 t2 = cross(n, t1);
-    Vec3 surface;
-    if (ma.surface_velocity != Vec3{} || mb.surface_velocity != Vec3{})
-        surface = warm_of(world, contact.body_b).axes * mb.surface_velocity -
-                  warm_of(world, contact.body_a).axes * ma.surface_velocity;
     rolling.surface[0][lane] = as_float(dot(surface, t1));
     rolling.surface[1][lane] = as_float(dot(surface, t2));
     rolling.rolling[lane] = as_float(maximum(ma.rolling_friction, mb.rolling_friction));
@@ -117,6 +113,15 @@ void write_rolling(const WorldState& world, const Contact& contact, const Contac
 bool has_rolling(const RollingWide& rolling, int lane) {
     return rolling.surface[0][lane] != 0 || rolling.surface[1][lane] != 0 ||
            rolling.rolling[lane] != 0 || rolling.torsional_friction[lane] != 0;
+}
+
+// A manifold without points, which pushes nothing.
+void disable(ContactConstraintWide& block, int lane) {
+    for (int i = 0; i < 4; i++) {
+        block.gap[i][lane] = no_point;
+        block.lambda[i][lane] = block.mean_impulse[i][lane] = 0;
+    }
+    block.friction[0][lane] = block.friction[1][lane] = block.torsion[lane] = 0;
 }
 
 // The lanes of a block share a byte, and other threads may write theirs.
@@ -191,10 +196,12 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
-    block.mu[lane] = as_float(pair_friction(ma, mb));
-    write_rolling(world, contact, place, ma, mb, old.roll);
+    const ContactAnswer answer = answer_of(world, contact);
+    if (!answer.enabled) disable(block, lane);
+    block.mu[lane] = as_float(answer.friction);
+    write_rolling(place, ma, mb, answer.surface_velocity, old.roll);
     ContactConstraintWideMeta& meta = *place.meta;
-    meta.restitution[lane] = as_float(pair_restitution(ma, mb));
+    meta.restitution[lane] = as_float(answer.restitution);
     meta.moved[lane] = 0;
     put_bit(meta.bits(LaneFlag::bounces), lane, meta.restitution[lane] > 0);
     put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*place.rolling, lane));

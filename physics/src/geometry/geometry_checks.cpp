@@ -75,4 +75,12 @@ Status check_geometry(const char* name, const Geometry& geometry) {
     return invalid(std::string(name) + " is of no known kind");
 }
 
+Status check_vector(const char* name, Vec3 value, double limit) {
+    const Vec3 size = abs(value);
+    if (size.x <= limit && size.y <= limit && size.z <= limit) return {};
+    return invalid(std::string(name) + " is (" + text(value.x) + ", " + text(value.y) + ", " +
+                   text(value.z) + "); each component must be finite and at most " + text(limit) +
+                   " in size");
+}
+
 }  // namespace jostle::physics

@@ -11,5 +11,7 @@ namespace jostle::physics {
 // An Error names the field ("geometry.box.half_extents.x"), its value and its range.
 Status check_geometry(const char* name, const Geometry& geometry);
 Status check_range(const char* name, double value, double low, double high);
+// Each component is finite and at most `limit` in size.
+Status check_vector(const char* name, Vec3 value, double limit);
 
 }  // namespace jostle::physics

@@ -6,6 +6,7 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 #include "state/contact_load.h"
 #include "state/islands.h"
@@ -101,6 +102,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
         if (!c.composite) end_touch(world, contact);
     }
     if (c.colour >= 0) remove_contact(world, contact);
+    forget_answer(world, contact);
     if (c.has_bound)
         std::erase_if(store.bounds, [&](const SeparationBound& w) { return w.contact == contact; });
     if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {

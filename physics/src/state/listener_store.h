@@ -16,25 +16,33 @@
 namespace jostle::physics {
 
 struct ListenerStore {
-    std::vector<StepListener*> order;              // modules among them
+    struct Entry {
+        StepListener* listener;
+        StepHooks hooks;
+    };
+    std::vector<Entry> order;                      // modules among them
     std::vector<std::unique_ptr<Module>> modules;  // in their order
     StepHooks wanted;                              // by any of them; derived
     World* stepping = nullptr;                     // set within World::step()
 
     bool empty() const { return order.empty(); }
 
+    bool contains(const StepListener& listener) const {
+        return std::any_of(order.begin(), order.end(),
+                           [&](const Entry& entry) { return entry.listener == &listener; });
+    }
     Module* module(std::string_view tag) const {
         for (const std::unique_ptr<Module>& module : modules)
             if (module->tag() == tag) return module.get();
         return nullptr;
     }
     void add(StepListener& listener) {
-        order.push_back(&listener);
+        order.push_back({&listener, listener.hooks()});
         derive_wanted();
     }
     void remove(const StepListener& listener) {
-        ASSERT(std::find(order.begin(), order.end(), &listener) != order.end());
-        std::erase(order, &listener);
+        ASSERT(contains(listener));
+        std::erase_if(order, [&](const Entry& entry) { return entry.listener == &listener; });
         derive_wanted();
     }
     void add(std::unique_ptr<Module> module) {
@@ -51,10 +59,11 @@ struct ListenerStore {
         std::vector<std::size_t> places;
         for (std::size_t k = 0; k < order.size(); k++)
             for (const std::unique_ptr<Module>& module : modules)
-                if (module.get() == order[k]) places.push_back(k);
+                if (module.get() == order[k].listener) places.push_back(k);
         std::sort(modules.begin(), modules.end(),
                   [&](const auto& a, const auto& b) { return rank(a->tag()) < rank(b->tag()); });
-        for (std::size_t k = 0; k < places.size(); k++) order[places[k]] = modules[k].get();
+        for (std::size_t k = 0; k < places.size(); k++)
+            order[places[k]] = {modules[k].get(), modules[k]->hooks()};
     }
     void remove_module(std::string_view tag) {
         remove(*module(tag));
@@ -64,10 +73,9 @@ struct ListenerStore {
 private:
     void derive_wanted() {
         wanted = {};
-        for (const StepListener* listener : order) {
-            const StepHooks hooks = listener->hooks();
-            wanted.substeps |= hooks.substeps;
-            wanted.pre_solve |= hooks.pre_solve;
+        for (const Entry& entry : order) {
+            wanted.substeps |= entry.hooks.substeps;
+            wanted.pre_solve |= entry.hooks.pre_solve;
         }
     }
 };

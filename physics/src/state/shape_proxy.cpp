@@ -7,6 +7,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "geometry/bounds.h"
+#include "state/force_fields.h"
 
 namespace jostle::physics {
 namespace {
@@ -131,8 +132,9 @@ void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     ASSERT(dt > 0);
     // Half as much again as the present speed, and twice what gravity and forces can add.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
-    const double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +
-                                length(warm.force) * cold.inverse_mass;
+    double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +
+                          length(warm.force) * cold.inverse_mass;
+    if (!world.fields.empty()) acceleration += field_acceleration(world, warm, cold);
     motion.bound = motion.travel + 1.5 * dt * speed + dt * dt * acceleration;
 }
 

@@ -5,6 +5,7 @@
 
 #include "foundation/tuning.h"
 #include "jostle/physics/limits.h"
+#include "state/force_fields.h"
 
 namespace jostle::physics {
 namespace {
@@ -381,6 +382,29 @@ Fault check_islands(const WorldState& world) {
 
 }  // namespace
 
+namespace {
+
+Fault check_fields(const WorldState& world) {
+    for (std::size_t i = 0; i < world.fields.fields.size(); i++)
+        if (const Status s = check_field(world.fields.fields[i], world.def.planar); !s.ok())
+            return at("fields", i, s.error().message.c_str());
+    return {};
+}
+
+Fault check_answers(const WorldState& world) {
+    const std::vector<ContactAnswer>& answers = world.contacts.answers;
+    for (std::size_t i = 0; i < answers.size(); i++) {
+        const ContactAnswer& a = answers[i];
+        if (!world.contacts.ids.alive(a.contact)) return at("answers", i, "names no contact");
+        if (i > 0 && answers[i - 1].contact >= a.contact) return at("answers", i, "is not rising");
+        if (!(a.friction >= 0 && a.restitution >= 0 && a.restitution <= 1))
+            return at("answers", i, "has a coefficient out of range");
+    }
+    return {};
+}
+
+}  // namespace
+
 std::optional<std::string> find_fault(const WorldState& world) {
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
@@ -390,9 +414,12 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (Fault f = check_pool("contacts", world.contacts.ids, world.contacts.contacts)) return f;
     if (Fault f = check_pool("joints", world.joints.ids, world.joints.joints)) return f;
     if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
+    if (Fault f = check_pool("fields", world.fields.ids, world.fields.fields)) return f;
+    if (!(world.time >= 0)) return "world.time is below 0";
     // In this order: each relies on what those before it found sound.
-    for (const auto check : {check_bodies, check_sets, check_shapes, check_joints, check_triggers,
-                             check_contacts, check_graph, check_islands})
+    for (const auto check :
+         {check_bodies, check_sets, check_shapes, check_joints, check_triggers, check_contacts,
+          check_graph, check_islands, check_fields, check_answers})
         if (Fault f = check(world)) return f;
     return {};
 }

@@ -6,21 +6,6 @@
 #include "jostle/physics/limits.h"
 
 namespace jostle::physics {
-namespace {
-
-std::string vector_text(Vec3 v) {
-    return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")";
-}
-
-}  // namespace
-
-Status check_vector(const char* name, Vec3 value, double limit) {
-    const Vec3 size = abs(value);
-    if (size.x <= limit && size.y <= limit && size.z <= limit) return {};
-    return invalid(std::string(name) + " is " + vector_text(value) +
-                   "; each component must be finite and at most " + text(limit) + " in size");
-}
-
 Status check_pose(const char* name, const Transform& pose) {
     const std::string prefix = name;
     if (Status s =

@@ -15,7 +15,6 @@
 
 namespace jostle::physics {
 
-Status check_vector(const char* name, Vec3 value, double limit);
 // Finite, and a rotation that is not zero.
 Status check_pose(const char* name, const Transform& pose);
 Status check_world(const WorldDef& def);

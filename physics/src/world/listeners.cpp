@@ -12,7 +12,7 @@ namespace jostle::physics {
 Status World::add_listener(StepListener& listener) {
     ListenerStore& store = state_->listeners;
     if (Status s = check_not_stepping(*state_, "add a listener"); !s.ok()) return s;
-    if (std::find(store.order.begin(), store.order.end(), &listener) != store.order.end())
+    if (store.contains(listener))
         return Error{ErrorCode::failed_precondition, "the listener was added already"};
     store.add(listener);
     return {};
@@ -25,7 +25,7 @@ Status World::remove_listener(StepListener& listener) {
     if (std::any_of(store.modules.begin(), store.modules.end(), is_it))
         return Error{ErrorCode::failed_precondition,
                      "the listener is a module, which the world owns: call remove_module()"};
-    if (std::find(store.order.begin(), store.order.end(), &listener) == store.order.end())
+    if (!store.contains(listener))
         return Error{ErrorCode::not_found, "the listener was not added, or removed before"};
     store.remove(listener);
     return {};

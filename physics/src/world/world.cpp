@@ -57,9 +57,9 @@ Status World::step(double dt) {
     const ListenerStore& listeners = state_->listeners;
     const FpModeScope fp_mode;  // of listeners too
     const SteppingScope stepping(state_->listeners, *this);
-    for (StepListener* listener : listeners.order) listener->before_step(*this, dt);
+    for (const auto& entry : listeners.order) entry.listener->before_step(*this, dt);
     step_world(*state_, *scratch_, dt);
-    for (StepListener* listener : listeners.order) listener->after_step(*this, dt);
+    for (const auto& entry : listeners.order) entry.listener->after_step(*this, dt);
     return {};
 }
 double World::time() const {

@@ -72,14 +72,15 @@ public:
 
 // Two shapes that are about to touch, and how they shall. Asked once when their manifold begins (of
 // a mesh: for each manifold), before anything pushes; the answer holds until the manifold ends.
-// Two bodies that meet between sub-steps are asked for each impact.
+// Two bodies that meet between sub-steps are asked about at each impact, where the surface velocity
+// does not count.
 struct PreSolve {
     const World& world;
     ShapeId shape_a = {}, shape_b = {};
     BodyId body_a = {}, body_b = {};
     Vec3 normal = {};    // unit, from a to b
     Vec3 point = {};     // m, world: the middle of where they touch
-    Vec3 velocity = {};  // m/s of b's surface against a's there; along the normal: > 0 parts
+    Vec3 velocity = {};  // m/s of b against a there; along the normal: > 0 parts
 
     // The answer. It begins as what the materials give.
     double friction = 0;         // >= 0

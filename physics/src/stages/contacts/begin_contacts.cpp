@@ -6,6 +6,7 @@
 
 #include "constraints/write_manifold.h"
 #include "foundation/check.h"
+#include "stages/contacts/ask_listeners.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -26,6 +27,7 @@ Skipped begin_contacts(StepContext& step) {
     };
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
+    const bool asks = has_pre_solve_listeners(world);
     for (const NewContact& next : begins) {
         ASSERT(next.check < scratch.checks.size());
         const ContactCheck& check = scratch.checks[next.check];
@@ -47,6 +49,8 @@ Skipped begin_contacts(StepContext& step) {
         ASSERT(manifold->count >= 1 && manifold->count <= 4);
         add_contact(world, contact, manifold->count == 1);
         write_manifold(world, world.contacts.contacts[contact], *manifold, true);
+        if (asks && ask_about_contact(world, contact))
+            write_manifold(world, world.contacts.contacts[contact], *manifold, true);
     }
     begins.clear();
     return ran;

@@ -8,6 +8,7 @@
 #include "foundation/tuning.h"
 #include "stages/contacts/pair_motion.h"
 #include "stages/step_scratch.h"
+#include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
 #include "state/separation_bounds.h"
@@ -31,6 +32,7 @@ void bound_or_end(WorldState& world, const ContactCheck& check, double near) {
         end_touch(world, check.contact);
     }
     if (c.colour >= 0) remove_contact(world, check.contact);
+    forget_answer(world, check.contact);
     if (!boxes_overlap(world, c)) {
         destroy_contact(world, check.contact, world.events.contacts_ended);
         return;

@@ -4,10 +4,10 @@
 // update_contacts foresees the contact solver resolves, all else solve_continuous.
 #pragma once
 
-#include "constraints/combine.h"
 #include "foundation/tuning.h"
 #include "stages/step_context.h"
 #include "stages/step_scratch.h"
+#include "state/combine.h"
 
 namespace jostle::physics {
 

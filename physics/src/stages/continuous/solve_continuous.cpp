@@ -8,16 +8,17 @@
 
 #include "collision/narrowphase/impact_points.h"
 #include "collision/narrowphase/time_of_impact.h"
-#include "constraints/combine.h"
 #include "constraints/impact.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/contacts/ask_listeners.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
 #include "stages/continuous/toi_dependents.h"
 #include "stages/step_scratch.h"
+#include "state/contact_answers.h"
 #include "state/joint_graph.h"
 #include "state/shape_proxy.h"
 
@@ -36,6 +37,7 @@ public:
             if (is_fast(i) || finalize_.thrown[i] != 0) known.push_back(i);
         }
         motions_.note(step_, known, [&](std::uint32_t awake) { return known_sweep(awake); });
+        note_passes();
         start_toi_bodies();
         if (bodies_.empty()) return;
         // Every impact uses up one of somebody's, and between two there are so many legs: this
@@ -258,6 +260,9 @@ private:
         const ShapeRecord &a = world_.shapes.shapes[own], &b = world_.shapes.shapes[other];
         if (a.body == b.body || a.trigger || b.trigger || !may_meet(a.filter, b.filter))
             return false;
+        if (!passes_.empty() &&
+            std::binary_search(passes_.begin(), passes_.end(), pair_key(own, other)))
+            return false;
         const BodyType ta = world_.bodies.cold[a.body].type, tb = world_.bodies.cold[b.body].type;
         if (ta != BodyType::dynamic && tb != BodyType::dynamic) return false;
         return !joined_without_contact(world_, a.body, b.body);
@@ -448,12 +453,15 @@ private:
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);
         const std::vector<ImpactPoint> points = std::move(bodies_[index].points);
-        file_wake(body_a, body_b);
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
-        const Material &ma = world_.shapes.shapes[own].material,
-                       &mb = world_.shapes.shapes[other].material;
-        const HardestPoint hit =
-            resolve_impact(a, b, points, pair_restitution(ma, mb), pair_friction(ma, mb));
+        const ContactAnswer answer = answer_for(own, other, a, b, points);
+        if (!answer.enabled) {
+            passes_.push_back(pair_key(own, other));
+            std::sort(passes_.begin(), passes_.end());
+            return recheck(index);
+        }
+        file_wake(body_a, body_b);
+        const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
         report(own, other, hit);
         // What stays does not go where its velocity points: nobody may follow it there.
         const std::uint32_t met = toi_body_of(body_b);
@@ -464,6 +472,28 @@ private:
         recheck(index);
         if (continue_after(body_a, a, sweep_a, at)) update_dependents(where_[body_a]);
         if (continue_after(body_b, b, sweep_b, at)) update_dependents(where_[body_b]);
+    }
+
+    // How two shapes touch that meet between sub-steps, and whether they do.
+    ContactAnswer answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
+                             const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
+        const ContactAnswer answer = answer_of_materials(world_, own, other);
+        if (!has_pre_solve_listeners(world_) || points.empty()) return answer;
+        Vec3 point;
+        for (const ImpactPoint& p : points)
+            point += p.position * (1.0 / static_cast<double>(points.size()));
+        const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
+        return ask_listeners(world_, {own, other, points.front().normal, point, vb - va}, answer);
+    }
+    // What passes through each other by what listeners said before.
+    void note_passes() {
+        for (const ContactAnswer& answer : world_.contacts.answers) {
+            const Contact* pair = &world_.contacts.contacts[answer.contact];
+            if (pair->parent != none) pair = &world_.contacts.contacts[pair->parent];
+            if (pass_through(world_, *pair))
+                passes_.push_back(pair_key(pair->shape_a, pair->shape_b));
+        }
+        std::sort(passes_.begin(), passes_.end());
     }
 
     // Who is met asleep wakes when all impacts are known, with as much around it as this one stirs.
@@ -552,7 +582,8 @@ private:
     std::vector<std::size_t> to_check_;
     std::uint32_t round_ = 0;                            // of looking
     std::vector<std::pair<double, std::size_t>> queue_;  // heap of TOI bodies by what comes next
-    std::vector<std::uint32_t> where_;  // by body: its TOI body; empty before the first
+    std::vector<std::uint64_t> passes_;  // pair_key() of shapes that do not hit each other; rising
+    std::vector<std::uint32_t> where_;   // by body: its TOI body; empty before the first
 };
 
 }  // namespace

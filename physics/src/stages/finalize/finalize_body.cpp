@@ -4,6 +4,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/step_scratch.h"
+#include "state/force_fields.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -47,8 +48,8 @@ double swing(const BodyWarm& warm, const BodyCold& cold, Vec3 turn) {
 }
 
 // How long the body has rested.
-void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Quat turn,
-               double dt) {
+void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
+               const FreeMotion& motion, Quat turn, double dt) {
     if (warm.sleep_time == 0) warm.drift = warm.drift_turn = {};
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2.0 : 2.0);
     const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
@@ -58,7 +59,9 @@ void note_rest(BodyWarm& warm, const BodyCold& cold, const FreeMotion& motion, Q
     const bool still = way < tuning::sleep_speed * dt;
     const bool sways = way < tuning::drift_speed * dt &&
                        length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift;
-    warm.sleep_time = cold.sleep_allowed && (still || sways) ? warm.sleep_time + dt : 0;
+    const bool rests = cold.sleep_allowed && (still || sways) &&
+                       (world.fields.empty() || !feels_gusts(world, warm, cold));
+    warm.sleep_time = rests ? warm.sleep_time + dt : 0;
 }
 
 // Whether a body's velocity does not lead back to where it came from, by more than a part of what
@@ -123,7 +126,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     world.bodies.motion[warm.body].turned += turned;
     update_motion_bound(world, warm.body, step.dt);
     if (world.def.sleeping && cold.type == BodyType::dynamic)
-        note_rest(warm, cold, motion, turn, step.dt);
+        note_rest(world, warm, cold, motion, turn, step.dt);
     if (!left_fat_aabb(world, warm, cold, step.dt)) return;
     scratch.left_fat_aabb[awake_index] = 1;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)

@@ -22,6 +22,9 @@ struct FinalizeScratch {
     std::vector<std::uint8_t> thrown;
     std::vector<BodyWarm> before;  // before the step, of what is fast or was thrown
     std::atomic<int> any_fast = 0;
+    // Free bodies that are moved sub-step by sub-step: how they move now, and who they are.
+    std::vector<BodyWarm> moving;
+    std::vector<std::uint32_t> moving_awake;
     std::vector<BroadPhaseIndex::Move> moves;  // of the fat boxes that were left
 };
 

@@ -6,15 +6,91 @@
 
 #include "constraints/free_motion.h"
 #include "stages/finalize/finalize_body.h"
+#include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
+#include "state/force_fields.h"
 
 namespace jostle::physics {
+namespace {
+
+// ---- by sub-steps: where listeners or force fields act on them ----
+
+// One sub-step. Fields act where the body is in its middle, which is of second order and keeps the
+// energy of a field that has one (position Verlet: Hairer, Lubich, Wanner, "Geometric numerical
+// integration by the Stormer-Verlet method", 2003).
+void advance(const StepContext& step, const SubstepMoment& moment, BodyWarm& now) {
+    const WorldState& world = step.world;
+    const BodyCold& cold = world.bodies.cold[now.body];
+    const Vec3 force = now.force, torque = now.torque;
+    if (!world.fields.empty()) {
+        BodyWarm middle = now;
+        middle.center += now.v * (0.5 * moment.h);
+        const double time = world.time + moment.index * moment.h;
+        const FieldPush push = field_push(world, middle, cold, time, moment.h);
+        now.force += push.force;
+        now.torque += push.torque;
+    }
+    const FreeMotion motion = free_motion(now, cold, world.def.gravity, moment.h);
+    now.center += motion.displacement;
+    now.rotation = motion.rotation;
+    now.axes = to_matrix(now.rotation);
+    now.v = motion.v;
+    now.w = motion.w;
+    now.force = force;
+    now.torque = torque;
+}
+
+// Dynamic free bodies, all of them sub-step by sub-step. Kinematic ones are left in `others`.
+void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others) {
+    WorldState& world = step.world;
+    SolverScratch& solver = step.scratch.solver;
+    FinalizeScratch& scratch = step.scratch.finalize;
+    std::vector<BodyWarm>& moving = scratch.moving;
+    std::vector<std::uint32_t>& awake = scratch.moving_awake;
+    moving.clear();
+    awake.clear();
+    solver.free_place.assign(world.bodies.awake.size(), none);
+    for (const std::uint32_t i : solver.free) {
+        if (!is_dynamic(world, world.bodies.awake[i].body)) {
+            others.push_back(i);
+            continue;
+        }
+        solver.free_place[i] = static_cast<std::uint32_t>(awake.size());
+        awake.push_back(i);
+        moving.push_back(world.bodies.awake[i]);
+    }
+    if (awake.empty()) return;
+    const int count = world.def.substeps;
+    const bool listened = has_substep_listeners(world);
+    for (int n = 0; n < count; n++) {
+        SubstepMoment moment{n, count, step.dt / count};
+        if (listened) call_listeners(step, moment, awake, moving);
+        step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
+            for (int k = begin; k < end; k++)
+                advance(step, moment, moving[static_cast<std::size_t>(k)]);
+        });
+        moment.after = true;
+        if (listened) call_listeners(step, moment, awake, moving);
+    }
+    step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
+            const BodyWarm& now = moving[k];
+            const Vec3 way = now.center - world.bodies.awake[awake[k]].center;
+            finalize_body(step, awake[k], {way, now.rotation, now.v, now.w});
+        }
+    });
+}
+
+}  // namespace
 
 Skipped integrate_free(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
-    const auto& free = step.scratch.solver.free;
     begin_finalize(world.bodies, step.scratch.finalize);
+    std::vector<std::uint32_t> others;
+    const bool by_substeps = has_substep_listeners(world) || !world.fields.empty();
+    if (by_substeps) integrate_by_substeps(step, others);
+    const std::vector<std::uint32_t>& free = by_substeps ? others : step.scratch.solver.free;
     step.team.run(static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = free[static_cast<std::size_t>(k)];

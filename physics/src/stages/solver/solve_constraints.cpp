@@ -11,6 +11,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/solver/solve_joints.h"
+#include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
 
 namespace jostle::physics {
@@ -180,7 +181,9 @@ SolverTask make_task(const StepContext& step, SolverTier tier, std::size_t first
 // a batch each. That changes no result: islands know nothing of each other.
 std::vector<SolverTask> make_tasks(const StepContext& step) {
     std::vector<SolverTask> tasks;
-    const std::size_t together = step.team.size() == 1 ? batch_count : 1;
+    // Listeners see the same groups of bodies whatever the threads.
+    const std::size_t together =
+        step.team.size() == 1 || has_substep_listeners(step.world) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
         for (std::size_t k = first; k < first + batch_count; k += together)
@@ -229,6 +232,11 @@ BodyRange range_of(SolverScratch& scratch, std::span<const std::uint32_t> indice
             static_cast<int>(indices.size())};
 }
 
+void listen(StepContext& step, const SubstepMoment& moment, const SolverTask& task) {
+    call_listeners(step, moment, step.scratch.solver.bodies.of(task.first, task.last), task.first,
+                   task.last);
+}
+
 // Of what was prepared.
 void run_substeps(StepContext& step, const SolverTask& task, const JointTask& joints,
                   std::span<const std::uint32_t> kinematic) {
@@ -239,9 +247,13 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
     const bool bounces = begin_restitution(contacts);
+    const bool listened = has_substep_listeners(step.world), fields = !step.world.fields.empty();
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
+        SubstepMoment moment{n, set.substeps, h};
+        if (listened) listen(step, moment, task);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
+            if (fields) push_by_fields(step, moment, some);
             (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
         });
         if (first && bounces) predict_approaches(contacts);
@@ -258,6 +270,8 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
         relax_joints(step, joints, h);
         relax(contacts, last);
         if (bounces) record_peaks(contacts);
+        moment.after = true;
+        if (listened) listen(step, moment, task);
     }
     if (bounces) apply_restitution(contacts);
 }
@@ -292,7 +306,7 @@ void solve_task(StepContext& step, const SolverTask& task,
 // until all are done. The threads share the colours of a heavier one.
 void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
     const std::vector<std::uint32_t>& kinematic = step.scratch.solver.kinematic;
-    if (step.team.size() == 1) {
+    if (step.team.size() == 1 || has_substep_listeners(step.world)) {
         for (const SolverTask& task : tasks) solve_task(step, task, kinematic);
         return;
     }

@@ -11,6 +11,7 @@
 #include "constraint_graph/joint_levels.h"
 #include "constraint_graph/solver_body.h"
 #include "constraints/contact_passes.h"
+#include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
 
 namespace jostle::physics {
@@ -45,6 +46,10 @@ struct SolverScratch {
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::vector<std::uint8_t> is_gyroscopic;  // by hot index
     std::vector<GyroscopicBody> gyroscopic;   // by hot index, of those
+    // Of the group of bodies whose sub-step listeners are called for.
+    std::vector<std::uint32_t> listened_awake;
+    std::vector<BodyId> listened;
+    std::vector<std::uint32_t> free_place;  // by awake body: its place among dynamic free ones
 };
 
 }  // namespace jostle::physics

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "stages/contacts/ask_listeners.h"
+
+#include "constraint_graph/wide_rows.h"
+#include "foundation/check.h"
+#include "jostle/physics/step_listener.h"
+#include "state/contact_answers.h"
+#include "state/contact_constraints.h"
+
+namespace jostle::physics {
+namespace {
+
+Vec3 velocity_at(const BodyWarm& body, Vec3 point) {
+    return body.v + cross(body.w, point - body.center);
+}
+
+bool is_same(const ContactAnswer& a, const ContactAnswer& b) {
+    return a.friction == b.friction && a.restitution == b.restitution &&
+           a.surface_velocity == b.surface_velocity && a.enabled == b.enabled;
+}
+
+// Listeners may return anything.
+void make_sound(ContactAnswer& answer) {
+    if (!(answer.friction >= 0 && answer.friction <= 1e6)) answer.friction = 0;
+    answer.restitution = answer.restitution >= 0 ? minimum(answer.restitution, 1) : 0;
+    if (!is_finite(answer.surface_velocity)) answer.surface_velocity = {};
+}
+
+}  // namespace
+
+ContactAnswer ask_listeners(const WorldState& world, const Meeting& m, ContactAnswer answer) {
+    ASSERT(world.listeners.stepping != nullptr);
+    PreSolve pair{.world = *world.listeners.stepping,
+                  .shape_a = shape_id(world, m.shape_a),
+                  .shape_b = shape_id(world, m.shape_b),
+                  .body_a = body_id(world, world.shapes.shapes[m.shape_a].body),
+                  .body_b = body_id(world, world.shapes.shapes[m.shape_b].body),
+                  .normal = m.normal,
+                  .point = m.point,
+                  .velocity = m.velocity,
+                  .friction = answer.friction,
+                  .restitution = answer.restitution,
+                  .surface_velocity = answer.surface_velocity,
+                  .enabled = answer.enabled};
+    for (const auto& [listener, hooks] : world.listeners.order)
+        if (hooks.pre_solve) listener->pre_solve(pair);
+    answer.friction = pair.friction;
+    answer.restitution = pair.restitution;
+    answer.surface_velocity = pair.surface_velocity;
+    answer.enabled = pair.enabled;
+    make_sound(answer);
+    return answer;
+}
+
+bool ask_about_contact(WorldState& world, std::uint32_t index) {
+    const Contact& c = world.contacts.contacts[index];
+    const ContactPlace place = place_of(world, c);
+    const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
+    const Vec3 point = a.center + get_lane(place.block->arm_a, place.lane);
+    const ContactAnswer given = answer_of_materials(world, c.shape_a, c.shape_b);
+    ContactAnswer answer = ask_listeners(world,
+                                         {c.shape_a, c.shape_b, normal_of(place), point,
+                                          velocity_at(b, point) - velocity_at(a, point)},
+                                         given);
+    if (is_same(answer, given)) return false;
+    answer.contact = index;
+    keep_answer(world, answer);
+    return true;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solver/hot_motion.h"
+
+#include "foundation/check.h"
+#include "stages/step_scratch.h"
+
+namespace jostle::physics {
+namespace {
+
+Vec3 vec(const float* f) {
+    return {double{f[0]}, double{f[1]}, double{f[2]}};
+}
+
+}  // namespace
+
+BodyWarm motion_now(const StepContext& step, std::uint32_t awake_index) {
+    const SolverScratch& scratch = step.scratch.solver;
+    ASSERT(awake_index + 1 < scratch.hot.size());
+    const HotBody& hot = scratch.hot[awake_index + 1];
+    BodyWarm now = step.world.bodies.awake[awake_index];
+    const Quat turn = from_rotation_vector(vec(hot.dr));
+    now.center += vec(hot.dp);
+    now.rotation = normalized(turn * now.rotation);
+    now.axes = to_matrix(now.rotation);
+    now.v = vec(hot.v);
+    // The spin of a gyroscopic body turns with it (solve_constraints.cpp).
+    now.w = scratch.is_gyroscopic[awake_index + 1] != 0 ? rotate(turn, vec(hot.w)) : vec(hot.w);
+    return now;
+}
+
+void push_hot(StepContext& step, std::uint32_t awake_index, Vec3 impulse, Vec3 angular_impulse) {
+    SolverScratch& scratch = step.scratch.solver;
+    ASSERT(awake_index + 1 < scratch.hot.size());
+    HotBody& hot = scratch.hot[awake_index + 1];
+    const BodyCold& cold = step.world.bodies.cold[step.world.bodies.awake[awake_index].body];
+    const Vec3 change = scaled(impulse, free_directions(cold)) * cold.inverse_mass;
+    Vec3 about = angular_impulse;
+    if (scratch.is_gyroscopic[awake_index + 1] != 0)
+        about = inverse_rotate(from_rotation_vector(vec(hot.dr)), about);
+    const float* i = hot.inertia;
+    const Mat3 inverse_inertia{{double{i[0]}, double{i[3]}, double{i[4]}},
+                               {double{i[3]}, double{i[1]}, double{i[5]}},
+                               {double{i[4]}, double{i[5]}, double{i[2]}}};
+    const Vec3 spin = inverse_inertia * about;
+    for (int k = 0; k < 3; k++) {
+        const auto dv = static_cast<float>(change[k]), dw = static_cast<float>(spin[k]);
+        hot.v[k] += dv;
+        hot.w[k] += dw;
+        hot.free[k] += dv;
+        hot.free[3 + k] += dw;
+    }
+}
+
+}  // namespace jostle::physics

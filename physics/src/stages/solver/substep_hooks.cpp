@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solver/substep_hooks.h"
+
+#include "foundation/check.h"
+#include "jostle/physics/step_listener.h"
+#include "stages/solver/hot_motion.h"
+#include "stages/step_scratch.h"
+#include "state/force_fields.h"
+
+namespace jostle::physics {
+namespace {
+
+// What both kinds of groups have in common.
+class Substep : public SubstepContext {
+public:
+    Substep(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake)
+        : step_(step), moment_(moment), ids_(step.scratch.solver.listened) {
+        ids_.clear();
+        for (const std::uint32_t index : awake)
+            ids_.push_back(body_id(step.world, step.world.bodies.awake[index].body));
+    }
+
+    double h() const override { return moment_.h; }
+    int index() const override { return moment_.index; }
+    int count() const override { return moment_.count; }
+    double time() const override { return step_.world.time + moment_.index * moment_.h; }
+    const World& world() const override { return *step_.world.listeners.stepping; }
+    std::span<const BodyId> bodies() const override { return ids_; }
+
+    MovingBody body(BodyId id) const override {
+        ASSERT(contains(id));
+        const BodyWarm now = motion(id);
+        const BodyCold& cold = step_.world.bodies.cold[id.index];
+        return {id, pose_of(now, cold), now.center, now.v, now.w, cold.mass};
+    }
+    Vec3 velocity_at(BodyId id, Vec3 point) const override {
+        ASSERT(contains(id));
+        const BodyWarm now = motion(id);
+        return now.v + cross(now.w, point - now.center);
+    }
+    bool add_impulse(BodyId id, Vec3 impulse, Vec3 point) override {
+        if (!contains(id)) return false;
+        push(id, impulse, cross(point - motion(id).center, impulse));
+        return true;
+    }
+    bool add_angular_impulse(BodyId id, Vec3 impulse) override {
+        if (!contains(id)) return false;
+        push(id, {}, impulse);
+        return true;
+    }
+
+protected:
+    virtual BodyWarm motion(BodyId id) const = 0;
+    virtual void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) = 0;
+
+    // Its place in the awake set, or none.
+    std::uint32_t awake_index(BodyId id) const {
+        if (!step_.world.bodies.ids.matches(id.index, id.generation)) return none;
+        const BodyCold& cold = step_.world.bodies.cold[id.index];
+        return cold.set == BodySet::awake ? cold.at : none;
+    }
+
+    StepContext& step_;
+
+private:
+    const SubstepMoment& moment_;
+    std::vector<BodyId>& ids_;
+};
+
+class SolverSubstep final : public Substep {
+public:
+    SolverSubstep(StepContext& step, const SubstepMoment& moment,
+                  std::span<const std::uint32_t> awake, std::size_t first, std::size_t last)
+        : Substep(step, moment, awake), first_(first), last_(last) {}
+
+    bool contains(BodyId id) const override {
+        const std::uint32_t at = awake_index(id);
+        if (at == none) return false;
+        const std::size_t set = step_.scratch.solver.set_of[at];
+        return set >= first_ && set < last_;
+    }
+
+private:
+    BodyWarm motion(BodyId id) const override { return motion_now(step_, awake_index(id)); }
+    void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
+        push_hot(step_, awake_index(id), impulse, angular_impulse);
+    }
+
+    std::size_t first_, last_;
+};
+
+class FreeSubstep final : public Substep {
+public:
+    FreeSubstep(StepContext& step, const SubstepMoment& moment,
+                std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving)
+        : Substep(step, moment, awake), moving_(moving) {}
+
+    bool contains(BodyId id) const override { return place(id) != none; }
+
+private:
+    std::uint32_t place(BodyId id) const {
+        const std::uint32_t at = awake_index(id);
+        return at == none ? none : step_.scratch.solver.free_place[at];
+    }
+    BodyWarm motion(BodyId id) const override { return moving_[place(id)]; }
+    void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
+        BodyWarm& now = moving_[place(id)];
+        const BodyCold& cold = step_.world.bodies.cold[id.index];
+        now.v += scaled(impulse, free_directions(cold)) * cold.inverse_mass;
+        now.w += world_inverse_inertia(now, cold) * angular_impulse;
+    }
+
+    std::vector<BodyWarm>& moving_;
+};
+
+void call(const WorldState& world, const SubstepMoment& moment, SubstepContext& context) {
+    for (const auto& [listener, hooks] : world.listeners.order) {
+        if (!hooks.substeps) continue;
+        if (moment.after)
+            listener->after_substep(context);
+        else
+            listener->before_substep(context);
+    }
+}
+
+}  // namespace
+
+void call_listeners(StepContext& step, const SubstepMoment& moment,
+                    std::span<const std::uint32_t> hot, std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& awake = step.scratch.solver.listened_awake;
+    awake.clear();
+    for (const std::uint32_t index : hot) awake.push_back(index - 1);
+    SolverSubstep context(step, moment, awake, first, last);
+    call(step.world, moment, context);
+}
+
+void call_listeners(StepContext& step, const SubstepMoment& moment,
+                    std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving) {
+    FreeSubstep context(step, moment, awake, moving);
+    call(step.world, moment, context);
+}
+
+void push_by_fields(StepContext& step, const SubstepMoment& moment,
+                    std::span<const std::uint32_t> hot) {
+    const double time = step.world.time + moment.index * moment.h;
+    for (const std::uint32_t index : hot) {
+        const BodyWarm now = motion_now(step, index - 1);
+        const FieldPush push =
+            field_push(step.world, now, step.world.bodies.cold[now.body], time, moment.h);
+        if (push.force == Vec3{} && push.torque == Vec3{}) continue;
+        push_hot(step, index - 1, push.force * moment.h, push.torque * moment.h);
+    }
+}
+
+}  // namespace jostle::physics

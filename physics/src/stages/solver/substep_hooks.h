@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// What acts in a sub-step from outside: listeners and force fields. Of bodies in the solver by
+// their hot records, of free bodies by motions in double that integrate_free keeps.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+inline bool has_substep_listeners(const WorldState& world) {
+    return world.listeners.wanted.substeps;
+}
+
+// A sub-step of a group of bodies.
+struct SubstepMoment {
+    int index, count;
+    double h;  // s
+    bool after = false;
+};
+
+// Calls every listener that wants sub-steps, on this thread. The bodies of a task of the solver, by
+// hot index; their colour sets are [first, last).
+void call_listeners(StepContext& step, const SubstepMoment& moment,
+                    std::span<const std::uint32_t> hot, std::size_t first, std::size_t last);
+// ... of free bodies, by index into `free`; awake indices and how each moves now.
+void call_listeners(StepContext& step, const SubstepMoment& moment,
+                    std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving);
+
+// What the force fields do in a sub-step to bodies of the solver. Any thread.
+void push_by_fields(StepContext& step, const SubstepMoment& moment,
+                    std::span<const std::uint32_t> hot);
+
+}  // namespace jostle::physics

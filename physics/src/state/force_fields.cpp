@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "state/force_fields.h"
+
+#include "foundation/check.h"
+#include "foundation/messages.h"
+#include "geometry/displacement.h"
+#include "geometry/geometry_checks.h"
+#include "geometry/projected_area.h"
+#include "jostle/physics/limits.h"
+
+namespace jostle::physics {
+namespace {
+
+double to_power(double x, int n) {
+    double power = 1;
+    for (int k = 0; k < n; k++) power *= x;
+    return power;
+}
+
+// Calls visit(shape, placed) for each shape that touches others.
+template <class Visit>
+void for_each_solid(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
+                    Visit&& visit) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
+        if (!world.shapes.shapes[s].trigger) visit(placed(world.shapes.shapes[s], now));
+}
+
+// All that a field needs of the body, and what all fields together do to it.
+struct Pushed {
+    const WorldState& world;
+    const BodyCold& cold;
+    BodyWarm now;  // its velocities change from field to field
+    double time, h;
+    FieldPush sum = {};
+
+    void push(Vec3 force, Vec3 point) {
+        sum.force += force;
+        sum.torque += cross(point - now.center, force);
+    }
+
+    // Quadratic drag by a medium that flows with `flow`, on area * drag. du/dt = -k |u| u has the
+    // solution u / (1 + k |u| h).
+    void drag(Vec3 flow, double density, double coefficient, double share,
+              double (*area_of)(const Pushed&, Vec3)) {
+        const Vec3 u = flow - now.v;
+        const double speed = length(u);
+        if (!(speed > 1e-9) || density == 0 || coefficient == 0) return;
+        const double area = share * area_of(*this, u * (1 / speed));
+        const double k = 0.5 * density * coefficient * area * cold.inverse_mass;
+        const Vec3 change = u * (1 - 1 / (1 + k * speed * h));
+        now.v += change;
+        sum.force += change * (cold.mass / h);
+    }
+
+    void operator()(const UniformWind& wind) {
+        Vec3 velocity = wind.velocity;
+        // In the middle of the sub-step.
+        if (wind.gust != Vec3{})
+            velocity += wind.gust * sin_cos(2 * pi * (time + 0.5 * h) / wind.gust_period).sin;
+        drag(velocity, wind.density, wind.drag, 1, shown_area);
+    }
+    void operator()(const RadialField& radial) {
+        const Vec3 away = now.center - radial.center;
+        const double r = length(away);
+        if (!(r > 0)) return;
+        sum.force += away * (strength_at(radial, radial.strength, r) / r);
+    }
+    void operator()(const VortexField& vortex) {
+        const Vec3 from = now.center - vortex.center;
+        const Vec3 out = from - vortex.axis * dot(from, vortex.axis);
+        const double r = length(out);
+        sum.force += vortex.axis * strength_at(vortex, vortex.lift, r);
+        if (!(r > 0)) return;
+        sum.force += cross(vortex.axis, out) * (strength_at(vortex, vortex.strength, r) / r) -
+                     out * (strength_at(vortex, vortex.pull, r) / r);
+    }
+    void operator()(const BuoyancyField& fluid) {
+        double below = 0, whole = 0;
+        Vec3 moment;
+        for_each_solid(world, now, cold, [&](const Placed& shape) {
+            const Vec3 normal = transposed_times(shape.axes, fluid.normal);
+            const double offset = fluid.offset - dot(fluid.normal, shape.position);
+            const Displacement part = displacement(*shape.geometry, normal, offset);
+            below += part.volume;
+            moment += (shape.position + shape.axes * part.center) * part.volume;
+            whole += displacement(*shape.geometry, normal, 1e30).volume;
+        });
+        if (!(below > 0)) return;
+        const double displaced = fluid.density * below;  // kg
+        push(world.def.gravity * -displaced, moment * (1 / below));
+        drag(fluid.flow, fluid.density, fluid.drag, below / whole, shown_area);
+        const double rate = fluid.angular_drag * displaced * cold.inverse_mass;
+        const Vec3 change = now.w * (1 / (1 + rate * h) - 1);
+        now.w += change;
+        const Vec3 own = transposed_times(now.axes, change);
+        sum.torque += now.axes * (cold.inertia * own) * (1 / h);
+    }
+
+    static double shown_area(const Pushed& body, Vec3 direction) {
+        double area = 0;
+        for_each_solid(body.world, body.now, body.cold, [&](const Placed& shape) {
+            area += projected_area(*shape.geometry, transposed_times(shape.axes, direction));
+        });
+        return area;
+    }
+    template <class Field>
+    double strength_at(const Field& field, double strength, double r) const {
+        const double force = strength / to_power(maximum(r, field.nearest), field.falloff);
+        return field.per_mass ? force * cold.mass : force;
+    }
+};
+
+bool changes_with_time(const FieldDef& field) {
+    const auto* wind = std::get_if<UniformWind>(&field.force);
+    return wind != nullptr && wind->gust != Vec3{};
+}
+
+bool has_category(const WorldState& world, const BodyCold& cold, std::uint32_t mask) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
+        if ((world.shapes.shapes[s].filter.category & mask) != 0) return true;
+    return false;
+}
+
+}  // namespace
+
+bool acts_on(const WorldState& world, const FieldDef& field, const BodyWarm& now,
+             const BodyCold& cold) {
+    if (cold.type != BodyType::dynamic) return false;
+    if (field.region && !contains(*field.region, Aabb{now.center, now.center})) return false;
+    return field.mask == 0xffffffff || has_category(world, cold, field.mask);
+}
+
+FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
+                     double time, double h) {
+    ASSERT(h > 0 && cold.mass > 0);
+    Pushed body{world, cold, now, time, h};
+    for (const std::uint32_t index : world.fields.active) {
+        const FieldDef& field = world.fields.fields[index];
+        if (acts_on(world, field, now, cold)) std::visit(body, field.force);
+    }
+    if (world.def.planar) {
+        body.sum.force.z = 0;
+        body.sum.torque.x = body.sum.torque.y = 0;
+    }
+    return body.sum;
+}
+
+double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
+    if (cold.type != BodyType::dynamic) return 0;
+    // Over a moment, in which drag is all that it can be.
+    const FieldPush push = field_push(world, now, cold, world.time, 1e-5);
+    return length(push.force) * cold.inverse_mass;
+}
+
+bool feels_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
+    for (const std::uint32_t index : world.fields.active) {
+        const FieldDef& field = world.fields.fields[index];
+        if (changes_with_time(field) && acts_on(world, field, now, cold)) return true;
+    }
+    return false;
+}
+
+namespace {
+
+constexpr double most = 1e12;
+
+Status check_unit(const char* name, Vec3 v) {
+    if (is_finite(v) && absolute(length_squared(v) - 1) < 1e-6) return {};
+    return Error{ErrorCode::invalid_argument,
+                 std::string(name) + " has length " + text(length(v)) + "; give a unit vector"};
+}
+
+// The first that fails.
+Status all_of(std::initializer_list<Status> checks) {
+    for (const Status& s : checks)
+        if (!s.ok()) return s;
+    return {};
+}
+
+Status check_solid(bool planar, const char* name) {
+    if (!planar) return {};
+    return Error{ErrorCode::failed_precondition,
+                 std::string(name) +
+                     " acts on volumes and areas, which shapes of a planar world "
+                     "do not have; use radial or vortex fields, or forces"};
+}
+
+struct CheckForce {
+    bool planar;
+
+    Status operator()(const UniformWind& wind) const {
+        return all_of({check_solid(planar, "wind"),
+                       check_vector("wind.velocity", wind.velocity, limits::max_speed),
+                       check_vector("wind.gust", wind.gust, limits::max_speed),
+                       check_range("wind.gust_period", wind.gust_period, 1e-3, most),
+                       check_range("wind.density", wind.density, 0, limits::max_density),
+                       check_range("wind.drag", wind.drag, 0, 1e6)});
+    }
+    Status operator()(const RadialField& radial) const {
+        return all_of({check_vector("radial.center", radial.center, limits::max_coordinate),
+                       check_range("radial.strength", radial.strength, -most, most),
+                       check_range("radial.falloff", radial.falloff, 0, 4),
+                       check_range("radial.nearest", radial.nearest, 1e-6, most)});
+    }
+    Status operator()(const VortexField& vortex) const {
+        return all_of({check_vector("vortex.center", vortex.center, limits::max_coordinate),
+                       check_unit("vortex.axis", vortex.axis),
+                       check_range("vortex.strength", vortex.strength, -most, most),
+                       check_range("vortex.pull", vortex.pull, -most, most),
+                       check_range("vortex.lift", vortex.lift, -most, most),
+                       check_range("vortex.falloff", vortex.falloff, 0, 4),
+                       check_range("vortex.nearest", vortex.nearest, 1e-6, most)});
+    }
+    Status operator()(const BuoyancyField& fluid) const {
+        return all_of({check_solid(planar, "buoyancy"), check_unit("buoyancy.normal", fluid.normal),
+                       check_range("buoyancy.offset", fluid.offset, -limits::max_coordinate,
+                                   limits::max_coordinate),
+                       check_range("buoyancy.density", fluid.density, 0, limits::max_density),
+                       check_vector("buoyancy.flow", fluid.flow, limits::max_speed),
+                       check_range("buoyancy.drag", fluid.drag, 0, 1e6),
+                       check_range("buoyancy.angular_drag", fluid.angular_drag, 0, 1e6)});
+    }
+};
+
+}  // namespace
+
+Status check_field(const FieldDef& field, bool planar) {
+    if (Status s = std::visit(CheckForce{planar}, field.force); !s.ok()) return s;
+    if (!field.region) return {};
+    const Vec3 low = field.region->low, high = field.region->high;
+    if (Status s = check_vector("region.low", low, limits::max_coordinate); !s.ok()) return s;
+    if (Status s = check_vector("region.high", high, limits::max_coordinate); !s.ok()) return s;
+    if (low.x <= high.x && low.y <= high.y && low.z <= high.z) return {};
+    return Error{ErrorCode::invalid_argument,
+                 "region.low is above region.high in some direction; give the lower corner first"};
+}
+
+}  // namespace jostle::physics

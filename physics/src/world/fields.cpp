@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// Create, change and destroy force fields.
+#include "jostle/physics/world.h"
+#include "state/force_fields.h"
+#include "state/shape_proxy.h"
+#include "state/wake.h"
+#include "world/body_change.h"
+#include "world/checks.h"
+
+namespace jostle::physics {
+namespace {
+
+FieldDef stored(FieldDef def) {
+    if (auto* vortex = std::get_if<VortexField>(&def.force))
+        vortex->axis = normalized(vortex->axis);
+    if (auto* fluid = std::get_if<BuoyancyField>(&def.force))
+        fluid->normal = normalized(fluid->normal);
+    return def;
+}
+
+// Bodies that the field begins or ceases to act on.
+void wake_region(WorldState& world, const FieldDef& field) {
+    for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
+        if (world.bodies.ids.alive(body) &&
+            acts_on(world, field, warm_of(world, body), world.bodies.cold[body]))
+            wake_body(world, body);
+}
+
+// After the fields changed: how far bodies may move in the next step.
+void update_bounds(WorldState& world) {
+    world.fields.derive_active();
+    for (const BodyWarm& warm : world.bodies.awake)
+        update_motion_bound(world, warm.body, expected_dt(world));
+}
+
+}  // namespace
+
+Result<FieldId> World::create_field(const FieldDef& def) {
+    WorldState& world = *state_;
+    if (Status s = check_field(def, world.def.planar); !s.ok()) return s.error();
+    const std::uint32_t index = world.fields.ids.take();
+    if (index == world.fields.fields.size()) world.fields.fields.emplace_back();
+    world.fields.fields[index] = stored(def);
+    wake_region(world, def);
+    update_bounds(world);
+    return field_id(world, index);
+}
+
+Status World::set_field(FieldId field, const FieldDef& def) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, field); !s.ok()) return s;
+    if (Status s = check_field(def, world.def.planar); !s.ok()) return s;
+    wake_region(world, world.fields.fields[field.index]);
+    world.fields.fields[field.index] = stored(def);
+    wake_region(world, def);
+    update_bounds(world);
+    return {};
+}
+
+Status World::destroy_field(FieldId field) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, field); !s.ok()) return s;
+    wake_region(world, world.fields.fields[field.index]);
+    world.fields.fields[field.index] = {};
+    world.fields.ids.give_back(field.index);
+    update_bounds(world);
+    return {};
+}
+
+bool World::contains(FieldId field) const {
+    return check_id(*state_, field).ok();
+}
+
+Result<FieldDef> World::field(FieldId field) const {
+    if (Status s = check_id(*state_, field); !s.ok()) return s.error();
+    return state_->fields.fields[field.index];
+}
+
+std::vector<FieldId> World::fields() const {
+    std::vector<FieldId> ids;
+    for (const std::uint32_t index : state_->fields.active) ids.push_back(field_id(*state_, index));
+    return ids;
+}
+
+}  // namespace jostle::physics

@@ -49,6 +49,12 @@ EntityId EntityRegistry::entity_of(physics::BodyId body) const {
     return at != removed_before_step_.end() ? at->second : entity_of_body_[body.index];
 }
 
+EntityId EntityRegistry::living(physics::BodyId body) const {
+    if (body.index >= entity_of_body_.size()) return 0;
+    const Entity* entity = find(entity_of_body_[body.index]);
+    return entity != nullptr && entity->body == body ? entity->description->id : 0;
+}
+
 const std::shared_ptr<const EntityList>& EntityRegistry::list() {
     if (!list_) {
         auto list = std::make_shared<EntityList>();

@@ -49,8 +49,10 @@ InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
 Status HostedWorld::step(double dt) {
     state_.grabs.pull_all(state_.world, dt);
     Status stepped = state_.world.step(dt);
-    if (stepped.ok()) state_.entities.on_step();
-    return stepped;
+    if (!stepped.ok()) return stepped;
+    state_.entities.on_step();
+    chunks_.publish(state_.world, [this](BodyId body) { return state_.entities.living(body); });
+    return {};
 }
 
 std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const {
@@ -79,6 +81,7 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
 
 void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = state_.entities.list();
+    frame.chunks = chunks_.chunks();
     state_.world.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());

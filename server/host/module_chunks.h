@@ -23,7 +23,7 @@ using ChunkBytes = std::shared_ptr<const std::vector<std::byte>>;
 
 struct ModuleChunk {
     std::string tag;
-    ChunkBytes bytes;  // never null, never empty
+    ChunkBytes bytes;  // in a frame never null, never empty
 };
 
 class ModuleChunks {

@@ -5,6 +5,7 @@ import { ClockSync, nowUs } from './clock';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
+import { changeChunks } from './module_chunks';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -262,7 +263,8 @@ export class Connection {
       const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec);
       if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
       const serverUs = Number(s.serverTimeUs);
-      this.frames.add(frame, serverUs, this.spec);
+      const chunks = changeChunks(this.frames.chunksOf(s.baseFrame), s.modules);
+      this.frames.add(frame, serverUs, this.spec, chunks);
       this.needKeyframe = false;
       this.snapshots++;
       if (this.clock.ready) {

@@ -40,7 +40,7 @@ describe('connection', () => {
       'ws://test/play',
       {
         state: (s, why) => states.push([s, why]),
-        roster: () => {},
+        entityList: () => {},
         stats: () => {},
         happened: (events) => said.push(`tick ${events.tick}`),
         refused: (result) => said.push(result.message),

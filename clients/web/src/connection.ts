@@ -38,7 +38,7 @@ export type State = 'connecting' | 'playing' | 'waiting' | 'stopped';
 
 export interface Events {
   state(state: State, why: string): void;
-  roster(entities: ReadonlyMap<number, Entity>): void;
+  entityList(entities: ReadonlyMap<number, Entity>): void;
   stats(stats: WorldStats): void;
   /** What happened in one tick; only while `wantEvents`. */
   happened(events: WorldEvents): void;
@@ -200,7 +200,7 @@ export class Connection {
       case 'welcome':
         return this.onWelcome(message.value);
       case 'roster':
-        return this.onRoster(message.value);
+        return this.onEntityList(message.value);
       case 'snapshot':
         return this.onSnapshot(message.value);
       case 'inputResults':
@@ -246,10 +246,10 @@ export class Connection {
     this.pump();
   }
 
-  private onRoster(roster: Roster): void {
-    for (const id of roster.removed) this.entities.delete(id);
-    for (const entity of roster.added) this.entities.set(entity.id, entity);
-    this.events.roster(this.entities);
+  private onEntityList(change: Roster): void {
+    for (const id of change.removed) this.entities.delete(id);
+    for (const entity of change.added) this.entities.set(entity.id, entity);
+    this.events.entityList(this.entities);
   }
 
   private onSnapshot(s: Snapshot): void {

@@ -52,7 +52,7 @@ const connection = new Connection(websocketUrl(), {
     stateLine.className = state;
     if (state === 'stopped' && why) void worlds.show();
   },
-  roster: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
+  entityList: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
   stats: (stats) => statsPanel.update(stats),
   happened: (events) => eventsPanel.happened(events, performance.now() + pictureBehindMs()),
   refused: (result) => toasts.say(result.message || 'the server refused that'),

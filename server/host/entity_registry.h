@@ -50,7 +50,8 @@ public:
 private:
     EntityId next_id_ = 1;
     std::map<EntityId, Entity> entities_;
-    std::vector<EntityId> entity_of_body_;
+    std::vector<EntityId> entity_of_body_;           // by index
+    std::vector<std::uint32_t> generation_of_body_;  // likewise: of the body that the entity is
     // Bodies that were removed since the last step, and those that its events may still name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
     std::shared_ptr<const EntityList> list_;     // null: changed since it was asked for

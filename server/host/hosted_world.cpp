@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "host/follow_modules.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -22,6 +24,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
+    follow_modules(hosted.state_, hosted.bodies_);
     return hosted;
 }
 
@@ -50,6 +53,7 @@ Status HostedWorld::step(double dt) {
     state_.grabs.pull_all(state_.world, dt);
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
+    follow_modules(state_, bodies_);
     state_.entities.on_step();
     chunks_.publish(state_.world, [this](BodyId body) { return state_.entities.living(body); });
     return {};

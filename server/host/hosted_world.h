@@ -52,7 +52,7 @@ private:
     ModuleChunks chunks_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
-    std::vector<physics::BodyState> bodies_;            // reused by copy_into
+    std::vector<physics::BodyState> bodies_;            // reused from tick to tick
 };
 
 }  // namespace jostle::server

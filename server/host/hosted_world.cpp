@@ -17,6 +17,11 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
         return Error{ErrorCode::invalid_argument,
                      "the scene has " + std::to_string(scene.bodies.size()) +
                          " bodies; this server allows " + std::to_string(limits.bodies_max)};
+    if (scene.modules.size() > scenes::modules_max)  // WIRE.md promises clients so
+        return Error{ErrorCode::invalid_argument,
+                     "the scene has " + std::to_string(scene.modules.size()) +
+                         " modules; a server hosts " + std::to_string(scenes::modules_max) +
+                         " in a world"};
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();

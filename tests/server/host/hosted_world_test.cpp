@@ -140,6 +140,14 @@ TEST_F(HostedWorldTest, an_explosion_pushes_away_and_less_with_distance) {
     EXPECT_NEAR(find(step(60), near)->pose.position.x - before, 6, 0.1);
 }
 
+TEST(HostedWorld, a_world_with_more_modules_than_clients_take_is_not_hosted) {
+    scenes::SceneDescription scene = *scenes::find_scene("stack");
+    scene.modules.resize(65);
+    const auto world = HostedWorld::create(scene, {}, 1);
+    ASSERT_FALSE(world.ok());
+    EXPECT_EQ(world.error().message, "the scene has 65 modules; a server hosts 64 in a world");
+}
+
 TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
     test::know_counter();
     scenes::SceneDescription scene = *scenes::find_scene("stack");

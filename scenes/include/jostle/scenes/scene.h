@@ -41,7 +41,7 @@ struct SceneModule {
     // world in which it was kept.
     std::vector<std::byte> state;
 };
-inline constexpr std::size_t modules_max = 64;  // of a scene file; clients keep as many chunks
+inline constexpr std::size_t modules_max = 64;  // of a scene file and of a hosted world
 
 struct SceneDescription {
     std::string name;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "jostle/physics/module.h"
 #include "jostle/scenes/scene.h"
 
 namespace jostle::scenes {
 
 using physics::Error;
 using physics::Result;
+using physics::Status;
 
 namespace {
 
@@ -31,6 +33,39 @@ physics::BodyDef plain(physics::BodyDef def) {
 physics::ShapeDef plain(physics::ShapeDef def) {
     def.pose = plain(def.pose);
     return def;
+}
+
+physics::ModuleSettings settings_of(const SceneModule& module,
+                                    const std::vector<physics::BodyId>& bodies) {
+    physics::ModuleSettings settings;
+    for (const auto& [name, number] : module.settings)
+        settings.numbers.emplace_back(name, number + 0.0);
+    for (const auto& [name, body] : module.bodies)
+        settings.bodies.emplace_back(name, bodies.at(body));
+    return settings;
+}
+
+Status add_module(BuiltScene& built, const SceneModule& described) {
+    Result<std::unique_ptr<physics::Module>> module = physics::make_module(described.tag);
+    if (!module.ok()) return module.error();
+    if (Status s = (*module)->configure(built.world, settings_of(described, built.bodies)); !s.ok())
+        return s;
+    if (!described.state.empty())
+        if (Status s = physics::load_module(**module, described.state); !s.ok()) return s;
+    return built.world.add_module(std::move(*module));
+}
+
+// Those that were kept are told when all are there, as in a loaded world.
+Status add_modules(BuiltScene& built, const SceneDescription& scene) {
+    for (std::size_t i = 0; i < scene.modules.size(); i++) {
+        const SceneModule& module = scene.modules[i];
+        if (Status s = add_module(built, module); !s.ok())
+            return Error{s.error().code, "modules[" + std::to_string(i) + "] '" + module.tag +
+                                             "': " + s.error().message};
+    }
+    for (const SceneModule& module : scene.modules)
+        if (!module.state.empty()) built.world.module(module.tag)->restored(built.world);
+    return {};
 }
 
 }  // namespace
@@ -70,6 +105,7 @@ Result<BuiltScene> build_scene(const SceneDescription& scene) {
                                               "': " + id.error().message};
         built.joints.push_back(*id);
     }
+    if (Status s = add_modules(built, scene); !s.ok()) return s.error();
     return built;
 }
 

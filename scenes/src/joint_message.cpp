@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "joint_message.h"
 
-#include <charconv>
-
+#include "body_name.h"
 #include "jostle/physics/limits.h"
 #include "jostle/v1/scene.pb.h"
 
@@ -11,38 +10,6 @@ namespace jostle::scenes {
 using namespace physics;
 
 namespace {
-
-// "link[3]": the fourth body called link; "link": the first. 0xffffffff: there is none.
-std::size_t find_body(FieldReader& in, const SceneDescription& scene, const std::string& path,
-                      const std::string& text) {
-    std::string name = text;
-    std::size_t which = 0;
-    if (const std::size_t open = text.rfind('[');
-        open != std::string::npos && !text.empty() && text.back() == ']') {
-        const char *first = text.data() + open + 1, *last = text.data() + text.size() - 1;
-        const auto [end, error] = std::from_chars(first, last, which);
-        if (error != std::errc{} || end != last || first == last) {
-            in.note(path, "is \"" + text + "\"; write name[number], counting from 0");
-            return 0;
-        }
-        name = text.substr(0, open);
-    }
-    std::size_t met = 0;
-    for (std::size_t i = 0; i < scene.bodies.size(); i++)
-        if (scene.bodies[i].name == name && met++ == which) return i;
-    in.note(path, met == 0 ? "is \"" + text + "\"; no body has the name \"" + name + "\""
-                           : "is \"" + text + "\"; there are only " + std::to_string(met) +
-                                 " bodies called \"" + name + "\"");
-    return 0;
-}
-
-// The other way round: how a file names a body.
-std::string name_of(const SceneDescription& scene, std::size_t body) {
-    const std::string& name = scene.bodies[body].name;
-    std::size_t before = 0;
-    for (std::size_t i = 0; i < body; i++) before += scene.bodies[i].name == name ? 1 : 0;
-    return before == 0 ? name : name + "[" + std::to_string(before) + "]";
-}
 
 // The rotation stays as it is given: made unit length twice it may differ in the last bit, and the
 // world does it once.

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/scenes/scene_file.h"
 
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <google/protobuf/util/json_util.h>
+#include <google/protobuf/util/type_resolver.h>
+#include <google/protobuf/util/type_resolver_util.h>
 
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <memory>
 
 #include "joint_message.h"
 #include "jostle/physics/limits.h"
@@ -13,6 +19,7 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/scene.pb.h"
 #include "json_place.h"
+#include "module_message.h"
 #include "scene_json.h"
 #include "shape_reader.h"
 
@@ -63,6 +70,8 @@ public:
             body(out, m.bodies(i), "bodies[" + std::to_string(i) + "]");
         for (int i = 0; i < m.joints_size() && !failed(); i++)
             read_joint(*this, out, "joints[" + std::to_string(i) + "]", m.joints(i));
+        for (int i = 0; i < m.modules_size() && !failed(); i++)
+            read_module(*this, out, "modules[" + std::to_string(i) + "]", m.modules(i));
         return out;
     }
 
@@ -276,16 +285,29 @@ v1::Scene to_message(const SceneDescription& scene) {
     out.mutable_world()->set_sleeping(scene.world.sleeping);
     for (const SceneBody& body : scene.bodies) write_body(*out.add_bodies(), body);
     for (const SceneJoint& joint : scene.joints) write_joint(*out.add_joints(), scene, joint);
+    for (const SceneModule& module : scene.modules) write_module(*out.add_modules(), scene, module);
     return out;
 }
 
+// The same text each time: protobuf's own printer takes the names in a map as a hash orders them.
 std::string write_scene_json(const SceneDescription& scene) {
-    google::protobuf::util::JsonPrintOptions options;
+    namespace pb = google::protobuf;
+    std::string bytes;
+    {
+        pb::io::StringOutputStream stream(&bytes);
+        pb::io::CodedOutputStream out(&stream);
+        out.SetSerializationDeterministic(true);
+        to_message(scene).SerializeToCodedStream(&out);
+    }
+    pb::util::JsonPrintOptions options;
     options.add_whitespace = true;
     options.preserve_proto_field_names = true;
+    const std::string types = "type.googleapis.com";
+    const std::unique_ptr<pb::util::TypeResolver> resolver(
+        pb::util::NewTypeResolverForDescriptorPool(types, pb::DescriptorPool::generated_pool()));
     std::string text;
-    const auto written =
-        google::protobuf::util::MessageToJsonString(to_message(scene), &text, options);
+    const auto written = pb::util::BinaryToJsonString(
+        resolver.get(), types + "/" + v1::Scene::descriptor()->full_name(), bytes, &text, options);
     return written.ok() ? text : std::string();
 }
 

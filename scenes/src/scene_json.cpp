@@ -135,12 +135,24 @@ private:
     }
 
     std::optional<std::string> check_field(const json& value, const FieldDescriptor& field) {
+        if (field.is_map()) return check_map(value, *field.message_type()->map_value());
         if (!field.is_repeated()) return check_value(value, field);
         if (!value.is_array())
             return fault(std::string("must be a list [...], not ") + value.type_name());
         for (std::size_t i = 0; i < value.size(); i++) {
             place_.push_back({.key = {}, .index = i, .in_list = true});
             if (auto found = check_value(value[i], field)) return found;
+            place_.pop_back();
+        }
+        return {};
+    }
+
+    std::optional<std::string> check_map(const json& value, const FieldDescriptor& item) {
+        if (!value.is_object())
+            return fault(std::string("must be an object {...}, not ") + value.type_name());
+        for (const auto& [key, inner] : value.items()) {
+            place_.push_back({.key = key});
+            if (auto found = check_value(inner, item)) return found;
             place_.pop_back();
         }
         return {};
@@ -158,6 +170,8 @@ private:
                 if (value.is_boolean()) return {};
                 return fault(std::string("must be true or false, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_STRING:
+                if (field.type() == FieldDescriptor::TYPE_BYTES && !is_base64(value))
+                    return fault("must be bytes as base64, a text in quotes");
                 if (value.is_string()) return {};
                 return fault(std::string("must be a text in quotes, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_ENUM:
@@ -169,6 +183,18 @@ private:
                 if (is_whole(value, 0, 4294967295.0)) return {};
                 return fault("must be a whole number from 0 to 4294967295");
         }
+    }
+
+    // Of either alphabet, padded or not, as protobuf reads it.
+    static bool is_base64(const json& value) {
+        if (!value.is_string()) return false;
+        std::string text = value.get<std::string>();
+        for (int k = 0; k < 2 && !text.empty() && text.back() == '='; k++) text.pop_back();
+        const auto fits = [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                   c == '+' || c == '/' || c == '-' || c == '_';
+        };
+        return text.size() % 4 != 1 && std::all_of(text.begin(), text.end(), fits);
     }
 
     // 8 and 8.0 are the same number.

@@ -125,9 +125,7 @@ struct Apply {
 private:
     void remove(EntityId id) const {
         const BodyId body = state.entities.find(id)->body;
-        state.grabs.release_body(body);
-        state.ownership.remove(id);
-        state.entities.remove(id);
+        forget_entity(state, id);
         // The registry and the world agree, so the body is there.
         static_cast<void>(state.world.destroy_body(body).ok());
     }
@@ -143,6 +141,12 @@ private:
 };
 
 }  // namespace
+
+void forget_entity(HostedState& state, EntityId id) {
+    state.grabs.release_body(state.entities.find(id)->body);
+    state.ownership.remove(id);
+    state.entities.remove(id);
+}
 
 Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& about) {
     return std::visit(Apply{state, client, about}, action);

@@ -30,4 +30,7 @@ struct HostedState {
 // `about` becomes the entity that the action is about, if any, also when it is refused.
 Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& about);
 
+// The entity's body is gone, or will be: whoever held or owned it does so no longer.
+void forget_entity(HostedState& state, EntityId id);
+
 }  // namespace jostle::server

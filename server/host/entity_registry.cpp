@@ -18,8 +18,12 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     description->name = std::move(name);
     description->mass = state.mass;
     entities_.emplace(id, Entity{body, std::move(description)});
-    if (entity_of_body_.size() <= body.index) entity_of_body_.resize(body.index + 1, 0);
+    if (entity_of_body_.size() <= body.index) {
+        entity_of_body_.resize(body.index + 1, 0);
+        generation_of_body_.resize(body.index + 1, 0);
+    }
     entity_of_body_[body.index] = id;
+    generation_of_body_[body.index] = body.generation;
     list_ = nullptr;
     places_ = nullptr;
     return id;
@@ -46,7 +50,13 @@ const Entity* EntityRegistry::find(EntityId id) const {
 
 EntityId EntityRegistry::entity_of(physics::BodyId body) const {
     const auto at = removed_before_step_.find(body);
-    return at != removed_before_step_.end() ? at->second : entity_of_body_[body.index];
+    if (at != removed_before_step_.end()) return at->second;
+    return body.index < entity_of_body_.size() ? entity_of_body_[body.index] : 0;
+}
+
+EntityId EntityRegistry::living(physics::BodyId body) const {
+    if (body.index >= entity_of_body_.size()) return 0;
+    return generation_of_body_[body.index] == body.generation ? entity_of_body_[body.index] : 0;
 }
 
 const std::shared_ptr<const EntityList>& EntityRegistry::list() {

@@ -37,6 +37,8 @@ public:
     const Entity* find(EntityId id) const;
     // Of a body that lives, or that was removed since the step before the last.
     EntityId entity_of(physics::BodyId body) const;
+    // Of a body that lives; 0 for any other id, whatever it holds.
+    EntityId living(physics::BodyId body) const;
     const std::vector<EntityId>& by_body() const { return entity_of_body_; }  // by index; 0: none
     const std::map<EntityId, Entity>& all() const { return entities_; }       // in rising order
     std::size_t size() const { return entities_.size(); }
@@ -48,7 +50,8 @@ public:
 private:
     EntityId next_id_ = 1;
     std::map<EntityId, Entity> entities_;
-    std::vector<EntityId> entity_of_body_;
+    std::vector<EntityId> entity_of_body_;           // by index
+    std::vector<std::uint32_t> generation_of_body_;  // likewise: of the body that the entity is
     // Bodies that were removed since the last step, and those that its events may still name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
     std::shared_ptr<const EntityList> list_;     // null: changed since it was asked for

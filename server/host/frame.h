@@ -10,6 +10,7 @@
 
 #include "base/clock.h"
 #include "host/command.h"
+#include "host/module_chunks.h"
 #include "host/tick_events.h"
 #include "jostle/physics/world.h"
 
@@ -43,6 +44,9 @@ struct Frame {
     std::shared_ptr<const EntityList> entity_list;
     // Never null; empty unless a client asked for events.
     std::shared_ptr<const RecentEvents> events;
+    // What modules tell clients, in the order of the modules; one of the same content as in the
+    // frame before has the same bytes.
+    std::vector<ModuleChunk> chunks;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick
     double step_ms_mean = 0, step_ms_max = 0;  // over the last second

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "host/follow_modules.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -15,6 +17,11 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
         return Error{ErrorCode::invalid_argument,
                      "the scene has " + std::to_string(scene.bodies.size()) +
                          " bodies; this server allows " + std::to_string(limits.bodies_max)};
+    if (scene.modules.size() > scenes::modules_max)  // WIRE.md promises clients so
+        return Error{ErrorCode::invalid_argument,
+                     "the scene has " + std::to_string(scene.modules.size()) +
+                         " modules; a server hosts " + std::to_string(scenes::modules_max) +
+                         " in a world"};
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
@@ -22,6 +29,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
+    follow_modules(hosted.state_, hosted.bodies_);
     return hosted;
 }
 
@@ -49,8 +57,11 @@ InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
 Status HostedWorld::step(double dt) {
     state_.grabs.pull_all(state_.world, dt);
     Status stepped = state_.world.step(dt);
-    if (stepped.ok()) state_.entities.on_step();
-    return stepped;
+    if (!stepped.ok()) return stepped;
+    follow_modules(state_, bodies_);
+    state_.entities.on_step();
+    chunks_.publish(state_.world, [this](BodyId body) { return state_.entities.living(body); });
+    return {};
 }
 
 std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const {
@@ -79,6 +90,7 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
 
 void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = state_.entities.list();
+    frame.chunks = chunks_.chunks();
     state_.world.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());

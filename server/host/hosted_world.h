@@ -13,6 +13,7 @@
 #include "host/apply_action.h"
 #include "host/command.h"
 #include "host/frame.h"
+#include "host/module_chunks.h"
 #include "host/query_frame.h"
 #include "jostle/base/result.h"
 #include "jostle/scenes/scene.h"
@@ -34,6 +35,10 @@ public:
     std::optional<TickEvents> events_of_step(std::uint32_t tick) const;
     // Those whose state stopped being a number in the last step and that were not told before.
     std::vector<std::shared_ptr<const EntityDescription>> newly_quarantined();
+    // Modules whose chunk of the last step was too large for clients, each told once.
+    const std::vector<ModuleChunks::TooLarge>& newly_too_large() const {
+        return chunks_.newly_too_large();
+    }
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
 
     const physics::World& world() const { return state_.world; }
@@ -44,9 +49,10 @@ private:
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
+    ModuleChunks chunks_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
-    std::vector<physics::BodyState> bodies_;            // reused by copy_into
+    std::vector<physics::BodyState> bodies_;            // reused from tick to tick
 };
 
 }  // namespace jostle::server

@@ -98,6 +98,7 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
         record_events();
         warn_of_quarantine();
+        warn_of_large_chunks();
     } else if (!step_refused_) {
         step_refused_ = true;  // said once; the world stands still but answers
         log_error("world {}: step refused: {}", id_, stepped.error().message);
@@ -137,6 +138,15 @@ void WorldHost::warn_of_quarantine() {
             "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
             "where it was, at rest",
             id_, entity->id, entity->name);
+}
+
+void WorldHost::warn_of_large_chunks() {
+    for (const auto& [tag, bytes] : world_.newly_too_large())
+        log_warn(
+            "world {}: the chunk of module \"{}\" has {} bytes; clients are sent {} at most, so it "
+            "is "
+            "left out of such ticks",
+            id_, tag, bytes, chunk_bytes_max);
 }
 
 void WorldHost::serve_queries() {

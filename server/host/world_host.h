@@ -66,6 +66,7 @@ private:
     void measure(Frame& frame);
     void record_events();
     void warn_of_quarantine();
+    void warn_of_large_chunks();
     void serve_queries();
 
     const std::string id_, name_, scene_;

@@ -141,6 +141,11 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
     snapshot.set_crc(encoded.crc);
     snapshot.set_server_time_us(to_us(encoded.due));
+    for (const ModuleChunk& chunk : encoded.chunks) {
+        v1::ModuleChunk& to = *snapshot.add_modules();
+        to.set_tag(chunk.tag);
+        if (chunk.bytes) to.set_data(chunk.bytes->data(), chunk.bytes->size());
+    }
     return snapshot.SerializeAsString();
 }
 

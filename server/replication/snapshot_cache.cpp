@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replication/snapshot_cache.h"
 
+#include <algorithm>
+
 #include "wire/quantize.h"
 
 namespace jostle::server {
@@ -18,6 +20,26 @@ wire::QuantizedFrame quantized(const Frame& frame, const wire::QuantSpec& spec) 
     return out;
 }
 
+const ModuleChunk* find_chunk(const std::vector<ModuleChunk>& chunks, const std::string& tag) {
+    const auto at = std::ranges::find(chunks, tag, &ModuleChunk::tag);
+    return at == chunks.end() ? nullptr : &*at;
+}
+
+// Those that are new or say something else, then those that ended. One that changed and changed
+// back has other bytes of the same content.
+std::vector<ModuleChunk> changed_chunks(const std::vector<ModuleChunk>& now,
+                                        const std::vector<ModuleChunk>& before) {
+    std::vector<ModuleChunk> changed;
+    for (const ModuleChunk& chunk : now) {
+        const ModuleChunk* old = find_chunk(before, chunk.tag);
+        if (!old || (old->bytes != chunk.bytes && *old->bytes != *chunk.bytes))
+            changed.push_back(chunk);
+    }
+    for (const ModuleChunk& old : before)
+        if (!find_chunk(now, old.tag)) changed.push_back({old.tag, nullptr});
+    return changed;
+}
+
 }  // namespace
 
 SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) {
@@ -31,6 +53,7 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const Frame& frame) {
     entry.quantized = quantized(frame, spec_);
     entry.crc = wire::frame_crc(entry.quantized);
     entry.due = frame.due;
+    entry.chunks = frame.chunks;
     // The oldest other one: a thread that was held up may ask for a frame older than the ring.
     if (entries_.size() > ring) {
         const auto oldest = entries_.begin();
@@ -50,7 +73,12 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases) {
     SharedBytes& bytes = entry.encodings[used];
     if (!bytes) {
         EncodedSnapshot snapshot{
-            .frame = frame->tick, .bases = used, .packed = {}, .crc = entry.crc, .due = entry.due};
+            .frame = frame->tick,
+            .bases = used,
+            .packed = {},
+            .crc = entry.crc,
+            .due = entry.due,
+            .chunks = base ? changed_chunks(entry.chunks, base->chunks) : entry.chunks};
         snapshot.packed = wire::encode_frame(
             entry.quantized,
             {base ? &base->quantized : nullptr, base2 ? &base2->quantized : nullptr,

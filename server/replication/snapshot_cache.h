@@ -35,6 +35,7 @@ struct EncodedSnapshot {
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     Clock::time_point due;
+    std::vector<ModuleChunk> chunks;  // that differ from the base's; null bytes: it ended
 };
 
 class SnapshotCache {
@@ -61,6 +62,7 @@ private:
         wire::QuantizedFrame quantized;
         std::uint32_t crc = 0;
         Clock::time_point due;
+        std::vector<ModuleChunk> chunks;
         std::map<BaseNumbers, SharedBytes> encodings;
     };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/scenes/scene_file.h"
+#include "scenes/turntable.h"
 
 namespace jostle::scenes {
 namespace {
@@ -56,6 +57,16 @@ std::string links(const std::string& joint, const std::string& type = "DYNAMIC")
   "repeat": [{"count": 3, "offset": {"x": 1}}]}],
  "joints": [
 {)" + joint +
+           "}]}";
+}
+
+// A body called disc, and a module that begins on line 5.
+std::string with_module(const std::string& module) {
+    return R"({"name": "a",
+ "bodies": [{"name": "disc", "type": "BODY_TYPE_KINEMATIC",
+  "shapes": [{"sphere": {"radius": 1}}]}],
+ "modules": [
+{)" + module +
            "}]}";
 }
 
@@ -221,6 +232,54 @@ TEST(SceneFaults, a_planar_world_takes_what_lies_in_its_plane) {
                      "bodies[0] 'it': pose.position.z is 1; in a planar world it is 0");
     expect_not_built(R"({"name": "a", "world": {"planar": true, "gravity": {"y": -9.81, "z": 1}}})",
                      "world: gravity.z is 1; in a planar world it is 0");
+}
+
+TEST(SceneFaults, a_module_is_one_that_the_program_knows_and_comes_once) {
+    test::know_turntable();
+    expect_refused(with_module("\n\"tag\": \"hovercraft\""),
+                   "line 6: modules[0].tag: is \"hovercraft\"; the modules of this program are "
+                   "turntable");
+    expect_refused(with_module("\"settings\": {}"),
+                   "modules[0].tag: is \"\"; the modules of this program are turntable");
+    expect_refused(with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
+                   "line 6: modules[1].tag: is \"turntable\" again; a world has one module of a "
+                   "tag");
+    SceneDescription scene{.name = "a", .modules = {{.tag = "hovercraft"}}};
+    const auto built = build_scene(scene);
+    ASSERT_FALSE(built.ok());
+    EXPECT_EQ(built.error().message,
+              "modules[0] 'hovercraft': module \"hovercraft\" is not one that this program knows "
+              "(turntable); call register_module() before");
+}
+
+TEST(SceneFaults, settings_of_a_module_are_numbers_and_its_bodies_are_there) {
+    test::know_turntable();
+    const std::string tag = "\"tag\": \"turntable\", ";
+    expect_refused(with_module(tag + "\"settings\": {\n\"speed\": \"2\"}"),
+                   "line 6: modules[0].settings.speed: must be a number, not string");
+    expect_refused(with_module(tag + "\"settings\": [1]"),
+                   "line 5: modules[0].settings: must be an object {...}, not array");
+    expect_refused(with_module(tag + "\"settings\": {\n\"top speed\": 2}"),
+                   "line 5: modules[0].settings: \"top speed\" is no name; give 1 to 64 of a-z, "
+                   "0-9 and _");
+    expect_refused(with_module(tag + "\"settings\": {\"speed\": 1,\n\"speed\": 2}"),
+                   "line 5: modules[0].settings.speed: is given twice; leave one out");
+    expect_refused(with_module(tag + "\"bodies\": {\n\"disc\": \"disk\"}"),
+                   "line 6: modules[0].bodies.disc: is \"disk\"; no body has the name \"disk\"");
+    expect_refused(with_module(tag + "\"bodies\": {\n\"disc\": 1}"),
+                   "line 6: modules[0].bodies.disc: must be a text in quotes, not number");
+}
+
+TEST(SceneFaults, the_module_itself_refuses_settings_and_states) {
+    test::know_turntable();
+    const std::string tag = R"("tag": "turntable", "bodies": {"disc": "disc"}, )";
+    expect_not_built(with_module(tag + R"("settings": {"speeed": 2})"),
+                     "modules[0] 'turntable': has no setting \"speeed\"; it has gain and speed");
+    expect_refused(with_module(tag + "\n\"state\": \"not bytes\""),
+                   "line 6: modules[0].state: must be bytes as base64, a text in quotes");
+    expect_not_built(with_module(tag + R"("state": "AAAA")"),
+                     "modules[0] 'turntable': state of module \"turntable\": "
+                     "turntable.state.disc.index is missing: the data ends before it (at byte 3)");
 }
 
 }  // namespace jostle::scenes

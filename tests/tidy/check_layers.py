@@ -51,7 +51,8 @@ WORLD = "jostle/physics/world.h"
 MAY_INCLUDE_WORLD = ("server/host",)
 # Only scenes/src/scene_* knows the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
-                       "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp")
+                       "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
+                       "scenes/src/module_message.cpp")
 
 SEARCH = [BASE, "physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "bench"]

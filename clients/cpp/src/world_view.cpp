@@ -17,11 +17,11 @@ void WorldView::apply(const v1::Roster& roster) {
     for (const v1::Entity& entity : roster.added()) entities_[entity.id()] = entity;
 }
 
-const wire::QuantizedFrame* WorldView::find(std::uint32_t frame) const {
+const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
     const auto at = std::lower_bound(
         frames_.begin(), frames_.end(), frame,
-        [](const wire::QuantizedFrame& f, std::uint32_t number) { return f.frame < number; });
-    return at != frames_.end() && at->frame == frame ? &*at : nullptr;
+        [](const KnownFrame& f, std::uint32_t number) { return f.state.frame < number; });
+    return at != frames_.end() && at->state.frame == frame ? &*at : nullptr;
 }
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
@@ -29,12 +29,15 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
                                      snapshot.base3_frame()};
     wire::Bases bases;
     const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+    Chunks chunks;  // those of the base, until the snapshot says otherwise
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
-        *slots[k] = find(numbers[k]);
-        if (!*slots[k])
+        const KnownFrame* known = find(numbers[k]);
+        if (!known)
             return Error{ErrorCode::failed_precondition,
                          "base frame " + std::to_string(numbers[k]) + " is not known"};
+        *slots[k] = &known->state;
+        if (k == 0) chunks = known->chunks;
     }
     const std::string name = "frame " + std::to_string(snapshot.frame());
     if (snapshot.frame() <= frame().frame)
@@ -45,9 +48,32 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     if (wire::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
-    frames_.push_back(std::move(*decoded));
+    for (const v1::ModuleChunk& chunk : snapshot.modules()) {
+        if (chunk.data().empty())
+            chunks.erase(chunk.tag());
+        else
+            chunks[chunk.tag()] = std::make_shared<const std::string>(chunk.data());
+    }
+    if (chunks.size() > chunks_max)
+        return Error{ErrorCode::corrupt_data,
+                     name + ": more than " + std::to_string(chunks_max) + " modules"};
+    frames_.push_back({std::move(*decoded), std::move(chunks)});
     if (frames_.size() > ring) frames_.pop_front();
     return {};
+}
+
+std::span<const std::byte> WorldView::chunk(std::string_view tag) const {
+    if (frames_.empty()) return {};
+    const auto at = frames_.back().chunks.find(tag);
+    if (at == frames_.back().chunks.end()) return {};
+    return std::as_bytes(std::span(*at->second));
+}
+
+std::vector<std::string> WorldView::chunk_tags() const {
+    std::vector<std::string> tags;
+    if (!frames_.empty())
+        for (const auto& [tag, bytes] : frames_.back().chunks) tags.push_back(tag);
+    return tags;
 }
 
 std::optional<wire::Pose> WorldView::pose_of(std::uint32_t entity) const {

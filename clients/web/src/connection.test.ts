@@ -40,7 +40,7 @@ describe('connection', () => {
       'ws://test/play',
       {
         state: (s, why) => states.push([s, why]),
-        roster: () => {},
+        entityList: () => {},
         stats: () => {},
         happened: (events) => said.push(`tick ${events.tick}`),
         refused: (result) => said.push(result.message),
@@ -115,6 +115,27 @@ describe('connection', () => {
       [51, false],
     ]);
     expect(connection.snapshots).toBe(1);
+  });
+
+  it('keeps what modules tell with each frame, and nothing stale after a loss', () => {
+    welcome();
+    const chunk = (tag: string, ...data: number[]) => ({ tag, data: new Uint8Array(data) });
+    const give = (frame: number, baseFrame: number, modules: ReturnType<typeof chunk>[], crc = 0) => {
+      const packed = new Uint8Array(2); // a world without bodies, absolute or against another; its CRC is 0
+      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, baseFrame, packed, crc, modules } } });
+    };
+    const told = () => [...(connection.frames.newest?.chunks ?? [])].map(([tag, data]) => `${tag} ${data}`);
+    give(50, 0, [chunk('craft', 1), chunk('crane', 2)]);
+    expect(told()).toEqual(['craft 1', 'crane 2']);
+    give(51, 50, [chunk('craft', 3)]);
+    expect(told()).toEqual(['craft 3', 'crane 2']);
+    give(52, 51, [chunk('crane', 9)], 1); // damaged
+    expect(told()).toEqual(['craft 3', 'crane 2']);
+    give(54, 0, [chunk('crane', 4)]);
+    expect(told()).toEqual(['crane 4']);
+    give(55, 54, [chunk('crane')]);
+    expect(told()).toEqual([]);
+    expect(connection.decodeErrors).toBe(1);
   });
 
   it('hands on what the server refused and what it has to say', () => {

@@ -5,6 +5,7 @@ import { ClockSync, nowUs } from './clock';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
+import { changeChunks } from './module_chunks';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -37,7 +38,7 @@ export type State = 'connecting' | 'playing' | 'waiting' | 'stopped';
 
 export interface Events {
   state(state: State, why: string): void;
-  roster(entities: ReadonlyMap<number, Entity>): void;
+  entityList(entities: ReadonlyMap<number, Entity>): void;
   stats(stats: WorldStats): void;
   /** What happened in one tick; only while `wantEvents`. */
   happened(events: WorldEvents): void;
@@ -199,7 +200,7 @@ export class Connection {
       case 'welcome':
         return this.onWelcome(message.value);
       case 'roster':
-        return this.onRoster(message.value);
+        return this.onEntityList(message.value);
       case 'snapshot':
         return this.onSnapshot(message.value);
       case 'inputResults':
@@ -245,10 +246,10 @@ export class Connection {
     this.pump();
   }
 
-  private onRoster(roster: Roster): void {
-    for (const id of roster.removed) this.entities.delete(id);
-    for (const entity of roster.added) this.entities.set(entity.id, entity);
-    this.events.roster(this.entities);
+  private onEntityList(change: Roster): void {
+    for (const id of change.removed) this.entities.delete(id);
+    for (const entity of change.added) this.entities.set(entity.id, entity);
+    this.events.entityList(this.entities);
   }
 
   private onSnapshot(s: Snapshot): void {
@@ -262,7 +263,8 @@ export class Connection {
       const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec);
       if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
       const serverUs = Number(s.serverTimeUs);
-      this.frames.add(frame, serverUs, this.spec);
+      const chunks = changeChunks(this.frames.chunksOf(s.baseFrame), s.modules);
+      this.frames.add(frame, serverUs, this.spec, chunks);
       this.needKeyframe = false;
       this.snapshots++;
       if (this.clock.ready) {

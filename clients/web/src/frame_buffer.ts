@@ -1,6 +1,7 @@
-// Decoded frames: the newest 32 as bases for the next ones, and as poses ready to be drawn.
+// Decoded frames: the newest 32 as bases for the next ones, and as poses ready to be drawn. Each keeps what modules told with it.
 
 import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
+import { NO_CHUNKS, type Chunks } from './module_chunks';
 
 export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 
@@ -10,6 +11,7 @@ export interface PoseFrame {
   readonly entities: readonly EntityState[];
   /** POSE_FLOATS for each entity. */
   readonly poses: Float64Array;
+  readonly chunks: Chunks;
 }
 
 const RING = 32;
@@ -21,7 +23,12 @@ export class FrameBuffer {
     return frame === 0 ? undefined : this.frames.find((f) => f.quantized.frame === frame)?.quantized;
   }
 
-  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec): PoseFrame {
+  /** Of a frame that is still here; none of any other. */
+  chunksOf(frame: number): Chunks {
+    return this.frames.find((f) => f.quantized.frame === frame)?.drawn.chunks ?? NO_CHUNKS;
+  }
+
+  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, chunks: Chunks = NO_CHUNKS): PoseFrame {
     const before = this.newest;
     const poses = new Float64Array(quantized.entities.length * POSE_FLOATS);
     let from = 0;
@@ -37,7 +44,7 @@ export class FrameBuffer {
       poses.set(pose.position, i * POSE_FLOATS);
       poses.set(pose.rotation, i * POSE_FLOATS + 3);
     });
-    const drawn: PoseFrame = { frame: quantized.frame, serverUs, entities: quantized.entities, poses };
+    const drawn: PoseFrame = { frame: quantized.frame, serverUs, entities: quantized.entities, poses, chunks };
     this.frames.push({ quantized, drawn });
     if (this.frames.length > RING) this.frames.shift();
     return drawn;

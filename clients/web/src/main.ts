@@ -7,6 +7,8 @@ import { Connection, type State } from './connection';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
+import { NO_CHUNKS } from './module_chunks';
+import { ModuleView } from './module_view';
 import { DebugPanel } from './panels/debug';
 import { EventsPanel } from './panels/events';
 import { StatsPanel } from './panels/stats';
@@ -50,7 +52,7 @@ const connection = new Connection(websocketUrl(), {
     stateLine.className = state;
     if (state === 'stopped' && why) void worlds.show();
   },
-  roster: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
+  entityList: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
   stats: (stats) => statsPanel.update(stats),
   happened: (events) => eventsPanel.happened(events, performance.now() + pictureBehindMs()),
   refused: (result) => toasts.say(result.message || 'the server refused that'),
@@ -65,6 +67,7 @@ const tools = new Tools(canvas, camera, view, connection, queries, (hit) => {
 });
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
+const moduleView = new ModuleView(view.scene);
 const eventsPanel = new EventsPanel(
   byId('events'),
   hitMarks,
@@ -151,6 +154,7 @@ renderer.setAnimationLoop(() => {
   camera.controls.update();
   if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
   view.update(drawn);
+  moduleView.update(drawn.source?.chunks ?? NO_CHUNKS, (entity) => view.poseOf(entity));
   debugPanel.update();
   eventsPanel.update();
   hitMarks.update(performance.now());

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "jostle/scenes/catalog.h"
+#include "support/counter.h"
 #include "support/error_of.h"
 
 namespace jostle::server {
@@ -137,6 +138,36 @@ TEST_F(HostedWorldTest, an_explosion_pushes_away_and_less_with_distance) {
         apply(1, ExplodeCommand{.center = {4, 50, 0}, .radius = 4, .speed = 8}).status.ok());
     // One metre of four away: three quarters of the speed, nearly all of it along x.
     EXPECT_NEAR(find(step(60), near)->pose.position.x - before, 6, 0.1);
+}
+
+TEST(HostedWorld, a_world_with_more_modules_than_clients_take_is_not_hosted) {
+    scenes::SceneDescription scene = *scenes::find_scene("stack");
+    scene.modules.resize(65);
+    const auto world = HostedWorld::create(scene, {}, 1);
+    ASSERT_FALSE(world.ok());
+    EXPECT_EQ(world.error().message, "the scene has 65 modules; a server hosts 64 in a world");
+}
+
+TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
+    test::know_counter();
+    scenes::SceneDescription scene = *scenes::find_scene("stack");
+    scene.modules = {{.tag = "counter", .settings = {{"every", 2}}, .bodies = {{"watched", 3}}}};
+    HostedWorld world = HostedWorld::create(scene, {}, 1).value();
+    const auto frame_after = [&](int steps) {
+        for (int i = 0; i < steps; i++) EXPECT_TRUE(world.step(dt).ok());
+        Frame frame;
+        world.copy_into(frame);
+        return frame;
+    };
+    EXPECT_TRUE(frame_after(0).chunks.empty()) << "modules speak after a step";
+    const Frame two = frame_after(2), three = frame_after(1), four = frame_after(1);
+    ASSERT_EQ(two.chunks.size(), 1u);
+    EXPECT_EQ(two.chunks[0].tag, "counter");
+    const auto& bytes = *two.chunks[0].bytes;
+    EXPECT_EQ(static_cast<EntityId>(bytes[0]), two.entities[3].id);
+    EXPECT_EQ(bytes[4], std::byte{1});
+    EXPECT_EQ(three.chunks[0].bytes, two.chunks[0].bytes);
+    EXPECT_NE(four.chunks[0].bytes, two.chunks[0].bytes);
 }
 
 }  // namespace

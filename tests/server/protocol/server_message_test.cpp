@@ -37,6 +37,22 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
     }
 }
 
+TEST(ServerMessage, chunks_of_modules_are_shared_and_one_that_ended_is_empty) {
+    EncodedSnapshot encoded{.frame = 300};
+    const std::string without = encode_shared_snapshot(encoded);
+    const std::vector bytes{std::byte{0}, std::byte{255}};
+    encoded.chunks = {{"craft", std::make_shared<const std::vector<std::byte>>(bytes)},
+                      {"crane", nullptr}};
+    const std::string shared = encode_shared_snapshot(encoded);
+    EXPECT_EQ(shared.substr(0, without.size()), without) << "all else has the bytes that it had";
+    const auto message = parse(encode_snapshot_head({}, shared.size()) + shared);
+    ASSERT_EQ(message.snapshot().modules_size(), 2);
+    EXPECT_EQ(message.snapshot().modules(0).tag(), "craft");
+    EXPECT_EQ(message.snapshot().modules(0).data(), std::string("\x00\xff", 2));
+    EXPECT_EQ(message.snapshot().modules(1).tag(), "crane");
+    EXPECT_EQ(message.snapshot().modules(1).data(), "");
+}
+
 TEST(ServerMessage, a_roster_carries_what_a_viewer_draws) {
     EntityDescription box{.id = 9,
                           .type = physics::BodyType::kinematic,

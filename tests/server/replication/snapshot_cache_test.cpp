@@ -138,6 +138,71 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
     EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
 }
 
+// The chunks of the newest encoding: "tag=text", or "tag-" for one that ended.
+struct ChunkTeller {
+    std::vector<std::string> told;
+    SnapshotCache cache{{}, [this](const EncodedSnapshot& s) {
+                            told.clear();
+                            for (const ModuleChunk& chunk : s.chunks) {
+                                told.push_back(chunk.tag + (chunk.bytes ? "=" : "-"));
+                                if (!chunk.bytes) continue;
+                                for (const std::byte b : *chunk.bytes)
+                                    told.back() += static_cast<char>(b);
+                            }
+                            return serialize(s);
+                        }};
+
+    static ModuleChunk chunk(const std::string& tag, std::string_view text) {
+        std::vector<std::byte> bytes;
+        for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
+        return {tag, std::make_shared<const std::vector<std::byte>>(std::move(bytes))};
+    }
+    std::vector<std::string> encode(std::uint32_t tick, std::vector<ModuleChunk> chunks,
+                                    BaseNumbers bases) {
+        auto frame = std::make_shared<Frame>();
+        frame->tick = tick;
+        frame->chunks = std::move(chunks);
+        cache.encoding(frame, bases);
+        return told;
+    }
+};
+
+TEST(SnapshotCache, an_absolute_snapshot_has_all_chunks_and_a_delta_those_that_changed) {
+    using Told = std::vector<std::string>;
+    ChunkTeller teller;
+    const ModuleChunk still = ChunkTeller::chunk("still", "s");
+    const auto chunk = ChunkTeller::chunk;
+    EXPECT_EQ(teller.encode(1, {still, chunk("craft", "1")}, {}), (Told{"still=s", "craft=1"}));
+    EXPECT_EQ(teller.encode(2, {still, chunk("craft", "2")}, {1, 0, 0}), Told{"craft=2"});
+    EXPECT_EQ(teller.encode(3, {still, chunk("craft", "1")}, {2, 1, 0}), Told{"craft=1"});
+    EXPECT_EQ(teller.encode(4, {still, chunk("craft", "1")}, {3, 2, 1}), Told{})
+        << "other bytes of the same content";
+    EXPECT_EQ(teller.encode(5, {still, chunk("craft", "1")}, {2, 1, 0}), Told{"craft=1"})
+        << "against an older base";
+    EXPECT_EQ(teller.encode(6, {still, chunk("craft", "1")}, {}), (Told{"still=s", "craft=1"}));
+}
+
+TEST(SnapshotCache, a_chunk_that_ended_is_told_once_and_may_begin_again) {
+    using Told = std::vector<std::string>;
+    ChunkTeller teller;
+    const auto chunk = ChunkTeller::chunk;
+    teller.encode(1, {chunk("craft", "1"), chunk("crane", "2")}, {});
+    EXPECT_EQ(teller.encode(2, {chunk("crane", "3")}, {1, 0, 0}), (Told{"crane=3", "craft-"}));
+    EXPECT_EQ(teller.encode(3, {chunk("crane", "3")}, {2, 1, 0}), Told{});
+    EXPECT_EQ(teller.encode(4, {chunk("crane", "3")}, {1, 0, 0}), (Told{"crane=3", "craft-"}))
+        << "to whom was not told yet";
+    EXPECT_EQ(teller.encode(5, {chunk("craft", "1")}, {4, 0, 0}), (Told{"craft=1", "crane-"}));
+}
+
+TEST(SnapshotCache, chunks_against_a_base_that_fell_off_the_ring_are_all_there) {
+    ChunkTeller teller;
+    const ModuleChunk still = ChunkTeller::chunk("still", "s");
+    teller.encode(1, {still}, {});
+    for (std::uint32_t tick = 2; tick < 2 + SnapshotCache::ring; ++tick)
+        teller.encode(tick, {still}, {});
+    EXPECT_EQ(teller.encode(60, {still}, {1, 0, 0}), std::vector<std::string>{"still=s"});
+}
+
 TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_state) {
     using namespace std::chrono_literals;
     constexpr std::uint32_t clients = 12, ticks = 600;

@@ -5,7 +5,9 @@
 // one. Plain C++ types: no protobuf here.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,6 +31,18 @@ struct SceneJoint {
     physics::JointDef joint;             // its bodies are filled in when the scene is built
 };
 
+// A module that the registry makes (jostle/physics/module.h). It gets its settings in the order of
+// their names.
+struct SceneModule {
+    std::string tag;
+    std::map<std::string, double> settings;
+    std::map<std::string, std::size_t> bodies;  // of SceneDescription::bodies
+    // Of save_module(), read after the settings; empty: as it begins. Ids in it are those of the
+    // world in which it was kept.
+    std::vector<std::byte> state;
+};
+inline constexpr std::size_t modules_max = 64;  // of a scene file and of a hosted world
+
 struct SceneDescription {
     std::string name;
     std::string description;
@@ -36,6 +50,7 @@ struct SceneDescription {
     double hz = 60;  // steps per second
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
+    std::vector<SceneModule> modules;  // added in this order
 };
 
 struct BuiltScene {
@@ -44,7 +59,8 @@ struct BuiltScene {
     std::vector<physics::JointId> joints;
 };
 
-// Makes the world. An error names the body ("bodies[3] 'ramp'") or joint and what is wrong with it.
+// Makes the world. An error names the body ("bodies[3] 'ramp'"), joint or module and what is wrong
+// with it.
 physics::Result<BuiltScene> build_scene(const SceneDescription& description);
 
 }  // namespace jostle::scenes

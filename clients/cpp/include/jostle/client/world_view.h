@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client knows of its world: who is there (entities) and where (snapshots). No network in
-// it: it is handed messages. One thread at a time.
+// What one client knows of its world: who is there (entities), where, and what modules tell
+// (snapshots). No network in it: it is handed messages. One thread at a time.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "jostle/base/result.h"
 #include "jostle/v1/play.pb.h"
@@ -19,7 +23,8 @@ namespace jostle::client {
 
 class WorldView {
 public:
-    static constexpr std::size_t ring = 32;  // decoded frames kept as bases, as WIRE.md asks
+    static constexpr std::size_t ring = 32;        // decoded frames kept as bases, as WIRE.md asks
+    static constexpr std::size_t chunks_max = 64;  // of modules in one frame
 
     // A new stream: everything is forgotten.
     void begin(const v1::Welcome& welcome);
@@ -29,18 +34,31 @@ public:
     Status apply(const v1::Snapshot& snapshot);
 
     // Frame 0 until the first snapshot.
-    const wire::QuantizedFrame& frame() const { return frames_.empty() ? none_ : frames_.back(); }
+    const wire::QuantizedFrame& frame() const {
+        return frames_.empty() ? none_ : frames_.back().state;
+    }
     const std::map<std::uint32_t, v1::Entity>& entities() const { return entities_; }
     const wire::QuantSpec& spec() const { return spec_; }
     // Nothing when the entity is not in the newest frame.
     std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
+    // What the module of that tag tells with the newest frame, in a layout of its own; foreign
+    // bytes. Empty: nothing. Valid until the next snapshot.
+    std::span<const std::byte> chunk(std::string_view tag) const;
+    std::vector<std::string> chunk_tags() const;  // of those that tell something, sorted
 
 private:
-    const wire::QuantizedFrame* find(std::uint32_t frame) const;
+    // By tag; shared by the frames of which they are.
+    using Chunks = std::map<std::string, std::shared_ptr<const std::string>, std::less<>>;
+    struct KnownFrame {
+        wire::QuantizedFrame state;
+        Chunks chunks;
+    };
+
+    const KnownFrame* find(std::uint32_t frame) const;
 
     wire::QuantSpec spec_;
     wire::QuantizedFrame none_;
-    std::deque<wire::QuantizedFrame> frames_;
+    std::deque<KnownFrame> frames_;
     std::map<std::uint32_t, v1::Entity> entities_;
 };
 

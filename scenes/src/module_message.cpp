@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "module_message.h"
+
+#include <algorithm>
+
+#include "body_name.h"
+#include "jostle/physics/module.h"
+#include "jostle/v1/scene.pb.h"
+
+namespace jostle::scenes {
+
+namespace {
+
+constexpr std::size_t name_bytes_max = 64;
+constexpr double setting_max = 1e300;
+
+// Such names have one spelling in JSON, and no letter that a path of fields uses.
+bool is_name(const std::string& text) {
+    const auto fits = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    return !text.empty() && text.size() <= name_bytes_max &&
+           std::all_of(text.begin(), text.end(), fits);
+}
+
+// Maps of messages have no order: theirs is that of their names.
+template <class Value>
+std::map<std::string, Value> read_names(FieldReader& in, const std::string& path,
+                                        const google::protobuf::Map<std::string, Value>& given) {
+    std::map<std::string, Value> sorted(given.begin(), given.end());
+    for (const auto& [name, value] : sorted)
+        if (!is_name(name))
+            in.note(path, "\"" + name.substr(0, name_bytes_max) +
+                              "\" is no name; give 1 to 64 of a-z, 0-9 and _");
+    return sorted;
+}
+
+void check_tag(FieldReader& in, const SceneDescription& scene, const std::string& path,
+               const std::string& tag) {
+    const auto has_it = [&](const SceneModule& module) { return module.tag == tag; };
+    if (std::any_of(scene.modules.begin(), scene.modules.end(), has_it))
+        in.note(path, "is \"" + tag + "\" again; a world has one module of a tag");
+    const std::vector<std::string> known = physics::module_tags();
+    if (std::find(known.begin(), known.end(), tag) != known.end()) return;
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+    in.note(path, "is \"" + tag + "\"; the modules of this program are " +
+                      (names.empty() ? "none" : names));
+}
+
+}  // namespace
+
+void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
+                 const v1::Module& m) {
+    if (scene.modules.size() == modules_max)
+        return in.note(path, "is one too many; a scene has at most " + std::to_string(modules_max) +
+                                 " modules");
+    check_tag(in, scene, path + ".tag", m.tag());
+    SceneModule module{.tag = m.tag(), .settings = {}, .bodies = {}, .state = {}};
+    for (const auto& [name, number] : read_names(in, path + ".settings", m.settings()))
+        module.settings[name] =
+            in.number(path + ".settings." + name, number, -setting_max, setting_max);
+    for (const auto& [name, body] : read_names(in, path + ".bodies", m.bodies()))
+        module.bodies[name] = find_body(in, scene, path + ".bodies." + name, body);
+    const auto* state = reinterpret_cast<const std::byte*>(m.state().data());
+    module.state.assign(state, state + m.state().size());
+    scene.modules.push_back(std::move(module));
+}
+
+void write_module(v1::Module& out, const SceneDescription& scene, const SceneModule& module) {
+    out.set_tag(module.tag);
+    for (const auto& [name, number] : module.settings) (*out.mutable_settings())[name] = number;
+    for (const auto& [name, body] : module.bodies)
+        (*out.mutable_bodies())[name] = name_of(scene, body);
+    out.set_state(module.state.data(), module.state.size());
+}
+
+}  // namespace jostle::scenes

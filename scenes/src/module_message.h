@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle.v1.Module to SceneModule and back.
+#pragma once
+
+#include "field_reader.h"
+#include "jostle/scenes/scene.h"
+
+namespace jostle::v1 {
+class Module;
+}
+
+namespace jostle::scenes {
+
+// Appends the module to scene.modules. The scene's bodies are all there.
+void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
+                 const v1::Module& message);
+void write_module(v1::Module& out, const SceneDescription& scene, const SceneModule& module);
+
+}  // namespace jostle::scenes

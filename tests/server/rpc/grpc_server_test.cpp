@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// C++ clients at a server in this process, over the loopback device: what a module tells, from the
+// world's thread to the clients' views.
+#include "rpc/grpc_server.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <thread>
+
+#include "jostle/client/client.h"
+#include "jostle/scenes/catalog.h"
+#include "protocol/query_control.h"
+#include "protocol/world_control.h"
+#include "support/counter.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using client::Client;
+
+// What a test::Counter told.
+struct Told {
+    std::uint32_t entity = 0, count = 0;
+};
+
+std::optional<Told> told(const Client& client, std::string_view tag) {
+    std::optional<Told> out;
+    client.read([&](const client::WorldView& view) {
+        const std::span<const std::byte> bytes = view.chunk(tag);
+        if (bytes.size() != 8) return;
+        const auto u32 = [&](std::size_t at) {
+            std::uint32_t value = 0;
+            for (std::size_t k = 0; k < 4; k++)
+                value |= static_cast<std::uint32_t>(bytes[at + k]) << (8 * k);
+            return value;
+        };
+        out = {u32(0), u32(4)};
+    });
+    return out;
+}
+
+std::string name_of(const Client& client, std::uint32_t entity) {
+    std::string name;
+    client.read([&](const client::WorldView& view) {
+        if (const auto at = view.entities().find(entity); at != view.entities().end())
+            name = at->second.name();
+    });
+    return name;
+}
+
+bool wait_until(const std::function<bool()>& condition) {
+    for (const auto end = Clock::now() + 10s; Clock::now() < end; std::this_thread::sleep_for(5ms))
+        if (condition()) return true;
+    return false;
+}
+
+// A world whose "counter" tells something else every fifth tick and whose "still" never does.
+class GrpcServerTest : public testing::Test {
+protected:
+    void SetUp() override {
+        test::know_counter();
+        static const Status known = physics::register_module(
+            "still", [] { return std::make_unique<test::Counter>("still"); });
+        ASSERT_TRUE(known.ok());
+        ASSERT_TRUE(server.start().ok());
+    }
+    void TearDown() override {
+        worlds.stop_all();  // before whom they wake
+        context.closing = true;
+        server.drain();
+        server.wake();
+        server.stop();
+    }
+    // The counter falls silent at that count.
+    void make_world(double until = 0) {
+        scenes::SceneDescription scene = *scenes::find_scene("stack");
+        scene.bodies[1].name = "watched";
+        scene.modules = {
+            {.tag = "counter",
+             .settings = {{"every", 5}, {"until", until}},
+             .bodies = {{"watched", 1}}},
+            {.tag = "still", .settings = {{"every", 1e9}}, .bodies = {{"watched", 1}}}};
+        const auto world = worlds.create("", scene);
+        ASSERT_TRUE(world.ok()) << world.error().message;
+    }
+    std::shared_ptr<Client> join() {
+        return Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port())});
+    }
+
+    Config config;
+    SessionDirectory sessions{4};
+    GrpcServer* woken = &server;
+    WorldDirectory worlds{{.on_frame = [this] { woken->wake(); }}, 4};
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    WorldControl control{context};
+    QueryControl queries{context};
+    GrpcServer server{context, control, queries, {.port = 0}};
+    client::Loop loop;
+};
+
+TEST_F(GrpcServerTest, a_client_sees_a_modules_chunk_change_and_a_late_one_gets_the_present) {
+    make_world();
+    const auto early = join();
+    ASSERT_TRUE(wait_until([&] { return told(*early, "counter").has_value(); }));
+    const Told first = *told(*early, "counter");
+    EXPECT_EQ(name_of(*early, first.entity), "watched");
+    ASSERT_TRUE(wait_until([&] { return told(*early, "counter")->count > first.count + 3; }));
+    EXPECT_EQ(told(*early, "still")->count, 0u);
+
+    const std::uint32_t before = told(*early, "counter")->count;
+    const auto late = join();
+    ASSERT_TRUE(wait_until([&] { return told(*late, "counter").has_value(); }));
+    EXPECT_GE(told(*late, "counter")->count, before);
+    ASSERT_TRUE(told(*late, "still").has_value()) << "told long before it came";
+    EXPECT_EQ(told(*late, "still")->entity, first.entity);
+    EXPECT_EQ(early->stats().decode_errors + late->stats().decode_errors, 0u);
+}
+
+TEST_F(GrpcServerTest, a_client_keeps_no_chunk_of_a_module_that_fell_silent) {
+    make_world(30);  // after two and a half seconds
+    const auto client = join();
+    ASSERT_TRUE(wait_until([&] { return told(*client, "counter").has_value(); }));
+    ASSERT_TRUE(wait_until([&] { return !told(*client, "counter").has_value(); }));
+    client->read([](const client::WorldView& view) {
+        EXPECT_EQ(view.chunk_tags(), std::vector<std::string>{"still"});
+    });
+    EXPECT_EQ(client->stats().decode_errors, 0u);
+}
+
+}  // namespace
+}  // namespace jostle::server

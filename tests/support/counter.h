@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// A module of tests: counts steps and tells clients of a body and the count, eight bytes. Falls
+// silent, and tells too much, when it is set to.
+#pragma once
+
+#include <memory>
+
+#include "jostle/physics/module.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::test {
+
+class Counter final : public physics::Module {
+public:
+    explicit Counter(std::string tag = "counter") : tag_(std::move(tag)) {}
+
+    std::string_view tag() const override { return tag_; }
+    void visit(physics::StateVisitor& v) override {
+        v.field("steps", steps);
+        v.field("every", every);
+        v.field("until", until);
+        v.field("watched", watched);
+    }
+    Status configure(physics::World&, const physics::ModuleSettings& settings) override {
+        for (const auto& [name, number] : settings.numbers)
+            (name == "every" ? every : until) = static_cast<std::uint32_t>(number);
+        for (const auto& [name, body] : settings.bodies) watched = body;
+        return {};
+    }
+    void after_step(physics::World&, double) override { steps++; }
+    void publish(const physics::World&, physics::ChunkWriter& chunk) const override {
+        if (until != 0 && count() >= until) return;
+        chunk.body(watched);
+        chunk.u32(count());
+        for (std::size_t k = 0; k < padding; k++) chunk.u8(0);
+    }
+
+    std::uint32_t count() const { return steps / every; }
+
+    std::uint32_t steps = 0;
+    std::uint32_t every = 1;  // steps to a count
+    std::uint32_t until = 0;  // the count at which it falls silent; 0: never
+    physics::BodyId watched;
+    std::size_t padding = 0;  // bytes after the first eight
+
+private:
+    const std::string tag_;
+};
+
+// May be called by several tests of a program.
+inline void know_counter() {
+    static const Status known =
+        physics::register_module("counter", [] { return std::make_unique<Counter>(); });
+    known.expect();
+}
+
+}  // namespace jostle::test

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Shadows: closed forms, and against a count of rays that hit.
+#include "geometry/projected_area.h"
+
+#include <gtest/gtest.h>
+
+#include "support/random.h"
+#include "support/random_shapes.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+TEST(ProjectedArea, of_a_box_along_an_axis_is_a_face) {
+    const Box box{{1, 2, 3}};
+    EXPECT_NEAR(projected_area(box, {1, 0, 0}), 24, 1e-12);
+    EXPECT_NEAR(projected_area(box, {0, -1, 0}), 12, 1e-12);
+    // A unit cube along its diagonal shows a hexagon of area root 3.
+    EXPECT_NEAR(projected_area(Box{}, normalized({1, 1, -1})), square_root(3), 1e-12);
+}
+
+TEST(ProjectedArea, of_round_shapes_is_the_textbooks) {
+    EXPECT_NEAR(projected_area(Sphere{2}, normalized({1, 2, 3})), 4 * pi, 1e-12);
+    EXPECT_NEAR(projected_area(Capsule{1, 3}, {1, 0, 0}), pi + 12, 1e-12);
+    EXPECT_NEAR(projected_area(Cylinder{1, 3}, {0, 1, 0}), pi, 1e-12);
+    EXPECT_NEAR(projected_area(Cylinder{1, 3}, {0, 0, 1}), 12, 1e-12);
+    EXPECT_NEAR(projected_area(Cone{1, 3}, {0, 0, 1}), 6, 1e-9) << "a triangle";
+    EXPECT_NEAR(projected_area(Cone{1, 3}, {0, 1, 0}), pi, 1e-12) << "its base";
+    EXPECT_EQ(projected_area(Plane{}, {0, 1, 0}), 0);
+}
+
+// Half the sum over the faces of a hull of 64 points on a cone's base circle and its tip.
+TEST(ProjectedArea, of_a_cone_is_that_of_a_hull_of_its_points) {
+    std::vector<Vec3> points{{0, 1.5, 0}};
+    for (int k = 0; k < 240; k++) {
+        const SinCos turn = sin_cos(2 * pi * k / 240);
+        points.push_back({0.8 * turn.cos, -1.5, 0.8 * turn.sin});
+    }
+    const Hull hull{must(build_hull(points))};
+    for (const double y : {0.0, 0.1, 0.26, 0.3, 0.7, 0.95}) {
+        const Vec3 d{square_root(1 - y * y), y, 0};
+        EXPECT_NEAR(projected_area(Cone{0.8, 1.5}, d) / projected_area(hull, d), 1, 1e-3) << y;
+    }
+}
+
+TEST(ProjectedArea, of_a_compound_is_the_sum_of_its_children) {
+    const Quat turn = from_axis_angle({0, 0, 1}, pi / 2);
+    const Compound compound{must(build_compound(
+        {{Sphere{1}, {.position = {5, 0, 0}}}, {Cylinder{1, 3}, {{0, 0, 0}, turn}}}))};
+    EXPECT_NEAR(projected_area(compound, {0, 1, 0}), pi + 12, 1e-12);
+}
+
+}  // namespace
+}  // namespace jostle::test

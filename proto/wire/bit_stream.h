@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Bits in, bits out, and the two codes of WIRE.md. Bits fill bytes from the least significant bit.
-// Reading never trusts the bytes: past the end it gives zeros and remembers that it did.
+// Writes and reads bits, and the two codes of WIRE.md: Rice (R. F. Rice, "Some Practical Universal
+// Noiseless Coding Techniques", JPL 1979) and exponential Golomb. Bits fill bytes from the least
+// significant bit. The reader never trusts the bytes: past the end it gives zeros and remembers
+// that it did.
 #pragma once
 
 #include <bit>
@@ -12,8 +14,10 @@
 
 namespace jostle::wire {
 
-inline constexpr unsigned rice_escape = 15;       // ones
-inline constexpr unsigned rice_escape_bits = 33;  // any difference of two int32, zig-zagged
+// So many ones say that the value follows in so many bits: enough for any difference of two int32,
+// zig-zagged.
+inline constexpr unsigned rice_escape = 15;
+inline constexpr unsigned rice_escape_bits = 33;
 
 // 0 -> 0, -1 -> 1, 1 -> 2, -2 -> 3, ...
 inline std::uint64_t zig_zag(std::int64_t v) {
@@ -30,11 +34,12 @@ inline unsigned bit_width(std::uint64_t x) {
 class BitWriter {
 public:
     void bits(std::uint64_t value, unsigned count);  // count <= 57
-    // Rice code: value >> k in unary (ones, then a zero), then the low k bits; large values escape.
+    // Rice code: value >> k in unary (ones, then a zero), then the low k bits. What would take
+    // rice_escape ones or more escapes; it is below 2^rice_escape_bits.
     void rice(std::uint64_t value, unsigned k);
-    // Exp-Golomb code of order k: for counts and gaps.
+    // Exponential Golomb code of order k: for counts and gaps, below 2^40.
     void exp_golomb(std::uint64_t value, unsigned k);
-    // Pads the last byte with zeros.
+    // All bytes, the last one padded with zeros. Then the writer is empty.
     std::vector<std::byte> finish();
 
 private:
@@ -55,7 +60,7 @@ public:
 
     bool past_end() const { return at_ > bytes_.size() * 8; }
     std::size_t bit_position() const { return at_; }
-    // What is left is padding: fewer than eight bits, all zero.
+    // Whether what is left is padding: fewer than eight bits, all zero.
     bool at_clean_end() const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What travels about one body, as integers. Quantised once per tick; deltas, hashes and recordings
-// work on these only, so that decode(encode(x)) is exact and sender and receiver cannot drift
-// apart. WIRE.md is the format in prose.
+// What travels about one body, as integers. A pose is quantised once per tick. Deltas and CRCs work
+// on the integers only, so decoding gives back exactly what was encoded, and sender and receiver
+// cannot drift apart. WIRE.md is the format in prose.
 #pragma once
 
 #include <array>
@@ -15,8 +15,10 @@ struct EntityState {
     std::uint32_t id = 0;                    // never reused in a world, never 0
     std::array<std::int32_t, 3> position{};  // units of 1/units_per_meter m
     std::uint8_t largest = 3;  // which quaternion component was left out: 0 x, 1 y, 2 z, 3 w
-    std::array<std::int16_t, 3> rotation{};  // the other three, in -M..M
-    bool at_rest = false;
+    // The other three in order x y z w, in units of 1 / (M sqrt 2): -M..M. The sign of the
+    // quaternion is such that the one left out is not negative.
+    std::array<std::int16_t, 3> rotation{};
+    bool at_rest = false;  // it sleeps
 
     bool operator==(const EntityState&) const = default;
 };
@@ -37,7 +39,8 @@ struct QuantizedFrame {
 inline constexpr std::int32_t max_units_per_meter = 65536;
 inline constexpr std::int32_t max_rotation_component = 16383;  // 15 bits with the sign
 
-// How poses are made integers: the same on both sides, as the server's Welcome says.
+// How poses are made integers: the same on both sides, as the server's Welcome says. Each is from 1
+// to its maximum above.
 struct QuantSpec {
     std::int32_t units_per_meter = 512;
     std::int32_t rotation_component = 511;  // M

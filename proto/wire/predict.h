@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a body should be, from up to three earlier frames. Integers only, and every product stays
-// below 2^53, so that C++ and JavaScript agree to the bit.
+// Where a body should be, from up to three earlier frames. WIRE.md has the formulas. Integers only,
+// and every product stays below 2^53, so that C++ and JavaScript agree to the bit. With M above 511
+// that takes dt1 <= 50 dt2.
 #pragma once
 
 #include <array>
@@ -11,24 +12,25 @@
 
 namespace jostle::wire {
 
-// Ticks between the frames: frame - base, base - base2, base2 - base3; 1 to 255, and 1 where a
-// frame is missing.
+// Ticks between the frames: 1 to 255, and 1 where a frame is missing.
 struct Spacing {
-    std::int64_t dt1 = 1, dt2 = 1, dt3 = 1;
+    std::int64_t dt1 = 1, dt2 = 1, dt3 = 1;  // frame - base, base - base2, base2 - base3
 };
 
 struct Prediction {
     std::array<std::int64_t, 3> position{};
-    std::array<std::int64_t, 4>
-        rotation{};            // four components in units of 1 / (M sqrt 2), not normalised
-    std::uint8_t largest = 0;  // index of the largest of them
-    std::array<std::int64_t, 3>
-        components{};  // the other three, as EntityState::rotation would have them
-    // How much the last step differed from the one before: says how wide the residual will be.
+    // x, y, z, w in units of 1 / (M sqrt 2), not normalised.
+    std::array<std::int64_t, 4> rotation{};
+    std::uint8_t largest = 0;  // index of the largest of those
+    // The other three, as EntityState::rotation would have them.
+    std::array<std::int64_t, 3> components{};
+    // How much the last step differed from the one before: it tells how many bits the difference
+    // from the true pose will take.
     std::int64_t position_change = 0, rotation_change = 0;
 };
 
-// base2 and base3 may be null; base3 is used only with base2. A base at rest is predicted to stay.
+// base2 and base3 may be null; base3 is used only with base2. What is at rest in base is predicted
+// to stay.
 Prediction predict(const EntityState& base, const EntityState* base2, const EntityState* base3,
                    const Spacing& spacing, const QuantSpec& spec);
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Sorted, ready to read.
+// The last stage: events become what World::events() shows, each list in order of ids.
+//
+// Reads: EventStore as the stages and calls between steps filled it; of contacts that are to be
+// reported in every step, impulses and flags in the constraint graph. Writes: EventStore, sorted
+// and with EventStore::contacts. Leaves nothing in scratch.
 #pragma once
 
 #include "stages/step_context.h"

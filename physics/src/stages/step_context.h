@@ -11,7 +11,8 @@
 
 namespace jostle::physics {
 
-// What a stage returns: why it had nothing to do, as a sentence that lives for ever, or `ran`.
+// What a stage returns: `ran`, or why it had nothing to do, as a sentence that lives as long as the
+// program.
 using Skipped = const char*;
 inline constexpr Skipped ran = nullptr;
 inline constexpr Skipped nobody_awake = "nobody is awake";
@@ -22,9 +23,9 @@ struct StepContext {
     WorldState& world;
     StepScratch& scratch;
     TaskTeam& team;
-    double dt = 0;  // s
-    std::array<ContactSettings, tier_count> contacts;
-    Timer timer = {};
+    double dt = 0;                                     // s
+    std::array<ContactSettings, tier_count> contacts;  // by index_of(SolverTier)
+    Timer timer = {};                                  // of the stages, for the profile
 };
 
 }  // namespace jostle::physics

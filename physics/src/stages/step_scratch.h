@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Memory that a step uses and the next one uses again, stage by stage. Neither description nor
-// state: never saved, never hashed. What a stage leaves to a later one its header says.
+// state: never saved, never hashed. A stage's header says what it leaves here for a later one.
 #pragma once
 
 #include "stages/contacts/contact_scratch.h"

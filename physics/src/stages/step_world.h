@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole step, read top to bottom.
+// The whole step: step_world.cpp reads from top to bottom, one call a stage. Each stage's header
+// says what it reads, what it writes, and what it leaves in scratch for which later stage.
 #pragma once
 
 #include "stages/step_scratch.h"
@@ -8,6 +9,7 @@
 
 namespace jostle::physics {
 
+// dt: s, above 0. On the thread that calls World::step(); stages share work with the world's team.
 void step_world(WorldState& world, StepScratch& scratch, double dt);
 
 }  // namespace jostle::physics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Result<T>: a value, or an Error that says what was wrong, where, and what to do. Status: success,
-// or an Error. How every library and program of ours reports what went wrong: no exceptions cross a
-// border, and a call that returns an Error has changed nothing.
+// or an Error. Every library and program of Jostle reports so what went wrong: it throws nothing,
+// and a call that returns an Error has changed nothing, unless its header says otherwise.
 #pragma once
 
 #include <cstdio>
@@ -14,20 +14,21 @@
 
 namespace jostle {
 
-// The meanings are those of gRPC's codes of the same names.
+// They mean what gRPC's codes of the same names mean. gRPC has no corrupt_data: it travels as
+// INVALID_ARGUMENT (proto/status/grpc_status.h).
 enum class ErrorCode {
     invalid_argument,     // a number is not finite, out of range or contradicts another
     not_found,            // the id names nothing (any more)
     failed_precondition,  // right call, wrong moment or wrong kind of body
-    corrupt_data,         // bytes that are not what they should be, as of a saved world
+    corrupt_data,         // bytes are not what they should be: a saved world, a snapshot
     already_exists,       // the name is taken
-    permission_denied,    // known, and not allowed to do that
+    permission_denied,    // the caller is known, but may not do that
     unauthenticated,      // no ticket, or one that is not good (any more)
-    resource_exhausted,   // full, or too much: later, and slower
-    deadline_exceeded,    // the other side was silent too long
+    resource_exhausted,   // full, or asked too often: ask later, and for less
+    deadline_exceeded,    // the other side was silent for too long
     aborted,              // the other side ended it, as when a world is closed
-    unavailable,          // not there, or going down: try another, or later
-    internal,             // our own mistake
+    unavailable,          // not there, or going down: try later
+    internal,             // a mistake of Jostle's own
 };
 
 struct Error {
@@ -35,7 +36,7 @@ struct Error {
     std::string message;
 };
 
-// Who takes success for granted where there is none: the program ends, and says what was wrong.
+// A value was taken where there is none: the program ends and says what was wrong.
 [[noreturn]] inline void end_without_value(const Error& error) {
     std::fprintf(stderr, "jostle: %s\n", error.message.c_str());
     std::abort();
@@ -52,7 +53,7 @@ public:
     bool ok() const { return content_.index() == 0; }
     explicit operator bool() const { return ok(); }
 
-    // Only when ok(); else the program ends.
+    // When not ok(), value(), * and -> end the program.
     T& value() & {
         if (!ok()) end_without_value(error());
         return *std::get_if<0>(&content_);
@@ -83,7 +84,7 @@ public:
     bool ok() const { return !error_; }
     explicit operator bool() const { return ok(); }
     const Error& error() const { return *error_; }  // only when not ok()
-    // For programs that have nothing to say to a failure: they end, and say which it was.
+    // For programs that cannot go on after a failure: ends the program and says what was wrong.
     void expect() const {
         if (!ok()) end_without_value(*error_);
     }

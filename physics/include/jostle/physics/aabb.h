@@ -29,15 +29,15 @@ inline Aabb grow(const Aabb& a, double margin) {
     const Vec3 m{margin, margin, margin};
     return {a.low - m, a.high + m};
 }
-// Half the surface: the cost measure of the dynamic tree.
+// Half the surface, m^2: the cost measure of the dynamic tree (surface area heuristic).
 inline double half_area(const Aabb& a) {
     const Vec3 d = a.high - a.low;
     return d.x * d.y + d.y * d.z + d.z * d.x;
 }
 
-// The fraction of origin..origin+motion at which the segment enters the box: 0 when it starts
-// inside, 2 when it misses within [0, limit]. Slab test; a zero component of the motion is handled
-// by the comparison, not by dividing by zero.
+// The fraction of origin..origin+motion at which the segment enters the box. 0 when it starts
+// inside, 2 when it does not enter within [0, limit]. Slab test (Kay and Kajiya, "Ray Tracing
+// Complex Scenes", SIGGRAPH 1986); nothing is divided by a zero component of the motion.
 inline double ray_enters(const Aabb& box, Vec3 origin, Vec3 motion, double limit) {
     double enter = 0, leave = limit;
     for (int k = 0; k < 3; k++) {

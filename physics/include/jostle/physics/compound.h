@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compounds: several convex shapes in one, found through a tree. Built once, immutable, shared.
+// Compounds: several convex shapes in one, found through a tree. Built once, immutable, shared by
+// any number of shapes and worlds, from any thread.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ inline constexpr std::size_t max_compound_children = 60000;
 
 struct CompoundChild {
     Geometry geometry = {};  // convex
-    Transform pose = {};     // in the compound
+    Transform pose = {};     // in the compound; coordinates within max_shape_size
 };
 
 struct CompoundShape {
@@ -29,11 +30,12 @@ struct CompoundShape {
     // Derived by build_compound.
     std::shared_ptr<const Bvh> tree;  // of the children
     Aabb bounds;
-    double inner_radius = 0;  // m, of the thinnest child
+    double inner_radius = 0;  // m: of the ball that fits into the thinnest child
     std::uint64_t content_hash = 0;
 };
 
-// Children may overlap; each counts in full for the mass.
+// Of 1 to max_compound_children. Children may overlap; each counts in full for the mass. An error
+// names the child: "children[3] ...".
 Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<CompoundChild> children);
 
 }  // namespace jostle::physics

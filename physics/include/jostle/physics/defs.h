@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What to create, with defaults that work. SI units: metres, kilograms, seconds, radians. A Def is
-// a constant description; the world copies what it needs and keeps no pointer to it.
+// What to create, with defaults that work. Units are SI: metres, kilograms, seconds, radians. A Def
+// is a constant description: the world copies what it needs and keeps no pointer to it. A value out
+// of its range is refused with an Error that names it.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ enum class BodyType {
     dynamic,      // moves by forces, impulses and contacts
 };
 
-// How a pair makes one coefficient of two. When the two materials ask for different rules the one
-// further down this list wins.
+// How a pair of shapes makes one coefficient of its two. When their materials ask for different
+// rules the one further down this list wins.
 enum class Combine : std::uint8_t {
     average,
     geometric_mean,
@@ -29,15 +30,17 @@ enum class Combine : std::uint8_t {
 };
 
 struct Material {
-    double friction = 0.5;     // Coulomb coefficient, >= 0
-    double restitution = 0.0;  // 0 (no bounce) to 1 (keeps all speed)
-    // Resistance against rolling and against turning on the spot: the torque that a normal force of
-    // 1 N holds, N m / N = m. A pair uses the larger. Balls and capsules always hold friction times
-    // a twenty-fifth of their radius against turning: the disc in which elastic bodies touch.
+    double friction = 0.5;  // Coulomb coefficient, 0 to 100
+    // Share of the approach speed that comes back, 0 to 1. What meets at less than 0.3 m/s does not
+    // bounce.
+    double restitution = 0.0;
+    // Resistance against rolling, and against turning on the spot: the torque that a normal force
+    // of 1 N holds, N m / N = m, 0 to 100. A pair uses the larger. Balls and capsules always hold
+    // friction * radius / 25 against turning: elastic bodies touch in a small disc (Hertz).
     double rolling_friction = 0;
     double torsional_friction = 0;
-    // Of the surface against its body, m/s in the body's axes: a conveyor belt. Contacts drive
-    // what touches along their tangent plane.
+    // Of the surface against its body, in the body's axes: a conveyor belt. m/s, each component
+    // within 1e4. What touches is driven along the tangent plane of the contact.
     Vec3 surface_velocity = {};
     Combine friction_rule = Combine::geometric_mean;
     Combine restitution_rule = Combine::maximum;
@@ -45,9 +48,9 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-// Which shapes meet. Two shapes of the same group other than 0 always collide when it is positive
-// and never when it is negative; otherwise they collide when each one's category has a bit in the
-// other's mask.
+// Which shapes meet. Two shapes of one group, other than 0, always meet when it is positive and
+// never when it is negative. All others meet when each one's category has a bit in the other's
+// mask.
 struct Filter {
     std::uint32_t category = 1;
     std::uint32_t mask = 0xffffffff;
@@ -65,17 +68,21 @@ struct ShapeDef {
     Geometry geometry = Box{};
     Transform pose = {};  // of the shape in its body
     Material material = {};
-    double density =
-        1000;  // kg/m^3, > 0 on dynamic bodies: mass, centre of mass and inertia follow from it
-    double mass = 0;  // kg; above 0 it replaces the density
+    // kg/m^3, 1e-6 to 1e6: mass, centre of mass and inertia follow from it. May be 0 for what needs
+    // no density: a shape with a mass of its own, a trigger, a shape of a body that is not dynamic.
+    double density = 1000;
+    double mass = 0;  // kg, 0 to 1e15; above 0 it replaces the density
     Filter filter = {};
-    bool trigger = false;  // touches nothing; reports what is inside it. Adds no mass
-    // Its touching contacts are listed in Events::contacts after each step, with their impulses.
+    // Touches nothing, adds no mass, and reports what is inside it (Events::triggers_entered). Not
+    // for meshes and height fields, which have no inside.
+    bool trigger = false;
+    // Its touching contacts are listed in Events::contacts after each step, with their impulses,
+    // while one of the two bodies is awake.
     bool report_stays = false;
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 
-// Directions in which a body cannot move, as bits: along the world's axes, and about them.
+// Directions in which a dynamic body cannot move, as bits: along the world's axes, and about them.
 using AxisLocks = std::uint8_t;
 inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;  // motion along
 inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16,
@@ -83,16 +90,18 @@ inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16,
 
 struct BodyDef {
     BodyType type = BodyType::dynamic;
-    Transform pose = {};
-    Vec3 linear_velocity = {};   // m/s, of the centre of mass
-    Vec3 angular_velocity = {};  // rad/s, world axes
-    double linear_damping = 0;   // 1/s, >= 0: dv/dt = -damping v
-    double angular_damping = 0;  // 1/s, >= 0
-    double gravity_scale = 1;    // 0 floats, -1 rises
+    Transform pose = {};         // of the body's origin; coordinates within 1e7 m
+    Vec3 linear_velocity = {};   // m/s, of the centre of mass, each component within 1e4
+    Vec3 angular_velocity = {};  // rad/s, world axes, each component within 1e4
+    double linear_damping = 0;   // 1/s, 0 to 1e4: dv/dt = -damping v
+    double angular_damping = 0;  // 1/s, 0 to 1e4
+    double gravity_scale = 1;    // within 1e3: 0 floats, -1 rises
     bool sleep_allowed = true;
     AxisLocks locks = 0;
-    bool continuous = true;       // swept when it moves further than its own thickness in a step
-    double mass = 0;              // kg; above 0: what the shapes give is scaled to it
+    // Swept, so that it passes through nothing, in a step in which a point of it moves further than
+    // half the radius of the ball that fits into its thinnest shape.
+    bool continuous = true;
+    double mass = 0;  // kg, 0 to 1e15; above 0: mass and inertia of the shapes are scaled to it
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 
@@ -110,21 +119,23 @@ enum class BroadPhase : std::uint8_t {
 };
 
 struct WorldDef {
-    Vec3 gravity{0, -9.81, 0};  // m/s^2
+    Vec3 gravity{0, -9.81, 0};  // m/s^2, each component within 1e4
     // Sub-steps per step, 1 to 64: more is stiffer and more exact. Multiplied per island: flat and
-    // slow x1/2, heaps that come to rest x3/2 (where bodies may sleep), more than 40 layers on
-    // little ground x2, mass ratio over 100 on top x4.
+    // slow x1/2, heaps at rest x3/2 (where bodies may sleep), more than 40 layers on little ground
+    // x2, mass ratio of 100 or more on top x4.
     int substeps = 8;
     // Threads per step, 1 to 64. The result has the same bits for any number. Steps of less than
     // two milliseconds use them only where a trial shows that they help (thread_trials.h).
     int threads = 1;
     bool sleeping = true;    // bodies at rest leave the step
     bool continuous = true;  // fast bodies are swept, so that nothing tunnels
-    // Everything happens in the xy plane: bodies move along x and y and turn about z, shapes are
-    // their cross-sections, 1 m deep. Spheres (discs), capsules, boxes, hulls and planes only.
+    // All happens in the xy plane: bodies move along x and y and turn about z. Shapes are their
+    // outlines seen along z, 1 m deep: spheres (discs), capsules, boxes, hulls and planes only.
+    // Poses, velocities and gravity that leave the plane are refused.
     bool planar = false;
     BroadPhase broad_phase = BroadPhase::dynamic_tree;
-    double hit_speed = 1;  // m/s: contacts that begin faster are listed in Events::hits
+    // m/s, 0 to 1e6: contacts that begin at this speed or faster are listed in Events::hits.
+    double hit_speed = 1;
 };
 
 }  // namespace jostle::physics

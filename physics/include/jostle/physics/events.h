@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in the last step, as arrays to read until the next one. Sorted by the ids they
-// name, so the order does not depend on threads. No user code runs inside a step.
+// What happened in the last step, and by calls between the step before and it. Arrays, to read
+// until the next step. Sorted by the ids they name, so the order does not depend on threads. Code
+// that is to run within a step: step_listener.h.
 #pragma once
 
 #include <span>
@@ -15,44 +16,48 @@ namespace jostle::physics {
 struct ContactBegin {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Vec3 point;           // m, world
+    Vec3 point;           // m, world: the middle of the contact points
     Vec3 normal;          // unit, from a to b
     double approach = 0;  // m/s at the start of the step, >= 0
 };
 
-// They parted, or one of them was destroyed (its id is then no longer valid).
+// They parted, or a call moved, changed or destroyed one of them. The id of what was destroyed is
+// no longer valid.
 struct ContactEnd {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
 };
 
-// They press on each other now, and one of the shapes asked (ShapeDef::report_stays).
+// They press on each other now, and one of the shapes asked (ShapeDef::report_stays). One for each
+// pair of shapes: of several manifolds the impulses are summed, point and normal are those of the
+// one that bears most.
 struct ContactStay {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Vec3 point;                   // m, world: the middle of the contact points
-    Vec3 normal;                  // unit, from a to b
-    double normal_impulse = 0;    // N s over the step
-    double friction_impulse = 0;  // N s over the step
-    double penetration = 0;       // m, deepest point; negative: apart
+    Vec3 point;   // m, world: the middle of the contact points
+    Vec3 normal;  // unit, from a to b
+    // N s over the step, taken as that of the last sub-step times the number of sub-steps.
+    double normal_impulse = 0;
+    double friction_impulse = 0;
+    double penetration = 0;  // m, of the deepest point; negative: apart
 };
 
-// They met faster than WorldDef::hit_speed.
+// They met at WorldDef::hit_speed or faster.
 struct ContactHit {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
     Vec3 point;           // m, world
     Vec3 normal;          // unit, from a to b
-    double approach = 0;  // m/s
+    double approach = 0;  // m/s: at the start of the step, or at an impact within it
 };
 
-// A shape came into a trigger, is in it, or left it (or was destroyed).
+// A shape is in a trigger, came into it, or left it. It leaves when it is destroyed, too.
 struct TriggerEvent {
     ShapeId trigger, shape;
     BodyId trigger_body, body;
 };
 
-// A joint's force or torque exceeded what it bears. It is gone; its id is no longer valid.
+// A joint's force or torque exceeded what it bears. The joint is gone; its id is no longer valid.
 struct JointBreak {
     JointId joint;
     BodyId body_a, body_b;
@@ -68,8 +73,8 @@ struct Events {
     std::span<const JointBreak> joints_broke;
     std::span<const BodyId> fell_asleep;
     std::span<const BodyId> woke;
-    // Bodies whose state stopped being a number: they were put back to their last good pose, at
-    // rest.
+    // Bodies whose state was no longer finite, or was faster than 1e6 m/s or rad/s, or further than
+    // 1e8 m from the origin. They are at rest where they were before the step.
     std::span<const BodyId> quarantined;
 };
 

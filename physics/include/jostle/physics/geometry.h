@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The shape kinds as plain data, each in its own local frame, sizes in metres. Small kinds are
-// values; hulls, meshes, height fields and compounds are immutable and shared, made by build_hull,
-// build_mesh, build_height_field and build_compound.
+// The shape kinds as plain data. Each is in its own local frame; sizes are in metres. Small kinds
+// are values. Hulls, meshes, height fields and compounds are immutable and shared; build_hull,
+// build_mesh, build_height_field and build_compound make them.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace jostle::physics {
 
-// Every length of a shape lies in this range; beyond it masses overflow single precision in the
-// contact kernel.
+// Radii, half lengths, half extents and spacings lie in this range, coordinates of points within
+// +-max_shape_size. Beyond it masses overflow single precision in the contact kernel.
 inline constexpr double min_shape_size = 1e-3;  // m
 inline constexpr double max_shape_size = 1e4;   // m
 
@@ -39,7 +39,7 @@ struct Box {
 
 // Everything below a plane through the local origin is solid. Only static bodies may carry one.
 struct Plane {
-    Vec3 normal{0, 1, 0};  // unit length after creation
+    Vec3 normal{0, 1, 0};  // not zero; the world makes it unit length
 
     bool operator==(const Plane&) const = default;
 };
@@ -72,26 +72,26 @@ struct Hull {
     bool operator==(const Hull& other) const;  // of content
 };
 
-// Triangles. Fixed and kinematic bodies only; both sides collide.
+// Triangles. Both sides collide. For static and kinematic bodies only.
 struct Mesh {
     std::shared_ptr<const TriangleMesh> data;  // not null
 
-    bool operator==(const Mesh& other) const;
+    bool operator==(const Mesh& other) const;  // of content
 };
 
-// Heights on a regular grid in the local xz plane. Fixed and kinematic bodies only; both sides
-// collide.
+// Heights along y on a regular grid in the local xz plane. Both sides collide. For static and
+// kinematic bodies only.
 struct HeightField {
     std::shared_ptr<const HeightGrid> data;  // not null
 
-    bool operator==(const HeightField& other) const;
+    bool operator==(const HeightField& other) const;  // of content
 };
 
-// Several convex shapes as one, found through a tree: for bodies of many parts.
+// Several convex shapes as one: for bodies of many parts.
 struct Compound {
     std::shared_ptr<const CompoundShape> data;  // not null
 
-    bool operator==(const Compound& other) const;
+    bool operator==(const Compound& other) const;  // of content
 };
 
 using Geometry =
@@ -117,8 +117,8 @@ inline ShapeKind kind_of(const Geometry& geometry) {
 }
 const char* kind_name(ShapeKind kind);  // "sphere", "height_field", ...
 
-// Sphere, capsule, box, cylinder, cone or hull: what a moving body, a compound's child, a shape
-// cast and an overlap query are made of.
+// Sphere, capsule, box, cylinder, cone or hull. The children of a compound and the shapes of casts
+// and overlap queries must be convex.
 inline bool is_convex(ShapeKind kind) {
     return kind <= ShapeKind::hull && kind != ShapeKind::plane;
 }

@@ -21,7 +21,7 @@ inline constexpr std::size_t max_face_vertices = 64;
 
 struct HullFace {
     Vec3 normal;                         // unit, outward
-    double offset = 0;                   // dot(normal, x) = offset on the face; no vertex is above
+    double offset = 0;                   // m: dot(normal, x) = offset on the face; none is above
     std::uint32_t first = 0, count = 0;  // in face_vertices, counter-clockwise seen from outside
 };
 
@@ -49,10 +49,13 @@ struct ConvexHull {
     }
 };
 
-// The hull of at least four points that do not lie in one plane, in any order; points inside and
-// duplicates are dropped. Quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates on
-// coordinates rounded to 2^-30 of the size, so that no input can break the topology; vertices keep
-// their given coordinates. Faces that agree to 1e-6 of the size are merged.
+// The hull of 4 to max_hull_points points, in any order, that do not lie in one plane. Coordinates
+// are within max_shape_size. Points inside and duplicates are dropped. Triangles that agree to 1e-6
+// of the size are merged into faces. An error names the point or the number that is too large.
+//
+// Quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for Convex Hulls", 1996), on
+// coordinates rounded to 2^-30 of the size: there each question of topology has an exact answer, so
+// no input can break it. Vertices keep the coordinates that were given.
 Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> points);
 
 }  // namespace jostle::physics

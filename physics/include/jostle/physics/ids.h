@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Handles. An id stays valid until its object is destroyed; the generation tells a later object
-// that reuses the index from the one that was meant. Indices are handed out lowest-free-first, so
-// the same calls give the same ids.
+// Handles. An id is valid until its object is destroyed. A later object may have the same index,
+// but not the same generation. The lowest free index is handed out first, so the same calls give
+// the same ids. A default id is null: it names nothing.
 #pragma once
 
 #include <compare>

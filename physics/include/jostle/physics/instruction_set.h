@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which instructions the inner loops use. The library takes the best that the processor has; a
-// program may ask for another to measure it or to prove that the bits are the same. Process-wide;
-// may be changed between steps of any world.
+// Which instructions the inner loops use. The library takes the best that the processor has. A
+// program may ask for another, to measure it or to prove that the bits are the same. Process-wide:
+// change it while no world steps.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 namespace jostle::physics {
 
 enum class InstructionSet {
-    scalar,    // one float at a time: for proofs, and for x86-64 processors without AVX2 and FMA
-               // (older than x86-64-v3), on which it is the only one and many times slower
-    baseline,  // what the target's compiler assumes: NEON on aarch64. Not on x86-64
+    scalar,    // one float at a time: for proofs. The only one on x86-64 processors without AVX2
+               // and FMA, where it is many times slower
+    baseline,  // what the compiler assumes of its target: NEON on aarch64. Not on x86-64
     avx2,      // with FMA
-    avx512,    // AVX-512: contacts sixteen at a time, all else on 256-bit registers
+    avx512,    // contacts sixteen at a time, all else eight at a time, as with avx2
 };
 
 const char* instruction_set_name(InstructionSet set);  // "scalar", "baseline", "avx2", "avx512"
@@ -26,7 +26,7 @@ std::span<const InstructionSet> available_instruction_sets();
 
 InstructionSet instruction_set();  // in use
 
-// An error names the sets that are available.
+// One that is not available is an error that names those that are.
 Status use_instruction_set(InstructionSet set);
 
 }  // namespace jostle::physics

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The limits of what callers may ask for: a call beyond them returns an Error that names them.
+// Limits that many calls share. A call beyond one returns an Error that names it. The range of any
+// other argument stands beside it.
 #pragma once
 
 namespace jostle::physics::limits {
 
-inline constexpr double max_coordinate = 1e7;  // m
-inline constexpr double max_speed = 1e4;       // m/s and rad/s that a caller may set
+inline constexpr double max_coordinate = 1e7;  // m, of each component of a position
+inline constexpr double max_speed = 1e4;       // m/s or rad/s, of each component that a caller sets
 inline constexpr double max_density = 1e6;     // kg/m^3
 inline constexpr int max_substeps = 64;
 inline constexpr int max_threads = 64;

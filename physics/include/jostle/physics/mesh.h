@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangle meshes: built once, immutable, shared.
+// Triangle meshes: built once, immutable, shared by any number of shapes and worlds, from any
+// thread.
 #pragma once
 
 #include <array>
@@ -20,8 +21,8 @@ class Bvh;
 inline constexpr std::size_t max_mesh_triangles = 4u << 20;
 
 struct TriangleMesh {
-    std::vector<Vec3> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Vec3> vertices;                           // m
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // corners, as indices of vertices
 
     // Derived by build_mesh.
     // The triangle across edge k (from corner k to corner k + 1); 0xffffffff: none, or several.
@@ -31,8 +32,9 @@ struct TriangleMesh {
     std::uint64_t content_hash = 0;
 };
 
-// Vertices at the same place count as one when neighbours are sought; triangles without area
-// (narrower than 1e-9 of the size) are dropped. Errors name the vertex or triangle.
+// Of 1 to max_mesh_triangles; coordinates within max_shape_size. Vertices at the same place count
+// as one when neighbours are sought. Triangles without area (narrower than 1e-9 of the mesh's size)
+// are dropped. An error names the vertex or the triangle.
 Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 

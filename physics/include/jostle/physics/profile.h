@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the last step cost and did. Times are wall-clock and so differ from run to run; counters are
-// exact.
+// What the last step cost and did. Times are of the wall clock and differ from run to run; counters
+// are exact.
 #pragma once
 
 #include <array>
@@ -33,19 +33,24 @@ struct StepProfile {
     std::array<double, stage_count> stage_ms{};  // 0 when the stage was skipped
     // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
     std::array<const char*, stage_count> stage_skipped{};
-    double step_ms = 0;              // of all stages
-    int bodies_awake = 0;            // dynamic and kinematic bodies that the step moved
-    int bodies_asleep_in_place = 0;  // bodies at rest in islands that are awake elsewhere
-    int bodies_in_solver = 0;        // of those, the ones with a manifold; the others fly free
-    int bodies_flat = 0;    // of those, the ones in flat and slow islands: half the sub-steps
-    int bodies_tall = 0;    // ... in tall islands: twice the sub-steps
-    int bodies_heavy = 0;   // ... and in islands with a heavy load: four times the sub-steps
-    int pairs = 0;          // shapes whose fat boxes overlap
+    double step_ms = 0;    // the sum of stage_ms
+    int bodies_awake = 0;  // dynamic bodies that are awake, and all kinematic ones
+    // Bodies that sleep in an island that moves elsewhere. Not among bodies_awake.
+    int bodies_asleep_in_place = 0;
+    // Of bodies_awake: dynamic bodies with a manifold or a joint. All others are moved without the
+    // solver.
+    int bodies_in_solver = 0;
+    int bodies_flat = 0;   // of bodies_in_solver: in flat and slow islands, half the sub-steps
+    int bodies_tall = 0;   // ... in tall islands, twice the sub-steps
+    int bodies_heavy = 0;  // ... in islands with a heavy load, four times the sub-steps
+    // Pairs of shapes that are followed, awake or asleep; a pair with a mesh, a height field or a
+    // compound counts once more for each of its manifolds.
+    int pairs = 0;
     int pairs_checked = 0;  // narrow phase calls
-    int manifolds = 0;      // awake, in the constraint graph
-    int touching = 0;       // of those, the ones that press
+    int manifolds = 0;      // that exist, but for those of sleeping islands
+    int touching = 0;       // of manifolds: the ones that press
     int islands_awake = 0;
-    int joints = 0;        // of awake bodies
+    int joints = 0;        // that were solved: of bodies_in_solver
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
 };
 

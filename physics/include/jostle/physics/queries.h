@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Questions to a world between steps, or to a copy of one. Answers do not depend on the broad
-// phase's internals: ties go to the lower id.
+// phase: ties go to the lower id. Positions, motions and distances are in metres, each component
+// within 1e7 (limits.h).
 #pragma once
 
 #include <cstdint>
@@ -22,12 +23,12 @@ namespace jostle::physics {
 struct QueryFilter {
     std::uint32_t categories = 0xffffffff;  // shapes whose Filter::category has a bit in here
     bool triggers = false;                  // whether triggers are seen
-    BodyId ignore = {};                     // a body that is not seen
+    BodyId ignore = {};                     // a body that is not seen; null: all are
 };
 
 struct Ray {
     Vec3 origin = {};  // m
-    Vec3 motion = {};  // m: the ray ends at origin + motion
+    Vec3 motion = {};  // m, not zero: the ray ends at origin + motion
 };
 
 struct RayHit {
@@ -42,7 +43,7 @@ struct RayHit {
 struct ShapeCast {
     Geometry geometry = {};  // convex
     Transform pose = {};     // where it starts
-    Vec3 motion = {};        // m
+    Vec3 motion = {};        // m; may be zero
 };
 
 struct ShapeCastHit {
@@ -56,19 +57,19 @@ struct ShapeCastHit {
 struct ClosestPoint {
     ShapeId shape = {};
     BodyId body = {};
-    double distance = 0;  // m; negative inside a solid shape: the way out
+    double distance = 0;  // m; negative inside a solid shape: the shortest way out
     Vec3 point = {};      // m, world, on the shape's surface
     Vec3 normal = {};     // unit, out of the shape
 };
 
 // How two shapes stand to each other.
 struct ShapeDistance {
-    double distance = 0;  // m; negative: the depth of the overlap (least way to part them)
+    double distance = 0;  // m; negative: the depth of the overlap, the shortest way to part them
     Vec3 normal = {};     // unit, from a to b
     Vec3 point_a = {}, point_b = {};  // m, world, on the surfaces; the closest or the deepest pair
 };
 
-// The points where two shapes touch: what the solver works on.
+// The points where two shapes touch, as the solver gets them: 1 to 4.
 struct ContactManifold {
     Vec3 normal = {};  // unit, from a to b
     struct Point {
@@ -78,12 +79,13 @@ struct ContactManifold {
     std::vector<Point> points;
 };
 
-// Convex kinds and planes (not both planes). Signed distance of the two solids.
+// The signed distance of two solids: convex kinds and planes, but not two planes.
 Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const Geometry& b,
                                const Transform& pose_b);
 
-// What the narrow phase finds, for any two kinds; one manifold per flat piece of a mesh, height
-// field or compound. Points further apart than `margin` (m, >= 0) are left out.
+// What the narrow phase finds for any two kinds: a manifold for each flat piece of a mesh or height
+// field and each child of a compound, else one or none. Points further apart than `margin` (m, 0 to
+// 1e6) are left out.
 Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Transform& pose_a,
                                                     const Geometry& b, const Transform& pose_b,
                                                     double margin);
@@ -91,18 +93,19 @@ Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Tra
 class QuerySource;
 
 // Queries on one moment of a world: on the world itself (World::queries, good until the world
-// changes) or on a copy of it (World::query_frame, good for ever). Const calls may come from many
-// threads at once. Each checks its arguments; an Error names the one that was wrong.
+// changes or ends) or on a copy of it (World::query_frame, good for ever). Many threads may ask at
+// once. Each call checks its arguments; an Error names the one that was wrong, of several questions
+// with its number.
 class Queries {
 public:
     explicit Queries(std::shared_ptr<const QuerySource> source);
 
-    // The step after which this moment was taken.
+    // World::step_count() of this moment.
     std::uint64_t step() const;
 
     // The first shape along the ray; nothing when it meets none.
     Result<std::optional<RayHit>> cast_ray(const Ray& ray, const QueryFilter& filter = {}) const;
-    // Whether it meets any shape: cheaper.
+    // Whether the ray meets any shape. Cheaper: it ends at the first that is found.
     Result<bool> ray_hits_any(const Ray& ray, const QueryFilter& filter = {}) const;
     // Every shape along the ray, each once where it is entered, by fraction, then by id.
     Result<std::vector<RayHit>> cast_ray_all(const Ray& ray, const QueryFilter& filter = {}) const;
@@ -116,19 +119,21 @@ public:
     // Every shape that it touches, each once, by fraction, then by id.
     Result<std::vector<ShapeCastHit>> cast_shape_all(const ShapeCast& cast,
                                                      const QueryFilter& filter = {}) const;
+    // One answer per cast, in their order.
     Result<std::vector<std::optional<ShapeCastHit>>> cast_shapes(
         std::span<const ShapeCast> casts, const QueryFilter& filter = {}) const;
 
-    // Shapes whose bounds overlap the box, by id. Exact for the bounds, not for the shapes.
+    // Shapes whose bounding boxes overlap the box, by id. The shapes themselves may miss it.
     Result<std::vector<ShapeId>> overlap_box(const Aabb& box, const QueryFilter& filter = {}) const;
-    // Shapes that a convex shape in that pose touches, by id.
+    // Shapes that a convex shape in that pose overlaps, by id.
     Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry, const Transform& pose,
                                                const QueryFilter& filter = {}) const;
     // Shapes that hold the point, by id. Meshes and height fields are surfaces and hold none.
     Result<std::vector<ShapeId>> shapes_at(Vec3 point, const QueryFilter& filter = {}) const;
-    // The nearest shape within max_distance of the point.
+    // The nearest shape within max_distance of the point, if any.
     Result<std::optional<ClosestPoint>> closest_point(Vec3 point, double max_distance,
                                                       const QueryFilter& filter = {}) const;
+    // One answer per point, in their order.
     Result<std::vector<std::optional<ClosestPoint>>> closest_points(
         std::span<const Vec3> points, double max_distance, const QueryFilter& filter = {}) const;
 

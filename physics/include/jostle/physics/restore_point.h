@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A moment of a world in memory, to go back to: for rollback, where every tick keeps one and a late
-// command goes back a few. Faster than bytes (snapshot.h), good only within the process; geometry
-// is shared with the world, never copied.
+// A moment of a world in memory, to go back to. For rollback: every tick keeps one, and when a
+// command comes late the world goes back a few ticks. Faster than bytes (snapshot.h), but good only
+// within the process. Geometry is shared with the world, never copied.
 //
 //     RestorePoint before;
-//     before.keep(world);      // 16.7 ms of play that turn out wrong follow
-//     before.restore(world);   // the same bits as at keep()
+//     before.keep(world);
+//     world.step(1.0 / 60).expect();
+//     before.restore(world).expect();   // the same bits as at keep()
 //
-// Thread rule: keep() and restore() count as a const and a non-const call of the world; a point is
-// used by one thread at a time.
+// Thread rule: keep() counts as a const call of the world, restore() as a non-const one (world.h).
+// One thread at a time uses a point.
 #pragma once
 
 #include <memory>
@@ -31,14 +32,14 @@ public:
 
     bool empty() const { return !kept_; }
 
-    // Copies all that the next step depends on. What it kept before is forgotten; its memory is
-    // used again, so that a point kept for long allocates nothing.
+    // Copies all that the next step depends on. Forgets what was kept before and uses its memory
+    // again.
     void keep(const World& world);
 
-    // The world, this one or another, goes on with the same bits as the one that was kept: ids,
-    // state_hash(), later steps and their events. It keeps its number of threads; events() is empty
-    // until the next step, profile() stays. Modules that it lacks are made by the registry
-    // (module.h), those that were not there are removed; listeners that are no modules stay. May be
+    // Makes any world what the kept one was: it goes on with the same bits, in ids, state_hash(),
+    // later steps and their events. The world keeps its number of threads and its profile();
+    // events() is empty until the next step. Modules that the world lacks are made by the registry
+    // (module.h), those that were not kept are removed; listeners that are no modules stay. May be
     // repeated. An empty point is refused (failed_precondition), and a module that this program
     // does not know (not_found).
     Status restore(World& world) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A world as bytes. What is saved, hashed and compared is one field list
-// (src/persist/field_list.h), so none of the three can forget a field that another has. A loaded
-// world continues with the same bits as the one that was saved.
+// A world as bytes. One field list (src/persist/field_list.h) says what is saved, hashed and
+// compared, so none of the three can forget a field that another has. A loaded world goes on with
+// the same bits as the one that was saved. All calls are const calls of the world (world.h).
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,16 @@ class World;
 
 std::vector<std::byte> save(const World& world);
 
-// Foreign bytes are checked in full: an error names the field and the offset.
+// Foreign bytes are checked in full: mark, version, length, checksum, each field, and whether the
+// fields agree. An error (corrupt_data) says what was wrong and in which field. The world has one
+// thread until World::set_threads().
 Result<World> load(std::span<const std::byte> bytes);
 
 // 64 bits over everything that the next step depends on.
 std::uint64_t state_hash(const World& world);
 
-// The first field in which two worlds differ, with both values: "bodies[3].pose.position.y: 0.5
-// against 0.49"; nothing when they are equal.
+// The first field in which two worlds differ, with both values: "bodies.awake[3].center.y: 0.5
+// against 0.49". Nothing when they are equal.
 std::optional<std::string> first_difference(const World& a, const World& b);
 
 }  // namespace jostle::physics

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether worlds of several threads find out by trial what short steps are worth to them
-// (WorldDef::threads). They do unless told otherwise. Which thread does what changes no bit; a
-// program that is to prove that has every step shared. Process-wide; may be changed between steps
-// of any world.
+// A world of several threads shares a step of less than two milliseconds among them only where a
+// trial shows that it gains (WorldDef::threads). Trials go by the clock. They change no bit of a
+// step; a program that proves so turns them off. Process-wide, on by default, any thread.
 #pragma once
 
 namespace jostle::physics {
 
-// false: every step is shared, whatever it costs.
+// false: every step is shared, however short it is.
 void use_thread_trials(bool on);
 
 }  // namespace jostle::physics

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Manifolds that may touch in this step enter the constraint graph. After wake_bodies: both bodies
-// are awake.
+// Manifolds that may touch in this step enter the constraint graph. After wake_before_solve: what
+// they meet asleep is awake by now.
 //
 // Reads: ContactScratch::begins, and the manifolds found. Writes: constraint graph, contacts,
-// islands' colour sets.
+// islands' colour sets. Leaves nothing in scratch.
 #pragma once
 
 #include "stages/step_context.h"

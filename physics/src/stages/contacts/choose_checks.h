@@ -3,8 +3,9 @@
 // Which pairs the narrow phase looks at in this step: those whose separation bound may be used up,
 // and those whose manifold is to be rebuilt.
 //
-// Reads: bodies, the constraint graph's flags. Writes: separation bounds. Leaves in scratch:
-// ContactScratch::checks with space for their results, and had_contacts.
+// Reads: motion bounds of bodies, the constraint graph's flags. Writes: separation bounds, of which
+// those that are used up leave the list. Leaves in scratch: ContactScratch::checks with space for
+// their results, and had_contacts for look_at_pair and solve_continuous (ccd_policy.h).
 #pragma once
 
 #include "stages/step_context.h"

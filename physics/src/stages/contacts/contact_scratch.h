@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the narrow phase hands on within a step, and uses again in the next: choose_checks fills the
-// checks, look_at_pair their results, decide_contacts what begins.
+// What the narrow phase hands on within a step, and uses again in the next. choose_checks fills the
+// checks, look_at_pair their results, decide_contacts what begins; begin_contacts reads that.
 #pragma once
 
 #include <atomic>
@@ -33,7 +33,7 @@ struct ContactCheck {
 struct FoundPart {
     PartManifold part;
     double gap_ahead = 0;
-    std::uint32_t contact = 0xffffffff;  // that had it before
+    std::uint32_t contact = 0xffffffff;  // whose manifold it continues; none: it may begin
 };
 
 // A manifold that enters the constraint graph: of a check, and which part of it (-1: the check's
@@ -44,7 +44,7 @@ struct NewContact {
 };
 
 struct ContactScratch {
-    std::vector<std::uint8_t> due;  // by separation bound: it is used up
+    std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
     std::vector<ContactCheck> checks;
     std::int32_t part_lists = 0;  // given to checks of composite pairs
     // Of checks without a lane, as far as fresh_count, in any order.
@@ -52,7 +52,8 @@ struct ContactScratch {
     std::atomic<int> fresh_count = 0;
     std::vector<std::vector<FoundPart>> parts;
     std::vector<NewContact> begins;
-    std::vector<std::uint8_t> had_contacts;  // by awake body: when the step began
+    // By awake body: whether it had contacts in the constraint graph when the step began.
+    std::vector<std::uint8_t> had_contacts;
 };
 
 }  // namespace jostle::physics

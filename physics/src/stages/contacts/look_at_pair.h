@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The narrow phase of one pair: where it touches, or by how much it is apart. A manifold that goes
-// on is written into its lane at once; one that may begin is kept for decide_contacts.
+// on is written into its lane at once; one that may begin is kept.
 //
-// Reads: bodies, shapes. Writes: the pair's own lane and cache, so pairs may be looked at on many
-// threads. Leaves in scratch: the check's result, ContactScratch::fresh or parts.
+// Reads: bodies, shapes. Writes: the pair's own lanes and cache, so pairs may be looked at on many
+// threads. Leaves in scratch: the check's result for decide_contacts; the manifolds found, in
+// ContactScratch::fresh or parts, for begin_contacts.
 #pragma once
 
 #include "stages/contacts/contact_scratch.h"

@@ -4,12 +4,12 @@
 // step, and those of its start are old when they are needed:
 //
 // - Where bodies roll or rock on each other, normal and point of contact go along. A force that
-//   lags half a step behind the way which it opposes feeds it: what swings with an angular
+//   lags half a step behind the motion that it opposes feeds it: what swings with an angular
 //   frequency of w gains w^2 dt / 4 of its amplitude in a second (a plank on a ball would double
-//   its swing in 20 s). What is in touch is looked at in the middle of the step, which makes
+//   its swing in 20 s). So what is in touch is looked at in the middle of the step, which makes
 //   contacts of second order in dt, as the midpoint rule is.
-// - What comes from afar touches elsewhere than where it is nearest now. It is looked at where it
-//   meets.
+// - What comes from afar touches elsewhere than where it is nearest now. So it is looked at where
+//   it meets.
 #pragma once
 
 #include <optional>
@@ -28,9 +28,10 @@ public:
     const Placed& shape_a() const { return a_.shape; }
     const Placed& shape_b() const { return b_.shape; }
 
-    // From a manifold as it will be to its gaps at the start of the step, and to points from which
-    // the solver gets to where they will be (PairBodies::follow). `way`, m: how far the two may
-    // move against each other until then, at most; two that do not touch may be nearer by it.
+    // Takes a manifold of that time back to the start of the step: its gaps become those of the
+    // start, its points those from which the solver gets to where they will be
+    // (PairBodies::follow). `way`, m: how far the two may move against each other until then, at
+    // most; two that do not touch may be nearer by it.
     void count_back(Manifold& manifold, double way) const;
 
 private:
@@ -47,11 +48,11 @@ private:
     Side a_, b_;
 };
 
-// s: the middle of the forces of a step, for two that touch and move by `way` against each other,
-// m; else 0.
+// s from the start of the step: the middle of its forces, for two that touch and move against each
+// other by `way`, m; else 0.
 double time_to_middle(const WorldState& world, const Contact& contact, double way, double dt);
 
-// s: when two meet in this step; 0 if they touch now.
+// s from the start of the step: when two meet in it; 0 if they touch now, nothing if they do not.
 std::optional<double> time_to_meeting(const WorldState& world, const Contact& contact, double dt);
 
 double smallest_gap(const Manifold& manifold);  // m

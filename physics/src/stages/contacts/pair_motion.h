@@ -8,14 +8,14 @@
 namespace jostle::physics {
 
 struct BodyMotion {
-    Vec3 center, v, w;
+    Vec3 center, v, w;  // m, m/s, rad/s
 };
 inline BodyMotion motion_of(const WorldState& world, std::uint32_t body) {
     const BodyWarm& warm = warm_of(world, body);
     return {warm.center, warm.v, warm.w};
 }
 
-// How far two bodies move against each other in a step, at most.
+// How far any two points of the bodies move against each other in a step, at most, m.
 inline double closing_way(const WorldState& world, const Contact& c, double dt) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const BodyMotion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);

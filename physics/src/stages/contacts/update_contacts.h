@@ -3,6 +3,10 @@
 // Narrow phase: where pairs touch. Chooses the pairs whose bodies could have met and the manifolds
 // that moved too far to be reused (choose_checks), looks at each on any thread (look_at_pair), and
 // decides one after the other what follows (decide_contacts). All others keep what they have.
+//
+// Reads: bodies, shapes, pairs. Writes: separation bounds, manifolds that go
+// on, contacts that end, wake requests. Leaves in scratch: ContactScratch::begins for
+// begin_contacts, had_contacts for solve_continuous (ccd_policy.h).
 #pragma once
 
 #include "stages/step_context.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which shapes a body under way may meet: those in the trees, the planes, and all bodies that were
-// fast in this step, by their ways. Reads the world; for one thread.
+// Which shapes a body under way may meet: those in the trees, the planes, and those of all bodies
+// that were fast in this step, by their ways. Part of solve_continuous: reads the world, writes
+// itself alone. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace jostle::physics {
 
 class CcdCandidates {
 public:
-    // `before`: of the step, by awake index. `fast`: awake indices of the fast bodies. Both live as
-    // long.
+    // `before`: bodies before the step, by awake index. `fast`: awake indices of the fast bodies.
+    // Both outlive this.
     CcdCandidates(const WorldState& world, const std::vector<BodyWarm>& before,
                   const std::vector<std::uint32_t>& fast)
         : world_(world), before_(before), fast_(fast) {}
@@ -30,9 +31,9 @@ public:
     void for_each_swept(const Aabb& box, Visit&& visit) const {
         swept_.query(box, visit);
     }
-    // Puts a body's shapes into an ordered list that may know them.
+    // Puts a body's shapes into an ordered list, if they are not in it yet.
     void insert(std::uint32_t body, std::vector<std::uint32_t>& near) const;
-    // Orders a list, without the body's own shapes and what only triggers.
+    // Orders a list, and takes out the body's own shapes and triggers.
     void tidy(std::uint32_t body, std::vector<std::uint32_t>& near) const;
 
 private:

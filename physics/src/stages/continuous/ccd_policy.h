@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pairs are swept, and who resolves their impacts. Two stages must agree on both: what
-// update_contacts foresees the contact solver resolves, all else solve_continuous.
+// Which pairs are swept, and who resolves their impacts. Two stages must agree on both. What
+// update_contacts foresees, the contact solver resolves; all else solve_continuous does. Both read
+// ContactScratch::had_contacts, which choose_checks leaves.
 #pragma once
 
 #include "foundation/tuning.h"
@@ -18,8 +19,8 @@ inline bool had_contacts(const StepContext& step, const BodyCold& cold) {
 }
 
 // How far a body may move against another in a step without a sweep, m. In a crowd, where one of
-// the two already leans on others, their sizes count together: impacts there come in chains, which
-// the contact solver resolves all at once and sweeps only one after the other.
+// the two already leans on others, their inner radii count together: impacts there come in chains,
+// which the contact solver resolves all at once and sweeps only one after the other.
 inline double motion_without_sweep(const StepContext& step, const BodyCold& mover,
                                    const BodyCold& other) {
     double size = mover.inner_radius;
@@ -29,9 +30,10 @@ inline double motion_without_sweep(const StepContext& step, const BodyCold& move
 }
 
 // Whether the contact solver resolves the impact of two shapes that are swept, along with what
-// holds their bodies: from a sweep they would go on without it. What hangs on joints would leave
-// them, and what leans on others would hit them in turn. Of bodies without joints only what does
-// not bounce: what does has the rest of the step to go back, which the solver does not give it.
+// holds their bodies. A sweep would let them go on without that: what hangs on joints would leave
+// them, and what leans on others would hit them in turn. Of bodies without joints it resolves only
+// what does not bounce: what bounces has the rest of the step to go back, which the solver does not
+// give it.
 inline bool uses_speculative_contact(const StepContext& step, std::uint32_t shape_a,
                                      std::uint32_t shape_b) {
     const WorldState& world = step.world;

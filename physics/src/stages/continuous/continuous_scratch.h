@@ -11,7 +11,7 @@
 namespace jostle::physics {
 
 struct ContinuousScratch {
-    std::vector<std::vector<std::uint32_t>> ahead;  // by fast body: shapes it may meet
+    std::vector<std::vector<std::uint32_t>> ahead;  // by fast body: shapes that it may meet
     std::vector<ToiBody> changed;                   // those that an impact sent another way
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways of all bodies that were fast in this step, as boxes in a tree: two may meet where
-// neither is any more, so the trees of shapes do not know it.
+// The ways of all bodies that were fast in this step, as boxes in a tree. Two may meet where
+// neither is any more, which the trees of shapes do not show.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ public:
         return body < leaf_.size() && leaf_[body] != DynamicTree::null_node;
     }
 
-    // All at once: by way_of(body), each body once.
+    // All at once: way_of(body) is a body's box. Each body once.
     template <class WayOf>
     void set_all(const std::vector<std::uint32_t>& bodies, WayOf&& way_of) {
         for (const std::uint32_t body : bodies) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How bodies moved in a step, as far as it takes to tell whether two may have met: for those whose
-// ways are known once, because each is asked for by all its neighbours.
+// How bodies moved in a step, as far as it takes to tell whether two may have met. The motions of
+// those whose ways are known are computed once, because all their neighbours ask for them. Part of
+// solve_continuous: reads the world and FinalizeScratch, writes itself alone.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,8 @@
 namespace jostle::physics {
 
 struct SweptMotion {
-    Vec3 center, motion;  // m: at the start, and from there to the end
-    double turning = 0;   // m, of any of its points
+    Vec3 center, motion;  // m: at the start of the step, and from there to its end
+    double turning = 0;   // m: how far turning carries any of its points, at most
 };
 
 class SweptMotions {

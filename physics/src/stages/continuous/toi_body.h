@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A body under way between two steps, as solve_continuous follows it from impact to impact.
+// A body under way within a step, as solve_continuous follows it from impact to impact.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,29 @@ namespace jostle::physics {
 // One end of an impact, or one body under way.
 struct ToiBody {
     std::uint32_t body = none;
-    // A gyroscopic body does not turn evenly: its way is cut into legs, each from where it really
-    // is to where it really will be.
+    // How it goes on. A gyroscopic body does not turn evenly: its way is cut into legs, each from
+    // where it really is to where it really will be.
     Sweep sweep;
     Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
     // The spin and the attitude at one moment of the step; at others Euler's equations give it.
     double spin_at = 1;  // fraction
     Vec3 spin;           // rad/s
     Quat spin_rotation;
-    Quat end_rotation;  // at the end of the step, when it is not met before
-    Vec3 end_spin;
+    Quat end_rotation;     // at the end of the step, if no impact comes before
+    Vec3 end_spin;         // rad/s, then
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
-    // The first impact that is known, if any.
-    bool checked = false, queued = false;
+    bool checked = false;                 // the impact below is the first on its way
+    bool queued = false;                  // on the list of those that are to look
     std::uint32_t anew_in = 0;            // the round in which it last looked at everything
     std::vector<std::uint32_t> diverted;  // bodies that go another way since then
-    double fraction = Impact::never;
+    // The first impact that is known, if any.
+    double fraction = Impact::never;  // of the step
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;
-    Aabb swept;                             // holds all that is left of it
-    std::vector<std::uint32_t> candidates;  // shapes that may be in it, in order and once each
+    Aabb swept;                             // holds all that is left of its way
+    std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
 };
 
 // From where a step found a body to where it took it.
@@ -62,7 +63,8 @@ struct Departure {
 void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& from, double dt);
 // Whether it has used up its impacts and is where it will be when the step ends.
 bool is_exhausted(const ToiBody& t);
-// Its body is where the way ends, and moves as it did there.
+// Puts its body where its way ends, with the velocity that it has there: warm record, motion bound,
+// fat boxes.
 void finish_toi(WorldState& world, const ToiBody& t, double dt);
 
 }  // namespace jostle::physics

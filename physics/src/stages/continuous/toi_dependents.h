@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Who expects to meet a body next, so that they can be told when it goes another way. An
-// expectation that has changed meanwhile stays until somebody asks: who takes one looks whether it
-// still holds.
+// expectation that no longer holds stays until it is taken: who takes it looks whether it holds.
 #pragma once
 
 #include <cstddef>

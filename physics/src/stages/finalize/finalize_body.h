@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The end of a step for one body: new pose and velocity into its warm record, travel, rest time,
-// and whether it left its fat boxes. Touches this body only, so bodies may be finalized on many
+// The end of a step for one body. Touches this body only, so bodies may be finalized on many
 // threads.
+//
+// Writes: pose, velocity and time at rest in its warm record, whose force is used up; its motion
+// bound; new fat boxes of shapes that left theirs, of which no tree is told yet. Leaves in scratch:
+// its flags and `before` in FinalizeScratch.
 #pragma once
 
 #include "constraints/free_motion.h"
@@ -14,8 +17,8 @@ namespace jostle::physics {
 // Makes space for the flags of each awake body; serially, before the first finalize_body of a step.
 void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch);
 
-// A state that is not finite is not taken over: the body stays where it was, at rest, and is
-// flagged for quarantine.
+// A state that is not finite, or is faster or further away than is sound (tuning.h), is not taken
+// over: the body stays where it was, at rest, and is flagged for quarantine.
 void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion);
 
 }  // namespace jostle::physics

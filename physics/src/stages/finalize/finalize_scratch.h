@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What finalize_body finds out about each awake body, for the stages after it.
+// What finalize_body finds out about each awake body, for finalize, solve_continuous and
+// quarantine. Bodies that wake later in the step have no place here.
 #pragma once
 
 #include <atomic>
@@ -12,15 +13,17 @@
 
 namespace jostle::physics {
 
-// All by awake body.
 struct FinalizeScratch {
+    // By awake body: flags.
     std::vector<std::uint8_t> left_fat_aabb;  // some shape of it did
-    std::vector<std::uint8_t> not_finite;
-    std::vector<std::uint8_t> fast;     // moved far, to be swept
-    std::vector<std::uint8_t> strayed;  // fast, and not where its fat boxes foresaw
+    std::vector<std::uint8_t> not_finite;     // or too fast or too far: to be quarantined
+    std::vector<std::uint8_t> fast;           // moved far: to be swept
+    std::vector<std::uint8_t> strayed;        // fast, and not where its fat boxes foresaw
     // Not fast, and did not go as its velocity says: contacts turned it round in the step.
     std::vector<std::uint8_t> thrown;
-    std::vector<BodyWarm> before;  // before the step, of what is fast or was thrown
+    // By awake body: its record before the step, if it is fast or was thrown.
+    std::vector<BodyWarm> before;
+
     std::atomic<int> any_fast = 0;
     // Free bodies that are moved sub-step by sub-step: how they move now, and who they are.
     std::vector<BodyWarm> moving;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies without a manifold: exact parabola under constant force, symmetric free rotation that
-// keeps the angular momentum. Writes pose and velocity of the warm records.
+// Bodies that nothing holds (no manifold, no joint), and all kinematic ones: an exact parabola
+// under constant force, and a free rotation that keeps energy and angular momentum
+// (constraints/free_motion.h). After link_islands, whose events want the velocities from before.
+//
+// Reads: SolverScratch::free, warm records, gravity. Writes: what finalize_body does. Leaves in
+// scratch: FinalizeScratch with space for all awake bodies, filled for those that are free.
 #pragma once
 
 #include "stages/step_context.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What prepare_islands and link_islands use again from step to step.
+// What prepare_islands and link_islands use again from step to step. Nothing in it is for a later
+// stage.
 #pragma once
 
 #include <cstdint>

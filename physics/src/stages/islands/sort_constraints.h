@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Lanes come and go, and in time those of a colour lie in any order. Threads that share a colour
-// take each its part of the lanes, and had to fetch bodies from each other's caches in every one.
+// Lanes come and go, and in time those of a colour lie in any order. Then each thread that shares
+// the colours would fetch bodies from the caches of the others in each of them.
+//
+// Reads and writes: the slots of contacts in the constraint graph. Part of prepare_islands.
 #pragma once
 
 #include "stages/step_context.h"

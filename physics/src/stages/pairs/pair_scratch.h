@@ -9,15 +9,15 @@
 
 namespace jostle::physics {
 
-// What one task of update_pairs found.
+// What one grain of update_pairs found, which is some of the shapes that moved.
 struct NewPairs {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // shapes
     std::vector<std::uint32_t> near;                             // shapes, of one query
 };
 
 struct PairScratch {
-    std::vector<NewPairs> new_pairs;        // of some of the shapes that moved each
-    std::vector<std::uint32_t> in_trigger;  // shapes, of one query
+    std::vector<NewPairs> new_pairs;        // by grain; the first ends up with those of all
+    std::vector<std::uint32_t> in_trigger;  // shapes, of one query of update_triggers
 };
 
 }  // namespace jostle::physics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What update_sleep uses again from step to step.
+// What update_sleep and put_parts_to_sleep use again from step to step. Nothing in it is for a
+// later stage.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,9 @@ namespace jostle::physics {
 struct SleepScratch {
     // By island: the time at rest of its most restless and of its most restful body, s.
     std::vector<double> shortest, longest;
-    // By hot index: moves; or touches one that does, or is jointed to one of either.
-    std::vector<std::uint8_t> restless, beside;
+    std::vector<std::uint8_t> restless;  // by hot index: has not rested for long
+    // By hot index: restless, touches one that is, or is jointed to one of either.
+    std::vector<std::uint8_t> beside;
     std::vector<std::uint32_t> resting;  // by island: bodies that could sleep in place, or do
     std::vector<std::uint32_t> falling_asleep;  // bodies
 };

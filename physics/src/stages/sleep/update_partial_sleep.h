@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of islands that do not rest as a whole: what has been still for long, and touches nothing
-// that has not, falls asleep in place. It is to wake when something that touches it moves, or when
-// the force at one of its contacts with what moves is no longer what it was. Load by load a change
-// goes as far as it is felt.
+// Parts of islands that do not rest as a whole. What has been still for long, and touches nothing
+// that has not, falls asleep in place. It wakes when something that touches it moves, or when the
+// force at one of its contacts with what is awake is no longer what it was. So a change of load
+// goes from body to body, as far as it is felt.
 #pragma once
 
 #include "stages/step_context.h"
 
 namespace jostle::physics {
 
-// Reads: SleepScratch::longest, times at rest, loads. Writes: sleep in place, and its events.
+// In update_sleep, every eighth step. Reads: SleepScratch::longest, times at rest, contacts,
+// joints. Writes: which bodies sleep in place, the loads that they bear, and sleep events.
 void put_parts_to_sleep(StepContext& step);
 
-// Before anything is solved: files wake requests for what is disturbed.
+// In wake_before_solve. Reads: bodies that sleep in place and what touches them. Files wake
+// requests for those that are disturbed.
 void file_disturbances(StepContext& step);
 
 }  // namespace jostle::physics

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Resting islands leave the awake set.
+// Resting islands leave the awake set; of an island that does not rest as a whole, parts that do
+// fall asleep in place (update_partial_sleep.h). An island that is in parts is split before, one in
+// a step.
+//
+// Reads: times at rest (finalize_body), SolverScratch::jointed, contacts with kinematic bodies.
+// Writes: islands, body sets, manifolds out of the constraint graph, sleep and end events; time at
+// rest of what a moving kinematic body carries or tows becomes 0. Leaves nothing in scratch.
 #pragma once
 
 #include "stages/step_context.h"

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The sub-step loop over colours: velocities from forces and contacts, motion from velocities.
-// Leaves its result in the hot records.
+// The sub-step loop: velocities from forces, joints and contacts, motion from velocities. Soft
+// contacts with relaxation (Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024).
+//
+// Reads: awake bodies, joints, Island::colour_set, StepContext::contacts. Writes: impulses, gaps
+// and flags (touching_now, needs_rebuild) in the constraint graph, impulses and loads of joints;
+// joints that broke, with their events. The warm records stay as they were. Leaves in scratch:
+// SolverScratch::hot, bodies and is_gyroscopic for finalize, free for integrate_free, jointed for
+// update_sleep; bodies and free also when there is nothing to solve.
 #pragma once
 
 #include "stages/step_context.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The joint passes of solve_constraints, beside the contacts.
+// The joint passes of solve_constraints, beside the contacts. In the order of the functions below:
+// prepare, then solve and relax in each sub-step, finish, and break when all tasks are done.
+//
+// Read: joints, warm records. Write: SolverScratch::hot, JointTask::levels; at the end impulses and
+// loads of joints.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +15,27 @@
 
 namespace jostle::physics {
 
-// The joints of one task of the solver: of these bodies, by hot index. Tasks may be solved at the
-// same time.
+// The joints of one task of the solver: of `bodies`, by hot index. Tasks may be solved at the same
+// time.
 struct JointTask {
     JointLevels& levels;
     std::span<const std::uint32_t> bodies;
 };
 
-// Finds the joints and writes what the kernels read. After the hot records were made. h: sub-step,
-// s.
+// Finds the joints and writes what the kernels read. After the hot records were made. h: s, of a
+// sub-step, here and below.
 void prepare_joints(StepContext& step, const JointTask& task, double h);
 // Whether threads share most of the passes below.
 bool shares_levels(const JointTask& task);
-// What joints did in the sub-step before, again, and a pass with push.
+// Warm start with what the joints did in the sub-step before, and a soft pass that pulls them
+// together.
 void solve_joints(StepContext& step, const JointTask& task, double h);
+// A rigid pass without that pull.
 void relax_joints(StepContext& step, const JointTask& task, double h);
-// After the last sub-step: loads into the joints.
+// After the last sub-step: impulses and loads into the joints.
 void finish_joints(StepContext& step, const JointTask& task);
-// After all tasks: what was overloaded breaks. Adds up the profile's joints.
+// After all tasks, serially: what was overloaded breaks, in order of joints, and becomes an event.
+// Counts the profile's joints.
 void break_joints(StepContext& step);
 
 }  // namespace jostle::physics

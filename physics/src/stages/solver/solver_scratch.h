@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What solve_constraints and solve_joints use again from step to step.
+// What solve_constraints and solve_joints use again from step to step, and leave to integrate_free,
+// finalize and update_sleep. A hot index is 1 + the index in the awake set; 0 is what stands still.
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ struct GyroscopicBody {
     bool principal = false;
 };
 
-// Numbers of bodies, colour set after colour set.
+// Hot indices of bodies, colour set after colour set.
 struct BodiesBySet {
     std::vector<std::uint32_t> all;
     std::array<std::uint32_t, solved_set_count + 1> begin{};
@@ -34,18 +35,18 @@ struct BodiesBySet {
 };
 
 struct SolverScratch {
-    HotBodies hot;                         // awake body i is [i + 1]
-    std::vector<ExternalChange> external;  // as hot
-    // Hot indices of dynamic bodies with contacts or joints, and of those of them with joints.
-    BodiesBySet bodies, jointed;
+    HotBodies hot;                         // by hot index
+    std::vector<ExternalChange> external;  // by hot index
+    BodiesBySet bodies;                    // dynamic bodies with contacts or joints
+    BodiesBySet jointed;                   // those of them with joints
     std::vector<std::uint8_t> set_of;  // by awake body: index of its colour set, if it is solved
     std::vector<std::uint32_t> kinematic;  // hot indices of kinematic bodies that the solver reads
-    std::vector<std::uint32_t> free;       // the other awake bodies, and all kinematic ones
+    std::vector<std::uint32_t> free;  // awake indices of the other bodies, and all kinematic ones
     // Both by the first set of a task.
     std::array<JointLevels, solved_set_count> joints;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::vector<std::uint8_t> is_gyroscopic;  // by hot index
-    std::vector<GyroscopicBody> gyroscopic;   // by hot index, of those
+    std::vector<GyroscopicBody> gyroscopic;   // by hot index; filled where is_gyroscopic
     // Of the group of bodies whose sub-step listeners are called for.
     std::vector<std::uint32_t> listened_awake;
     std::vector<BodyId> listened;

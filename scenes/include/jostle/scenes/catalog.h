@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes by name: the list every program shows.
+// Scenes by name: what every program lists and takes.
 #pragma once
 
 #include "jostle/scenes/scene.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// SceneDescription: a world as plain data, before it is built. The catalogue makes them by name, a
-// scene file is read into one, and tests, benchmarks, server and viewer all build their worlds from
-// one. Plain C++ types: no protobuf here.
+// SceneDescription: a world as plain data, before it is built. The catalogue makes one by name, a
+// scene file is read into one. Tests, benchmarks, jostle-sim and the server build their worlds from
+// it. Plain C++ types: no protobuf here.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct SceneBody {
 
 struct SceneJoint {
     std::string name;
-    std::size_t body_a = 0, body_b = 0;  // of SceneDescription::bodies
-    physics::JointDef joint;             // its bodies are filled in when the scene is built
+    std::size_t body_a = 0, body_b = 0;  // index in SceneDescription::bodies
+    physics::JointDef joint;             // build_scene fills in its bodies
 };
 
 // A module that the registry makes (jostle/physics/module.h). It gets its settings in the order of
@@ -47,7 +47,7 @@ struct SceneDescription {
     std::string name;
     std::string description;
     physics::WorldDef world;
-    double hz = 60;  // steps per second
+    double hz = 60;  // steps per second, 4 to 1000 in a file; whoever steps the world keeps to it
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
     std::vector<SceneModule> modules;  // added in this order
@@ -55,12 +55,12 @@ struct SceneDescription {
 
 struct BuiltScene {
     physics::World world;
-    std::vector<physics::BodyId> bodies;  // bodies[i] was made from description.bodies[i]
-    std::vector<physics::JointId> joints;
+    std::vector<physics::BodyId> bodies;   // bodies[i] was made from description.bodies[i]
+    std::vector<physics::JointId> joints;  // likewise
 };
 
-// Makes the world. An error names the body ("bodies[3] 'ramp'"), joint or module and what is wrong
-// with it.
+// Makes the world. Every body has a shape. An error names the body ("bodies[3] 'ramp': ..."), joint
+// or module, and what is wrong with it.
 physics::Result<BuiltScene> build_scene(const SceneDescription& description);
 
 }  // namespace jostle::scenes

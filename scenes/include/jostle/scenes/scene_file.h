@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scene files: the JSON form of jostle.v1.Scene. The only part of scenes/ that knows the protobuf
-// message.
+// Scene files: jostle.v1.Scene as JSON, as a message, and as a SceneDescription.
+// docs/scene_format.md says what a file holds.
 #pragma once
 
 #include "jostle/scenes/scene.h"
@@ -12,8 +12,9 @@ class Scene;
 
 namespace jostle::scenes {
 
-// Foreign text. Errors name the field with its path ("bodies[2].shapes[0].box.half_extents.x: -1
-// ...") and what to do.
+// Foreign text and messages are read as a whole or not at all. An error names the field with its
+// path ("bodies[2].shapes[0].box.half_extents.x: -1 ...") and says what to do; of a text it names
+// the line, of a file the file, too.
 physics::Result<SceneDescription> read_scene_json(std::string_view text);
 physics::Result<SceneDescription> read_scene_file(const std::string& path);
 physics::Result<SceneDescription> from_message(const v1::Scene& message);
@@ -21,7 +22,8 @@ physics::Result<SceneDescription> from_message(const v1::Scene& message);
 v1::Scene to_message(const SceneDescription& description);
 std::string write_scene_json(const SceneDescription& description);
 
-// A catalogue name, or the path of a scene file: what --scene and jostle-sim take.
+// A name of the catalogue or the path of a scene file, as --scene and jostle-sim take it: what has
+// a '.' or a '/' in it is a path.
 physics::Result<SceneDescription> load_scene(const std::string& name_or_path);
 
 }  // namespace jostle::scenes

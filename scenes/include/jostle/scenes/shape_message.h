@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle.v1.Shape to physics::ShapeDef and back: the one place that knows every kind and field.
+// jostle.v1.Shape to physics::ShapeDef and back. Scene files, spawned bodies and queries all read
+// shapes here.
 #pragma once
 
 #include <string>
@@ -13,13 +14,13 @@ class Shape;
 
 namespace jostle::scenes {
 
-// Foreign numbers. Errors name the field with its path, which begins with `path`
-// ("shapes[0].box.half_extents.x: -1 ..."). Whether a body of some type may carry the shape is the
-// world's to say.
+// The message is foreign: every number is checked. An error names the field; its path begins with
+// `path` ("shapes[0].box.half_extents.x: -1 ..."). Whether a body of some type may carry the shape
+// is for the world to say.
 physics::Result<physics::ShapeDef> shape_from_message(const v1::Shape& message,
                                                       const std::string& path);
 
-// Everything that differs from its default.
+// The whole shape but its user_data, so that shape_from_message() gives it back.
 void write_shape(v1::Shape& out, const physics::ShapeDef& def);
 // Kind, size and place only: what a viewer draws.
 void write_outline(v1::Shape& out, const physics::Geometry& geometry,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The C++ client: joins a world over gRPC, sends inputs, keeps a decoded view of the world. Many
-// clients may share one Loop (one thread); functions of Client may be called from any thread.
+// clients may share one Loop, which is one thread. Functions of Client may be called from any
+// thread.
 //
 //     client::Loop loop;
 //     auto me = client::Client::connect(loop, {.target = "localhost:50051", .world = "sandbox"});
@@ -27,28 +28,33 @@ struct ClientState;
 
 class Client {
 public:
+    // Returns at once; the loop connects. stats().connected tells when the server has welcomed it.
     static std::shared_ptr<Client> connect(Loop& loop, ClientOptions options);
-    ~Client();
+    ~Client();  // cancels the stream, and with it what was not sent: see leave()
 
-    // Queues an input; returns its sequence number, or 0 when 4096 wait already (the server is away
-    // or slow) and this one was not taken. Sent within a thirtieth of a second. Numbers
-    // begin anew with each connection: what was not sent before a reconnect is sent after it under
-    // a new number.
+    // Queues an input and returns its sequence number. Returns 0 and does not take the input when
+    // 4096 wait already, because the server is away or slow. Up to 32 leave together, thirty times
+    // a second. Numbers begin anew with each connection: what was not sent before a reconnect is
+    // sent after it under a new number.
     std::uint32_t send(v1::Input input);
-    // Says goodbye; the stream ends in order.
+    // Sends what is queued and says goodbye: the stream ends in order.
     void leave();
 
-    // Calls with the view under the client's lock: do not keep references.
+    // Calls reader(view) under the client's lock. The reader keeps no reference and calls nothing
+    // of this client.
     void read(const std::function<void(const WorldView&)>& reader) const;
+    // Poses to draw now: InterpolationBuffer::sample().
     std::vector<SmoothPose> interpolated(Clock::time_point now) const;
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
     // What happened since the last call, one entry per tick in which something did, in order. Of
     // more than 1024 the oldest are gone; `missed` of the next one then counts them as well.
     std::vector<v1::Events> take_events();
-    // Age of each snapshot when it was decoded, since the last call (at most 65536); ms.
+    // How old each snapshot was when it was decoded, ms, since the last call. Of more than 65536
+    // the newest are left out.
     std::vector<float> take_ages_ms();
     ClientStats stats() const;
+    // What the server last told of its world; nothing before it did.
     std::optional<v1::WorldStats> world_stats() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whom a client connects to, as who, and what it asks for.
+// Where a client connects to, who it is, and what it asks for.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,15 @@
 namespace jostle::client {
 
 struct ClientOptions {
-    std::string target = "localhost:50051";
-    std::string world;              // name or id; empty: the first
-    std::string ticket;             // from WorldClient::join, when the server asks for one
-    std::string name;               // at most 32 bytes
-    std::uint32_t snapshot_hz = 0;  // 0: the world's rate
-    bool spectator = false;
-    bool events = false;    // asks for what happens in the world: see take_events()
-    bool reconnect = true;  // after a lost connection, with growing pauses up to 5 s
+    std::string target = "localhost:50051";  // of the server's gRPC port; no TLS
+    std::string world;                       // name or id; empty: the server's first
+    std::string ticket;                      // from WorldClient::join, when the server asks for one
+    std::string name;                        // shown to others; at most 32 bytes
+    std::uint32_t snapshot_hz = 0;  // snapshots a second that it wants; 0: the world's rate
+    bool spectator = false;         // the server refuses its inputs
+    bool events = false;            // asks for what happens in the world: Client::take_events()
+    // Connects again after a stream that ended, with pauses that grow to 5 s.
+    bool reconnect = true;
 };
 
 }  // namespace jostle::client

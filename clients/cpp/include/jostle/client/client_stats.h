@@ -11,12 +11,15 @@ namespace jostle::client {
 struct ClientStats {
     bool connected = false;  // welcomed, and not ended since
     std::uint32_t client_id = 0;
-    std::uint64_t snapshots = 0, bytes_received = 0;
+    std::uint64_t snapshots = 0;       // that were decoded
+    std::uint64_t bytes_received = 0;  // of messages of all kinds
     std::uint64_t inputs_sent = 0, inputs_applied = 0, inputs_refused = 0;
-    std::uint64_t decode_errors = 0;    // snapshots that did not decode or whose CRC did not match
-    std::uint64_t stream_failures = 0;  // ends that nobody asked for
-    double rtt_ms = 0;
-    std::string last_error;  // the newest failure, for people
+    // Messages that were none, and snapshots that did not decode or whose CRC did not match. Those
+    // that follow while a keyframe is on its way are not counted.
+    std::uint64_t decode_errors = 0;
+    std::uint64_t stream_failures = 0;  // streams that ended though nobody here wanted it
+    double rtt_ms = 0;                  // see ClockSync
+    std::string last_error;             // the newest failure or notice of the server, for people
 };
 
 }  // namespace jostle::client

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The server's clock from round trips: the sample with the shortest round trip says most, and is
-// forgotten after a while because clocks drift.
+// The server's clock, from round trips of pings. The shortest round trip of the last half minute
+// says most: the server's word was true half of it ago. Older ones are forgotten, because clocks
+// drift. One thread at a time.
 #pragma once
 
 #include <chrono>
@@ -19,8 +20,8 @@ inline std::uint64_t to_us(Clock::time_point t) {
 
 class ClockSync {
 public:
-    // A pong came: when its ping was sent, what the server's clock said, and now; all in
-    // microseconds.
+    // A pong came: when its ping was sent (our clock), what the server's clock said, and now (our
+    // clock). Microseconds.
     void add(std::uint64_t sent_us, std::uint64_t server_us, std::uint64_t now_us);
 
     bool ready() const { return !samples_.empty(); }
@@ -29,14 +30,14 @@ public:
     std::int64_t server_us(Clock::time_point now) const {
         return static_cast<std::int64_t>(to_us(now)) + offset_us_;
     }
-    double rtt_ms() const;  // of the best sample
+    double rtt_ms() const;  // the shortest round trip that is remembered; 0 until ready
 
 private:
     struct Sample {
         std::int64_t offset_us, rtt_us;
         std::uint64_t at_us;
     };
-    std::deque<Sample> samples_;  // of the last half minute
+    std::deque<Sample> samples_;  // oldest first
     std::int64_t offset_us_ = 0;
 };
 

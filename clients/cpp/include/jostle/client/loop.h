@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One thread that moves the messages of its clients.
+// One thread that connects its clients, and reads and writes their messages.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ class LoopThread;
 class Loop {
 public:
     Loop();
-    ~Loop();  // ends what is still connected
+    ~Loop();  // cancels the streams that are still open, and waits for the thread
     Loop(const Loop&) = delete;
     Loop& operator=(const Loop&) = delete;
 

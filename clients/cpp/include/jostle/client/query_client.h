@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Questions to a world that runs on a server: what does a ray hit, what overlaps a shape, what is
-// nearest. Each call blocks up to 5 s; errors carry the server's message. Any thread.
+// nearest. Each call blocks for up to 5 s. An error carries the server's message. Any thread.
 //
 //     client::QueryClient queries("localhost:50051", "sandbox");
 //     const auto hit = queries.cast_ray({0, 10, 0}, {0, -20, 0});
@@ -23,30 +23,30 @@ namespace jostle::client {
 using Point = std::array<double, 3>;  // m, world; also for directions
 
 struct QueryOptions {
-    std::uint32_t categories = 0xffffffff;  // of shapes that are seen
+    std::uint32_t categories = 0xffffffff;  // shapes whose category has a bit in here are seen
     bool triggers = false;                  // whether triggers are seen
-    std::uint32_t ignore = 0;               // an entity that is not seen
+    std::uint32_t ignore = 0;               // an entity that is not seen; 0: all are
 };
 
 struct RayHit {
     std::uint32_t entity = 0;
-    std::uint32_t shape = 0;  // which of the entity's shapes
-    double fraction = 0;      // of the motion
+    std::uint32_t shape = 0;  // which of the entity's shapes, from 0
+    double fraction = 0;      // of the motion, 0 to 1
     Point point{};
-    Point normal{};  // out of what was hit
+    Point normal{};  // unit, out of what was hit
 };
 
 struct Nearest {
     std::uint32_t entity = 0;
-    double distance = 0;  // m; negative: inside
+    double distance = 0;  // m; negative: the point is inside
     Point point{};        // on the surface
-    Point normal{};
+    Point normal{};       // unit, out of the shape
 };
 
 template <class Value>
 struct Answer {
     Value value{};
-    std::uint32_t tick = 0;  // of the world that was asked
+    std::uint32_t tick = 0;  // of the state that was asked: at most a few ticks old
 };
 
 class QueryClient {
@@ -58,7 +58,7 @@ public:
     // The first thing that the ray from `origin` to `origin + motion` meets, if any.
     Result<Answer<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
                                                    const QueryOptions& options = {});
-    // Entities, rising: what touches a convex shape where it stands, or holds a point.
+    // Entities that overlap a convex shape where it stands, or hold a point. In rising order.
     Result<Answer<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
                                                        const QueryOptions& options = {});
     Result<Answer<std::vector<std::uint32_t>>> overlap(Point point,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The control plane: list, create, delete and join worlds. Each call blocks up to 5 s; errors carry
-// the server's message.
+// The control plane: list, create, delete and join worlds. Each call blocks for up to 5 s. An error
+// carries the server's message. Any thread.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,13 @@ namespace jostle::client {
 
 class WorldClient {
 public:
-    explicit WorldClient(const std::string& target);
+    explicit WorldClient(const std::string& target);  // of the server's gRPC port; no TLS
     ~WorldClient();
 
     Result<v1::ListWorldsResponse> list();
     Result<v1::CreateWorldResponse> create(const v1::CreateWorldRequest& request);
-    Status remove(const std::string& world);
+    Status remove(const std::string& world);  // id or name
+    // The ticket for ClientOptions::ticket.
     Result<v1::JoinWorldResponse> join(const std::string& world);
 
 private:

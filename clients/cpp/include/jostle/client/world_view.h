@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What one client knows of its world: who is there (entities), where, and what modules tell
-// (snapshots). No network in it: it is handed messages. One thread at a time.
+// (snapshots). It knows no network: it is handed messages. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +23,22 @@ namespace jostle::client {
 
 class WorldView {
 public:
-    static constexpr std::size_t ring = 32;        // decoded frames kept as bases, as WIRE.md asks
+    static constexpr std::size_t ring = 32;        // decoded frames kept as bases of later ones
     static constexpr std::size_t chunks_max = 64;  // of modules in one frame
 
     // A new stream: everything is forgotten.
     void begin(const v1::Welcome& welcome);
+    // Who came and who went.
     void apply(const v1::Roster& roster);
-    // Decodes and checks. An error leaves the last good frame in place; the client should ask for a
-    // keyframe.
+    // Decodes a snapshot and compares its CRC. An error leaves the last good frame in place; the
+    // client should ask for a keyframe.
     Status apply(const v1::Snapshot& snapshot);
 
-    // Frame 0 until the first snapshot.
+    // The newest; frame 0, without entities, until the first snapshot.
     const wire::QuantizedFrame& frame() const {
         return frames_.empty() ? none_ : frames_.back().state;
     }
+    // By id: what they look like, and who owns them.
     const std::map<std::uint32_t, v1::Entity>& entities() const { return entities_; }
     const wire::QuantSpec& spec() const { return spec_; }
     // Nothing when the entity is not in the newest frame.

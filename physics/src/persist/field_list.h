@@ -13,6 +13,7 @@
 
 #include <string_view>
 
+#include "jostle/physics/joint_fields.h"
 #include "persist/module_visitor.h"
 #include "state/contact_constraints.h"
 #include "state/world_state.h"
@@ -202,21 +203,37 @@ void visit_fields(V& v, ShapeRecord& s) {
     v.field("moved", s.moved);
 }
 
+// A joint kind's fields as its table lists them (jostle/physics/joint_fields.h).
 template <class V>
-void visit(V& v, std::string_view name, JointSpring& spring) {
-    v.enter(name);
-    v.field("hertz", spring.hertz);
-    v.field("damping_ratio", spring.damping_ratio);
-    v.leave();
-}
-template <class V>
-void visit(V& v, std::string_view name, JointLimit& limit) {
-    v.enter(name);
-    v.field("enabled", limit.enabled);
-    v.field("lower", limit.lower);
-    v.field("upper", limit.upper);
-    v.leave();
-}
+struct JointFieldList {
+    V& v;
+
+    void number(const char* name, double& x, double, double) { v.field(name, x); }
+    void ordered(const char* lower_name, double& lower, const char* upper_name, double& upper,
+                 double, double) {
+        v.field(lower_name, lower);
+        v.field(upper_name, upper);
+    }
+    void vector(const char* name, Vec3& x, double) { visit(v, name, x); }
+    void flag(const char* name, bool& x) { v.field(name, x); }
+    void limit(const char* name, JointLimit& limit, double low, double high) {
+        v.enter(name);
+        v.field("enabled", limit.enabled);
+        visit_limit(*this, limit, low, high);
+        v.leave();
+    }
+    void motor(const char* name, JointMotor& motor) {
+        v.enter(name);
+        v.field("enabled", motor.enabled);
+        visit_motor(*this, motor);
+        v.leave();
+    }
+    void spring(const char* name, JointSpring& spring) {
+        v.enter(name);
+        visit_spring(*this, spring);
+        v.leave();
+    }
+};
 
 template <class V>
 void visit_kind(V& v, JointKind& joint) {
@@ -228,29 +245,12 @@ void visit_kind(V& v, JointKind& joint) {
             return;
         }
     }
-    if (auto* hinge = std::get_if<HingeJoint>(&joint)) {
-        visit(v, "limit", hinge->limit);
-        v.field("motor_enabled", hinge->motor.enabled);
-        v.field("motor_speed", hinge->motor.speed);
-        v.field("motor_max_torque", hinge->motor.max_torque);
-        visit(v, "spring", hinge->spring);
-        v.field("spring_angle", hinge->spring_angle);
-    }
-    if (auto* cone = std::get_if<ConeTwistJoint>(&joint)) {
-        v.field("swing", cone->swing);
-        visit(v, "twist", cone->twist);
-        v.field("friction_torque", cone->friction_torque);
-    }
-    if (auto* fixed = std::get_if<FixedJoint>(&joint)) {
-        visit(v, "linear", fixed->linear);
-        visit(v, "angular", fixed->angular);
-    }
-    if (auto* distance = std::get_if<DistanceJoint>(&joint)) {
-        v.field("min_length", distance->min_length);
-        v.field("max_length", distance->max_length);
-        visit(v, "spring", distance->spring);
-        v.field("rest_length", distance->rest_length);
-    }
+    std::visit(
+        [&]<class Kind>(Kind& fields) {
+            JointFieldList<V> list{v};
+            JointFields<Kind>::visit(list, fields);
+        },
+        joint);
 }
 
 template <class V>

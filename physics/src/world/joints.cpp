@@ -2,76 +2,21 @@
 //
 // Create, destroy, read and drive joints.
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "constraints/joints/angles.h"
 #include "foundation/messages.h"
-#include "jostle/physics/limits.h"
+#include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
 #include "state/contact_graph.h"
 #include "state/joint_graph.h"
 #include "state/wake.h"
 #include "world/checks.h"
+#include "world/joint_checks.h"
 
 namespace jostle::physics {
 namespace {
-
-Status check_spring(const char* name, const JointSpring& spring) {
-    const std::string prefix = name;
-    if (Status s = check_range((prefix + ".hertz").c_str(), spring.hertz, 0, 1e4); !s.ok())
-        return s;
-    return check_range((prefix + ".damping_ratio").c_str(), spring.damping_ratio, 0, 1e4);
-}
-
-Status check_limit(const char* name, const JointLimit& limit, double low, double high) {
-    const std::string prefix = name;
-    if (Status s = check_range((prefix + ".lower").c_str(), limit.lower, low, high); !s.ok())
-        return s;
-    if (Status s = check_range((prefix + ".upper").c_str(), limit.upper, low, high); !s.ok())
-        return s;
-    if (limit.lower > limit.upper)
-        return invalid(prefix + ".lower is above " + prefix + ".upper; give the lower one first");
-    return {};
-}
-
-Status check_kind(const JointKind& joint) {
-    if (const auto* hinge = std::get_if<HingeJoint>(&joint)) {
-        if (Status s = check_limit("hinge.limit", hinge->limit, -pi, pi); !s.ok()) return s;
-        if (Status s = check_range("hinge.motor.speed", hinge->motor.speed, -limits::max_speed,
-                                   limits::max_speed);
-            !s.ok())
-            return s;
-        if (Status s = check_range("hinge.motor.max_torque", hinge->motor.max_torque, 0, 1e12);
-            !s.ok())
-            return s;
-        if (Status s = check_range("hinge.spring_angle", hinge->spring_angle, -pi, pi); !s.ok())
-            return s;
-        return check_spring("hinge.spring", hinge->spring);
-    }
-    if (const auto* cone = std::get_if<ConeTwistJoint>(&joint)) {
-        if (Status s = check_range("cone_twist.swing", cone->swing, 0, pi); !s.ok()) return s;
-        if (Status s = check_range("cone_twist.friction_torque", cone->friction_torque, 0, 1e12);
-            !s.ok())
-            return s;
-        return check_limit("cone_twist.twist", cone->twist, -pi, pi);
-    }
-    if (const auto* fixed = std::get_if<FixedJoint>(&joint)) {
-        if (Status s = check_spring("fixed.linear", fixed->linear); !s.ok()) return s;
-        return check_spring("fixed.angular", fixed->angular);
-    }
-    if (const auto* distance = std::get_if<DistanceJoint>(&joint)) {
-        const double most = 1e6;
-        if (Status s = check_range("distance.min_length", distance->min_length, 0, most); !s.ok())
-            return s;
-        if (Status s = check_range("distance.max_length", distance->max_length,
-                                   distance->min_length, most);
-            !s.ok())
-            return s;
-        if (Status s = check_range("distance.rest_length", distance->rest_length, 0, most); !s.ok())
-            return s;
-        return check_spring("distance.spring", distance->spring);
-    }
-    return {};
-}
 
 Status check_joint(const WorldState& world, const JointDef& def) {
     if (Status s = check_id(world, def.body_a); !s.ok()) return s;
@@ -102,11 +47,24 @@ JointDef def_of(const WorldState& world, const Joint& j) {
             .user_data = j.user_data};
 }
 
+// "cone-twist": as people write it.
+template <class Kind>
+constexpr auto spoken_name = [] {
+    constexpr std::string_view name = JointFields<Kind>::name;
+    std::array<char, name.size() + 1> text{};
+    std::replace_copy(name.begin(), name.end(), text.begin(), '_', '-');
+    return text;
+}();
+
 Transform frame_in_world(const WorldState& world, std::uint32_t body, const Transform& frame) {
     return compose(pose_of(warm_of(world, body), world.bodies.cold[body]), frame);
 }
 
 }  // namespace
+
+const char* kind_name(const JointKind& kind) {
+    return std::visit([]<class Kind>(const Kind&) { return spoken_name<Kind>.data(); }, kind);
+}
 
 Result<JointId> World::create_joint(const JointDef& def) {
     WorldState& world = *state_;

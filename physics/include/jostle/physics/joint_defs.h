@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Joints: what holds two bodies together. Each end has a frame in its body; the kind says which of
-// the six relative degrees of freedom of the two frames are free, limited, driven or locked.
+// the six relative degrees of freedom of the two frames are free, limited, driven or locked. What
+// values the fields of a kind may have says joint_fields.h.
 #pragma once
 
 #include <cstdint>
@@ -78,8 +79,8 @@ struct DistanceJoint {
 };
 
 using JointKind = std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint>;
-inline constexpr int joint_kinds = 5;
-const char* kind_name(const JointKind& kind);  // "ball", "hinge", ...
+inline constexpr int joint_kinds = static_cast<int>(std::variant_size_v<JointKind>);
+const char* kind_name(const JointKind& kind);  // "ball", "hinge", "cone-twist", ...
 
 struct JointDef {
     BodyId body_a = {}, body_b = {};       // at least one of them dynamic

@@ -3,26 +3,23 @@
 // The passes over blocks of joints, and over the bodies that have some.
 #pragma once
 
+#include <type_traits>
+#include <variant>
+
 #include "constraints/joints/joint_kinds.h"
 #include "constraints/kernels.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 
-// Calls pass(kind) with the struct of the range's kind, in the order of JointKind.
+// Calls pass(kernel) with the kernel of the range's kind.
+template <class Pass, class... Kinds>
+JOSTLE_INLINE void with_kind(int kind, Pass pass, std::type_identity<std::variant<Kinds...>>) {
+    int index = 0;
+    static_cast<void>(((index++ == kind && (pass(JointKernel<Kinds>{}), true)) || ...));
+}
 template <class Pass>
 JOSTLE_INLINE void with_kind(int kind, Pass pass) {
-    switch (kind) {
-        case 0:
-            return pass(Ball{});
-        case 1:
-            return pass(Hinge{});
-        case 2:
-            return pass(ConeTwist{});
-        case 3:
-            return pass(Fixed{});
-        default:
-            return pass(Distance{});
-    }
+    with_kind(kind, pass, std::type_identity<JointKind>{});
 }
 
 // Ball joints have none and touch none.
@@ -33,10 +30,10 @@ JOSTLE_INLINE JointAngularWide& angular_of(const JointRange& range, int block,
 
 inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
     JointAngularWide nothing;
-    with_kind(range.kind, [&](auto kind) {
+    with_kind(range.kind, [&](auto kernel) {
         for (int k = range.begin; k < range.end; k++) {
             JointPair pair(range.blocks[k], bodies);
-            kind.warm_start(pair, range.blocks[k], angular_of(range, k, nothing));
+            kernel.warm_start(pair, range.blocks[k], angular_of(range, k, nothing));
             pair.store();
         }
     });
@@ -45,13 +42,13 @@ inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, con
 template <bool kRelax>
 void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep& step) {
     JointAngularWide nothing;
-    with_kind(range.kind, [&](auto kind) {
+    with_kind(range.kind, [&](auto kernel) {
         for (int k = range.begin; k < range.end; k++) {
             JointConstraintWide& block = range.blocks[k];
             JointAngularWide& angular = angular_of(range, k, nothing);
             JointPair pair(block, bodies);
             const JointLoad load =
-                kind.template solve<kRelax>(pair, step, block, angular, range.metas[k].uses);
+                kernel.template solve<kRelax>(pair, step, block, angular, range.metas[k].uses);
             pair.store();
             if constexpr (kRelax) {
                 store3(block.force, load3(block.force) + load.impulse);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "constraints/joints/joint_pair.h"
+#include "jostle/physics/joint_defs.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 
@@ -14,7 +15,11 @@ struct JointLoad {
     Wide3 angular;  // N m s
 };
 
-struct Ball {
+template <class Kind>
+struct JointKernel;
+
+template <>
+struct JointKernel<BallJoint> {
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide&) {
         pair.push(pair.to_world(block.point));
@@ -29,7 +34,8 @@ struct Ball {
     }
 };
 
-struct Hinge {
+template <>
+struct JointKernel<HingeJoint> {
     JOSTLE_INLINE static Wide along_axis(const JointAngularWide& t) {
         return load(t.lower) - load(t.upper) + load(t.spring) + load(t.motor);
     }
@@ -70,7 +76,8 @@ struct Hinge {
     }
 };
 
-struct ConeTwist {
+template <>
+struct JointKernel<ConeTwistJoint> {
     struct Axes {
         Wide3 swing;        // about which b's x axis turns away from a's
         Wide3 twist;        // b's spin against a, times this, is the rate of the twist angle
@@ -130,16 +137,18 @@ struct ConeTwist {
     }
 };
 
-struct Fixed {
-    // A spring gives in the relaxing pass too; only what is rigid is relaxed.
-    template <bool kRelax>
-    JOSTLE_INLINE static WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) {
-        const WideSoft spring = spring_of(row), stiff = rigid<kRelax>(step);
-        const WideMask given = spring.mass_scale > splat(0);
-        return {select(given, spring.bias_rate, stiff.bias_rate),
-                select(given, spring.mass_scale, stiff.mass_scale),
-                select(given, spring.impulse_scale, stiff.impulse_scale)};
-    }
+// A spring gives in the relaxing pass too; only what is rigid is relaxed.
+template <bool kRelax>
+JOSTLE_INLINE WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) {
+    const WideSoft spring = spring_of(row), stiff = rigid<kRelax>(step);
+    const WideMask given = spring.mass_scale > splat(0);
+    return {select(given, spring.bias_rate, stiff.bias_rate),
+            select(given, spring.mass_scale, stiff.mass_scale),
+            select(given, spring.impulse_scale, stiff.impulse_scale)};
+}
+
+template <>
+struct JointKernel<FixedJoint> {
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide& t) {
         pair.push(pair.to_world(block.point));
@@ -163,7 +172,8 @@ struct Fixed {
     }
 };
 
-struct Distance {
+template <>
+struct JointKernel<DistanceJoint> {
     // From a's anchor to b's; up when they coincide and there is no such direction.
     JOSTLE_INLINE static Wide3 line_of(const JointPair& pair) {
         return normalized(pair.apart, {splat(0), splat(1), splat(0)});
@@ -183,7 +193,7 @@ struct Distance {
         const Wide now = root(dot(pair.apart, pair.apart));
         // A rod is a spring as stiff as the sub-step can carry, a row that pulls and pushes.
         if ((uses & uses_spring) != 0)
-            spring_row(pair, row, Fixed::soft_or_rigid<kRelax>(step, t.spring_soft),
+            spring_row(pair, row, soft_or_rigid<kRelax>(step, t.spring_soft),
                        now - load(t.spring_at), t.spring);
         if ((uses & uses_limit) != 0) {
             limit_row<kRelax>(pair, step, row, 1, now - load(t.lower_at), t.lower);

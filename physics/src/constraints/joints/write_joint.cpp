@@ -159,10 +159,4 @@ JointStep joint_step(double h) {
             as_float(s.impulse_scale)};
 }
 
-const char* kind_name(const JointKind& kind) {
-    static constexpr const char* names[joint_kinds] = {"ball", "hinge", "cone-twist", "fixed",
-                                                       "distance"};
-    return names[kind.index()];
-}
-
 }  // namespace jostle::physics

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "world/joint_checks.h"
+
+#include "foundation/messages.h"
+#include "jostle/physics/joint_fields.h"
+#include "world/checks.h"
+
+namespace jostle::physics {
+
+void JointCheck::number(const char* name, double value, double low, double high) {
+    if (status_.ok()) status_ = check_range((path_ + name).c_str(), value, low, high);
+}
+
+void JointCheck::ordered(const char* lower_name, double lower, const char* upper_name, double upper,
+                         double low, double high) {
+    number(lower_name, lower, low, high);
+    number(upper_name, upper, lower, high);
+}
+
+void JointCheck::vector(const char* name, Vec3 value, double limit) {
+    if (status_.ok()) status_ = check_vector((path_ + name).c_str(), value, limit);
+}
+
+void JointCheck::limit(const char* name, const JointLimit& limit, double low, double high) {
+    const std::string prefix = path_ + name;
+    JointCheck inside(prefix.c_str());
+    visit_limit(inside, limit, low, high);
+    if (inside.status_.ok() && limit.lower > limit.upper)
+        inside.status_ =
+            invalid(prefix + ".lower is above " + prefix + ".upper; give the lower one first");
+    if (status_.ok()) status_ = inside.status_;
+}
+
+void JointCheck::motor(const char* name, const JointMotor& motor) {
+    JointCheck inside((path_ + name).c_str());
+    visit_motor(inside, motor);
+    if (status_.ok()) status_ = inside.status_;
+}
+
+void JointCheck::spring(const char* name, const JointSpring& spring) {
+    JointCheck inside((path_ + name).c_str());
+    visit_spring(inside, spring);
+    if (status_.ok()) status_ = inside.status_;
+}
+
+Status check_kind(const JointKind& kind) {
+    return std::visit(
+        []<class Kind>(const Kind& joint) {
+            JointCheck check(JointFields<Kind>::name);
+            JointFields<Kind>::visit(check, joint);
+            return check.status();
+        },
+        kind);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks of a joint's kind against the ranges of its table (jostle/physics/joint_fields.h).
+#pragma once
+
+#include <string>
+
+#include "jostle/physics/joint_defs.h"
+#include "jostle/physics/result.h"
+
+namespace jostle::physics {
+
+// The error names the field by its path: "hinge.motor.speed".
+Status check_kind(const JointKind& kind);
+
+// A visitor of the table; keeps the first fault.
+class JointCheck {
+public:
+    explicit JointCheck(const char* kind) : path_(std::string(kind) + ".") {}
+    const Status& status() const { return status_; }
+
+    void number(const char* name, double value, double low, double high);
+    void ordered(const char* lower_name, double lower, const char* upper_name, double upper,
+                 double low, double high);
+    void vector(const char* name, Vec3 value, double limit);
+    void flag(const char*, bool) {}
+    void limit(const char* name, const JointLimit& limit, double low, double high);
+    void motor(const char* name, const JointMotor& motor);
+    void spring(const char* name, const JointSpring& spring);
+
+private:
+    std::string path_;
+    Status status_;
+};
+
+}  // namespace jostle::physics

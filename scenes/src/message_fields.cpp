@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "message_fields.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <stdexcept>
+
+#include "jostle/physics/joint_fields.h"
+
+namespace jostle::scenes {
+
+using namespace physics;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+namespace {
+
+const FieldDescriptor* find_field(const Message& message, const std::string& name) {
+    if (const auto* field = message.GetDescriptor()->FindFieldByName(name)) return field;
+    throw std::logic_error(message.GetTypeName() + " has no field " + name +
+                           "; give it one in scene.proto");
+}
+
+const FieldDescriptor* find_field(const Message& message, const std::string& name,
+                                  FieldDescriptor::CppType type) {
+    const FieldDescriptor* field = find_field(message, name);
+    if (field->cpp_type() == type && !field->is_repeated()) return field;
+    throw std::logic_error(field->full_name() + " must be a " + FieldDescriptor::CppTypeName(type) +
+                           ", as the solver has it");
+}
+
+constexpr auto number_type = FieldDescriptor::CPPTYPE_DOUBLE;
+constexpr auto flag_type = FieldDescriptor::CPPTYPE_BOOL;
+constexpr auto message_type = FieldDescriptor::CPPTYPE_MESSAGE;
+
+}  // namespace
+
+bool ReadFields::lacks(const char* name) const {
+    const FieldDescriptor* field = find_field(from_, prefix_ + name);
+    return field->has_presence() && !from_.GetReflection()->HasField(from_, field);
+}
+
+ReadFields ReadFields::inside(const char* name) const {
+    const auto* field = find_field(from_, prefix_ + name, message_type);
+    return {in_, path_of(name), from_.GetReflection()->GetMessage(from_, field)};
+}
+
+void ReadFields::number(const char* name, double& value, double low, double high) {
+    const auto* field = find_field(from_, prefix_ + name, number_type);
+    if (lacks(name)) return;
+    value = in_.number(path_of(name), from_.GetReflection()->GetDouble(from_, field), low, high);
+}
+
+void ReadFields::ordered(const char* lower_name, double& lower, const char* upper_name,
+                         double& upper, double low, double high) {
+    number(lower_name, lower, low, high);
+    number(upper_name, upper, low, high);
+    if (upper < lower) in_.note(path_of(upper_name), "is less than " + prefix_ + lower_name);
+}
+
+void ReadFields::vector(const char* name, Vec3& value, double limit) {
+    ReadFields fields = inside(name);
+    if (lacks(name)) return;
+    fields.number("x", value.x, -limit, limit);
+    fields.number("y", value.y, -limit, limit);
+    fields.number("z", value.z, -limit, limit);
+}
+
+void ReadFields::flag(const char* name, bool& value) {
+    const auto* field = find_field(from_, prefix_ + name, flag_type);
+    if (!lacks(name)) value = from_.GetReflection()->GetBool(from_, field);
+}
+
+void ReadFields::limit(const char* name, JointLimit& limit, double low, double high) {
+    limit = {};
+    ReadFields fields = inside(name);
+    if (lacks(name)) return;
+    limit.enabled = true;
+    visit_limit(fields, limit, low, high);
+    if (limit.lower > limit.upper) in_.note(fields.path_of("lower"), "is above the upper limit");
+}
+
+void ReadFields::motor(const char* name, JointMotor& motor) {
+    motor = {};
+    ReadFields fields(in_, path_, from_);
+    fields.prefix_ = prefix_ + name + "_";
+    motor.enabled = !fields.lacks("speed");
+    if (motor.enabled) visit_motor(fields, motor);
+}
+
+void ReadFields::spring(const char* name, JointSpring& spring) {
+    ReadFields fields = inside(name);
+    if (!lacks(name)) visit_spring(fields, spring);
+}
+
+WriteFields WriteFields::inside(const char* name) const {
+    const auto* field = find_field(to_, prefix_ + name, message_type);
+    return WriteFields(*to_.GetReflection()->MutableMessage(&to_, field));
+}
+
+void WriteFields::number(const char* name, double value, double, double) {
+    to_.GetReflection()->SetDouble(&to_, find_field(to_, prefix_ + name, number_type), value);
+}
+
+void WriteFields::ordered(const char* lower_name, double lower, const char* upper_name,
+                          double upper, double low, double high) {
+    number(lower_name, lower, low, high);
+    number(upper_name, upper, low, high);
+}
+
+void WriteFields::vector(const char* name, Vec3 value, double limit) {
+    WriteFields fields = inside(name);
+    fields.number("x", value.x, -limit, limit);
+    fields.number("y", value.y, -limit, limit);
+    fields.number("z", value.z, -limit, limit);
+}
+
+void WriteFields::flag(const char* name, bool value) {
+    to_.GetReflection()->SetBool(&to_, find_field(to_, prefix_ + name, flag_type), value);
+}
+
+void WriteFields::limit(const char* name, const JointLimit& limit, double low, double high) {
+    if (!limit.enabled) return;
+    WriteFields fields = inside(name);
+    visit_limit(fields, limit, low, high);
+}
+
+void WriteFields::motor(const char* name, const JointMotor& motor) {
+    if (!motor.enabled) return;
+    WriteFields fields(to_);
+    fields.prefix_ = prefix_ + name + "_";
+    visit_motor(fields, motor);
+}
+
+void WriteFields::spring(const char* name, const JointSpring& spring) {
+    if (!(spring.hertz > 0)) return;
+    WriteFields fields = inside(name);
+    visit_spring(fields, spring);
+}
+
+}  // namespace jostle::scenes

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// Two visitors of the table of joint kinds (jostle/physics/joint_fields.h): from a message and into
+// one, whose fields are found by the table's names. So a new field needs its line in scene.proto
+// and none here; without that line both throw std::logic_error, which a test sees first.
+//
+// What a message lacks keeps its value, where the message can tell (messages and what is
+// `optional`); else it is 0. A limit is on when it is there. A motor lies flat (motor_speed,
+// motor_max_torque) and is on when its speed is there. What is off is not written, nor is a spring
+// of 0 hertz.
+#pragma once
+
+#include <string>
+
+#include "field_reader.h"
+#include "jostle/physics/joint_defs.h"
+
+namespace google::protobuf {
+class Message;
+}
+
+namespace jostle::scenes {
+
+class ReadFields {
+public:
+    ReadFields(FieldReader& in, std::string path, const google::protobuf::Message& from)
+        : in_(in), path_(std::move(path)), from_(from) {}
+    // Of the message in a field; the field's name joins the path.
+    ReadFields inside(const char* name) const;
+
+    void number(const char* name, double& value, double low, double high);
+    void ordered(const char* lower_name, double& lower, const char* upper_name, double& upper,
+                 double low, double high);
+    void vector(const char* name, physics::Vec3& value, double limit);
+    void flag(const char* name, bool& value);
+    void limit(const char* name, physics::JointLimit& limit, double low, double high);
+    void motor(const char* name, physics::JointMotor& motor);
+    void spring(const char* name, physics::JointSpring& spring);
+
+private:
+    bool lacks(const char* name) const;
+    std::string path_of(const char* name) const { return path_ + "." + prefix_ + name; }
+
+    FieldReader& in_;
+    std::string path_, prefix_ = {};  // of a message; of names in it
+    const google::protobuf::Message& from_;
+};
+
+class WriteFields {
+public:
+    explicit WriteFields(google::protobuf::Message& to) : to_(to) {}
+    // Into the message in a field, which is there from now on.
+    WriteFields inside(const char* name) const;
+
+    void number(const char* name, double value, double low, double high);
+    void ordered(const char* lower_name, double lower, const char* upper_name, double upper,
+                 double low, double high);
+    void vector(const char* name, physics::Vec3 value, double limit);
+    void flag(const char* name, bool value);
+    void limit(const char* name, const physics::JointLimit& limit, double low, double high);
+    void motor(const char* name, const physics::JointMotor& motor);
+    void spring(const char* name, const physics::JointSpring& spring);
+
+private:
+    google::protobuf::Message& to_;
+    std::string prefix_ = {};
+};
+
+}  // namespace jostle::scenes

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+//
+// Step listeners: when they are called, what their pushes do, and how what they answer about new
+// contacts is obeyed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "support/near.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+struct Listener : StepListener {
+    StepHooks wanted;
+    std::function<void(World&, double)> before = {}, after = {};
+    std::function<void(SubstepContext&)> before_sub = {}, after_sub = {};
+    std::function<void(PreSolve&)> ask = {};
+
+    StepHooks hooks() const override { return wanted; }
+    void before_step(World& world, double dt) override {
+        if (before) before(world, dt);
+    }
+    void after_step(World& world, double dt) override {
+        if (after) after(world, dt);
+    }
+    void before_substep(SubstepContext& substep) override {
+        if (before_sub) before_sub(substep);
+    }
+    void after_substep(SubstepContext& substep) override {
+        if (after_sub) after_sub(substep);
+    }
+    void pre_solve(PreSolve& pair) override {
+        if (ask) ask(pair);
+    }
+};
+
+constexpr StepHooks substeps{.substeps = true}, pre_solve{.pre_solve = true};
+
+TEST(Listeners, are_called_in_the_order_in_which_they_were_added) {
+    World world;
+    const BodyId ball = add(world, {.geometry = Sphere{}});
+    std::string calls;
+    Listener first, second;
+    first.wanted = substeps;
+    first.before = [&](World& w, double dt) {
+        EXPECT_EQ(w.step_count(), 0u);
+        EXPECT_EQ(dt, 0.25);
+        calls += "a";
+    };
+    first.before_sub = [&](SubstepContext& s) {
+        EXPECT_EQ(s.count(), 8);
+        EXPECT_DOUBLE_EQ(s.h(), 0.25 / 8);
+        EXPECT_DOUBLE_EQ(s.time(), s.index() * s.h());
+        EXPECT_THAT(s.bodies(), testing::ElementsAre(ball));
+        calls += std::to_string(s.index());
+    };
+    first.after = [&](World& w, double) {
+        EXPECT_EQ(w.step_count(), 1u);
+        calls += "A";
+    };
+    second.before = [&](World&, double) { calls += "b"; };
+    second.after = [&](World&, double) { calls += "B"; };
+    second.before_sub = [&](SubstepContext&) { calls += "never asked for"; };
+    must(world.add_listener(first));
+    must(world.add_listener(second));
+    must(world.step(0.25));
+    EXPECT_EQ(calls, "ab01234567AB");
+    must(world.remove_listener(first));
+    must(world.step(0.25));
+    EXPECT_EQ(calls, "ab01234567ABbB");
+}
+
+TEST(Listeners, change_the_world_before_a_step_but_cannot_step_it) {
+    World world;
+    Listener listener;
+    listener.before = [&](World& w, double) {
+        EXPECT_FALSE(w.step(0.01).ok());
+        EXPECT_FALSE(w.add_listener(listener).ok());
+        EXPECT_FALSE(RestorePoint{}.restore(w).ok());
+        if (w.bodies().empty()) add(w, {.velocity = {1, 0, 0}});
+    };
+    must(world.add_listener(listener));
+    run(world, 1);
+    ASSERT_EQ(world.bodies().size(), 1u);
+    EXPECT_NEAR(position_of(world, world.bodies()[0]).x, 1, 1e-9) << "it took part in all 60 steps";
+}
+
+// A spring of 2 Hz by hand, kicked in sub-steps: the period shows.
+TEST(Listeners, a_spring_of_their_own_swings_at_its_frequency) {
+    World world = make_world({.gravity = {}});
+    const BodyId ball = add(world, {.geometry = Sphere{}, .position = {1, 0, 0}});
+    const double mass = state_of(world, ball).mass, k = mass * 16 * pi * pi;
+    Listener spring;
+    spring.wanted = substeps;
+    spring.before_sub = [&](SubstepContext& s) {
+        const MovingBody b = s.body(ball);
+        EXPECT_TRUE(s.add_impulse(ball, b.center * (-k * s.h()), b.center));
+    };
+    must(world.add_listener(spring));
+    run(world, 10);
+    // 20 periods. Symplectic Euler at 480 Hz is ahead by (w h)^2 / 24 of the phase.
+    EXPECT_TRUE(near(position_of(world, ball), {1, 0, 0}, 0.03));
+    EXPECT_NEAR(length(velocity_of(world, ball)), 0, 0.4);
+}
+
+// Gravity taken away by hand, of bodies that the solver holds and of free ones alike.
+TEST(Listeners, carry_a_jointed_pair_and_a_free_ball_against_gravity) {
+    World world;
+    const BodyId a = add(world, {.position = {0, 5, 0}, .spin = {0, 3, 0}});
+    const BodyId b = add(world, {.position = {1, 5, 0}});
+    const BodyId ball = add(world, {.geometry = Sphere{}, .position = {5, 5, 0}});
+    must(world.create_joint(
+        {.body_a = a, .body_b = b, .frame_a = {{0.5, 0, 0}, {}}, .frame_b = {{-0.5, 0, 0}, {}}}));
+    int in_groups = 0;
+    Listener lift;
+    lift.wanted = substeps;
+    lift.before_sub = [&](SubstepContext& s) {
+        if (s.index() == 0) in_groups += static_cast<int>(s.bodies().size());
+        for (const BodyId id : s.bodies()) {
+            const MovingBody body = s.body(id);
+            s.add_impulse(id, {0, 9.81 * body.mass * s.h(), 0}, body.center);
+        }
+        EXPECT_EQ(s.contains(a), s.contains(b));
+        EXPECT_NE(s.contains(a), s.contains(ball));
+        EXPECT_EQ(s.add_angular_impulse(ball, {}), s.contains(ball));
+    };
+    must(world.add_listener(lift));
+    run(world, 1);
+    EXPECT_EQ(in_groups, 3 * 60);
+    EXPECT_NEAR(position_of(world, ball).y, 5, 1e-9);
+    const double middle = 0.5 * (position_of(world, a).y + position_of(world, b).y);
+    EXPECT_NEAR(middle, 5, 1e-3);
+}
+
+TEST(Listeners, do_not_change_the_bits_by_the_number_of_threads) {
+    const auto hash = [](int threads) {
+        World world = make_world({.threads = threads});
+        add_floor(world);
+        for (int k = 0; k < 200; k++)
+            add(world, {.position = {1.2 * (k % 10), 0.6 + 1.1 * (k / 40), 1.2 * (k / 10 % 4)}});
+        Listener twist;
+        twist.wanted = substeps;
+        twist.after_sub = [](SubstepContext& s) {
+            double sum = 0;
+            for (const BodyId id : s.bodies()) {
+                sum += s.velocity_at(id, {}).y;
+                s.add_angular_impulse(id, {0, 0.1 * sum, 0});
+            }
+        };
+        must(world.add_listener(twist));
+        run(world, 1);
+        return state_hash(world);
+    };
+    EXPECT_EQ(hash(1), hash(4));
+}
+
+// ---- answers about new contacts ----
+
+TEST(PreSolveAnswers, a_one_way_platform_lets_through_from_below_and_carries_from_above) {
+    for (const double thickness : {0.1, 0.002}) {
+        for (const double speed : {9.0, 60.0}) {  // the faster one is swept
+            World world;
+            const BodyId ball = add(
+                world, {.geometry = Sphere{0.2}, .position = {0, 1, 0}, .velocity = {0, speed, 0}});
+            const BodyId platform =
+                add_static(world, {.geometry = Box{{2, thickness, 2}}, .position = {0, 3, 0}});
+            int asked = 0;
+            Listener one_way;
+            one_way.wanted = pre_solve;
+            one_way.ask = [&](PreSolve& pair) {
+                asked++;
+                const double up = pair.body_a == ball ? -pair.velocity.y : pair.velocity.y;
+                if (up > 0) pair.enabled = false;
+            };
+            must(world.add_listener(one_way));
+            double highest = 0;
+            for (int step = 0; step < 60 * 16; step++) {
+                must(world.step(1.0 / 60));
+                highest = maximum(highest, position_of(world, ball).y);
+            }
+            EXPECT_NEAR(highest, 1 + speed * speed / (2 * 9.81), 0.01 * speed) << "unhindered";
+            EXPECT_NEAR(position_of(world, ball).y, 3.2 + thickness, 0.01) << speed;
+            EXPECT_GT(asked, 1);
+            EXPECT_TRUE(world.contains(platform));
+        }
+    }
+}
+
+TEST(PreSolveAnswers, friction_and_restitution_are_obeyed_for_as_long_as_they_touch) {
+    World world = make_world({.gravity = leaning_gravity(0.3, 0)});
+    add_floor(world, 0.5);
+    const BodyId holds = add(world, {.position = {0, 0.5, 0}});
+    const BodyId slides = add(world, {.position = {0, 0.5, 5}});
+    const BodyId bounces = add(world, {.geometry = Sphere{0.5}, .position = {0, 2, -5}});
+    Listener listener;
+    listener.wanted = pre_solve;
+    listener.ask = [&](PreSolve& pair) {
+        EXPECT_EQ(pair.friction, 0.5);
+        if (pair.body_a == slides) pair.friction = 0;
+        if (pair.body_a == bounces) pair.restitution = 1;
+    };
+    must(world.add_listener(listener));
+    run(world, 1);
+    EXPECT_NEAR(position_of(world, holds).x, 0, 1e-3);
+    const double pull = length(world.gravity()) * 0.3 / square_root(1.09);
+    EXPECT_NEAR(position_of(world, slides).x, 0.5 * pull, 0.02);
+    EXPECT_GT(position_of(world, bounces).y, 1.2) << "most of 1.5 m back up";
+    // What was answered is saved, and outlives the listener.
+    World loaded = must(load(save(world)));
+    run(loaded, 0.5);
+    EXPECT_NEAR(position_of(loaded, slides).x, 0.5 * pull * 2.25, 0.05);
+}
+
+TEST(PreSolveAnswers, a_surface_velocity_carries_like_a_belt) {
+    World world;
+    const BodyId floor = add_floor(world);
+    const BodyId crate = add(world, {.position = {0, 0.5, 0}});
+    Listener belt;
+    belt.wanted = pre_solve;
+    belt.ask = [&](PreSolve& pair) {
+        const double sign = pair.body_b == floor ? 1 : -1;
+        pair.surface_velocity = {2 * sign, 0, 0};
+    };
+    must(world.add_listener(belt));
+    run(world, 3);
+    EXPECT_NEAR(velocity_of(world, crate).x, 2, 0.01);
+}
+
+}  // namespace
+}  // namespace jostle::test

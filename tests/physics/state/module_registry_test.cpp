@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Kinds of modules by their tags, and the bytes that a module tells clients.
+#include "state/module_registry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jostle/physics/module.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+using testing::Contains;
+using testing::HasSubstr;
+
+struct Kite : Module {
+    std::string_view tag() const override { return "kite"; }
+    void visit(StateVisitor&) override {}
+};
+
+TEST(ModuleRegistry, makes_what_was_registered) {
+    must(register_module("kite", [] { return std::make_unique<Kite>(); }));
+    EXPECT_EQ(must(make_module("kite"))->tag(), "kite");
+    EXPECT_THAT(module_tags(), Contains("kite"));
+    EXPECT_THAT(register_module("kite", [] { return std::make_unique<Kite>(); }).error().message,
+                HasSubstr("registered already"));
+    EXPECT_THAT(make_module("boat").error().message, HasSubstr("kite"));
+    must(register_module("sail", [] { return std::make_unique<Kite>(); }));
+    EXPECT_THAT(make_module("sail").error().message, HasSubstr("makes \"kite\""));
+}
+
+TEST(ModuleRegistry, a_module_takes_no_settings_unless_it_says_so) {
+    World world;
+    Kite kite;
+    EXPECT_TRUE(kite.configure(world, {}).ok());
+    EXPECT_THAT(kite.configure(world, {.numbers = {{"span", 2}}, .bodies = {}}).error().message,
+                HasSubstr("takes no settings; leave out \"span\""));
+}
+
+TEST(ModuleRegistry, a_chunk_is_little_endian_and_clamped) {
+    ChunkWriter chunk([](BodyId body) { return body.index + 100; });
+    chunk.u16(0x1234);
+    chunk.f32(1);
+    chunk.body({2, 1});
+    chunk.quantized(0.5, 0, 1, 1);
+    chunk.quantized(7, 0, 1, 2);
+    chunk.quantized(-7, 0, 1, 2);
+    chunk.quantized(0.0 / 0.0, 0, 1, 1);
+    std::string hex;
+    for (const std::byte b : chunk.bytes()) {
+        constexpr const char* digits = "0123456789abcdef";
+        hex += digits[std::to_integer<int>(b) >> 4];
+        hex += digits[std::to_integer<int>(b) & 15];
+    }
+    EXPECT_EQ(hex,
+              "34120000803f66000000"
+              "80"
+              "ffff"
+              "0000"
+              "00");
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// Listeners and modules are added and removed. What they do: behaviour/listeners_test.cpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jostle/physics/module.h"
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+struct Named : Module {
+    std::string name;
+    explicit Named(std::string tag_name) : name(std::move(tag_name)) {}
+    std::string_view tag() const override { return name; }
+    void visit(StateVisitor&) override {}
+};
+
+TEST(ListenerCalls, a_listener_is_added_once_and_removed_once) {
+    World world;
+    StepListener listener;
+    must(world.add_listener(listener));
+    EXPECT_THAT(world.add_listener(listener).error().message, HasSubstr("added already"));
+    must(world.remove_listener(listener));
+    EXPECT_THAT(world.remove_listener(listener).error().message, HasSubstr("was not added"));
+}
+
+TEST(ListenerCalls, a_module_is_found_by_its_tag) {
+    World world;
+    must(world.add_module(std::make_unique<Named>("wind_farm")));
+    must(world.add_module(std::make_unique<Named>("crowd")));
+    EXPECT_THAT(world.modules(), ElementsAre("wind_farm", "crowd"));
+    ASSERT_NE(world.module("crowd"), nullptr);
+    EXPECT_EQ(world.module("crowds"), nullptr);
+    EXPECT_THAT(world.add_module(std::make_unique<Named>("crowd")).error().message,
+                HasSubstr("has a module \"crowd\" already"));
+    EXPECT_THAT(world.add_module(std::make_unique<Named>("Crowd!")).error().message,
+                HasSubstr("\"Crowd!\"; give 1 to 32 of a-z, 0-9 and _"));
+    EXPECT_THAT(world.add_module(nullptr).error().message, HasSubstr("null"));
+    EXPECT_THAT(world.remove_listener(*world.module("crowd")).error().message,
+                HasSubstr("remove_module"));
+    must(world.remove_module("wind_farm"));
+    EXPECT_THAT(world.modules(), ElementsAre("crowd"));
+    EXPECT_THAT(world.remove_module("wind_farm").error().message, HasSubstr("no module"));
+}
+
+}  // namespace
+}  // namespace jostle::test

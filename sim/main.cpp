@@ -80,6 +80,7 @@ Status load_world(jostle::scenes::BuiltScene& built, const std::string& path, in
     std::ifstream in(path, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(in)), {});
     if (!in) return jostle::physics::Error{{}, "cannot read " + path};
+    jostle::scenes::register_catalog_modules();
     auto world = jostle::physics::load(std::as_bytes(std::span(text)));
     if (!world.ok()) return jostle::physics::Error{{}, path + ": " + world.error().message};
     built.world = std::move(*world);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/physics/module.h"
+#include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene.h"
 
 namespace jostle::scenes {
@@ -71,6 +72,7 @@ Status add_modules(BuiltScene& built, const SceneDescription& scene) {
 }  // namespace
 
 Result<BuiltScene> build_scene(const SceneDescription& scene) {
+    register_catalog_modules();
     Result<physics::World> world = physics::World::create(scene.world);
     if (!world.ok()) return Error{world.error().code, "world: " + world.error().message};
     BuiltScene built{std::move(*world), {}, {}};

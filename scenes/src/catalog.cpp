@@ -48,6 +48,8 @@ constexpr Listed listed[] = {
     {{"locked", "Pistons that only rise, sliders that only slide, wheels that only turn."}, locked},
     {{"flatland", "A planar world: a pyramid, discs, sticks and a hinge, all in one plane."},
      flatland},
+    {{"hovercraft", "A module flies a craft on four jets of air over waves and loose buoys."},
+     hovercraft},
     // What jostle-bench measures, by letter.
     {{"lab_pyramid_465",
       "A flat pyramid of 30 rows of 1 m boxes with gaps of 5 cm (laboratory a)."},

@@ -5,6 +5,7 @@
 
 #include "body_name.h"
 #include "jostle/physics/module.h"
+#include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
 
 namespace jostle::scenes {
@@ -40,6 +41,7 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
     const auto has_it = [&](const SceneModule& module) { return module.tag == tag; };
     if (std::any_of(scene.modules.begin(), scene.modules.end(), has_it))
         in.note(path, "is \"" + tag + "\" again; a world has one module of a tag");
+    register_catalog_modules();
     const std::vector<std::string> known = physics::module_tags();
     if (std::find(known.begin(), known.end(), tag) != known.end()) return;
     std::string names;

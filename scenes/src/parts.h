@@ -56,6 +56,7 @@ SceneDescription gates();
 SceneDescription bullets();
 SceneDescription locked();
 SceneDescription flatland();
+SceneDescription hovercraft();
 SceneDescription lab_pyramid_465();
 SceneDescription lab_pyramid_5050();
 SceneDescription lab_boxes_1000();

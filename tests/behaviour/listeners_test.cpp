@@ -112,7 +112,8 @@ TEST(Listeners, carry_a_jointed_pair_and_a_free_ball_against_gravity) {
     World world;
     const BodyId a = add(world, {.position = {0, 5, 0}, .spin = {0, 3, 0}});
     const BodyId b = add(world, {.position = {1, 5, 0}});
-    const BodyId ball = add(world, {.geometry = Sphere{}, .position = {5, 5, 0}});
+    const BodyId ball =
+        add(world, {.geometry = Sphere{}, .position = {5, 5, 0}, .sleep_allowed = false});
     must(world.create_joint(
         {.body_a = a, .body_b = b, .frame_a = {{0.5, 0, 0}, {}}, .frame_b = {{-0.5, 0, 0}, {}}}));
     int in_groups = 0;

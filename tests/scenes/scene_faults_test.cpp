@@ -180,7 +180,7 @@ TEST(SceneFaults, a_joint_names_bodies_that_are_there) {
 TEST(SceneFaults, a_joint_has_one_kind_and_one_way_to_say_where) {
     expect_refused(links(neighbours + "\"collide_connected\": true"),
                    "line 5: joints[0]: has no kind; give one of ball, hinge, cone_twist, fixed, "
-                   "distance");
+                   "distance, velocity_row");
     expect_refused(links(neighbours + "\"ball\": {},\n\"hinge\": {}"),
                    "line 6: joints[0].hinge: is one kind too many; give one only");
     expect_refused(links(neighbours + "\"ball\": {}, \"frame_a\": {},\n\"frame\": {}"),
@@ -236,20 +236,21 @@ TEST(SceneFaults, a_planar_world_takes_what_lies_in_its_plane) {
 
 TEST(SceneFaults, a_module_is_one_that_the_program_knows_and_comes_once) {
     test::know_turntable();
-    expect_refused(with_module("\n\"tag\": \"hovercraft\""),
-                   "line 6: modules[0].tag: is \"hovercraft\"; the modules of this program are "
-                   "turntable");
-    expect_refused(with_module("\"settings\": {}"),
-                   "modules[0].tag: is \"\"; the modules of this program are turntable");
+    expect_refused(with_module("\n\"tag\": \"submarine\""),
+                   "line 6: modules[0].tag: is \"submarine\"; the modules of this program are "
+                   "hovercraft, turntable");
+    expect_refused(
+        with_module("\"settings\": {}"),
+        "modules[0].tag: is \"\"; the modules of this program are hovercraft, turntable");
     expect_refused(with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
                    "line 6: modules[1].tag: is \"turntable\" again; a world has one module of a "
                    "tag");
-    SceneDescription scene{.name = "a", .modules = {{.tag = "hovercraft"}}};
+    SceneDescription scene{.name = "a", .modules = {{.tag = "submarine"}}};
     const auto built = build_scene(scene);
     ASSERT_FALSE(built.ok());
     EXPECT_EQ(built.error().message,
-              "modules[0] 'hovercraft': module \"hovercraft\" is not one that this program knows "
-              "(turntable); call register_module() before");
+              "modules[0] 'submarine': module \"submarine\" is not one that this program knows "
+              "(hovercraft, turntable); call register_module() before");
 }
 
 TEST(SceneFaults, settings_of_a_module_are_numbers_and_its_bodies_are_there) {

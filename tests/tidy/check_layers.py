@@ -30,7 +30,7 @@ FLOORS = {
     "proto/wire": [],
     "proto/status": [],
     "scenes/include": [PUBLIC],
-    "scenes/src": [PUBLIC, "scenes/include", "generated"],
+    "scenes/src": [PUBLIC, "physics/examples", "scenes/include", "generated"],
     "sim": [PUBLIC, "scenes/include"],
     "server/base": [],
     "server/config": ["server/base"],
@@ -54,7 +54,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
                        "scenes/src/module_message.cpp")
 
-SEARCH = [BASE, "physics/include", "physics/src", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+SEARCH = [BASE, "physics/include", "physics/src", "physics/examples/hovercraft", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 

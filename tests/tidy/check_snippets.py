@@ -37,7 +37,7 @@ def sources(root):
 
 def main():
     root, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    includes = [f"-I{root / folder}" for folder in ("physics/include", "base/include", "physics/examples")]
+    includes = [f"-I{root / folder}" for folder in ("physics/include", "base/include", "physics/examples", "physics/examples/hovercraft")]
     count, faults = 0, 0
     with tempfile.TemporaryDirectory() as folder:
         for name, text in sources(root):

@@ -44,7 +44,7 @@ COVERED_BY = {
     "constraints/joints/joint_kernel.h":
         (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
     "constraints/joints/joint_kinds.h":
-        (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
+        (["behaviour/joints_test.cpp", "behaviour/velocity_rows_test.cpp"], "every kind of joint against a closed form"),
     "constraints/joints/joint_pair.h":
         (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
     "constraints/joints/write_joint.cpp":
@@ -67,14 +67,20 @@ COVERED_BY = {
         (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),
     "geometry/placed.h":
         (["physics/geometry/bounds_test.cpp"], "one line: shapes in any pose"),
+    "persist/byte_visitors.h":
+        (["physics/persist/save_load_test.cpp", "physics/persist/hostile_bytes_test.cpp"], "a saver and a loader, and forged bytes"),
     "persist/derive.cpp":
         (["physics/persist/save_load_test.cpp"], "a loaded world goes on with the same bits"),
     "persist/field_list.h":
         (["physics/persist/save_load_test.cpp", "physics/persist/state_hash_test.cpp", "physics/persist/divergence_test.cpp"],
          "its four visitors: save, load, hash and first difference"),
+    "persist/module_visitor.h":
+        (["physics/persist/module_state_test.cpp"], "modules saved, loaded, hashed, compared and restored"),
     "persist/shared_geometry.cpp":
         (["physics/persist/save_load_test.cpp", "physics/persist/hostile_bytes_test.cpp"],
          "worlds of hulls, meshes, fields and compounds; and such bytes forged"),
+    "stages/contacts/ask_listeners.cpp":
+        (["behaviour/listeners_test.cpp"], "one-way platforms, frictions and belts by what a listener answers"),
     "stages/contacts/begin_contacts.cpp":
         (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],
          "a world's manifolds begin there; the stores agree after each step"),
@@ -108,20 +114,33 @@ COVERED_BY = {
     "stages/sleep/wake_bodies.cpp":
         (["behaviour/sleeping_test.cpp", "behaviour/partial_sleep_test.cpp", "behaviour/continuous_test.cpp"],
          "who is disturbed, and who is hit by a bullet; the rules are state/wake's"),
+    "stages/solver/hot_motion.cpp":
+        (["behaviour/listeners_test.cpp", "behaviour/force_fields_test.cpp"], "jointed and floating bodies in the middle of the solve"),
     "stages/solver/solve_constraints.cpp":
         (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",
           "physics/stages/islands/assign_batches_test.cpp"],
          "stacks, slopes and lifts; batches side by side"),
     "stages/solver/solve_joints.cpp":
         (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
+    "stages/solver/substep_hooks.cpp":
+        (["behaviour/listeners_test.cpp"], "groups, order, pushes, springs of their own"),
     "stages/solver/solver_scratch.h":
         (["physics/stages/islands/assign_batches_test.cpp"], "one line: the bodies of a task's colour sets"),
     "stages/step_world.cpp":
         (["physics/world/profile_test.cpp", "physics/world/world_test.cpp"], "each stage ran or says why not; steps are counted"),
+    "state/contact_answers.cpp":
+        (["behaviour/listeners_test.cpp"], "answers are kept as long as a manifold and forgotten with it"),
     "state/contact_store.h":
         (["physics/state/contact_graph_test.cpp"], "its lists and keys are walked there"),
+    "state/field_store.h":
+        (["physics/world/fields_test.cpp"], "fields are created, changed, destroyed and listed"),
+    "state/force_fields.cpp":
+        (["behaviour/force_fields_test.cpp"], "each kind against a closed form"),
     "state/joint_store.h":
         (["physics/state/joint_graph_test.cpp"], "its lists are walked there"),
+    "state/listener_store.h":
+        (["physics/world/listeners_test.cpp", "physics/persist/module_state_test.cpp"],
+         "added, removed, in their order before and after a load"),
     "state/shape_store.h":
         (["physics/state/shape_proxy_test.cpp"], "two lines: planes, and a shape where its body takes it"),
     "state/wake_requests.h":

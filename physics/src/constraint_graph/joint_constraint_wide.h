@@ -23,8 +23,9 @@ struct SoftRow {
     float bias_rate[8], mass_scale[8], impulse_scale[8];
 };
 
-// What all kinds but the ball joint have as well; each uses a part of it. What is switched off has
-// numbers that make its impulse zero: a limit far away, a motor that may do nothing.
+// What hinges, cones, fixed joints and distances have as well; each uses a part of it. What is
+// switched off has numbers that make its impulse zero: a limit far away, a motor that may do
+// nothing.
 struct alignas(32) JointAngularWide {
     float frame_a[4][8], frame_b[4][8];   // x y z w, in the world
     float angular[3][8], friction[3][8];  // impulses as `point`, N m s
@@ -37,6 +38,18 @@ struct alignas(32) JointAngularWide {
     SoftRow point_soft;                                       // of a fixed joint
 };
 
+// What velocity rows have instead: VelocityRow (jostle/physics/joint_defs.h) in floats.
+struct alignas(32) VelocityRowWide {
+    float linear_a[3][8], angular_a[3][8];  // in the world, as the step starts
+    float linear_b[3][8], angular_b[3][8];
+    float turns[8];  // 1: those turn with their bodies; 0: they do not
+    float speed[8], bias[8];
+    float softness[8];         // rate per impulse of a sub-step
+    float lower[8], upper[8];  // of the impulse of a sub-step
+    float impulse[8];          // of a sub-step
+    float torque[3][8];        // N m s on b over the step so far, world axes
+};
+
 // Which of a kind's rows some joint of a block has.
 enum JointUses : std::uint8_t { uses_limit = 1, uses_spring = 2, uses_motor = 4 };
 
@@ -46,7 +59,8 @@ struct JointConstraintWideMeta {
     // Hot indices of the two bodies, negative for what moves but cannot be pushed; 0: does not
     // move.
     std::int32_t a[8] = {}, b[8] = {};
-    int angular = -1;  // its JointAngularWide, unless they are ball joints
+    int angular = -1;  // its JointAngularWide, if the kind has one
+    int row = -1;      // its VelocityRowWide, if the kind has one
     std::uint8_t count = 0;
     std::uint8_t uses = 0;        // JointUses
     std::uint8_t overloaded = 0;  // by lane, at the end of the step

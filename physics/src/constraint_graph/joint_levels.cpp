@@ -9,8 +9,11 @@
 namespace jostle::physics {
 namespace {
 
+bool has_row(std::uint32_t kind) {
+    return kind == JointKind(VelocityRow{}).index();
+}
 bool has_angular(std::uint32_t kind) {
-    return kind != JointKind(BallJoint{}).index();
+    return kind != JointKind(BallJoint{}).index() && !has_row(kind);
 }
 
 // Returns how many there are.
@@ -38,7 +41,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.places.assign(static_cast<std::size_t>(count) * joint_kinds, 0);
     for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
     levels.runs.clear();
-    int blocks = 0, angular = 0;
+    int blocks = 0, angular = 0, rows = 0;
     for (std::uint32_t key = 0; key < levels.places.size(); key++) {
         const int joints = levels.places[key];
         levels.places[key] = blocks * 8;  // the next free lane
@@ -48,15 +51,19 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
         levels.runs.push_back({.kind = static_cast<std::uint8_t>(kind),
                                .begin = blocks,
                                .end = blocks + size,
-                               .angular = has_angular(kind) ? angular : -1});
+                               .angular = has_angular(kind) ? angular : -1,
+                               .row = has_row(kind) ? rows : -1});
         blocks += size;
         if (has_angular(kind)) angular += size;
+        if (has_row(kind)) rows += size;
     }
     levels.metas.assign(static_cast<std::size_t>(blocks), {});
     for (const JointRun& run : levels.runs)
-        for (int k = run.begin; k < run.end; k++)
-            levels.metas[static_cast<std::size_t>(k)].angular =
-                run.angular < 0 ? -1 : run.angular + k - run.begin;
+        for (int k = run.begin; k < run.end; k++) {
+            JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(k)];
+            meta.angular = run.angular < 0 ? -1 : run.angular + k - run.begin;
+            meta.row = run.row < 0 ? -1 : run.row + k - run.begin;
+        }
     for (const LeveledJoint& joint : levels.joints) {
         const int lane = levels.places[joint.run]++;
         JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(lane / 8)];
@@ -68,6 +75,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     }
     levels.blocks.assign(static_cast<std::size_t>(blocks), JointConstraintWide{});
     levels.angular.assign(static_cast<std::size_t>(angular), JointAngularWide{});
+    levels.rows.assign(static_cast<std::size_t>(rows), VelocityRowWide{});
 }
 
 }  // namespace jostle::physics

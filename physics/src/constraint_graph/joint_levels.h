@@ -20,7 +20,8 @@ namespace jostle::physics {
 struct JointRun {
     std::uint8_t kind = 0;   // index into JointKind
     int begin = 0, end = 0;  // blocks
-    int angular = -1;        // JointAngularWide of the first block, unless they are ball joints
+    int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
+    int row = -1;            // VelocityRowWide likewise
 };
 
 struct LeveledJoint {
@@ -35,6 +36,7 @@ struct JointLevels {
     std::vector<JointRun> runs;        // in the order in which they are solved
     std::vector<JointConstraintWide> blocks;
     std::vector<JointAngularWide> angular;
+    std::vector<VelocityRowWide> rows;
     std::vector<JointConstraintWideMeta> metas;  // by block
 
     // Scratch.
@@ -50,6 +52,10 @@ void assign_levels(JointLevels& levels, std::size_t bodies);
 // Of a run or a block, by its first; null for kinds that have none.
 inline JointAngularWide* angular_of(JointLevels& levels, int first) {
     return first < 0 ? nullptr : &levels.angular[static_cast<std::size_t>(first)];
+}
+
+inline VelocityRowWide* row_of(JointLevels& levels, int first) {
+    return first < 0 ? nullptr : &levels.rows[static_cast<std::size_t>(first)];
 }
 
 }  // namespace jostle::physics

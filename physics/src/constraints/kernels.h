@@ -40,6 +40,7 @@ struct BodyRange {
 struct JointRange {
     JointConstraintWide* blocks;
     JointAngularWide* angular;  // of the run's first block; null for kinds that have none
+    VelocityRowWide* rows;      // likewise
     const JointConstraintWideMeta* metas;
     int kind;   // index into JointKind
     int first;  // block of the run

@@ -32,7 +32,7 @@ struct Joint {
     double lower = 0, upper = 0;  // of a limit, >= 0
     double swing = 0;             // of a cone, >= 0
     double spring = 0;
-    double motor = 0;  // about the axis
+    double motor = 0;  // about the axis; of a velocity row
     Vec3 friction;
     // What acted during the last step, for reports and for breaking.
     Vec3 force, torque;  // N, N m

@@ -35,7 +35,7 @@ TEST(Displacement, of_half_a_ball_is_the_textbooks) {
 
 TEST(Displacement, of_a_corner_of_a_box_is_a_pyramid) {
     // The corner at (1, 1, 1): cut at a distance of 1 along each edge.
-    const Vec3 out = normalized({-1, -1, -1});
+    const Vec3 out = normalized(Vec3{-1, -1, -1});
     const Displacement corner = displacement(Box{{1, 1, 1}}, out, dot(out, {0, 1, 1}));
     EXPECT_NEAR(corner.volume, 1.0 / 6, 1e-12);
     EXPECT_TRUE(near(corner.center, {0.75, 0.75, 0.75}, 1e-12));
@@ -69,7 +69,7 @@ TEST(Displacement, both_sides_of_a_cut_are_the_whole) {
 
 // 200 slices across the axis, each a segment of a disc or none: an oracle of another kind, cells.
 TEST(Displacement, is_what_a_sum_over_cells_says) {
-    const Vec3 normal = normalized({0.4, 0.8, -0.3});
+    const Vec3 normal = normalized(Vec3{0.4, 0.8, -0.3});
     const double offset = 0.17;
     const Capsule capsule{0.4, 0.9};
     const double step = 0.01;

@@ -78,7 +78,31 @@ struct DistanceJoint {
     bool operator==(const DistanceJoint&) const = default;
 };
 
-using JointKind = std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint>;
+// One row of the velocity solver, for what no other kind does: gears, racks, screws, motors along a
+// line, dampers, a vehicle's drive train. With v the velocity of an end's frame origin and w that
+// of its rotation, the row's rate is
+//     J = linear_a . v_a + angular_a . w_a + linear_b . v_b + angular_b . w_b
+// and the row's force f pushes each end along its vectors: linear_a f at a's frame origin,
+// angular_a f about it, b likewise. A motor along a line or a gear is linear_a = -linear_b or
+// angular_b = ratio * angular_a; units are the user's. The solver finds the f within lower..upper
+// that makes
+//     J + softness f = speed.
+struct VelocityRow {
+    Vec3 linear_a = {}, angular_a = {};  // in a's frame, or in the world's axes
+    Vec3 linear_b = {}, angular_b = {};  // in b's frame, or in the world's axes
+    bool world_axes = false;  // the vectors are the world's and do not turn with the bodies
+    double speed = 0;
+    // Mends an error of position: the row moves at speed - bias, and keeps none of the bias as
+    // velocity. 0.2 * error / sub-step is firm; World::set_joint() may give a new one each step.
+    double bias = 0;
+    double softness = 0;                 // rate per force, >= 0; 0: rigid. A damper's is 1 / c
+    double lower = -1e15, upper = 1e15;  // of the force
+
+    bool operator==(const VelocityRow&) const = default;
+};
+
+using JointKind =
+    std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint, VelocityRow>;
 inline constexpr int joint_kinds = static_cast<int>(std::variant_size_v<JointKind>);
 const char* kind_name(const JointKind& kind);  // "ball", "hinge", "cone-twist", ...
 

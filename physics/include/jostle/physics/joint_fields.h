@@ -91,6 +91,22 @@ struct JointFields<DistanceJoint> {
     }
 };
 
+template <>
+struct JointFields<VelocityRow> {
+    static constexpr const char* name = "velocity_row";
+    static void visit(auto& v, auto& row) {
+        v.vector("linear_a", row.linear_a, 1e6);
+        v.vector("angular_a", row.angular_a, 1e6);
+        v.vector("linear_b", row.linear_b, 1e6);
+        v.vector("angular_b", row.angular_b, 1e6);
+        v.flag("world_axes", row.world_axes);
+        v.number("speed", row.speed, -1e9, 1e9);
+        v.number("bias", row.bias, -1e9, 1e9);
+        v.number("softness", row.softness, 0, 1e9);
+        v.ordered("lower", row.lower, "upper", row.upper, -1e15, 1e15);
+    }
+};
+
 // Calls each(joint) with every kind as its struct makes it, in the order of JointKind.
 void for_each_joint_kind(auto&& each) {
     [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {

@@ -60,7 +60,9 @@ public:
 
     virtual std::span<const BodyId> bodies() const = 0;  // of the group, in a stated order
     virtual bool contains(BodyId body) const = 0;
-    // As it is at this moment of the step. The body is in the group.
+    // As it is at this moment of the step. The body is in the group. Before a sub-step, what
+    // touches nothing is shown where it is in the middle of the sub-step if nothing pushes: forces
+    // that follow from positions are then of second order and keep their energy.
     virtual MovingBody body(BodyId body) const = 0;
     virtual Vec3 velocity_at(BodyId body, Vec3 point) const = 0;  // m/s, world
 

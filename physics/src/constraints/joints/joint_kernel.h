@@ -22,18 +22,21 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass) {
     with_kind(kind, pass, std::type_identity<JointKind>{});
 }
 
-// Ball joints have none and touch none.
-JOSTLE_INLINE JointAngularWide& angular_of(const JointRange& range, int block,
-                                           JointAngularWide& nothing) {
+// What a kind has beside the block. Ball joints have nothing and touch nothing.
+JOSTLE_INLINE JointAngularWide& own_of(const JointRange& range, int block,
+                                       JointAngularWide& nothing) {
     return range.angular == nullptr ? nothing : range.angular[block - range.first];
+}
+JOSTLE_INLINE VelocityRowWide& own_of(const JointRange& range, int block, VelocityRowWide&) {
+    return range.rows[block - range.first];
 }
 
 inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
-    JointAngularWide nothing;
     with_kind(range.kind, [&](auto kernel) {
+        typename decltype(kernel)::Own nothing;
         for (int k = range.begin; k < range.end; k++) {
             JointPair pair(range.blocks[k], bodies);
-            kernel.warm_start(pair, range.blocks[k], angular_of(range, k, nothing));
+            kernel.warm_start(pair, range.blocks[k], own_of(range, k, nothing));
             pair.store();
         }
     });
@@ -41,19 +44,18 @@ inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, con
 
 template <bool kRelax>
 void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep& step) {
-    JointAngularWide nothing;
     with_kind(range.kind, [&](auto kernel) {
+        typename decltype(kernel)::Own nothing;
         for (int k = range.begin; k < range.end; k++) {
             JointConstraintWide& block = range.blocks[k];
-            JointAngularWide& angular = angular_of(range, k, nothing);
+            auto& own = own_of(range, k, nothing);
             JointPair pair(block, bodies);
             const JointLoad load =
-                kernel.template solve<kRelax>(pair, step, block, angular, range.metas[k].uses);
+                kernel.template solve<kRelax>(pair, step, block, own, range.metas[k].uses);
             pair.store();
             if constexpr (kRelax) {
                 store3(block.force, load3(block.force) + load.impulse);
-                if (range.angular != nullptr)
-                    store3(angular.torque, load3(angular.torque) + load.angular);
+                if (&own != &nothing) store3(own.torque, load3(own.torque) + load.angular);
             }
         }
     });

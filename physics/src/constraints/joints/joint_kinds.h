@@ -2,7 +2,7 @@
 //
 // One struct per joint kind: what it does with the impulses that it carries, and how it makes new
 // ones. warm_start() applies those of the sub-step before, solve() changes them, load() tells what
-// the joint exerted on b, in world axes.
+// the joint exerted on b, in world axes. Own: what the kind has beside the block.
 #pragma once
 
 #include "constraints/joints/joint_pair.h"
@@ -20,6 +20,7 @@ struct JointKernel;
 
 template <>
 struct JointKernel<BallJoint> {
+    using Own = JointAngularWide;
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide&) {
         pair.push(pair.to_world(block.point));
@@ -36,6 +37,7 @@ struct JointKernel<BallJoint> {
 
 template <>
 struct JointKernel<HingeJoint> {
+    using Own = JointAngularWide;
     JOSTLE_INLINE static Wide along_axis(const JointAngularWide& t) {
         return load(t.lower) - load(t.upper) + load(t.spring) + load(t.motor);
     }
@@ -78,6 +80,7 @@ struct JointKernel<HingeJoint> {
 
 template <>
 struct JointKernel<ConeTwistJoint> {
+    using Own = JointAngularWide;
     struct Axes {
         Wide3 swing;        // about which b's x axis turns away from a's
         Wide3 twist;        // b's spin against a, times this, is the rate of the twist angle
@@ -149,6 +152,7 @@ JOSTLE_INLINE WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) 
 
 template <>
 struct JointKernel<FixedJoint> {
+    using Own = JointAngularWide;
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
                                          JointAngularWide& t) {
         pair.push(pair.to_world(block.point));
@@ -174,6 +178,7 @@ struct JointKernel<FixedJoint> {
 
 template <>
 struct JointKernel<DistanceJoint> {
+    using Own = JointAngularWide;
     // From a's anchor to b's; up when they coincide and there is no such direction.
     JOSTLE_INLINE static Wide3 line_of(const JointPair& pair) {
         return normalized(pair.apart, {splat(0), splat(1), splat(0)});
@@ -200,6 +205,62 @@ struct JointKernel<DistanceJoint> {
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - now, t.upper);
         }
         return {line * along(t), Wide3{}};
+    }
+};
+
+template <>
+struct JointKernel<VelocityRow> {
+    using Own = VelocityRowWide;
+    // About the centres of mass.
+    struct Jacobian {
+        Wide3 linear_a, angular_a, linear_b, angular_b;
+
+        JOSTLE_INLINE Jacobian(const JointPair& pair, const VelocityRowWide& t) {
+            const Wide turns = load(t.turns);
+            linear_a = turned(pair.a, t.linear_a, turns);
+            linear_b = turned(pair.b, t.linear_b, turns);
+            angular_a = turned(pair.a, t.angular_a, turns) + cross(pair.a.arm, linear_a);
+            angular_b = turned(pair.b, t.angular_b, turns) + cross(pair.b.arm, linear_b);
+        }
+        JOSTLE_INLINE static Wide3 turned(const JointSide& side, const float (*at_start)[8],
+                                          Wide turns) {
+            const Wide3 v = load3(at_start);
+            return v + rotated_by(side.rotation, v) * turns;
+        }
+        JOSTLE_INLINE Wide rate(const JointPair& pair) const {
+            return (dot(linear_a, pair.a.v) + dot(angular_a, pair.a.w)) +
+                   (dot(linear_b, pair.b.v) + dot(angular_b, pair.b.w));
+        }
+        JOSTLE_INLINE Wide effective(const JointPair& pair) const {  // what a unit does to the rate
+            return (dot(linear_a, pair.a.push(linear_a)) +
+                    dot(angular_a, pair.a.inverse_inertia * angular_a)) +
+                   (dot(linear_b, pair.b.push(linear_b)) +
+                    dot(angular_b, pair.b.inverse_inertia * angular_b));
+        }
+        JOSTLE_INLINE void apply(JointPair& pair, Wide impulse) const {
+            pair.a.v = pair.a.v + pair.a.push(linear_a) * impulse;
+            pair.a.w = pair.a.w + pair.a.inverse_inertia * angular_a * impulse;
+            pair.b.v = pair.b.v + pair.b.push(linear_b) * impulse;
+            pair.b.w = pair.b.w + pair.b.inverse_inertia * angular_b * impulse;
+        }
+    };
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&,
+                                         VelocityRowWide& t) {
+        Jacobian(pair, t).apply(pair, load(t.impulse));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep&, JointConstraintWide&,
+                                         VelocityRowWide& t, unsigned) {
+        const Jacobian jacobian(pair, t);
+        const Wide softness = load(t.softness), before = load(t.impulse);
+        const Wide wanted = kRelax ? load(t.speed) : load(t.speed) - load(t.bias);
+        const Wide response = inverse_above(jacobian.effective(pair) + softness, splat(0));
+        const Wide error = jacobian.rate(pair) + softness * before - wanted;
+        const Wide now = max(min(before - error * response, load(t.upper)), load(t.lower));
+        jacobian.apply(pair, now - before);
+        store(t.impulse, now);
+        return {jacobian.linear_b * now,
+                (jacobian.angular_b - cross(pair.b.arm, jacobian.linear_b)) * now};
     }
 };
 

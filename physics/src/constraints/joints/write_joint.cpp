@@ -82,6 +82,7 @@ struct Parts {
     }
 
     void operator()(const BallJoint&) {}
+    void operator()(const VelocityRow&) {}
     void operator()(const HingeJoint& kind) {
         frames();
         limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
@@ -111,12 +112,30 @@ struct Parts {
     }
 };
 
+void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const JointEnd& b,
+               double h, VelocityRowWide& to, const Lane& lane) {
+    const auto put = [&](float(*rows)[8], Vec3 v, const JointEnd& end) {
+        lane.put(rows, row.world_axes ? v : rotate(end.frame, v));
+    };
+    put(to.linear_a, row.linear_a, a);
+    put(to.angular_a, row.angular_a, a);
+    put(to.linear_b, row.linear_b, b);
+    put(to.angular_b, row.angular_b, b);
+    lane.put(to.turns, row.world_axes ? 0 : 1);
+    lane.put(to.speed, row.speed);
+    lane.put(to.bias, row.bias);
+    lane.put(to.softness, row.softness / h);
+    lane.put(to.lower, row.lower * h);
+    lane.put(to.upper, row.upper * h);
+    lane.put(to.impulse, impulse);
+}
+
 }  // namespace
 
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                 JointConstraintWide& block, JointAngularWide* angular,
-                 JointConstraintWideMeta& meta, int lane_index) {
+                 const JointBlock& to, int lane_index) {
     const Lane lane{lane_index};
+    JointConstraintWide& block = to.block;
     const std::int32_t carrier = carrier_of(a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
     block.a[lane.at] = std::abs(a.hot);
@@ -125,21 +144,27 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     lane.put(block.arm_b, b.arm);
     lane.put(block.apart, (b.center - a.center) + (b.arm - a.arm));
     lane.put(block.point, rotate(carried, joint.point));
-    if (angular == nullptr) return;
-    lane.put(angular->angular, rotate(carried, joint.angular));
-    Parts parts{joint, a, b, h, lane, *angular};
+    if (to.row != nullptr)
+        write_row(std::get<VelocityRow>(joint.kind), joint.motor, a, b, h, *to.row, lane);
+    if (to.angular == nullptr) return;
+    JointAngularWide& angular = *to.angular;
+    lane.put(angular.angular, rotate(carried, joint.angular));
+    Parts parts{joint, a, b, h, lane, angular};
     std::visit(parts, joint.kind);
-    if ((parts.uses & uses_motor) != 0)
-        lane.put(angular->friction, rotate(carried, joint.friction));
-    meta.uses |= parts.uses;
+    if ((parts.uses & uses_motor) != 0) lane.put(angular.friction, rotate(carried, joint.friction));
+    to.meta.uses |= parts.uses;
 }
 
-bool read_joint(Joint& joint, Quat carried, double dt, const JointConstraintWide& block,
-                const JointAngularWide* angular, int lane_index) {
+bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, int lane_index) {
     const Lane lane{lane_index};
+    const JointConstraintWide& block = from.block;
     joint.point = inverse_rotate(carried, lane.get3(block.point));
     joint.force = lane.get3(block.force) * (1 / dt);
-    if (angular != nullptr) {
+    if (from.row != nullptr) {
+        joint.motor = lane.get(from.row->impulse);
+        joint.torque = lane.get3(from.row->torque) * (1 / dt);
+    }
+    if (const JointAngularWide* angular = from.angular; angular != nullptr) {
         joint.angular = inverse_rotate(carried, lane.get3(angular->angular));
         joint.friction = inverse_rotate(carried, lane.get3(angular->friction));
         joint.lower = lane.get(angular->lower);

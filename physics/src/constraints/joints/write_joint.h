@@ -22,14 +22,20 @@ inline std::int32_t carrier_of(std::int32_t a, std::int32_t b) {
     return b > 0 ? b : a;
 }
 
-// `angular` is null for kinds that need none; h: sub-step, s.
+// Where a joint's lane is: a block, and what its kind has besides, or null.
+struct JointBlock {
+    JointConstraintWide& block;
+    JointAngularWide* angular;
+    VelocityRowWide* row;
+    JointConstraintWideMeta& meta;
+};
+
+// h: sub-step, s.
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                 JointConstraintWide& block, JointAngularWide* angular,
-                 JointConstraintWideMeta& meta, int lane);
+                 const JointBlock& to, int lane);
 // Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation
 // of its carrier at the start of the step, or none. Returns whether it is loaded more than it
 // bears.
-bool read_joint(Joint& joint, Quat carried, double dt, const JointConstraintWide& block,
-                const JointAngularWide* angular, int lane);
+bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, int lane);
 
 }  // namespace jostle::physics

@@ -64,7 +64,13 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     const bool listened = has_substep_listeners(world);
     for (int n = 0; n < count; n++) {
         SubstepMoment moment{n, count, step.dt / count};
-        if (listened) call_listeners(step, moment, awake, moving);
+        // Listeners, too, push where bodies are in the middle of the sub-step: free_motion() then
+        // starts where it passes there with the new velocity.
+        if (listened) {
+            for (BodyWarm& now : moving) now.center += now.v * (0.5 * moment.h);
+            call_listeners(step, moment, awake, moving);
+            for (BodyWarm& now : moving) now.center -= now.v * (0.5 * moment.h);
+        }
         step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
             for (int k = begin; k < end; k++)
                 advance(step, moment, moving[static_cast<std::size_t>(k)]);

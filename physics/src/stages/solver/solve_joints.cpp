@@ -96,6 +96,7 @@ void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const Join
         const auto work = [&](int begin, int end) {
             pass({.blocks = levels.blocks.data(),
                   .angular = angular_of(levels, run.angular),
+                  .rows = row_of(levels, run.row),
                   .metas = levels.metas.data(),
                   .kind = run.kind,
                   .first = run.begin,
@@ -135,7 +136,9 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
             const Joint& joint = world.joints.joints[meta.joint[lane]];
             write_joint(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
                         end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), h,
-                        levels.blocks[block], angular_of(levels, meta.angular), meta, lane);
+                        {levels.blocks[block], angular_of(levels, meta.angular),
+                         row_of(levels, meta.row), meta},
+                        lane);
         }
     });
 }
@@ -175,7 +178,9 @@ void finish_joints(StepContext& step, const JointTask& task) {
                 carrier > 0 ? world.bodies.awake[static_cast<std::size_t>(carrier) - 1].rotation
                             : Quat{};
             if (read_joint(world.joints.joints[meta.joint[lane]], carried, step.dt,
-                           levels.blocks[block], angular_of(levels, meta.angular), lane))
+                           {levels.blocks[block], angular_of(levels, meta.angular),
+                            row_of(levels, meta.row), meta},
+                           lane))
                 meta.overloaded |= static_cast<std::uint8_t>(1u << lane);
         }
     });

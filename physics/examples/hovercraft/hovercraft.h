@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// A hovercraft: a module written on the library's public headers alone. Four thrusters at the
+// corners of a body each cast a ray down and push by what they find; a drive carries the craft
+// round a circle. Works over any ground.
+#pragma once
+
+#include <array>
+
+#include "jostle/physics/module.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::examples {
+
+class Hovercraft : public physics::Module {
+public:
+    struct Settings {
+        double height = 1.2;  // m that thrusters keep above the ground, 0.3 to 3
+        double speed = 8;     // m/s that the drive keeps, 0 to 20
+        double radius = 16;   // m of the circle about the world's y axis, 4 to 1000
+    };
+
+    Hovercraft() = default;
+    explicit Hovercraft(physics::BodyId craft) : craft_(craft) {}
+    Hovercraft(physics::BodyId craft, const Settings& settings)
+        : craft_(craft), settings_(settings) {}
+
+    std::string_view tag() const override { return "hovercraft"; }
+    void visit(physics::StateVisitor& v) override;
+    // The numbers height, speed and radius; the body craft, which must be given.
+    physics::Status configure(physics::World& world,
+                              const physics::ModuleSettings& settings) override;
+    // The body, then for each thruster where it is in the body (-2 to 2 m), how long its ray is (0
+    // to 4 m) and how hard it pushes (0 to 1 of its most): 40 bytes.
+    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+
+    physics::StepHooks hooks() const override { return {.substeps = true}; }
+    void before_substep(physics::SubstepContext& substep) override;
+
+private:
+    struct Thruster {
+        double force = 0;  // N; follows what is wanted with a lag
+        double ray = 0;    // m to the ground, or as far as it looks
+    };
+
+    void lift(physics::SubstepContext& substep, const physics::MovingBody& craft);
+    void drive(physics::SubstepContext& substep, const physics::MovingBody& craft);
+
+    physics::BodyId craft_;
+    Settings settings_;
+    std::array<Thruster, 4> thrusters_;
+};
+
+}  // namespace jostle::examples

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// What a joint's fields may be is read from the table of kinds: an error names the field's path.
+#include "world/joint_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "jostle/physics/joint_fields.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+std::string error_of(const JointKind& kind) {
+    const Status status = check_kind(kind);
+    return status.ok() ? "" : status.error().message;
+}
+
+TEST(JointChecks, every_kind_as_it_is_made_is_valid) {
+    int kinds = 0;
+    for_each_joint_kind([&](const auto& kind) {
+        EXPECT_EQ(error_of(kind), "");
+        kinds++;
+    });
+    EXPECT_EQ(kinds, joint_kinds);
+}
+
+TEST(JointChecks, errors_name_the_field_by_its_path) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const struct {
+        JointKind kind;
+        const char* path;
+    } faults[] = {
+        {HingeJoint{.limit = {true, 1, 0.5}}, "hinge.limit.lower"},
+        {HingeJoint{.limit = {true, -4, 0}}, "hinge.limit.lower"},
+        {HingeJoint{.motor = {true, nan, 1}}, "hinge.motor.speed"},
+        {HingeJoint{.motor = {true, 1, -1}}, "hinge.motor.max_torque"},
+        {ConeTwistJoint{.swing = 4}, "cone_twist.swing"},
+        {FixedJoint{.angular = {.hertz = -1}}, "fixed.angular.hertz"},
+        {DistanceJoint{.min_length = 2, .max_length = 1}, "distance.max_length"},
+        {VelocityRow{.angular_b = {0, nan, 0}}, "velocity_row.angular_b"},
+        {VelocityRow{.softness = -1}, "velocity_row.softness"},
+        {VelocityRow{.lower = 2, .upper = 1}, "velocity_row.upper"},
+    };
+    for (const auto& [kind, path] : faults)
+        EXPECT_NE(error_of(kind).find(path), std::string::npos) << path << ": " << error_of(kind);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// The hovercraft of physics/examples in its scene: it stays above the waves, on its circle, and is
+// the same after a load and after a restore point.
+#include "hovercraft.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "jostle/physics/restore_point.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/catalog.h"
+
+namespace jostle::scenes {
+namespace {
+
+using namespace physics;
+
+constexpr double dt = 1.0 / 60;
+
+void ride(World& world, int seconds) {
+    for (int step = 0; step < 60 * seconds; step++) ASSERT_TRUE(world.step(dt).ok());
+}
+
+BuiltScene built_scene() {
+    auto built = build_scene(*find_scene("hovercraft"));
+    EXPECT_TRUE(built.ok()) << built.error().message;
+    return std::move(*built);
+}
+
+TEST(Hovercraft, flies_over_the_waves_on_its_circle) {
+    BuiltScene built = built_scene();
+    const BodyId craft = built.bodies[1];
+    ride(built.world, 5);
+    double nearest = 1e9, furthest = 0, slowest = 1e9;
+    for (int step = 0; step < 60 * 30; step++) {
+        ASSERT_TRUE(built.world.step(dt).ok());
+        const BodyState state = *built.world.body(craft);
+        const auto hit = built.world.queries().cast_ray(
+            {.origin = state.center, .motion = {0, -10, 0}}, {.ignore = craft});
+        ASSERT_TRUE(hit.ok() && hit->has_value());
+        nearest = std::min(nearest, (*hit)->fraction * 10);
+        furthest = std::max(furthest, (*hit)->fraction * 10);
+        slowest = std::min(slowest, length(state.linear_velocity));
+    }
+    // Thrusters keep 1.2 m and sit 0.3 m below the middle.
+    EXPECT_GT(nearest, 0.7);
+    EXPECT_LT(furthest, 2.6);
+    EXPECT_GT(slowest, 4);
+}
+
+TEST(Hovercraft, goes_on_with_the_same_bits_when_loaded_and_when_restored) {
+    World world = std::move(built_scene().world);
+    ride(world, 3);
+    RestorePoint point;
+    point.keep(world);
+    World again = std::move(*load(save(world)));
+    ride(world, 5);
+    ride(again, 5);
+    const std::uint64_t hash = state_hash(world);
+    EXPECT_EQ(hash, state_hash(again));
+    ASSERT_TRUE(point.restore(world).ok());
+    EXPECT_NE(hash, state_hash(world));
+    ride(world, 5);
+    EXPECT_EQ(hash, state_hash(world));
+}
+
+// The bytes that WIRE.md names and the viewer draws.
+TEST(Hovercraft, tells_clients_in_40_bytes_where_its_thrusters_are) {
+    BuiltScene built = built_scene();
+    ride(built.world, 2);
+    ChunkWriter chunk([](BodyId) { return 7u; });
+    built.world.module("hovercraft")->publish(built.world, chunk);
+    ASSERT_EQ(chunk.bytes().size(), 40u);
+    EXPECT_EQ(chunk.bytes()[0], std::byte{7});
+}
+
+TEST(Hovercraft, refuses_settings_and_bodies_that_it_does_not_have) {
+    const auto error_of = [](const auto& change) {
+        SceneDescription scene = *find_scene("hovercraft");
+        change(scene.modules[0]);
+        const auto built = build_scene(scene);
+        return built.ok() ? "" : built.error().message;
+    };
+    EXPECT_EQ(error_of([](SceneModule& m) {
+                  m.settings = {{"colour", 1}};
+              }),
+              "modules[0] 'hovercraft': there is no setting colour; give height, speed or radius");
+    EXPECT_EQ(error_of([](SceneModule& m) {
+                  m.settings = {{"speed", 99}};
+              }),
+              "modules[0] 'hovercraft': speed is 99.000000; it must be from 0.000000 to 20.000000");
+    EXPECT_EQ(error_of([](SceneModule& m) { m.bodies = {}; }),
+              "modules[0] 'hovercraft': has no craft; give a body by that name");
+    EXPECT_EQ(error_of([](SceneModule& m) {
+                  m.bodies = {{"craft", 0}};
+              }),
+              "modules[0] 'hovercraft': craft is not dynamic; what hovers must move");
+}
+
+}  // namespace
+}  // namespace jostle::scenes

@@ -24,7 +24,7 @@ double height_at(double x, double z) {
 
 Geometry waves() {
     constexpr std::uint32_t samples = 81;
-    HeightGrid grid{.columns = samples, .rows = samples, .heights = {}, .holes = {}};
+    HeightGrid grid{.columns = samples, .rows = samples};
     for (std::uint32_t r = 0; r < samples; r++)
         for (std::uint32_t c = 0; c < samples; c++)
             grid.heights.push_back(height_at(c - 40.0, r - 40.0));

@@ -15,8 +15,7 @@ namespace {
 
 // 80 m square, waves 20 m long and 0.8 m high.
 Geometry waves() {
-    HeightGrid grid{
-        .columns = 81, .rows = 81, .spacing_x = 1, .spacing_z = 1, .heights = {}, .holes = {}};
+    HeightGrid grid{.columns = 81, .rows = 81};
     for (int row = 0; row < 81; row++)
         for (int column = 0; column < 81; column++)
             grid.heights.push_back(0.4 * sin_cos(0.314 * column + 0.1 * row).sin);

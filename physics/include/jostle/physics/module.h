@@ -53,8 +53,8 @@ private:
 
 // What a scene says of a module, in its order.
 struct ModuleSettings {
-    std::vector<std::pair<std::string, double>> numbers;
-    std::vector<std::pair<std::string, BodyId>> bodies;
+    std::vector<std::pair<std::string, double>> numbers = {};
+    std::vector<std::pair<std::string, BodyId>> bodies = {};
 };
 
 class Module : public StepListener {

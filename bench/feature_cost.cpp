@@ -32,6 +32,8 @@ equal worlds: what is not larger than that is not measured.
 Idle means:  continuous  sweeps are on, nobody is fast        joints     one joint between two bodies asleep
              triggers    one trigger with nobody inside       events     one shape that reports its contacts, asleep
              kinematics  one kinematic body that stands       meshes     a mesh of 200 triangles, a box asleep on it
+             listeners   one that does nothing, asked about   fields     wind in a box that holds nobody
+                         new contacts when there are some
 
 Examples:
   jostle-bench features
@@ -97,14 +99,28 @@ void add_mesh(World& world) {
     add(world, BodyType::dynamic, {far, 3.5, 0}, {});
 }
 
+// One for all worlds: it keeps nothing.
+struct IdleListener : StepListener {
+    StepHooks hooks() const override { return {.pre_solve = true}; }
+};
+void add_listener(World& world) {
+    static IdleListener listener;
+    world.add_listener(listener).expect();
+}
+
+void add_field(World& world) {
+    must(world.create_field({.force = UniformWind{.velocity = {10, 0, 0}},
+                             .region = Aabb{{far, 0, 0}, {far + 10, 10, 10}}}));
+}
+
 struct Feature {
     const char* name;
     void (*add)(World&);  // null: it is a flag of the world
 };
-constexpr Feature features[] = {{"nothing", nullptr},     {"continuous", nullptr},
-                                {"joints", add_joint},    {"triggers", add_trigger},
-                                {"events", add_reporter}, {"kinematics", add_kinematic},
-                                {"meshes", add_mesh}};
+constexpr Feature features[] = {
+    {"nothing", nullptr},      {"continuous", nullptr},     {"joints", add_joint},
+    {"triggers", add_trigger}, {"events", add_reporter},    {"kinematics", add_kinematic},
+    {"meshes", add_mesh},      {"listeners", add_listener}, {"fields", add_field}};
 
 World make_world(const Feature* feature) {
     const bool continuous = feature != nullptr && feature->name == std::string("continuous");

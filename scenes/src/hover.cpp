@@ -18,7 +18,7 @@ namespace {
 // 80 m square: waves 20 m long and 0.8 m high, and a rim that keeps what is loose.
 double height_at(double x, double z) {
     const double r = square_root(x * x + z * z);
-    const double rim = r > 28 ? 0.15 * (r - 28) * (r - 28) : 0;
+    const double rim = r > 22 ? 0.15 * (r - 22) * (r - 22) : 0;
     return 0.4 * sin_cos(0.314 * x + 0.1 * z).sin + rim;
 }
 
@@ -48,14 +48,14 @@ SceneDescription hovercraft() {
         .name = "waves", .body = {.type = BodyType::static_body}, .shapes = {}, .color = 0x3d5a80};
     sea.shapes.push_back({.geometry = waves(), .material = {.friction = 0.4}});
     scene.bodies.push_back(sea);
-    SceneBody craft = colored(loose("craft", {16, 2, 0}, Box{{1, 0.3, 1.6}}), 0xee6c4d);
+    SceneBody craft = colored(loose("craft", {11, 2, 0}, Box{{1, 0.3, 1.6}}), 0xee6c4d);
     craft.shapes[0].density = 150;
     SceneBody& added = scene.bodies.emplace_back(std::move(craft));
     added.shapes.push_back(
         {.geometry = Box{{0.5, 0.25, 0.5}}, .pose = {{0, 0.55, 0.3}, {}}, .density = 30});
     Random random(7);
     for (int i = 0; i < 24; i++) {
-        const double turn = 6.2832 * i / 24, r = random.in(12, 21);
+        const double turn = 6.2832 * i / 24, r = random.in(7, 17);
         const SinCos at = sin_cos(turn);
         const double x = r * at.cos, z = r * at.sin;
         const Geometry kinds[] = {Sphere{0.35}, Cylinder{0.3, 0.3}, Box{{0.3, 0.25, 0.35}}};
@@ -65,8 +65,10 @@ SceneDescription hovercraft() {
         buoy.shapes[0].material = {.friction = 0.5, .restitution = 0.3, .rolling_friction = 0.01};
         scene.bodies.push_back(buoy);
     }
-    scene.modules.push_back(
-        {.tag = "hovercraft", .settings = {{"speed", 8}}, .bodies = {{"craft", 1}}, .state = {}});
+    scene.modules.push_back({.tag = "hovercraft",
+                             .settings = {{"radius", 11}, {"speed", 7}},
+                             .bodies = {{"craft", 1}},
+                             .state = {}});
     return scene;
 }
 

@@ -1,5 +1,5 @@
 // The viewer in a real headless Chromium against a real server: joins, drags a box and sees it move, throws a ball and sees
-// one more body, draws shapes of every kind, asks what is under the pointer, looks at the solver, reads events.
+// one more body, draws shapes of every kind and a module's lines, asks what is under the pointer, looks at the solver, reads events.
 // Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
 // shapes. Exit status 1 when something does not hold.
 
@@ -56,7 +56,7 @@ function expect(holds, what) {
 
 const process_ = spawn(
   server,
-  ['--scene', 'sandbox', '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--web-root', webRoot, '--port-file', portFile],
+  ['--scene', 'sandbox', '--scene', 'hovercraft', '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--web-root', webRoot, '--port-file', portFile],
   { stdio: ['ignore', 'inherit', 'inherit'] },
 );
 let browser;
@@ -152,7 +152,15 @@ try {
     const same = Object.keys({ ...right, ...parts }).every((kind) => parts[kind] === right[kind]);
     expect(same, `every shape is drawn as what it is: ${JSON.stringify(parts)}`);
   }
+  await page.goto(`http://127.0.0.1:${ports.http}/?quality=low&world=hovercraft`);
+  await until('the hovercraft plays', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
+  await until('its four jets are drawn', () => page.evaluate(() => window.jostle.moduleLines() === 4));
+  expect(true, "a module's state is drawn: four jets of a hovercraft");
+  if (screenshot) await page.screenshot({ path: screenshot.replace(/(\.\w+)?$/, '-hovercraft$1'), timeout: 40_000 });
+
   if (servesShapes && servesQueries) {
+    await page.goto(`http://127.0.0.1:${ports.http}/?quality=low&world=shapes`);
+    await until('the world of shapes plays again', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
     expect(debugQuestions === 0, 'no question for the debug view while it is off');
     await page.keyboard.press('d');
     for (const toggle of ['contacts', 'joints', 'islands']) await page.locator(`#debug input[name=${toggle}]`).check();

@@ -190,6 +190,8 @@ Object.defineProperty(window, 'jostle', {
     loose: () => [...connection.entities.values()].filter((e) => e.mass > 0).map((e) => e.id),
     /** How many parts of each kind are in the scene. */
     parts: () => view.partCounts(),
+    /** How many lines modules have drawn in this picture. */
+    moduleLines: () => moduleView.lines.count / 2,
     nameOf: (id: number) => connection.entities.get(id)?.name,
     pose: (id: number) => {
       const pose = view.poseOf(id);

@@ -208,11 +208,15 @@ template <class V>
 struct JointFieldList {
     V& v;
 
-    void number(const char* name, double& x, double, double) { v.field(name, x); }
+    void number(const char* name, double& x, double low, double high) {
+        v.field(name, x);
+        if constexpr (V::kLoading)
+            if (!(x >= low && x <= high)) v.fail(name, "is out of range");
+    }
     void ordered(const char* lower_name, double& lower, const char* upper_name, double& upper,
-                 double, double) {
-        v.field(lower_name, lower);
-        v.field(upper_name, upper);
+                 double low, double high) {
+        number(lower_name, lower, low, high);
+        number(upper_name, upper, lower, high);
     }
     void vector(const char* name, Vec3& x, double) { visit(v, name, x); }
     void flag(const char* name, bool& x) { v.field(name, x); }

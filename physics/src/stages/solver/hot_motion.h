@@ -8,6 +8,7 @@
 
 namespace jostle::physics {
 
+Vec3 center_now(const StepContext& step, std::uint32_t awake_index);  // m, of mass, world
 // Where it is and how it moves now, in double, world axes.
 BodyWarm motion_now(const StepContext& step, std::uint32_t awake_index);
 

@@ -30,13 +30,18 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     world.last_dt = dt;
-    StepContext step{world, scratch, *world.team, dt, {}};
+    return {world, scratch, *world.team, dt, {}};
+}
+
+// While all sleep they are not worked out.
+void set_contact_settings(StepContext& step) {
+    const WorldState& world = step.world;
+    if (world.bodies.awake.empty()) return;
     for (const SolverTier tier : all_tiers) {
         ContactSettings& set = step.contacts[index_of(tier)];
-        set = contact_settings(dt, world.def, tier);
+        set = contact_settings(step.dt, world.def, tier);
         set.planar = world.def.planar;
     }
-    return step;
 }
 
 // Puts the time of one stage into the profile, or why it was skipped: that takes no clock.
@@ -64,9 +69,12 @@ void run_second(StepContext& step, Stage name) {
 void step_world(WorldState& world, StepScratch& scratch, double dt) {
     ASSERT(dt > 0);
     StepContext step = begin_step(world, scratch, dt);
+    const bool asleep = world.bodies.awake.empty();
+    set_contact_settings(step);
     run<update_pairs>(step, Stage::update_pairs);                 // which shapes may touch
     run<update_contacts>(step, Stage::update_contacts);           // where they touch
     run<wake_before_solve>(step, Stage::wake_bodies);             // who is disturbed
+    if (asleep) set_contact_settings(step);                       // somebody was woken
     run<begin_contacts>(step, Stage::begin_contacts);             // new manifolds are to be solved
     run<prepare_islands>(step, Stage::prepare_islands);           // sub-steps by what an island is
     run<solve_constraints>(step, Stage::solve_constraints);       // sub-steps of all that touches

@@ -27,6 +27,7 @@ bool boxes_overlap(const WorldState& world, const Contact& c) {
 // No manifold (any more): the pair gets a separation bound, or ends when its boxes parted.
 void bound_or_end(WorldState& world, const ContactCheck& check, double near) {
     Contact& c = world.contacts.contacts[check.contact];
+    ASSERT(!c.has_bound && !c.composite);
     if (c.touching) {
         report_end(world, c, world.events.contacts_ended);
         end_touch(world, check.contact);
@@ -86,6 +87,7 @@ double begin_margin(const WorldState& world, const Contact& c) {
 void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     auto& contacts = world.contacts.contacts;
+    ASSERT(check.list >= 0 && check.list < scratch.part_lists);
     const auto& found = scratch.parts[static_cast<std::size_t>(check.list)];
     for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
         const std::uint32_t next = contacts[p].next_part;
@@ -116,6 +118,7 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     ASSERT(world.contacts.ids.alive(check.contact));
     const Contact& c = world.contacts.contacts[check.contact];
+    ASSERT(!c.queued);
     if (c.composite) return decide_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.

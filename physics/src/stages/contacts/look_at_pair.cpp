@@ -108,6 +108,7 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
                       parts);
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     check.near -= way_ahead;
+    ASSERT(check.list >= 0 && check.list < scratch.part_lists);
     std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
@@ -196,6 +197,7 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     } else if (check.gap_ahead < tuning::speculative_margin) {
         ASSERT(c.colour < 0 || manifold.count == 0);
         check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+        ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());
         scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
     }
 }

@@ -88,9 +88,13 @@ void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch) {
 void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
     WorldState& world = step.world;
     FinalizeScratch& scratch = step.scratch.finalize;
+    ASSERT(awake_index < scratch.fast.size() && awake_index < world.bodies.awake.size());
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
     ASSERT(cold.set == BodySet::awake && cold.at == awake_index && !cold.asleep_in_place);
+    // Once in a step.
+    ASSERT(scratch.fast[awake_index] == 0 && scratch.thrown[awake_index] == 0);
+    ASSERT(scratch.left_fat_aabb[awake_index] == 0 && scratch.not_finite[awake_index] == 0);
     warm.force = warm.torque = {};
     const Vec3 center = warm.center + motion.displacement;
     if (!is_sound(motion, center)) {

@@ -55,6 +55,7 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
             others.push_back(i);
             continue;
         }
+        ASSERT(world.bodies.cold[world.bodies.awake[i].body].constraints == 0);
         solver.free_place[i] = static_cast<std::uint32_t>(awake.size());
         awake.push_back(i);
         moving.push_back(world.bodies.awake[i]);
@@ -92,6 +93,10 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
 Skipped integrate_free(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
+    // Each awake body is free, in the solver, or asleep in place.
+    ASSERT(step.scratch.solver.free.size() + step.scratch.solver.bodies.all.size() +
+               world.bodies.asleep_in_place ==
+           world.bodies.awake.size());
     begin_finalize(world.bodies, step.scratch.finalize);
     std::vector<std::uint32_t> others;
     const bool by_substeps = has_substep_listeners(world) || !world.fields.empty();

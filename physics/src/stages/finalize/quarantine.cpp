@@ -29,6 +29,7 @@ Skipped quarantine(StepContext& step) {
     WorldState& world = step.world;
     // What woke since then was at rest.
     const std::vector<std::uint8_t>& not_finite = step.scratch.finalize.not_finite;
+    ASSERT(not_finite.size() <= world.bodies.awake.size());
     for (std::uint32_t i = 0; i < not_finite.size(); i++) {
         if (not_finite[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;

@@ -35,6 +35,7 @@ std::array<Work, tier_count> weigh_islands(const WorldState& world,
     std::array<Work, tier_count> works;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0) continue;
+        ASSERT(world.islands.ids.alive(i) && !world.islands.islands[i].asleep);
         const ColourSetKey set = world.islands.islands[i].colour_set;
         Work& work = works[index_of(set.tier)];
         std::uint32_t& lightest = work.lightest[set.batch];

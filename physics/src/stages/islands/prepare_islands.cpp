@@ -26,6 +26,7 @@ void measure_extents(const WorldState& world, std::vector<IslandExtent>& extents
         if (cold.constraints == 0 || cold.island == none ||
             length_squared(warm.v) > tuning::standing_speed * tuning::standing_speed)
             continue;
+        ASSERT(cold.island < extents.size());
         IslandExtent& extent = extents[cold.island];
         if (extent.bodies++ == 0) extent.first = warm.center;
         const Vec3 from = warm.center - extent.first;
@@ -88,6 +89,7 @@ bool has_overload(WorldState& world, const Island& island, Vec3 up) {
 SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, std::uint32_t index,
                    Vec3 up) {
     const Island& island = world.islands.islands[index];
+    ASSERT(world.islands.ids.alive(index) && !island.asleep);
     if (island.uneven && has_overload(world, island, up)) return SolverTier::heavy;
     const IslandExtent& extent = extents[index];
     if (!is_slender(extent)) {

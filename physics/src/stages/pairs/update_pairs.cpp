@@ -17,6 +17,7 @@ using ShapePair = std::pair<std::uint32_t, std::uint32_t>;
 
 void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
               std::vector<ShapePair>& pairs) {
+    ASSERT(world.shapes.ids.alive(a) && world.shapes.ids.alive(b));
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
     if (sa.body == sb.body) return;
     if (world.bodies.cold[sa.body].type != BodyType::dynamic &&
@@ -59,6 +60,7 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
     constexpr std::size_t chunk = tuning::pair_grain;
     const WorldState& world = step.world;
     const std::vector<std::uint32_t>& moved = world.shapes.moved;
+    ASSERT(!moved.empty());
     std::vector<NewPairs>& parts = step.scratch.pairs.new_pairs;
     const std::size_t chunks = (moved.size() + chunk - 1) / chunk;
     if (parts.size() < chunks) parts.resize(chunks);
@@ -101,8 +103,10 @@ Skipped update_pairs(StepContext& step) {
     moved.clear();
     for (const auto& [a, b] : pairs) {
         const std::uint32_t contact = create_contact(world, a, b);
+        ASSERT(world.contacts.contacts[contact].has_bound);
         wake_if_all_asleep(world, world.contacts.contacts[contact]);
     }
+    ASSERT(world.contacts.pairs.size() <= world.contacts.ids.alive_count());
     world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
     return ran;
 }

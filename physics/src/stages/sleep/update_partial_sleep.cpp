@@ -20,11 +20,13 @@ void for_each_bond(const WorldState& world, Visit&& visit) {
     for_each_colour(world.graph.solved(), [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::dynamic) return;
         for (std::size_t k = 0; k < colour.metas.size(); k++)
-            for (int lane = 0; lane < lanes_per_block(c); lane++)
-                if (colour.metas[k].contact[lane] != none)
-                    visit(colour.metas[k].contact[lane],
-                          static_cast<std::size_t>(colour.blocks[k].a[lane]),
-                          static_cast<std::size_t>(colour.blocks[k].b[lane]));
+            for (int lane = 0; lane < lanes_per_block(c); lane++) {
+                if (colour.metas[k].contact[lane] == none) continue;
+                ASSERT(colour.blocks[k].a[lane] > 0 && colour.blocks[k].b[lane] > 0);
+                visit(colour.metas[k].contact[lane],
+                      static_cast<std::size_t>(colour.blocks[k].a[lane]),
+                      static_cast<std::size_t>(colour.blocks[k].b[lane]));
+            }
     });
 }
 
@@ -93,6 +95,7 @@ void file_disturbances(StepContext& step) {
         if (cold_a.asleep_in_place == cold_b.asleep_in_place) return;
         const std::uint32_t body = cold_a.asleep_in_place ? c.body_a : c.body_b;
         const BodyWarm& mover = world.bodies.awake[(cold_a.asleep_in_place ? b : a) - 1];
+        ASSERT(mover.body == (cold_a.asleep_in_place ? c.body_b : c.body_a));
         if (c.touching && mover.sleep_time == 0)
             requests.push_back({body, mass_stirred_by(momentum_of(world, mover, step.dt))});
         else if (is_load_changed(world, c, body))
@@ -118,7 +121,9 @@ void put_parts_to_sleep(StepContext& step) {
     };
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
-        if (rests(i, cold)) count[cold.island]++;
+        if (!rests(i, cold)) continue;
+        ASSERT(cold.island < count.size());
+        count[cold.island]++;
     }
     share_among_jointed(world, scratch.beside);
     // What sleeps in a turmoil would hold up loads that are about to shift.

@@ -15,6 +15,7 @@ namespace {
 // ... and what is tied to one.
 void keep_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
     for (const std::uint32_t hot : jointed) {
+        ASSERT(hot > 0 && hot <= world.bodies.awake.size());
         BodyWarm& warm = world.bodies.awake[hot - 1];
         for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
             const Joint& j = world.joints.joints[joint];
@@ -33,6 +34,7 @@ void keep_carried_awake(WorldState& world) {
         for (const ContactConstraintWideMeta& meta : colour.metas)
             for (int lane = 0; lane < 8; lane++) {
                 if (!meta.has(LaneFlag::touching, lane)) continue;
+                ASSERT(meta.contact[lane] != no_contact);
                 const Contact& contact = world.contacts.contacts[meta.contact[lane]];
                 const BodyWarm& driver = warm_of(world, contact.body_b);
                 if (driver.v != Vec3{} || driver.w != Vec3{})

@@ -29,8 +29,10 @@ static_assert(solved_set_count < no_set);
 template <class Takes>
 void collect(const std::vector<std::uint8_t>& set_of, BodiesBySet& list, Takes&& takes) {
     std::array<std::uint32_t, solved_set_count> next{};
-    for (std::uint32_t i = 0; i < set_of.size(); i++)
+    for (std::uint32_t i = 0; i < set_of.size(); i++) {
+        ASSERT(set_of[i] == no_set || set_of[i] < solved_set_count);
         if (set_of[i] != no_set && takes(i)) next[set_of[i]]++;
+    }
     std::uint32_t all = 0;
     for (std::size_t k = 0; k < next.size(); k++) {
         list.begin[k] = all;
@@ -62,6 +64,7 @@ void sort_out_bodies(StepContext& step) {
             scratch.free.push_back(i);
             if (held || cold.first_edge != none) scratch.kinematic.push_back(i + 1);
         } else if (held) {
+            ASSERT(world.islands.ids.alive(cold.island));
             const ColourSetKey set = world.islands.islands[cold.island].colour_set;
             scratch.set_of[i] = static_cast<std::uint8_t>(index_of(set));
             any_jointed = any_jointed || cold.first_joint != none;
@@ -107,6 +110,7 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     for (float& keep : external.keep) keep = 1;
     put(hot.v, warm.v, warm.w);
     if (cold.type == BodyType::kinematic) return;
+    ASSERT(h > 0);
     hot.inverse_mass = as_float(cold.inverse_mass);
     hot.inverse_spin = as_float(cold.inverse_inertia.x.x);
     const Mat3 inertia = world_inverse_inertia(warm, cold);
@@ -336,9 +340,13 @@ void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
 
 Skipped solve_constraints(StepContext& step) {
     const BodyStore& bodies = step.world.bodies;
+    const ConstraintGraph& graph = step.world.graph;
     if (bodies.awake.empty()) return nobody_awake;
     SolverScratch& scratch = step.scratch.solver;
     sort_out_bodies(step);
+    ASSERT(!scratch.bodies.all.empty() ||
+           std::all_of(graph.solved().begin(), graph.solved().end(),
+                       [](const ColourSet& set) { return set.contacts == 0; }));
     if (scratch.bodies.all.empty()) return "nothing touches and nothing is jointed";
     const std::size_t count = bodies.awake.size() + 1;
     scratch.hot.resize(count);

@@ -21,6 +21,7 @@ JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& fr
     const BodyWarm& warm = hot != 0
                                ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
                                : warm_of(world, body);
+    ASSERT(warm.body == body);
     return {.hot = hot,
             .center = warm.center,
             .arm = warm.axes * (frame.position - world.bodies.cold[body].local_center),
@@ -37,6 +38,7 @@ void find_joints(const WorldState& world, const JointTask& task) {
         return world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
+        ASSERT(cold_of(k).first_joint != none && !cold_of(k).asleep_in_place);
         if (k + 8 < bodies.size())
             prefetch(world.joints.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
         for_each_joint(world.joints, cold_of(k), [&](std::uint32_t joint) {
@@ -93,6 +95,7 @@ void each_block(StepContext& step, JointLevels& levels, Visit&& visit) {
 void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const JointStep& numbers) {
     for (const JointRun& run : levels.runs) {
         const int count = run.end - run.begin;
+        ASSERT(count > 0 && run.end <= static_cast<int>(levels.blocks.size()));
         const auto work = [&](int begin, int end) {
             pass({.blocks = levels.blocks.data(),
                   .angular = angular_of(levels, run.angular),
@@ -197,6 +200,7 @@ void break_joints(StepContext& step) {
         levels.joints.clear();
         levels.metas.clear();
     }
+    ASSERT(world.profile.joints <= static_cast<int>(world.joints.ids.alive_count()));
     // In their own order, whichever part they were in.
     std::sort(broken.begin(), broken.end());
     for (const std::uint32_t index : broken) {

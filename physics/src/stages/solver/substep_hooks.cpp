@@ -76,6 +76,7 @@ public:
     bool contains(BodyId id) const override {
         const std::uint32_t at = awake_index(id);
         if (at == none) return false;
+        ASSERT(at < step_.scratch.solver.set_of.size());
         const std::size_t set = step_.scratch.solver.set_of[at];
         return set >= first_ && set < last_;
     }
@@ -100,6 +101,7 @@ public:
 private:
     std::uint32_t place(BodyId id) const {
         const std::uint32_t at = awake_index(id);
+        ASSERT(at == none || at < step_.scratch.solver.free_place.size());
         return at == none ? none : step_.scratch.solver.free_place[at];
     }
     BodyWarm motion(BodyId id) const override { return moving_[place(id)]; }
@@ -114,6 +116,7 @@ private:
 };
 
 void call(const WorldState& world, const SubstepMoment& moment, SubstepContext& context) {
+    ASSERT(world.listeners.stepping != nullptr && has_substep_listeners(world));
     for (const auto& [listener, hooks] : world.listeners.order) {
         if (!hooks.substeps) continue;
         if (moment.after)
@@ -136,6 +139,7 @@ void call_listeners(StepContext& step, const SubstepMoment& moment,
 
 void call_listeners(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving) {
+    ASSERT(awake.size() == moving.size());
     FreeSubstep context(step, moment, awake, moving);
     call(step.world, moment, context);
 }

@@ -27,7 +27,7 @@ Skipped begin_contacts(StepContext& step) {
     };
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
-    const bool asks = has_pre_solve_listeners(world);
+    const bool asks = has_pre_solve_listeners(world.listeners);
     for (const NewContact& next : begins) {
         ASSERT(next.check < scratch.checks.size());
         const ContactCheck& check = scratch.checks[next.check];

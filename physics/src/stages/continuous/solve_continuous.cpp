@@ -333,10 +333,10 @@ private:
         const std::uint32_t known = toi_body_of(other);
         const bool changed = t.changed || (known != nobody && bodies_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
-        double least = motion_without_sweep(step_, cold, cold_other);
+        double least = motion_without_sweep(step_.scratch.contacts, cold, cold_other);
         // Of two that search one looks, for both.
         if (known != nobody && searches(known))
-            least = minimum(least, motion_without_sweep(step_, cold_other, cold));
+            least = minimum(least, motion_without_sweep(step_.scratch.contacts, cold_other, cold));
         least *= changed ? tuning::sweep_share_after_impact : tuning::sweep_share;
         const SweptMotion motion = motion_now(other);
         const double way = length(t.sweep.translation - motion.motion) +
@@ -482,7 +482,7 @@ private:
     ContactAnswer answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
                              const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
         const ContactAnswer answer = answer_of_materials(world_, own, other);
-        if (!has_pre_solve_listeners(world_) || points.empty()) return answer;
+        if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return answer;
         Vec3 point;
         for (const ImpactPoint& p : points)
             point += p.position * (1.0 / static_cast<double>(points.size()));

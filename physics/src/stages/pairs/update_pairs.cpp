@@ -80,12 +80,12 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
 }
 
 // A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
-void wake_if_all_asleep(WorldState& world, const Contact& c) {
+void wake_if_all_asleep(const BodyStore& bodies, const Contact& c, WakeRequests& requests) {
     for (const std::uint32_t body : {c.body_a, c.body_b}) {
-        const BodyCold& cold = world.bodies.cold[body];
+        const BodyCold& cold = bodies.cold[body];
         if (cold.set == BodySet::awake && !cold.asleep_in_place) return;
     }
-    world.wake_requests.push_back({c.body_a});
+    requests.push_back({c.body_a});
 }
 
 }  // namespace
@@ -103,8 +103,9 @@ Skipped update_pairs(StepContext& step) {
     moved.clear();
     for (const auto& [a, b] : pairs) {
         const std::uint32_t contact = create_contact(world, a, b);
-        ASSERT(world.contacts.contacts[contact].has_bound);
-        wake_if_all_asleep(world, world.contacts.contacts[contact]);
+        const Contact& c = world.contacts.contacts[contact];
+        ASSERT(c.has_bound);
+        wake_if_all_asleep(world.bodies, c, world.wake_requests);
     }
     ASSERT(world.contacts.pairs.size() <= world.contacts.ids.alive_count());
     world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());

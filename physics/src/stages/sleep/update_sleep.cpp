@@ -44,11 +44,11 @@ void keep_carried_awake(WorldState& world) {
 }
 
 // The rest time of each awake island's most restless and most restful body.
-void measure_rest(const WorldState& world, SleepScratch& scratch) {
-    scratch.shortest.assign(world.islands.ids.size(), 1e300);
-    scratch.longest.assign(world.islands.ids.size(), 0);
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const std::uint32_t island = world.bodies.cold[warm.body].island;
+void measure_rest(const BodyStore& bodies, const IslandStore& islands, SleepScratch& scratch) {
+    scratch.shortest.assign(islands.ids.size(), 1e300);
+    scratch.longest.assign(islands.ids.size(), 0);
+    for (const BodyWarm& warm : bodies.awake) {
+        const std::uint32_t island = bodies.cold[warm.body].island;
         if (island == none) continue;  // kinematic
         scratch.shortest[island] = minimum(scratch.shortest[island], warm.sleep_time);
         scratch.longest[island] = maximum(scratch.longest[island], warm.sleep_time);
@@ -76,7 +76,7 @@ Skipped update_sleep(StepContext& step) {
     SleepScratch& scratch = step.scratch.sleep;
     keep_carried_awake(world);
     keep_towed_awake(world, step.scratch.solver.jointed.all);
-    measure_rest(world, scratch);
+    measure_rest(world.bodies, world.islands, scratch);
     // Splitting adds islands at the end or in holes; those wait for the next step's measure.
     const std::uint32_t count = world.islands.ids.size();
     std::uint32_t sleepiest = none;

@@ -82,9 +82,12 @@ public:
     }
 
 private:
-    BodyWarm motion(BodyId id) const override { return motion_now(step_, awake_index(id)); }
+    BodyWarm motion(BodyId id) const override {
+        return motion_now(step_.world.bodies, step_.scratch.solver, awake_index(id));
+    }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
-        push_hot(step_, awake_index(id), impulse, angular_impulse);
+        push_hot(step_.world.bodies, step_.scratch.solver, awake_index(id), impulse,
+                 angular_impulse);
     }
 
     std::size_t first_, last_;
@@ -115,9 +118,9 @@ private:
     std::vector<BodyWarm>& moving_;
 };
 
-void call(const WorldState& world, const SubstepMoment& moment, SubstepContext& context) {
-    ASSERT(world.listeners.stepping != nullptr && has_substep_listeners(world));
-    for (const auto& [listener, hooks] : world.listeners.order) {
+void call(const ListenerStore& listeners, const SubstepMoment& moment, SubstepContext& context) {
+    ASSERT(listeners.stepping != nullptr && has_substep_listeners(listeners));
+    for (const auto& [listener, hooks] : listeners.order) {
         if (!hooks.substeps) continue;
         if (moment.after)
             listener->after_substep(context);
@@ -134,25 +137,26 @@ void call_listeners(StepContext& step, const SubstepMoment& moment,
     awake.clear();
     for (const std::uint32_t index : hot) awake.push_back(index - 1);
     SolverSubstep context(step, moment, awake, first, last);
-    call(step.world, moment, context);
+    call(step.world.listeners, moment, context);
 }
 
 void call_listeners(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving) {
     ASSERT(awake.size() == moving.size());
     FreeSubstep context(step, moment, awake, moving);
-    call(step.world, moment, context);
+    call(step.world.listeners, moment, context);
 }
 
 void push_by_fields(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> hot) {
+    const BodyStore& bodies = step.world.bodies;
+    SolverScratch& scratch = step.scratch.solver;
     const double time = step.world.time + moment.index * moment.h;
     for (const std::uint32_t index : hot) {
-        const BodyWarm now = motion_now(step, index - 1);
-        const FieldPush push =
-            field_push(step.world, now, step.world.bodies.cold[now.body], time, moment.h);
+        const BodyWarm now = motion_now(bodies, scratch, index - 1);
+        const FieldPush push = field_push(step.world, now, bodies.cold[now.body], time, moment.h);
         if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-        push_hot(step, index - 1, push.force * moment.h, push.torque * moment.h);
+        push_hot(bodies, scratch, index - 1, push.force * moment.h, push.torque * moment.h);
     }
 }
 

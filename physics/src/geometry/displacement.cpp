@@ -152,7 +152,7 @@ public:
             if (a != 0) add_end(q / a);
             if (q != 0) add_end(c / q);
         }
-        std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count));
+        std::sort(ends.begin(), ends.end());  // those not used lie at the end
         for (std::size_t k = 0; k + 1 < count; k++) integrate(piece, ends[k], ends[k + 1]);
     }
     Displacement result() const {

@@ -123,6 +123,16 @@ bool has_category(const WorldState& world, const BodyCold& cold, std::uint32_t m
 
 }  // namespace
 
+bool reaches(const FieldStore& fields, Vec3 center, double radius) {
+    const Vec3 r{radius, radius, radius};
+    const Aabb box{center - r, center + r};
+    for (const std::uint32_t index : fields.active) {
+        const FieldDef& field = fields.fields[index];
+        if (!field.region || overlap(*field.region, box)) return true;
+    }
+    return false;
+}
+
 bool acts_on(const WorldState& world, const FieldDef& field, const BodyWarm& now,
              const BodyCold& cold) {
     if (cold.type != BodyType::dynamic) return false;
@@ -146,7 +156,7 @@ FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCol
 }
 
 double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
-    if (cold.type != BodyType::dynamic) return 0;
+    if (cold.type != BodyType::dynamic || !reaches(world.fields, now.center, 0)) return 0;
     // Over a moment, in which drag is all that it can be.
     const FieldPush push = field_push(world, now, cold, world.time, 1e-5);
     return length(push.force) * cold.inverse_mass;

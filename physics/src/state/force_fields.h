@@ -23,6 +23,8 @@ double field_acceleration(const WorldState& world, const BodyWarm& now, const Bo
 // Whether a field that changes with time acts on the body: it may not fall asleep.
 bool feels_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
 
+// Whether a field reaches a ball there, whomever it acts on.
+bool reaches(const FieldStore& fields, Vec3 center, double radius);
 // Whether a field acts on the body where it is.
 bool acts_on(const WorldState& world, const FieldDef& field, const BodyWarm& now,
              const BodyCold& cold);

@@ -76,7 +76,8 @@ using ForceField = std::variant<UniformWind, RadialField, VortexField, BuoyancyF
 
 struct FieldDef {
     ForceField force = UniformWind{};
-    // Bodies whose centre of mass is in the box; absent: everywhere.
+    // Bodies whose centre of mass is in the box; absent: everywhere. One that an impact throws into
+    // it feels the field from the next step on.
     std::optional<Aabb> region = {};
     // Bodies one of whose shapes has a category with a bit in the mask.
     std::uint32_t mask = 0xffffffff;

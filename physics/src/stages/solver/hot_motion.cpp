@@ -12,13 +12,18 @@ Vec3 vec(const float* f) {
 
 }  // namespace
 
+Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index) {
+    ASSERT(awake_index + 1 < scratch.hot.size());
+    return bodies.awake[awake_index].center + vec(scratch.hot[awake_index + 1].dp);
+}
+
 BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
                     std::uint32_t awake_index) {
     ASSERT(awake_index + 1 < scratch.hot.size());
     const HotBody& hot = scratch.hot[awake_index + 1];
     BodyWarm now = bodies.awake[awake_index];
     const Quat turn = from_rotation_vector(vec(hot.dr));
-    now.center += vec(hot.dp);
+    now.center = center_now(bodies, scratch, awake_index);
     now.rotation = normalized(turn * now.rotation);
     now.axes = to_matrix(now.rotation);
     now.v = vec(hot.v);

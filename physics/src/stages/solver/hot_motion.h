@@ -9,6 +9,8 @@
 
 namespace jostle::physics {
 
+// m, of mass, world.
+Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index);
 // Where it is and how it moves now, in double, world axes.
 BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
                     std::uint32_t awake_index);

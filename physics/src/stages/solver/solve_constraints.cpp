@@ -251,14 +251,14 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
     const bool bounces = begin_restitution(contacts);
-    const bool listened = has_substep_listeners(step.world.listeners),
-               fields = !step.world.fields.empty();
+    const bool listened = has_substep_listeners(step.world.listeners);
+    const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
         SubstepMoment moment{n, set.substeps, h};
         if (listened) listen(step, moment, task);
+        if (!in_fields.empty()) push_by_fields(step, moment, in_fields);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
-            if (fields) push_by_fields(step, moment, some);
             (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
         });
         if (first && bounces) predict_approaches(contacts);
@@ -291,6 +291,10 @@ void solve_task(StepContext& step, const SolverTask& task,
         for (const std::uint32_t hot : bodies) prepare_body(step, h, hot - 1);
     });
     for (const std::uint32_t hot : kinematic) prepare_body(step, 0, hot - 1);
+    scratch.in_fields[task.first].clear();
+    if (!world.fields.empty())
+        find_in_fields(step, scratch.bodies.of(task.first, task.last),
+                       scratch.in_fields[task.first]);
     const JointTask joints{scratch.joints[task.first], scratch.jointed.of(task.first, task.last)};
     prepare_joints(step, joints, h);
     std::vector<ColourRun>& colours = scratch.colour_runs[task.first];

@@ -42,11 +42,12 @@ struct SolverScratch {
     std::vector<std::uint8_t> set_of;  // by awake body: index of its colour set, if it is solved
     std::vector<std::uint32_t> kinematic;  // hot indices of kinematic bodies that the solver reads
     std::vector<std::uint32_t> free;  // awake indices of the other bodies, and all kinematic ones
-    // Both by the first set of a task.
+    // These by the first set of a task.
     std::array<JointLevels, solved_set_count> joints;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
-    std::vector<std::uint8_t> is_gyroscopic;  // by hot index
-    std::vector<GyroscopicBody> gyroscopic;   // by hot index; filled where is_gyroscopic
+    std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
+    std::vector<std::uint8_t> is_gyroscopic;                             // by hot index
+    std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where is_gyroscopic
     // Of the group of bodies whose sub-step listeners are called for.
     std::vector<std::uint32_t> listened_awake;
     std::vector<BodyId> listened;

@@ -2,6 +2,7 @@
 #include "stages/solver/substep_hooks.h"
 
 #include "foundation/check.h"
+#include "foundation/tuning.h"
 #include "jostle/physics/step_listener.h"
 #include "stages/solver/hot_motion.h"
 #include "stages/step_scratch.h"
@@ -147,17 +148,33 @@ void call_listeners(StepContext& step, const SubstepMoment& moment,
     call(step.world.listeners, moment, context);
 }
 
+void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
+                    std::vector<std::uint32_t>& found) {
+    const WorldState& world = step.world;
+    const double fall = length(world.def.gravity) * step.dt * step.dt;
+    for (const std::uint32_t index : hot) {
+        const BodyWarm& body = world.bodies.awake[index - 1];
+        if (reaches(world.fields, body.center, 2 * step.dt * length(body.v) + fall))
+            found.push_back(index);
+    }
+}
+
 void push_by_fields(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> hot) {
-    const BodyStore& bodies = step.world.bodies;
+    const WorldState& world = step.world;
+    const BodyStore& bodies = world.bodies;
     SolverScratch& scratch = step.scratch.solver;
-    const double time = step.world.time + moment.index * moment.h;
-    for (const std::uint32_t index : hot) {
-        const BodyWarm now = motion_now(bodies, scratch, index - 1);
-        const FieldPush push = field_push(step.world, now, bodies.cold[now.body], time, moment.h);
-        if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-        push_hot(bodies, scratch, index - 1, push.force * moment.h, push.torque * moment.h);
-    }
+    const double time = world.time + moment.index * moment.h;
+    step.team.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
+            const std::uint32_t awake = hot[k] - 1;
+            if (!reaches(world.fields, center_now(bodies, scratch, awake), 0)) continue;
+            const BodyWarm now = motion_now(bodies, scratch, awake);
+            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, moment.h);
+            if (push.force == Vec3{} && push.torque == Vec3{}) continue;
+            push_hot(bodies, scratch, awake, push.force * moment.h, push.torque * moment.h);
+        }
+    });
 }
 
 }  // namespace jostle::physics

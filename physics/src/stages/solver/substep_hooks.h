@@ -31,7 +31,10 @@ void call_listeners(StepContext& step, const SubstepMoment& moment,
 void call_listeners(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving);
 
-// What the force fields do in a sub-step to bodies of the solver. Any thread.
+// Adds to `found` those whom a field may reach within the step, by their velocity as it begins.
+void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
+                    std::vector<std::uint32_t>& found);
+// What the force fields do in a sub-step to bodies of the solver.
 void push_by_fields(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> hot);
 

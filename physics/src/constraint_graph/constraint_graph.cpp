@@ -26,6 +26,7 @@ void clear_lane(const ContactPlace& place) {
 }
 
 void copy_lane(const ContactPlace& to, const ContactPlace& from) {
+    ASSERT(from.meta->contact[from.lane] != no_contact);
     constexpr std::size_t row_bytes = sizeof(ContactConstraintWide) / wide_rows;
     auto* target = reinterpret_cast<char*>(to.block);
     const auto* source = reinterpret_cast<const char*>(from.block);
@@ -117,6 +118,7 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
     GraphColour& colour = colour_at(graph, key, number);
     ASSERT(slot >= 0 && slot < colour.contacts);
     const ContactPlace hole = place_at(colour, number, slot);
+    ASSERT(hole.meta->contact[hole.lane] != no_contact);
     const ContactPlace last = place_at(colour, number, colour.contacts - 1);
     std::uint32_t moved = no_contact;
     if (slot != colour.contacts - 1) {
@@ -131,12 +133,16 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
         remove_block(colour);
         shrink(colour);
     }
+    // No block is empty.
+    ASSERT(static_cast<int>(colour.blocks.size()) ==
+           (colour.contacts + lanes_per_block(number) - 1) / lanes_per_block(number));
     return moved;
 }
 
 ContactPlace place_at(GraphColour& colour, int number, std::int32_t slot) {
     ASSERT(slot >= 0 && slot < colour.contacts);
     const auto block = static_cast<std::size_t>(slot / lanes_per_block(number));
+    ASSERT(block < colour.blocks.size() && colour.metas.size() == colour.blocks.size());
     return {&colour.blocks[block], &colour.metas[block], &colour.rollings[block],
             slot % lanes_per_block(number)};
 }
@@ -200,6 +206,7 @@ void sort_contacts(GraphColour& colour, int number) {
         if (slot % block_lanes == 0) add_block(sorted);
         copy_lane(place_at(sorted, number, slot), place_at(colour, number, from));
     }
+    ASSERT(sorted.blocks.size() == colour.blocks.size());
     colour = std::move(sorted);
 }
 

@@ -18,6 +18,9 @@ bool has_angular(std::uint32_t kind) {
 
 // Returns how many there are.
 int find_levels(JointLevels& levels, std::size_t bodies) {
+    ASSERT(std::is_sorted(
+        levels.joints.begin(), levels.joints.end(),
+        [](const LeveledJoint& x, const LeveledJoint& y) { return x.joint < y.joint; }));
     levels.reached.assign(bodies, 0);
     std::uint32_t count = 0;
     const auto reached = [&](std::int32_t hot) -> std::uint32_t& {
@@ -25,6 +28,8 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
         return levels.reached[static_cast<std::size_t>(std::max(hot, 0))];
     };
     for (LeveledJoint& joint : levels.joints) {
+        ASSERT(joint.kind < joint_kinds);
+        ASSERT(joint.a != joint.b);
         const std::uint32_t level = std::max(reached(joint.a), reached(joint.b));
         reached(joint.a) = reached(joint.b) = level + 1;
         levels.reached[0] = 0;  // what cannot be pushed makes nobody wait

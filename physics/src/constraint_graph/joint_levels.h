@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "constraint_graph/joint_constraint_wide.h"
+#include "foundation/check.h"
 
 namespace jostle::physics {
 
@@ -51,10 +52,12 @@ void assign_levels(JointLevels& levels, std::size_t bodies);
 
 // Of a run or a block, by its first; null for kinds that have none.
 inline JointAngularWide* angular_of(JointLevels& levels, int first) {
+    ASSERT(first < static_cast<int>(levels.angular.size()));
     return first < 0 ? nullptr : &levels.angular[static_cast<std::size_t>(first)];
 }
 
 inline VelocityRowWide* row_of(JointLevels& levels, int first) {
+    ASSERT(first < static_cast<int>(levels.rows.size()));
     return first < 0 ? nullptr : &levels.rows[static_cast<std::size_t>(first)];
 }
 

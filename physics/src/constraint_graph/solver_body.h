@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "constraint_graph/solver_tier.h"
+#include "foundation/check.h"
 
 namespace jostle::physics {
 
@@ -61,8 +62,14 @@ public:
     }
     std::size_t size() const { return all_.size() - spare; }
     HotBody* data() { return all_.data() + spare; }
-    HotBody& operator[](std::size_t index) { return all_[spare + index]; }
-    const HotBody& operator[](std::size_t index) const { return all_[spare + index]; }
+    HotBody& operator[](std::size_t index) {
+        ASSERT(spare + index < all_.size());
+        return all_[spare + index];
+    }
+    const HotBody& operator[](std::size_t index) const {
+        ASSERT(spare + index < all_.size());
+        return all_[spare + index];
+    }
 
 private:
     std::vector<HotBody> all_;

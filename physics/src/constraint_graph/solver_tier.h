@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 
+#include "foundation/check.h"
 #include "jostle/physics/defs.h"
 
 namespace jostle::physics {
@@ -47,6 +48,7 @@ inline constexpr int solved_set_count = tier_count * batch_count;
 inline constexpr int colour_set_count = solved_set_count + 1;
 
 inline constexpr std::size_t index_of(ColourSetKey key) {
+    ASSERT(key.batch < (key.tier == SolverTier::asleep ? 1 : batch_count));
     return index_of(key.tier) * batch_count + key.batch;
 }
 inline constexpr ColourSetKey asleep_set = {SolverTier::asleep, 0};
@@ -55,6 +57,7 @@ static_assert(index_of(asleep_set) == colour_set_count - 1);
 // Sub-steps of an island. More of them keep a heap from slipping now and then: where bodies may
 // sleep, what then rests saves more than they cost.
 inline int substeps_of(SolverTier tier, const WorldDef& world) {
+    ASSERT(tier != SolverTier::asleep && world.substeps >= 1);
     constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
     const int most = tier == SolverTier::heap && world.sleeping ? 3 : halves[index_of(tier)];
     return (world.substeps * most + 1) / 2;

@@ -83,9 +83,9 @@ Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach
 }
 
 // The lever of the small disc in which round bodies touch in truth.
-double patch_of(const WorldState& world, const Contact& contact) {
+double patch_of(const ShapeStore& store, const Contact& contact) {
     const auto rounding = [&](std::uint32_t shape) {
-        const Geometry& g = world.shapes.shapes[shape].geometry;
+        const Geometry& g = store.shapes[shape].geometry;
         if (const auto* sphere = std::get_if<Sphere>(&g)) return sphere->radius;
         if (const auto* capsule = std::get_if<Capsule>(&g)) return capsule->radius;
         return 0.0;
@@ -187,7 +187,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.mean_impulse[i][lane] = as_float(loads.mean_impulse[i]);
         if (used) friction_radius += square_root(x * x + y * y) / m.count;
     }
-    block.friction_radius[lane] = as_float(maximum(friction_radius, patch_of(world, contact)));
+    block.friction_radius[lane] =
+        as_float(maximum(friction_radius, patch_of(world.shapes, contact)));
     block.anchor_blend[lane] = as_float(anchor_blend_of(world, contact));
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));

@@ -41,7 +41,7 @@ std::vector<std::byte> save(const World& world) {
     Saver body;
     // The list is shared with loading, so it takes references; saving changes nothing.
     auto& state = const_cast<WorldState&>(state_of(world));
-    body.table.collect(state);
+    body.table.collect(state.shapes);
     body.table.write(body.out);
     visit_world(body, state);
     ByteWriter out;

@@ -146,9 +146,9 @@ void SharedGeometry::add(const Geometry& geometry) {
     }
 }
 
-void SharedGeometry::collect(const WorldState& world) {
-    for (std::uint32_t s = 0; s < world.shapes.ids.size(); s++)
-        if (world.shapes.ids.alive(s)) add(world.shapes.shapes[s].geometry);
+void SharedGeometry::collect(const ShapeStore& store) {
+    for (std::uint32_t s = 0; s < store.ids.size(); s++)
+        if (store.ids.alive(s)) add(store.shapes[s].geometry);
 }
 
 namespace {

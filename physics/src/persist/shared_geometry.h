@@ -15,14 +15,14 @@
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "state/world_state.h"
+#include "state/shape_store.h"
 
 namespace jostle::physics {
 
 class SharedGeometry {
 public:
     // Gathers what a world's shapes use, in order of shapes; a compound's hulls come before it.
-    void collect(const WorldState& world);
+    void collect(const ShapeStore& store);
     void write(ByteWriter& out) const;
     // Foreign bytes: a message names what is wrong.
     std::optional<std::string> read(ByteReader& in);

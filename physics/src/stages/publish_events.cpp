@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "constraint_graph/wide_rows.h"
+#include "foundation/check.h"
 
 namespace jostle::physics {
 namespace {
@@ -25,6 +26,7 @@ void sort_by_trigger(std::vector<Event>& events) {
 // One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ContactConstraintWide& block,
                     int lane) {
+    ASSERT(c.touching);
     const double substeps = substeps_of(c.colour_set.tier, world.def);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
@@ -50,10 +52,12 @@ void report_stays(WorldState& world) {
             const ContactConstraintWideMeta& meta = colour.metas[k];
             const unsigned reported = meta.bits(LaneFlag::touching) & meta.bits(LaneFlag::reports);
             if (reported == 0) continue;
-            for (int lane = 0; lane < 8; lane++)
-                if ((reported >> lane & 1) != 0)
-                    stays.push_back(stay_of(world, world.contacts.contacts[meta.contact[lane]],
-                                            colour.blocks[k], lane));
+            for (int lane = 0; lane < 8; lane++) {
+                if ((reported >> lane & 1) == 0) continue;
+                ASSERT(meta.contact[lane] != no_contact);
+                stays.push_back(stay_of(world, world.contacts.contacts[meta.contact[lane]],
+                                        colour.blocks[k], lane));
+            }
         }
     });
     sort_by_shapes(stays);

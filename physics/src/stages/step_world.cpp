@@ -90,6 +90,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<update_triggers>(step, Stage::update_triggers);  // what is inside which trigger
     run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());
+    ASSERT(scratch.contacts.begins.empty());
     world.steps++;
     world.time += dt;
     for (const double ms : world.profile.stage_ms) world.profile.step_ms += ms;

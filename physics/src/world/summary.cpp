@@ -5,26 +5,25 @@
 namespace jostle::physics {
 namespace {
 
-double deepest(const WorldState& world) {
+double deepest(const ConstraintGraph& graph, const IslandStore& islands) {
     float gap = 0;
-    for_each_colour(world.graph.sets, [&](const GraphColour& colour) {
+    for_each_colour(graph.sets, [&](const GraphColour& colour) {
         for (const ContactConstraintWide& block : colour.blocks)
             for (const auto& row : block.gap)
                 for (const float g : row) gap = g < gap ? g : gap;
     });
     constexpr std::size_t first_gap = offsetof(ContactConstraintWide, gap) / 32 - 2;
-    for (const Island& island : world.islands.islands)
+    for (const Island& island : islands.islands)
         for (const SavedContact& saved : island.manifolds)
             for (std::size_t i = 0; i < 4; i++)
                 gap = saved.rows[first_gap + i] < gap ? saved.rows[first_gap + i] : gap;
     return -double{gap};
 }
 
-void add_body(WorldSummary& sum, const WorldState& world, const BodyCold& cold,
-              const BodyWarm& warm) {
+void add_body(WorldSummary& sum, Vec3 gravity, const BodyCold& cold, const BodyWarm& warm) {
     const Vec3 spin_momentum = warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));
     sum.kinetic_energy += 0.5 * (cold.mass * length_squared(warm.v) + dot(warm.w, spin_momentum));
-    sum.potential_energy -= cold.mass * cold.gravity_scale * dot(world.def.gravity, warm.center);
+    sum.potential_energy -= cold.mass * cold.gravity_scale * dot(gravity, warm.center);
     sum.linear_momentum += warm.v * cold.mass;
     sum.angular_momentum += spin_momentum + cross(warm.center, warm.v * cold.mass);
 }
@@ -40,13 +39,13 @@ WorldSummary World::summary() const {
     for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {
         if (!world.bodies.ids.alive(i) || world.bodies.cold[i].type != BodyType::dynamic) continue;
         sum.dynamic_bodies++;
-        add_body(sum, world, world.bodies.cold[i], warm_of(world, i));
+        add_body(sum, world.def.gravity, world.bodies.cold[i], warm_of(world, i));
     }
     for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++)
         if (world.contacts.ids.alive(i) && world.contacts.contacts[i].touching &&
             !world.contacts.contacts[i].composite)
             sum.contacts++;
-    sum.max_penetration = deepest(world);
+    sum.max_penetration = deepest(world.graph, world.islands);
     for (const JointId id : joints()) {
         sum.joints++;
         const JointState j = *joint(id);

@@ -29,7 +29,7 @@ void make_sound(ContactAnswer& answer) {
 }  // namespace
 
 ContactAnswer ask_listeners(const WorldState& world, const Meeting& m, ContactAnswer answer) {
-    ASSERT(world.listeners.stepping != nullptr);
+    ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
                   .shape_a = shape_id(world, m.shape_a),
                   .shape_b = shape_id(world, m.shape_b),

@@ -8,8 +8,8 @@
 
 namespace jostle::physics {
 
-inline bool has_pre_solve_listeners(const WorldState& world) {
-    return world.listeners.wanted.pre_solve;
+inline bool has_pre_solve_listeners(const ListenerStore& listeners) {
+    return listeners.wanted.pre_solve;
 }
 
 // What is about to touch, by index of shape.

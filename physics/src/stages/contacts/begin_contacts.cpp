@@ -27,14 +27,17 @@ Skipped begin_contacts(StepContext& step) {
     };
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
-    const bool asks = has_pre_solve_listeners(world);
+    const bool asks = has_pre_solve_listeners(world.listeners);
     for (const NewContact& next : begins) {
         ASSERT(next.check < scratch.checks.size());
         const ContactCheck& check = scratch.checks[next.check];
+        ASSERT(world.contacts.ids.alive(check.contact) && !check.goes_on);
         std::uint32_t contact = check.contact;
+        ASSERT(check.list >= 0);
         const auto list = static_cast<std::size_t>(check.list);
         const Manifold* manifold = nullptr;
         if (next.part >= 0) {
+            ASSERT(static_cast<std::size_t>(next.part) < scratch.parts[list].size());
             const PartManifold& part =
                 scratch.parts[list][static_cast<std::size_t>(next.part)].part;
             contact = create_part(world, check.contact, part.key);
@@ -43,6 +46,7 @@ Skipped begin_contacts(StepContext& step) {
             manifold = &scratch.fresh[list];
         }
         const Contact& c = world.contacts.contacts[contact];
+        ASSERT(!c.has_bound && !c.composite);
         if (world.bodies.cold[c.body_b].type == BodyType::dynamic)
             match_sets(world, world.bodies.cold[c.body_a].island,
                        world.bodies.cold[c.body_b].island);

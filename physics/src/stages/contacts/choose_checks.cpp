@@ -58,6 +58,7 @@ void take_due_pairs(StepContext& step) {
             bounds[kept++] = bounds[k];
             continue;
         }
+        ASSERT(world.contacts.contacts[bounds[k].contact].has_bound);
         world.contacts.contacts[bounds[k].contact].has_bound = false;
         queue(world.contacts, scratch, bounds[k].contact);
     }
@@ -91,6 +92,7 @@ void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph
 // Space for what threads will find.
 void make_space(ContactScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.part_lists);
+    ASSERT(lists <= scratch.checks.size());
     if (scratch.parts.size() < lists) scratch.parts.resize(lists);
     scratch.fresh.reserve_discarding(scratch.checks.size());
     scratch.fresh_count = 0;

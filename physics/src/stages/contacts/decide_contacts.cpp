@@ -27,6 +27,7 @@ bool boxes_overlap(const WorldState& world, const Contact& c) {
 // No manifold (any more): the pair gets a separation bound, or ends when its boxes parted.
 void bound_or_end(WorldState& world, const ContactCheck& check, double near) {
     Contact& c = world.contacts.contacts[check.contact];
+    ASSERT(!c.has_bound && !c.composite);
     if (c.touching) {
         report_end(world, c, world.events.contacts_ended);
         end_touch(world, check.contact);
@@ -47,29 +48,28 @@ bool is_asleep(const BodyCold& cold) {
     return cold.set == BodySet::sleeping || cold.asleep_in_place;
 }
 
-bool has_asleep(const WorldState& world, const Contact& c) {
-    return is_asleep(world.bodies.cold[c.body_a]) || is_asleep(world.bodies.cold[c.body_b]);
+bool has_asleep(const BodyStore& bodies, const Contact& c) {
+    return is_asleep(bodies.cold[c.body_a]) || is_asleep(bodies.cold[c.body_b]);
 }
 
 // A kinematic body stops for nobody.
-double mass_as_mover(const WorldState& world, std::uint32_t mover, std::uint32_t met) {
-    const BodyCold& cold = world.bodies.cold[mover];
-    return cold.type == BodyType::dynamic
-               ? cold.mass
-               : tuning::kinematic_mass_ratio * world.bodies.cold[met].mass;
+double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t met) {
+    const BodyCold& cold = bodies.cold[mover];
+    return cold.type == BodyType::dynamic ? cold.mass
+                                          : tuning::kinematic_mass_ratio * bodies.cold[met].mass;
 }
 
 // Whether a manifold begins. One with a body that sleeps begins only when they meet,
 // and wakes it and as much around it as the impact will stir.
 bool begins(WorldState& world, const Contact& c, double gap_ahead) {
-    if (!has_asleep(world, c)) return gap_ahead < tuning::speculative_margin;
+    if (!has_asleep(world.bodies, c)) return gap_ahead < tuning::speculative_margin;
     const double speed = closing_way(world, c, 1);
     // What comes to rest beside a sleeper, however near, does not wake it.
     if (gap_ahead >= (speed < tuning::sleep_speed ? 0 : tuning::wake_gap)) return false;
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
         if (is_asleep(world.bodies.cold[body]))
             world.wake_requests.push_back(
-                {body, mass_stirred_by(speed * mass_as_mover(world, other, body))});
+                {body, mass_stirred_by(speed * mass_as_mover(world.bodies, other, body))});
     };
     meet(c.body_a, c.body_b);
     meet(c.body_b, c.body_a);
@@ -77,8 +77,8 @@ bool begins(WorldState& world, const Contact& c, double gap_ahead) {
 }
 
 // Within which gap a manifold of the pair begins, m.
-double begin_margin(const WorldState& world, const Contact& c) {
-    return has_asleep(world, c) ? tuning::wake_gap : tuning::speculative_margin;
+double begin_margin(const BodyStore& bodies, const Contact& c) {
+    return has_asleep(bodies, c) ? tuning::wake_gap : tuning::speculative_margin;
 }
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this
@@ -86,6 +86,7 @@ double begin_margin(const WorldState& world, const Contact& c) {
 void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     auto& contacts = world.contacts.contacts;
+    ASSERT(check.list >= 0 && check.list < scratch.part_lists);
     const auto& found = scratch.parts[static_cast<std::size_t>(check.list)];
     for (std::uint32_t p = contacts[check.contact].first_part; p != none;) {
         const std::uint32_t next = contacts[p].next_part;
@@ -101,7 +102,7 @@ void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
         return destroy_contact(world, check.contact, world.events.contacts_ended);
     }
     double clear = check.near;
-    const double margin = begin_margin(world, contacts[check.contact]);
+    const double margin = begin_margin(world.bodies, contacts[check.contact]);
     for (std::size_t f = 0; f < found.size(); f++) {
         if (found[f].contact != none) continue;
         if (begins(world, contacts[check.contact], found[f].gap_ahead))
@@ -116,6 +117,7 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     ASSERT(world.contacts.ids.alive(check.contact));
     const Contact& c = world.contacts.contacts[check.contact];
+    ASSERT(!c.queued);
     if (c.composite) return decide_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
@@ -124,7 +126,7 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
         scratch.begins.push_back({k, -1});
         return;
     }
-    bound_or_end(world, check, begin_margin(world, c));
+    bound_or_end(world, check, begin_margin(world.bodies, c));
 }
 
 }  // namespace

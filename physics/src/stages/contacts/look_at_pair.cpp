@@ -25,7 +25,7 @@ bool will_be_swept(const StepContext& step, const Contact& c, double way) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
         if (!mover.continuous || mover.set != BodySet::awake) return false;
-        if (way <= motion_without_sweep(step, mover, other)) return false;
+        if (way <= motion_without_sweep(step.scratch.contacts, mover, other)) return false;
         const BodyWarm& warm = world.bodies.awake[mover.at];
         return (length(warm.v) + length(warm.w) * mover.radius) * step.dt >
                tuning::sweep_fraction * mover.inner_radius;
@@ -47,8 +47,8 @@ double closing_by_turning(const WorldState& world, const Contact& c) {
 // How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
 // but no more than the smaller body's size: beyond that a manifold would see a plane where there is
 // an edge to fly past.
-double closing_reach(const WorldState& world, const Contact& c, double way) {
-    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+double closing_reach(const BodyStore& bodies, const Contact& c, double way) {
+    const BodyCold &a = bodies.cold[c.body_a], &b = bodies.cold[c.body_b];
     const double size = b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
     return minimum(way, size);
 }
@@ -95,7 +95,7 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     const double dt = step.dt;
     const Contact& c = world.contacts.contacts[check.contact];
     const double way = closing_way(world, c, dt);
-    check.near = closing_reach(world, c, way) + tuning::composite_slack;
+    check.near = closing_reach(world.bodies, c, way) + tuning::composite_slack;
     const bool swept = will_be_swept(step, c, way);
     std::optional<double> meeting;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
@@ -108,6 +108,7 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
                       parts);
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     check.near -= way_ahead;
+    ASSERT(check.list >= 0 && check.list < scratch.part_lists);
     std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
@@ -167,7 +168,7 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
-    const double margin = tuning::speculative_margin + closing_reach(world, c, way);
+    const double margin = tuning::speculative_margin + closing_reach(world.bodies, c, way);
     const double closing = closing_along(world, c, near.normal);
     if (!c.touching && near.gap > 0 && near.gap < closing * dt)
         return within(margin,
@@ -196,6 +197,7 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     } else if (check.gap_ahead < tuning::speculative_margin) {
         ASSERT(c.colour < 0 || manifold.count == 0);
         check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+        ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());
         scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
     }
 }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
 
 void CcdCandidates::find(std::uint32_t body, const Aabb& way, std::vector<std::uint32_t>& near) {
+    ASSERT(near.empty());
     note_fast();
     swept_.query(way, [&](std::uint32_t other) {
         for (std::uint32_t s = world_.bodies.cold[other].first_shape; s != none;
@@ -54,6 +56,7 @@ void CcdCandidates::note_fast() {
     for (const std::uint32_t i : fast_) bodies.push_back(world_.bodies.awake[i].body);
     swept_.set_all(bodies, [&](std::uint32_t body) {
         const BodyCold& cold = world_.bodies.cold[body];
+        ASSERT(cold.at < before_.size() && before_[cold.at].body == body);
         const Vec3 from = before_[cold.at].center, to = world_.bodies.awake[cold.at].center;
         return grow({min(from, to), max(from, to)}, cold.radius + tuning::swept_margin);
     });

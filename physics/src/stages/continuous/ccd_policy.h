@@ -13,18 +13,19 @@
 namespace jostle::physics {
 
 // Whether a body had contacts in the constraint graph when the step began.
-inline bool had_contacts(const StepContext& step, const BodyCold& cold) {
-    const auto& held = step.scratch.contacts.had_contacts;
+inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
+    const auto& held = scratch.had_contacts;
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
 // How far a body may move against another in a step without a sweep, m. In a crowd, where one of
 // the two already leans on others, their inner radii count together: impacts there come in chains,
 // which the contact solver resolves all at once and sweeps only one after the other.
-inline double motion_without_sweep(const StepContext& step, const BodyCold& mover,
+inline double motion_without_sweep(const ContactScratch& scratch, const BodyCold& mover,
                                    const BodyCold& other) {
     double size = mover.inner_radius;
-    if (other.type == BodyType::dynamic && (had_contacts(step, mover) || had_contacts(step, other)))
+    if (other.type == BodyType::dynamic &&
+        (had_contacts(scratch, mover) || had_contacts(scratch, other)))
         size += other.inner_radius;
     return tuning::sweep_fraction * size;
 }
@@ -41,7 +42,7 @@ inline bool uses_speculative_contact(const StepContext& step, std::uint32_t shap
     const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
     if (a.first_joint != none || b.first_joint != none) return true;
     const auto leans = [&](const BodyCold& cold) {
-        return cold.type == BodyType::dynamic && had_contacts(step, cold);
+        return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
     };
     return (leans(a) || leans(b)) && pair_restitution(sa.material, sb.material) == 0;
 }

@@ -31,6 +31,7 @@ public:
         : step_(step), world_(step.world), finalize_(step.scratch.finalize) {}
 
     void run() {
+        ASSERT(finalize_.fast.size() == world_.bodies.awake.size());
         std::vector<std::uint32_t> known;
         for (std::uint32_t i = 0; i < finalize_.fast.size(); i++) {
             if (is_fast(i)) fast_.push_back(i);
@@ -293,6 +294,7 @@ private:
     // another way now are met before.
     void find_impact(std::size_t k) {
         ToiBody& t = bodies_[k];
+        ASSERT(t.fast && t.queued);
         if (!t.checked) {
             t.fraction = Impact::never;
             if (searches(k))
@@ -331,10 +333,10 @@ private:
         const std::uint32_t known = toi_body_of(other);
         const bool changed = t.changed || (known != nobody && bodies_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
-        double least = motion_without_sweep(step_, cold, cold_other);
+        double least = motion_without_sweep(step_.scratch.contacts, cold, cold_other);
         // Of two that search one looks, for both.
         if (known != nobody && searches(known))
-            least = minimum(least, motion_without_sweep(step_, cold_other, cold));
+            least = minimum(least, motion_without_sweep(step_.scratch.contacts, cold_other, cold));
         least *= changed ? tuning::sweep_share_after_impact : tuning::sweep_share;
         const SweptMotion motion = motion_now(other);
         const double way = length(t.sweep.translation - motion.motion) +
@@ -449,10 +451,12 @@ private:
     void impact(std::size_t index) {
         const double at = bodies_[index].fraction;
         ASSERT(at >= bodies_[index].sweep.from && at <= 1);
+        ASSERT(searches(index));
         const std::uint32_t own = bodies_[index].own_shape, other = bodies_[index].other_shape;
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);
         const std::vector<ImpactPoint> points = std::move(bodies_[index].points);
+        ASSERT(!points.empty());
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         const ContactAnswer answer = answer_for(own, other, a, b, points);
         if (!answer.enabled) {
@@ -478,7 +482,7 @@ private:
     ContactAnswer answer_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
                              const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
         const ContactAnswer answer = answer_of_materials(world_, own, other);
-        if (!has_pre_solve_listeners(world_) || points.empty()) return answer;
+        if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return answer;
         Vec3 point;
         for (const ImpactPoint& p : points)
             point += p.position * (1.0 / static_cast<double>(points.size()));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision/broadphase/dynamic_tree.h"
+#include "foundation/check.h"
 
 namespace jostle::physics {
 
@@ -23,6 +24,7 @@ public:
     void set_all(const std::vector<std::uint32_t>& bodies, WayOf&& way_of) {
         for (const std::uint32_t body : bodies) {
             if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
+            ASSERT(!has(body));
             leaf_[body] = tree_.add(way_of(body), body);
         }
         tree_.rebuild();

@@ -32,8 +32,10 @@ public:
         motions_.resize(known.size());
         sweeps_.resize(known.size());
         place_.assign(step.scratch.finalize.fast.size(), not_known);
-        for (std::size_t k = 0; k < known.size(); k++)
+        for (std::size_t k = 0; k < known.size(); k++) {
+            ASSERT(known[k] < place_.size() && place_[known[k]] == not_known);
             place_[known[k]] = static_cast<std::uint32_t>(k);
+        }
         step.team.run(static_cast<int>(known.size()), 64, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 const Sweep& sweep = sweeps_[k] = way_of(known[k]);

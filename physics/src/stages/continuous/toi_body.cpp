@@ -63,6 +63,7 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
 }  // namespace
 
 Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt) {
+    ASSERT(before.body == now.body);
     const Vec3 turn = way_round(before.rotation, now.rotation, now.w * dt);
     return {0, before.center, before.rotation, now.center - before.center, turn};
 }
@@ -81,6 +82,7 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt) {
     const BodyWarm& now = warm_of(world, t.body);
     const BodyCold& cold = world.bodies.cold[now.body];
+    ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
     t.sweep = even_sweep(before, now, dt);
     t.end_rotation = now.rotation;
     t.end_spin = now.w;
@@ -100,6 +102,7 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, doub
 
 void next_leg(const WorldState& world, ToiBody& t, double dt) {
     const double at = t.sweep.until;
+    ASSERT(at < 1);
     const FreeSpin free = spin_at(world, t, at, dt);
     t.velocity += t.gain * (at - t.sweep.from);
     t.sweep.center = center_at(t.sweep, at);

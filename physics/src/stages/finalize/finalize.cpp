@@ -30,6 +30,7 @@ Skipped finalize(StepContext& step) {
     FinalizeScratch& scratch = step.scratch.finalize;
     // Kinematic bodies were finalized with the free ones: contacts do not move them.
     const std::vector<std::uint32_t>& solved = solver.bodies.all;
+    ASSERT(solved.empty() || solver.hot.size() == world.bodies.awake.size() + 1);
     step.team.run(static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
@@ -47,6 +48,7 @@ Skipped finalize(StepContext& step) {
         for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
              s = world.shapes.shapes[s].next) {
             const ShapeRecord& shape = world.shapes.shapes[s];
+            ASSERT(shape.leaf >= 0 || is_plane(shape));
             if (shape.leaf >= 0) moves.push_back({shape.leaf, shape.fat});
             buffer_move(world, s);
         }

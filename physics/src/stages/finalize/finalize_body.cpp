@@ -19,12 +19,12 @@ bool is_sound(const FreeMotion& motion, Vec3 center) {
            is_finite(center) && is_finite(motion.rotation);
 }
 
-bool left_fat_aabb(WorldState& world, const BodyWarm& warm, const BodyCold& cold, double dt) {
-    MotionBound& motion = world.bodies.motion[warm.body];
+bool left_fat_aabb(const ShapeStore& store, MotionBound& motion, const BodyWarm& warm,
+                   const BodyCold& cold, double dt) {
     if (motion.travel + length(warm.v) * dt <= motion.fits_until) return false;
     AabbMargin margin{1e300, 1e300};
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
-        const AabbMargin own = margin_in_fat_aabb(world.shapes.shapes[s], warm, dt);
+    for (std::uint32_t s = cold.first_shape; s != none; s = store.shapes[s].next) {
+        const AabbMargin own = margin_in_fat_aabb(store.shapes[s], warm, dt);
         margin = {minimum(margin.now, own.now), minimum(margin.next, own.next)};
     }
     motion.fits_until = motion.travel + margin.now;
@@ -32,9 +32,9 @@ bool left_fat_aabb(WorldState& world, const BodyWarm& warm, const BodyCold& cold
 }
 
 // Whether a shape of a body that moved is no longer within its fat box.
-bool strayed(const WorldState& world, const BodyWarm& warm, const BodyCold& cold) {
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!fits_fat_aabb(world.shapes.shapes[s], warm, 0)) return true;
+bool strayed(const ShapeStore& store, const BodyWarm& warm, const BodyCold& cold) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = store.shapes[s].next)
+        if (!fits_fat_aabb(store.shapes[s], warm, 0)) return true;
     return false;
 }
 
@@ -88,9 +88,13 @@ void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch) {
 void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion) {
     WorldState& world = step.world;
     FinalizeScratch& scratch = step.scratch.finalize;
+    ASSERT(awake_index < scratch.fast.size() && awake_index < world.bodies.awake.size());
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
     ASSERT(cold.set == BodySet::awake && cold.at == awake_index && !cold.asleep_in_place);
+    // Once in a step.
+    ASSERT(scratch.fast[awake_index] == 0 && scratch.thrown[awake_index] == 0);
+    ASSERT(scratch.left_fat_aabb[awake_index] == 0 && scratch.not_finite[awake_index] == 0);
     warm.force = warm.torque = {};
     const Vec3 center = warm.center + motion.displacement;
     if (!is_sound(motion, center)) {
@@ -121,13 +125,14 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     warm.v = motion.v;
     warm.w = motion.w;
     if (scratch.fast[awake_index] != 0)
-        scratch.strayed[awake_index] = strayed(world, warm, cold) ? 1 : 0;
-    world.bodies.motion[warm.body].travel += way;
-    world.bodies.motion[warm.body].turned += turned;
+        scratch.strayed[awake_index] = strayed(world.shapes, warm, cold) ? 1 : 0;
+    MotionBound& bound = world.bodies.motion[warm.body];
+    bound.travel += way;
+    bound.turned += turned;
     update_motion_bound(world, warm.body, step.dt);
     if (world.def.sleeping && cold.type == BodyType::dynamic)
         note_rest(world, warm, cold, motion, turn, step.dt);
-    if (!left_fat_aabb(world, warm, cold, step.dt)) return;
+    if (!left_fat_aabb(world.shapes, bound, warm, cold, step.dt)) return;
     scratch.left_fat_aabb[awake_index] = 1;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         enlarge_aabb(world, s, warm, step.dt);

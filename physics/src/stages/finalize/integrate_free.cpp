@@ -18,8 +18,7 @@ namespace {
 // One sub-step. Fields act where the body is in its middle, which is of second order and keeps the
 // energy of a field that has one (position Verlet: Hairer, Lubich, Wanner, "Geometric numerical
 // integration by the Stormer-Verlet method", 2003).
-void advance(const StepContext& step, const SubstepMoment& moment, BodyWarm& now) {
-    const WorldState& world = step.world;
+void advance(const WorldState& world, const SubstepMoment& moment, BodyWarm& now) {
     const BodyCold& cold = world.bodies.cold[now.body];
     const Vec3 force = now.force, torque = now.torque;
     if (!world.fields.empty()) {
@@ -55,13 +54,14 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
             others.push_back(i);
             continue;
         }
+        ASSERT(world.bodies.cold[world.bodies.awake[i].body].constraints == 0);
         solver.free_place[i] = static_cast<std::uint32_t>(awake.size());
         awake.push_back(i);
         moving.push_back(world.bodies.awake[i]);
     }
     if (awake.empty()) return;
     const int count = world.def.substeps;
-    const bool listened = has_substep_listeners(world);
+    const bool listened = has_substep_listeners(world.listeners);
     for (int n = 0; n < count; n++) {
         SubstepMoment moment{n, count, step.dt / count};
         // Listeners, too, push where bodies are in the middle of the sub-step: free_motion() then
@@ -73,7 +73,7 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
         }
         step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
             for (int k = begin; k < end; k++)
-                advance(step, moment, moving[static_cast<std::size_t>(k)]);
+                advance(world, moment, moving[static_cast<std::size_t>(k)]);
         });
         moment.after = true;
         if (listened) call_listeners(step, moment, awake, moving);
@@ -92,9 +92,13 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
 Skipped integrate_free(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
+    // Each awake body is free, in the solver, or asleep in place.
+    ASSERT(step.scratch.solver.free.size() + step.scratch.solver.bodies.all.size() +
+               world.bodies.asleep_in_place ==
+           world.bodies.awake.size());
     begin_finalize(world.bodies, step.scratch.finalize);
     std::vector<std::uint32_t> others;
-    const bool by_substeps = has_substep_listeners(world) || !world.fields.empty();
+    const bool by_substeps = has_substep_listeners(world.listeners) || !world.fields.empty();
     if (by_substeps) integrate_by_substeps(step, others);
     const std::vector<std::uint32_t>& free = by_substeps ? others : step.scratch.solver.free;
     step.team.run(static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {

@@ -11,8 +11,7 @@ namespace {
 
 // Impulses that may be as unsound as the body's state are forgotten; the manifold is rebuilt in the
 // next step.
-void clear_impulses(WorldState& world, const Contact& c) {
-    const ContactPlace place = place_of(world, c);
+void clear_impulses(const ContactPlace& place) {
     const int lane = place.lane;
     for (auto& lambda : place.block->lambda) lambda[lane] = 0;
     for (auto& friction : place.block->friction) friction[lane] = 0;
@@ -29,6 +28,7 @@ Skipped quarantine(StepContext& step) {
     WorldState& world = step.world;
     // What woke since then was at rest.
     const std::vector<std::uint8_t>& not_finite = step.scratch.finalize.not_finite;
+    ASSERT(not_finite.size() <= world.bodies.awake.size());
     for (std::uint32_t i = 0; i < not_finite.size(); i++) {
         if (not_finite[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;
@@ -36,7 +36,7 @@ Skipped quarantine(StepContext& step) {
         world.events.quarantined.push_back(body_id(world, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.colour >= 0) clear_impulses(world, c);
+            if (c.colour >= 0) clear_impulses(place_of(world, c));
         });
         update_motion_bound(world, body, step.dt);
     }

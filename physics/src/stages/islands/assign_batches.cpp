@@ -22,11 +22,11 @@ struct Work {
 
 // What an island takes: its bodies and their manifolds, those of two bodies twice, and about its
 // joints.
-std::array<Work, tier_count> weigh_islands(const WorldState& world,
+std::array<Work, tier_count> weigh_islands(const BodyStore& bodies, const IslandStore& islands,
                                            std::vector<std::uint32_t>& weights) {
-    weights.assign(world.islands.ids.size(), 0);
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const BodyCold& cold = world.bodies.cold[warm.body];
+    weights.assign(islands.ids.size(), 0);
+    for (const BodyWarm& warm : bodies.awake) {
+        const BodyCold& cold = bodies.cold[warm.body];
         if (cold.island == none || cold.asleep_in_place) continue;
         const std::uint32_t jointed = cold.first_joint != none ? 2 : 0;
         if (cold.constraints > 0 || jointed > 0)
@@ -35,7 +35,8 @@ std::array<Work, tier_count> weigh_islands(const WorldState& world,
     std::array<Work, tier_count> works;
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0) continue;
-        const ColourSetKey set = world.islands.islands[i].colour_set;
+        ASSERT(islands.ids.alive(i) && !islands.islands[i].asleep);
+        const ColourSetKey set = islands.islands[i].colour_set;
         Work& work = works[index_of(set.tier)];
         std::uint32_t& lightest = work.lightest[set.batch];
         lightest = work.loads[set.batch] == 0 ? weights[i] : std::min(lightest, weights[i]);
@@ -118,7 +119,7 @@ void assign(WorldState& world, const std::vector<std::uint32_t>& weights, Solver
 void assign_batches(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t>& weights = step.scratch.islands.weights;
-    const std::array<Work, tier_count> works = weigh_islands(world, weights);
+    const std::array<Work, tier_count> works = weigh_islands(world.bodies, world.islands, weights);
     for (const SolverTier tier : all_tiers)
         if (is_unequal(works[index_of(tier)])) assign(world, weights, tier, works[index_of(tier)]);
 }

@@ -63,8 +63,10 @@ void report_composites(WorldState& world) {
         end_touch_of_pair(world, pair, world.events.contacts_ended);
         if (c.touching || c.parts_touching == 0) continue;
         std::uint32_t first = c.first_part;
-        while (!world.contacts.contacts[first].touching)
+        while (!world.contacts.contacts[first].touching) {
             first = world.contacts.contacts[first].next_part;
+            ASSERT(first != none);
+        }
         report_begin(world, world.contacts.contacts[first]);
         c.touching = true;
     }
@@ -94,6 +96,7 @@ Skipped link_islands(StepContext& step) {
     });
     // By index of contact: the order decides which island takes in which.
     std::sort(changes.begin(), changes.end());
+    ASSERT(std::adjacent_find(changes.begin(), changes.end()) == changes.end());
     for (const std::uint32_t contact : changes) change_touch(world, contact);
     report_composites(world);
     world.profile.manifolds = manifolds;

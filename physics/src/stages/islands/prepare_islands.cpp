@@ -17,15 +17,17 @@ namespace {
 // ---- tier ----
 
 // What stands of each island: not what flies past or falls.
-void measure_extents(const WorldState& world, std::vector<IslandExtent>& extents, Vec3 up) {
-    extents.assign(world.islands.ids.size(), {});
+void measure_extents(const BodyStore& bodies, const IslandStore& islands,
+                     std::vector<IslandExtent>& extents, Vec3 up) {
+    extents.assign(islands.ids.size(), {});
     const Vec3 east = normalized(cross(up, absolute(up.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 north = cross(east, up);
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const BodyCold& cold = world.bodies.cold[warm.body];
+    for (const BodyWarm& warm : bodies.awake) {
+        const BodyCold& cold = bodies.cold[warm.body];
         if (cold.constraints == 0 || cold.island == none ||
             length_squared(warm.v) > tuning::standing_speed * tuning::standing_speed)
             continue;
+        ASSERT(cold.island < extents.size());
         IslandExtent& extent = extents[cold.island];
         if (extent.bodies++ == 0) extent.first = warm.center;
         const Vec3 from = warm.center - extent.first;
@@ -88,6 +90,7 @@ bool has_overload(WorldState& world, const Island& island, Vec3 up) {
 SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, std::uint32_t index,
                    Vec3 up) {
     const Island& island = world.islands.islands[index];
+    ASSERT(world.islands.ids.alive(index) && !island.asleep);
     if (island.uneven && has_overload(world, island, up)) return SolverTier::heavy;
     const IslandExtent& extent = extents[index];
     if (!is_slender(extent)) {
@@ -143,7 +146,7 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uin
 
 void choose_tiers(WorldState& world, std::vector<IslandExtent>& extents) {
     const Vec3 up = -normalized(world.def.gravity);
-    measure_extents(world, extents, up);
+    measure_extents(world.bodies, world.islands, extents, up);
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
             choose_tier(world, extents, i, up);

@@ -17,6 +17,7 @@ using ShapePair = std::pair<std::uint32_t, std::uint32_t>;
 
 void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
               std::vector<ShapePair>& pairs) {
+    ASSERT(world.shapes.ids.alive(a) && world.shapes.ids.alive(b));
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
     if (sa.body == sb.body) return;
     if (world.bodies.cold[sa.body].type != BodyType::dynamic &&
@@ -59,6 +60,7 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
     constexpr std::size_t chunk = tuning::pair_grain;
     const WorldState& world = step.world;
     const std::vector<std::uint32_t>& moved = world.shapes.moved;
+    ASSERT(!moved.empty());
     std::vector<NewPairs>& parts = step.scratch.pairs.new_pairs;
     const std::size_t chunks = (moved.size() + chunk - 1) / chunk;
     if (parts.size() < chunks) parts.resize(chunks);
@@ -78,12 +80,12 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
 }
 
 // A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
-void wake_if_all_asleep(WorldState& world, const Contact& c) {
+void wake_if_all_asleep(const BodyStore& bodies, const Contact& c, WakeRequests& requests) {
     for (const std::uint32_t body : {c.body_a, c.body_b}) {
-        const BodyCold& cold = world.bodies.cold[body];
+        const BodyCold& cold = bodies.cold[body];
         if (cold.set == BodySet::awake && !cold.asleep_in_place) return;
     }
-    world.wake_requests.push_back({c.body_a});
+    requests.push_back({c.body_a});
 }
 
 }  // namespace
@@ -101,8 +103,11 @@ Skipped update_pairs(StepContext& step) {
     moved.clear();
     for (const auto& [a, b] : pairs) {
         const std::uint32_t contact = create_contact(world, a, b);
-        wake_if_all_asleep(world, world.contacts.contacts[contact]);
+        const Contact& c = world.contacts.contacts[contact];
+        ASSERT(c.has_bound);
+        wake_if_all_asleep(world.bodies, c, world.wake_requests);
     }
+    ASSERT(world.contacts.pairs.size() <= world.contacts.ids.alive_count());
     world.profile.pairs = static_cast<int>(world.contacts.ids.alive_count());
     return ran;
 }

@@ -27,6 +27,7 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
     const bool fresh = std::find(world.triggers.fresh.begin(), world.triggers.fresh.end(),
                                  trigger) != world.triggers.fresh.end();
     const auto consider = [&](std::uint32_t other) {
+        ASSERT(world.shapes.ids.alive(other));
         const ShapeRecord& o = world.shapes.shapes[other];
         if (o.trigger || o.body == shape.body || !may_meet(shape.filter, o.filter)) return;
         const BodyCold& body = world.bodies.cold[o.body];
@@ -57,6 +58,7 @@ void look_into(const WorldState& world, std::uint32_t trigger, std::vector<std::
 }
 
 TriggerEvent event_of(const WorldState& world, const Inside& pair) {
+    ASSERT(world.shapes.ids.alive(pair.trigger) && world.shapes.ids.alive(pair.shape));
     const std::uint32_t own = world.shapes.shapes[pair.trigger].body,
                         body = world.shapes.shapes[pair.shape].body;
     return {shape_id(world, pair.trigger), shape_id(world, pair.shape), body_id(world, own),
@@ -68,6 +70,7 @@ TriggerEvent event_of(const WorldState& world, const Inside& pair) {
 Skipped update_triggers(StepContext& step) {
     WorldState& world = step.world;
     if (world.shapes.triggers.empty() && world.triggers.inside.empty()) return "no triggers";
+    ASSERT(std::is_sorted(world.triggers.inside.begin(), world.triggers.inside.end()));
     world.shapes.statics->flush();
     world.shapes.moving->flush();
     std::vector<Inside> inside;

@@ -16,15 +16,17 @@ namespace {
 
 // Calls visit(contact, hot index of a, of b) for every solved manifold of two dynamic bodies.
 template <class Visit>
-void for_each_bond(const WorldState& world, Visit&& visit) {
-    for_each_colour(world.graph.solved(), [&](const GraphColour& colour, int c) {
+void for_each_bond(const ConstraintGraph& graph, Visit&& visit) {
+    for_each_colour(graph.solved(), [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::dynamic) return;
         for (std::size_t k = 0; k < colour.metas.size(); k++)
-            for (int lane = 0; lane < lanes_per_block(c); lane++)
-                if (colour.metas[k].contact[lane] != none)
-                    visit(colour.metas[k].contact[lane],
-                          static_cast<std::size_t>(colour.blocks[k].a[lane]),
-                          static_cast<std::size_t>(colour.blocks[k].b[lane]));
+            for (int lane = 0; lane < lanes_per_block(c); lane++) {
+                if (colour.metas[k].contact[lane] == none) continue;
+                ASSERT(colour.blocks[k].a[lane] > 0 && colour.blocks[k].b[lane] > 0);
+                visit(colour.metas[k].contact[lane],
+                      static_cast<std::size_t>(colour.blocks[k].a[lane]),
+                      static_cast<std::size_t>(colour.blocks[k].b[lane]));
+            }
     });
 }
 
@@ -37,8 +39,7 @@ bool is_load_changed(const WorldState& world, const Contact& c, std::uint32_t sl
     return length_squared(load_of(world, c) - before) > most * most;
 }
 
-double momentum_of(const WorldState& world, const BodyWarm& warm, double dt) {
-    const BodyCold& cold = world.bodies.cold[warm.body];
+double momentum_of(const BodyWarm& warm, const BodyCold& cold, double dt) {
     return cold.mass * (length(warm.v) + length(warm.w) * cold.radius) + length(warm.force) * dt;
 }
 
@@ -64,14 +65,14 @@ void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
 }
 
 // By hot index: who does not rest, and who touches such a one.
-void find_restless(const WorldState& world, SleepScratch& scratch) {
-    scratch.restless.assign(world.bodies.awake.size() + 1, 0);
-    for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
-        const BodyWarm& warm = world.bodies.awake[i];
-        if (is_restless(warm, world.bodies.cold[warm.body])) scratch.restless[i + 1] = 1;
+void find_restless(const BodyStore& bodies, const ConstraintGraph& graph, SleepScratch& scratch) {
+    scratch.restless.assign(bodies.awake.size() + 1, 0);
+    for (std::size_t i = 0; i < bodies.awake.size(); i++) {
+        const BodyWarm& warm = bodies.awake[i];
+        if (is_restless(warm, bodies.cold[warm.body])) scratch.restless[i + 1] = 1;
     }
     scratch.beside = scratch.restless;
-    for_each_bond(world, [&](std::uint32_t, std::size_t a, std::size_t b) {
+    for_each_bond(graph, [&](std::uint32_t, std::size_t a, std::size_t b) {
         scratch.beside[a] |= scratch.restless[b];
         scratch.beside[b] |= scratch.restless[a];
     });
@@ -87,14 +88,16 @@ void file_disturbances(StepContext& step) {
     for (const BodyWarm& warm : world.bodies.awake)
         if (world.bodies.cold[warm.body].asleep_in_place && warm.sleep_time == 0)
             requests.push_back({warm.body});
-    for_each_bond(world, [&](std::uint32_t contact, std::size_t a, std::size_t b) {
+    for_each_bond(world.graph, [&](std::uint32_t contact, std::size_t a, std::size_t b) {
         const Contact& c = world.contacts.contacts[contact];
         const BodyCold &cold_a = world.bodies.cold[c.body_a], &cold_b = world.bodies.cold[c.body_b];
         if (cold_a.asleep_in_place == cold_b.asleep_in_place) return;
         const std::uint32_t body = cold_a.asleep_in_place ? c.body_a : c.body_b;
         const BodyWarm& mover = world.bodies.awake[(cold_a.asleep_in_place ? b : a) - 1];
+        const BodyCold& cold = cold_a.asleep_in_place ? cold_b : cold_a;
+        ASSERT(mover.body == (cold_a.asleep_in_place ? c.body_b : c.body_a));
         if (c.touching && mover.sleep_time == 0)
-            requests.push_back({body, mass_stirred_by(momentum_of(world, mover, step.dt))});
+            requests.push_back({body, mass_stirred_by(momentum_of(mover, cold, step.dt))});
         else if (is_load_changed(world, c, body))
             requests.push_back({.body = body, .briefly = true});
     });
@@ -109,7 +112,7 @@ void put_parts_to_sleep(StepContext& step) {
                     [](double sleep_time) { return sleep_time >= tuning::partial_sleep_time; });
     if (!any) return;
     ASSERT(scratch.longest.size() == world.islands.ids.size());
-    find_restless(world, scratch);
+    find_restless(world.bodies, world.graph, scratch);
     // By island: how many rest among what rests.
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
@@ -118,7 +121,9 @@ void put_parts_to_sleep(StepContext& step) {
     };
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];
-        if (rests(i, cold)) count[cold.island]++;
+        if (!rests(i, cold)) continue;
+        ASSERT(cold.island < count.size());
+        count[cold.island]++;
     }
     share_among_jointed(world, scratch.beside);
     // What sleeps in a turmoil would hold up loads that are about to shift.

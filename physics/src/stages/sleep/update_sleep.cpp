@@ -15,6 +15,7 @@ namespace {
 // ... and what is tied to one.
 void keep_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
     for (const std::uint32_t hot : jointed) {
+        ASSERT(hot > 0 && hot <= world.bodies.awake.size());
         BodyWarm& warm = world.bodies.awake[hot - 1];
         for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
             const Joint& j = world.joints.joints[joint];
@@ -33,6 +34,7 @@ void keep_carried_awake(WorldState& world) {
         for (const ContactConstraintWideMeta& meta : colour.metas)
             for (int lane = 0; lane < 8; lane++) {
                 if (!meta.has(LaneFlag::touching, lane)) continue;
+                ASSERT(meta.contact[lane] != no_contact);
                 const Contact& contact = world.contacts.contacts[meta.contact[lane]];
                 const BodyWarm& driver = warm_of(world, contact.body_b);
                 if (driver.v != Vec3{} || driver.w != Vec3{})
@@ -42,11 +44,11 @@ void keep_carried_awake(WorldState& world) {
 }
 
 // The rest time of each awake island's most restless and most restful body.
-void measure_rest(const WorldState& world, SleepScratch& scratch) {
-    scratch.shortest.assign(world.islands.ids.size(), 1e300);
-    scratch.longest.assign(world.islands.ids.size(), 0);
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const std::uint32_t island = world.bodies.cold[warm.body].island;
+void measure_rest(const BodyStore& bodies, const IslandStore& islands, SleepScratch& scratch) {
+    scratch.shortest.assign(islands.ids.size(), 1e300);
+    scratch.longest.assign(islands.ids.size(), 0);
+    for (const BodyWarm& warm : bodies.awake) {
+        const std::uint32_t island = bodies.cold[warm.body].island;
         if (island == none) continue;  // kinematic
         scratch.shortest[island] = minimum(scratch.shortest[island], warm.sleep_time);
         scratch.longest[island] = maximum(scratch.longest[island], warm.sleep_time);
@@ -74,7 +76,7 @@ Skipped update_sleep(StepContext& step) {
     SleepScratch& scratch = step.scratch.sleep;
     keep_carried_awake(world);
     keep_towed_awake(world, step.scratch.solver.jointed.all);
-    measure_rest(world, scratch);
+    measure_rest(world.bodies, world.islands, scratch);
     // Splitting adds islands at the end or in holes; those wait for the next step's measure.
     const std::uint32_t count = world.islands.ids.size();
     std::uint32_t sleepiest = none;

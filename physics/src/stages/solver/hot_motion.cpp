@@ -2,7 +2,6 @@
 #include "stages/solver/hot_motion.h"
 
 #include "foundation/check.h"
-#include "stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {
@@ -13,19 +12,18 @@ Vec3 vec(const float* f) {
 
 }  // namespace
 
-Vec3 center_now(const StepContext& step, std::uint32_t awake_index) {
-    const SolverScratch& scratch = step.scratch.solver;
+Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index) {
     ASSERT(awake_index + 1 < scratch.hot.size());
-    return step.world.bodies.awake[awake_index].center + vec(scratch.hot[awake_index + 1].dp);
+    return bodies.awake[awake_index].center + vec(scratch.hot[awake_index + 1].dp);
 }
 
-BodyWarm motion_now(const StepContext& step, std::uint32_t awake_index) {
-    const SolverScratch& scratch = step.scratch.solver;
+BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
+                    std::uint32_t awake_index) {
     ASSERT(awake_index + 1 < scratch.hot.size());
     const HotBody& hot = scratch.hot[awake_index + 1];
-    BodyWarm now = step.world.bodies.awake[awake_index];
+    BodyWarm now = bodies.awake[awake_index];
     const Quat turn = from_rotation_vector(vec(hot.dr));
-    now.center = center_now(step, awake_index);
+    now.center = center_now(bodies, scratch, awake_index);
     now.rotation = normalized(turn * now.rotation);
     now.axes = to_matrix(now.rotation);
     now.v = vec(hot.v);
@@ -34,11 +32,11 @@ BodyWarm motion_now(const StepContext& step, std::uint32_t awake_index) {
     return now;
 }
 
-void push_hot(StepContext& step, std::uint32_t awake_index, Vec3 impulse, Vec3 angular_impulse) {
-    SolverScratch& scratch = step.scratch.solver;
+void push_hot(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
+              Vec3 impulse, Vec3 angular_impulse) {
     ASSERT(awake_index + 1 < scratch.hot.size());
     HotBody& hot = scratch.hot[awake_index + 1];
-    const BodyCold& cold = step.world.bodies.cold[step.world.bodies.awake[awake_index].body];
+    const BodyCold& cold = bodies.cold[bodies.awake[awake_index].body];
     const Vec3 change = scaled(impulse, free_directions(cold)) * cold.inverse_mass;
     Vec3 about = angular_impulse;
     if (scratch.is_gyroscopic[awake_index + 1] != 0)

@@ -4,16 +4,20 @@
 // force fields and listeners. Reads and writes the body's hot record; different bodies at once.
 #pragma once
 
-#include "stages/step_context.h"
+#include "stages/solver/solver_scratch.h"
+#include "state/body_store.h"
 
 namespace jostle::physics {
 
-Vec3 center_now(const StepContext& step, std::uint32_t awake_index);  // m, of mass, world
+// m, of mass, world.
+Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index);
 // Where it is and how it moves now, in double, world axes.
-BodyWarm motion_now(const StepContext& step, std::uint32_t awake_index);
+BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
+                    std::uint32_t awake_index);
 
 // N s, and N m s about the centre of mass. It counts among what acts without contacts: no warm
 // start repeats it.
-void push_hot(StepContext& step, std::uint32_t awake_index, Vec3 impulse, Vec3 angular_impulse);
+void push_hot(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
+              Vec3 impulse, Vec3 angular_impulse);
 
 }  // namespace jostle::physics

@@ -29,8 +29,10 @@ static_assert(solved_set_count < no_set);
 template <class Takes>
 void collect(const std::vector<std::uint8_t>& set_of, BodiesBySet& list, Takes&& takes) {
     std::array<std::uint32_t, solved_set_count> next{};
-    for (std::uint32_t i = 0; i < set_of.size(); i++)
+    for (std::uint32_t i = 0; i < set_of.size(); i++) {
+        ASSERT(set_of[i] == no_set || set_of[i] < solved_set_count);
         if (set_of[i] != no_set && takes(i)) next[set_of[i]]++;
+    }
     std::uint32_t all = 0;
     for (std::size_t k = 0; k < next.size(); k++) {
         list.begin[k] = all;
@@ -43,17 +45,15 @@ void collect(const std::vector<std::uint8_t>& set_of, BodiesBySet& list, Takes&&
         if (set_of[i] != no_set && takes(i)) list.all[next[set_of[i]]++] = i + 1;
 }
 
-void sort_out_bodies(StepContext& step) {
-    WorldState& world = step.world;
-    SolverScratch& scratch = step.scratch.solver;
+void sort_out_bodies(const BodyStore& bodies, const IslandStore& islands, SolverScratch& scratch) {
     scratch.kinematic.clear();
     scratch.free.clear();
-    scratch.set_of.assign(world.bodies.awake.size(), no_set);
+    scratch.set_of.assign(bodies.awake.size(), no_set);
     const auto cold_of = [&](std::uint32_t i) -> const BodyCold& {
-        return world.bodies.cold[world.bodies.awake[i].body];
+        return bodies.cold[bodies.awake[i].body];
     };
     bool any_jointed = false;
-    for (std::uint32_t i = 0; i < world.bodies.awake.size(); i++) {
+    for (std::uint32_t i = 0; i < bodies.awake.size(); i++) {
         const BodyCold& cold = cold_of(i);
         const bool held = cold.constraints > 0 || cold.first_joint != none;
         if (cold.asleep_in_place) continue;
@@ -62,7 +62,8 @@ void sort_out_bodies(StepContext& step) {
             scratch.free.push_back(i);
             if (held || cold.first_edge != none) scratch.kinematic.push_back(i + 1);
         } else if (held) {
-            const ColourSetKey set = world.islands.islands[cold.island].colour_set;
+            ASSERT(islands.ids.alive(cold.island));
+            const ColourSetKey set = islands.islands[cold.island].colour_set;
             scratch.set_of[i] = static_cast<std::uint8_t>(index_of(set));
             any_jointed = any_jointed || cold.first_joint != none;
         } else {
@@ -72,18 +73,20 @@ void sort_out_bodies(StepContext& step) {
     collect(scratch.set_of, scratch.bodies, [](std::uint32_t) { return true; });
     collect(scratch.set_of, scratch.jointed,
             [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
-    world.profile.bodies_asleep_in_place = static_cast<int>(world.bodies.asleep_in_place);
-    world.profile.bodies_awake =
-        static_cast<int>(world.bodies.awake.size() - world.bodies.asleep_in_place);
-    world.profile.bodies_in_solver =
-        world.profile.bodies_awake - static_cast<int>(scratch.free.size());
+}
+
+// For the profile.
+void count_bodies(const BodyStore& bodies, const SolverScratch& scratch, StepProfile& profile) {
+    profile.bodies_asleep_in_place = static_cast<int>(bodies.asleep_in_place);
+    profile.bodies_awake = static_cast<int>(bodies.awake.size() - bodies.asleep_in_place);
+    profile.bodies_in_solver = profile.bodies_awake - static_cast<int>(scratch.free.size());
     const auto bodies_of = [&](SolverTier tier) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
         return static_cast<int>(scratch.bodies.of(first, first + batch_count).size());
     };
-    world.profile.bodies_flat = bodies_of(SolverTier::flat);
-    world.profile.bodies_tall = bodies_of(SolverTier::tall);
-    world.profile.bodies_heavy = bodies_of(SolverTier::heavy);
+    profile.bodies_flat = bodies_of(SolverTier::flat);
+    profile.bodies_tall = bodies_of(SolverTier::tall);
+    profile.bodies_heavy = bodies_of(SolverTier::heavy);
 }
 
 // The hot record of one body, and what changes it apart from contacts, at the start of the step.
@@ -107,6 +110,7 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     for (float& keep : external.keep) keep = 1;
     put(hot.v, warm.v, warm.w);
     if (cold.type == BodyType::kinematic) return;
+    ASSERT(h > 0);
     hot.inverse_mass = as_float(cold.inverse_mass);
     hot.inverse_spin = as_float(cold.inverse_inertia.x.x);
     const Mat3 inertia = world_inverse_inertia(warm, cold);
@@ -140,16 +144,15 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
 // Euler's equations for one sub-step. Within a step the spin of a gyroscopic body is that in the
 // frame in which it stood at the start and turns with it since; finalize() turns it back into the
 // world.
-void integrate_gyroscopic(const StepContext& step, std::uint32_t index, double h) {
-    const WorldState& world = step.world;
-    HotBody& hot = step.scratch.solver.hot[index + 1];
-    const GyroscopicBody& gyroscopic_body = step.scratch.solver.gyroscopic[index + 1];
+void integrate_gyroscopic(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t index,
+                          double h) {
+    HotBody& hot = scratch.hot[index + 1];
+    const GyroscopicBody& gyroscopic_body = scratch.gyroscopic[index + 1];
     const Vec3 start = transposed_times(gyroscopic_body.axes,
                                         {double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}});
-    const Vec3 end =
-        gyroscopic_body.principal
-            ? euler_step(PrincipalRatios{gyroscopic_body.bend}, start, h).w
-            : euler_step(world.bodies.cold[world.bodies.awake[index].body], start, h).w;
+    const Vec3 end = gyroscopic_body.principal
+                         ? euler_step(PrincipalRatios{gyroscopic_body.bend}, start, h).w
+                         : euler_step(bodies.cold[bodies.awake[index].body], start, h).w;
     const Vec3 change = gyroscopic_body.axes * (end - start);
     // Not an impulse: it counts among what acts without contacts.
     for (int k = 0; k < 3; k++) {
@@ -167,28 +170,29 @@ struct SolverTask {
     std::uint32_t weight;  // bodies and contacts
 };
 
-SolverTask make_task(const StepContext& step, SolverTier tier, std::size_t first,
-                     std::size_t last) {
+SolverTask make_task(const ConstraintGraph& graph, const BodiesBySet& bodies, SolverTier tier,
+                     std::size_t first, std::size_t last) {
     ASSERT(first < last && last <= solved_set_count);
     SolverTask task{tier, first, last, 0};
-    task.weight = static_cast<std::uint32_t>(step.scratch.solver.bodies.of(first, last).size());
+    task.weight = static_cast<std::uint32_t>(bodies.of(first, last).size());
     for (std::size_t k = first; k < last; k++)
-        task.weight += static_cast<std::uint32_t>(step.world.graph.sets[k].contacts);
+        task.weight += static_cast<std::uint32_t>(graph.sets[k].contacts);
     return task;
 }
 
 // One thread fills the lanes of joint blocks best with all batches of a tier at once; several take
 // a batch each. That changes no result: islands know nothing of each other.
 std::vector<SolverTask> make_tasks(const StepContext& step) {
+    const BodiesBySet& bodies = step.scratch.solver.bodies;
     std::vector<SolverTask> tasks;
     // Listeners see the same groups of bodies whatever the threads.
     const std::size_t together =
-        step.team.size() == 1 || has_substep_listeners(step.world) ? batch_count : 1;
+        step.team.size() == 1 || has_substep_listeners(step.world.listeners) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
         for (std::size_t k = first; k < first + batch_count; k += together)
-            if (!step.scratch.solver.bodies.of(k, k + together).empty())
-                tasks.push_back(make_task(step, tier, k, k + together));
+            if (!bodies.of(k, k + together).empty())
+                tasks.push_back(make_task(step.world.graph, bodies, tier, k, k + together));
     }
     return tasks;
 }
@@ -247,7 +251,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
     const bool bounces = begin_restitution(contacts);
-    const bool listened = has_substep_listeners(step.world);
+    const bool listened = has_substep_listeners(step.world.listeners);
     const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
@@ -264,7 +268,8 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
         solve(contacts);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
             for (const std::uint32_t hot : some)
-                if (scratch.is_gyroscopic[hot] != 0) integrate_gyroscopic(step, hot - 1, h);
+                if (scratch.is_gyroscopic[hot] != 0)
+                    integrate_gyroscopic(step.world.bodies, scratch, hot - 1, h);
             kernel.advance(range_of(scratch, some), set.h);
         });
         kernel.advance(range_of(scratch, kinematic), set.h);
@@ -311,7 +316,7 @@ void solve_task(StepContext& step, const SolverTask& task,
 // until all are done. The threads share the colours of a heavier one.
 void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
     const std::vector<std::uint32_t>& kinematic = step.scratch.solver.kinematic;
-    if (step.team.size() == 1 || has_substep_listeners(step.world)) {
+    if (step.team.size() == 1 || has_substep_listeners(step.world.listeners)) {
         for (const SolverTask& task : tasks) solve_task(step, task, kinematic);
         return;
     }
@@ -341,9 +346,14 @@ void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
 
 Skipped solve_constraints(StepContext& step) {
     const BodyStore& bodies = step.world.bodies;
+    const ConstraintGraph& graph = step.world.graph;
     if (bodies.awake.empty()) return nobody_awake;
     SolverScratch& scratch = step.scratch.solver;
-    sort_out_bodies(step);
+    sort_out_bodies(bodies, step.world.islands, scratch);
+    count_bodies(bodies, scratch, step.world.profile);
+    ASSERT(!scratch.bodies.all.empty() ||
+           std::all_of(graph.solved().begin(), graph.solved().end(),
+                       [](const ColourSet& set) { return set.contacts == 0; }));
     if (scratch.bodies.all.empty()) return "nothing touches and nothing is jointed";
     const std::size_t count = bodies.awake.size() + 1;
     scratch.hot.resize(count);

@@ -21,6 +21,7 @@ JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& fr
     const BodyWarm& warm = hot != 0
                                ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
                                : warm_of(world, body);
+    ASSERT(warm.body == body);
     return {.hot = hot,
             .center = warm.center,
             .arm = warm.axes * (frame.position - world.bodies.cold[body].local_center),
@@ -29,17 +30,18 @@ JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& fr
 }
 
 // The joints of the bodies, in order.
-void find_joints(const WorldState& world, const JointTask& task) {
+void find_joints(const JointStore& store, const BodyStore& all, const JointTask& task) {
     JointLevels& levels = task.levels;
-    levels.marks.assign((world.joints.joints.size() + 63) / 64, 0);
+    levels.marks.assign((store.joints.size() + 63) / 64, 0);
     const std::span<const std::uint32_t> bodies = task.bodies;
     const auto cold_of = [&](std::size_t k) -> const BodyCold& {
-        return world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
+        return all.cold[all.awake[bodies[k] - 1].body];
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
+        ASSERT(cold_of(k).first_joint != none && !cold_of(k).asleep_in_place);
         if (k + 8 < bodies.size())
-            prefetch(world.joints.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
-        for_each_joint(world.joints, cold_of(k), [&](std::uint32_t joint) {
+            prefetch(store.joints[cold_of(k + 8).first_joint / 2], 0, sizeof(Joint::next));
+        for_each_joint(store, cold_of(k), [&](std::uint32_t joint) {
             levels.marks[joint / 64] |= 1ull << (joint % 64);
         });
     }
@@ -51,16 +53,16 @@ void find_joints(const WorldState& world, const JointTask& task) {
 }
 
 // Their bodies by hot index: negative for what moves but cannot be pushed, 0 for what stands still.
-void find_bodies(const WorldState& world, JointLevels& levels) {
+void find_bodies(const JointStore& store, const BodyStore& bodies, JointLevels& levels) {
     const auto hot_of = [&](std::uint32_t body) -> std::int32_t {
-        const BodyCold& cold = world.bodies.cold[body];
+        const BodyCold& cold = bodies.cold[body];
         if (cold.set != BodySet::awake) return 0;
         const auto hot = static_cast<std::int32_t>(cold.at + 1);
         return cold.inverse_mass != 0 && !cold.asleep_in_place ? hot : -hot;
     };
     for (LeveledJoint& found : levels.joints) {
-        ASSERT(world.joints.ids.alive(found.joint));
-        const Joint& joint = world.joints.joints[found.joint];
+        ASSERT(store.ids.alive(found.joint));
+        const Joint& joint = store.joints[found.joint];
         found.kind = static_cast<std::uint32_t>(joint.kind.index());
         found.a = hot_of(joint.body_a);
         found.b = hot_of(joint.body_b);
@@ -68,23 +70,25 @@ void find_bodies(const WorldState& world, JointLevels& levels) {
 }
 
 // Joints of a level lie far apart in memory, and so do their bodies.
-void prefetch_ahead(const WorldState& world, const JointConstraintWideMeta& meta) {
+void prefetch_ahead(const JointStore& store, const BodyStore& bodies,
+                    const JointConstraintWideMeta& meta) {
     for (int lane = 0; lane < meta.count; lane++) {
-        prefetch(world.joints.joints[meta.joint[lane]]);
+        prefetch(store.joints[meta.joint[lane]]);
         for (const std::int32_t hot : {meta.a[lane], meta.b[lane]})
-            if (hot > 0) prefetch(world.bodies.awake[static_cast<std::size_t>(hot) - 1]);
+            if (hot > 0) prefetch(bodies.awake[static_cast<std::size_t>(hot) - 1]);
     }
 }
 
 // Calls visit(block index, side) for every block, on any thread.
 template <class Visit>
 void each_block(StepContext& step, JointLevels& levels, Visit&& visit) {
-    WorldState& world = step.world;
+    const WorldState& world = step.world;
     std::vector<JointConstraintWideMeta>& metas = levels.metas;
     const int count = static_cast<int>(metas.size());
     step.team.run(count, tuning::joint_grain * 2, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
-            if (k + 2 < count) prefetch_ahead(world, metas[static_cast<std::size_t>(k + 2)]);
+            if (k + 2 < count)
+                prefetch_ahead(world.joints, world.bodies, metas[static_cast<std::size_t>(k + 2)]);
             visit(static_cast<std::size_t>(k), metas[static_cast<std::size_t>(k)]);
         }
     });
@@ -93,6 +97,7 @@ void each_block(StepContext& step, JointLevels& levels, Visit&& visit) {
 void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const JointStep& numbers) {
     for (const JointRun& run : levels.runs) {
         const int count = run.end - run.begin;
+        ASSERT(count > 0 && run.end <= static_cast<int>(levels.blocks.size()));
         const auto work = [&](int begin, int end) {
             pass({.blocks = levels.blocks.data(),
                   .angular = angular_of(levels, run.angular),
@@ -128,8 +133,8 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
     levels.runs.clear();
     levels.metas.clear();
     if (task.bodies.empty()) return;
-    find_joints(world, task);
-    find_bodies(world, levels);
+    find_joints(world.joints, world.bodies, task);
+    find_bodies(world.joints, world.bodies, levels);
     assign_levels(levels, step.scratch.solver.hot.size());
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {
         for (int lane = 0; lane < meta.count; lane++) {
@@ -197,6 +202,7 @@ void break_joints(StepContext& step) {
         levels.joints.clear();
         levels.metas.clear();
     }
+    ASSERT(world.profile.joints <= static_cast<int>(world.joints.ids.alive_count()));
     // In their own order, whichever part they were in.
     std::sort(broken.begin(), broken.end());
     for (const std::uint32_t index : broken) {

@@ -77,14 +77,18 @@ public:
     bool contains(BodyId id) const override {
         const std::uint32_t at = awake_index(id);
         if (at == none) return false;
+        ASSERT(at < step_.scratch.solver.set_of.size());
         const std::size_t set = step_.scratch.solver.set_of[at];
         return set >= first_ && set < last_;
     }
 
 private:
-    BodyWarm motion(BodyId id) const override { return motion_now(step_, awake_index(id)); }
+    BodyWarm motion(BodyId id) const override {
+        return motion_now(step_.world.bodies, step_.scratch.solver, awake_index(id));
+    }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
-        push_hot(step_, awake_index(id), impulse, angular_impulse);
+        push_hot(step_.world.bodies, step_.scratch.solver, awake_index(id), impulse,
+                 angular_impulse);
     }
 
     std::size_t first_, last_;
@@ -101,6 +105,7 @@ public:
 private:
     std::uint32_t place(BodyId id) const {
         const std::uint32_t at = awake_index(id);
+        ASSERT(at == none || at < step_.scratch.solver.free_place.size());
         return at == none ? none : step_.scratch.solver.free_place[at];
     }
     BodyWarm motion(BodyId id) const override { return moving_[place(id)]; }
@@ -114,8 +119,9 @@ private:
     std::vector<BodyWarm>& moving_;
 };
 
-void call(const WorldState& world, const SubstepMoment& moment, SubstepContext& context) {
-    for (const auto& [listener, hooks] : world.listeners.order) {
+void call(const ListenerStore& listeners, const SubstepMoment& moment, SubstepContext& context) {
+    ASSERT(listeners.stepping != nullptr && has_substep_listeners(listeners));
+    for (const auto& [listener, hooks] : listeners.order) {
         if (!hooks.substeps) continue;
         if (moment.after)
             listener->after_substep(context);
@@ -132,13 +138,14 @@ void call_listeners(StepContext& step, const SubstepMoment& moment,
     awake.clear();
     for (const std::uint32_t index : hot) awake.push_back(index - 1);
     SolverSubstep context(step, moment, awake, first, last);
-    call(step.world, moment, context);
+    call(step.world.listeners, moment, context);
 }
 
 void call_listeners(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving) {
+    ASSERT(awake.size() == moving.size());
     FreeSubstep context(step, moment, awake, moving);
-    call(step.world, moment, context);
+    call(step.world.listeners, moment, context);
 }
 
 void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
@@ -154,16 +161,18 @@ void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
 
 void push_by_fields(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> hot) {
-    const double time = step.world.time + moment.index * moment.h;
+    const WorldState& world = step.world;
+    const BodyStore& bodies = world.bodies;
+    SolverScratch& scratch = step.scratch.solver;
+    const double time = world.time + moment.index * moment.h;
     step.team.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const std::uint32_t awake = hot[k] - 1;
-            if (!reaches(step.world.fields, center_now(step, awake), 0)) continue;
-            const BodyWarm now = motion_now(step, awake);
-            const FieldPush push =
-                field_push(step.world, now, step.world.bodies.cold[now.body], time, moment.h);
+            if (!reaches(world.fields, center_now(bodies, scratch, awake), 0)) continue;
+            const BodyWarm now = motion_now(bodies, scratch, awake);
+            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, moment.h);
             if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-            push_hot(step, awake, push.force * moment.h, push.torque * moment.h);
+            push_hot(bodies, scratch, awake, push.force * moment.h, push.torque * moment.h);
         }
     });
 }

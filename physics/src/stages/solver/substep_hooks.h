@@ -12,8 +12,8 @@
 
 namespace jostle::physics {
 
-inline bool has_substep_listeners(const WorldState& world) {
-    return world.listeners.wanted.substeps;
+inline bool has_substep_listeners(const ListenerStore& listeners) {
+    return listeners.wanted.substeps;
 }
 
 // A sub-step of a group of bodies.

@@ -29,7 +29,8 @@ struct Scene {
     }
     void leans(std::uint32_t body) { scratch.contacts.had_contacts[body] = 1; }
     double without_sweep(std::uint32_t mover, std::uint32_t other) const {
-        return motion_without_sweep(step, state.bodies.cold[mover], state.bodies.cold[other]);
+        return motion_without_sweep(scratch.contacts, state.bodies.cold[mover],
+                                    state.bodies.cold[other]);
     }
 };
 

@@ -216,6 +216,28 @@ TEST(PreSolveAnswers, friction_and_restitution_are_obeyed_for_as_long_as_they_to
     EXPECT_NEAR(position_of(loaded, slides).x, 0.5 * pull * 2.25, 0.05);
 }
 
+// A box falls asleep 1 cm beside a plate that creeps by: their manifold ends, and another begins
+// when the plate comes. Each is asked about, and the world can be saved and loaded.
+TEST(PreSolveAnswers, are_forgotten_when_a_manifold_ends_with_sleep) {
+    World world;
+    add_floor(world);
+    Listener slippery;
+    slippery.wanted = pre_solve;
+    slippery.ask = [](PreSolve& pair) { pair.friction = 0.1; };
+    must(world.add_listener(slippery));
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    const BodyId plate = add(world, {.geometry = Box{{0.5, 0.2, 0.5}},
+                                     .position = {1.01, 0.5, 0},
+                                     .velocity = {0, 0.02, 0},
+                                     .type = BodyType::kinematic});
+    run(world, 2);
+    EXPECT_FALSE(state_of(world, box).awake);
+    must(world.set_linear_velocity(plate, {-0.5, 0, 0}));
+    run(world, 0.5);
+    EXPECT_LT(position_of(world, box).x, -0.1) << "the plate pushes it";
+    EXPECT_TRUE(load(save(world)).ok());
+}
+
 TEST(PreSolveAnswers, a_surface_velocity_carries_like_a_belt) {
     World world;
     const BodyId floor = add_floor(world);

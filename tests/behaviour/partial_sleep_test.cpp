@@ -13,6 +13,30 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
+// A chain on a kinematic body that stands still falls asleep while that body stays in the awake
+// set: in each of eight steps the parts of islands are looked at in another one.
+TEST(PartialSleep, a_chain_on_a_parked_kinematic_body_falls_asleep) {
+    for (int shift = 0; shift < 8; shift++) {
+        World world = make_world();
+        add_floor(world);
+        for (int step = 0; step < shift; step++) must(world.step(1.0 / 60));
+        BodyId last = add(world, {.geometry = Box{{0.1, 0.1, 0.1}},
+                                  .position = {0, 0.2, 0},
+                                  .type = BodyType::kinematic});
+        for (int k = 1; k <= 40; k++) {
+            const BodyId next =
+                add(world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {0.5 * k, 0.2, 0}});
+            must(world.create_joint({.body_a = last,
+                                     .body_b = next,
+                                     .frame_a = {{0.25, 0, 0}, {}},
+                                     .frame_b = {{-0.25, 0, 0}, {}}}));
+            last = next;
+        }
+        run(world, 2);
+        EXPECT_FALSE(state_of(world, last).awake);
+    }
+}
+
 // A wall of bricks, `rows` high, from the bottom, left to right; on its first column lies a small
 // box that never sleeps and keeps the island awake.
 struct GuardedWall {

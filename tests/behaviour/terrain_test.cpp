@@ -209,6 +209,29 @@ TEST(Terrain, hole_lets_through_and_its_rim_holds) {
     EXPECT_NEAR(position_of(world, wide).y, 0.1, 2e-3);
 }
 
+// A ball that falls fast on a large triangle and bounces a little is held the second time as well.
+TEST(Terrain, a_small_bounce_ends_on_the_ground) {
+    const std::vector<Vec3> vertices{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 2, 1}, {0, 3, 2}};
+    for (const double speed : {4.0, 6.0, 8.0, 10.0}) {
+        for (const double restitution : {0.1, 0.15, 0.2}) {
+            World world = make_world();
+            add_static(world, {.geometry = Mesh{must(build_mesh(vertices, triangles))},
+                               .restitution = restitution});
+            const BodyId ball = add(world, {.geometry = Sphere{0.5},
+                                            .position = {1, 0.55 + speed / 30, 0.3},
+                                            .velocity = {0, -speed, 0},
+                                            .restitution = restitution});
+            double lowest = 1;
+            for (int step = 0; step < 120; step++) {
+                must(world.step(1.0 / 60));
+                lowest = std::min(lowest, position_of(world, ball).y - 0.5);
+            }
+            EXPECT_GT(lowest, -2e-3) << speed << " m/s, " << restitution;
+        }
+    }
+}
+
 // A roof seen from both sides: a ridge holds what straddles it, and triangles have no back.
 TEST(Terrain, ridge_and_underside_hold) {
     const std::vector<Vec3> vertices{{-2, 0, -2}, {2, 0, -2}, {-2, 0, 2},

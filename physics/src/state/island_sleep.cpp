@@ -4,6 +4,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "state/body_sets.h"
+#include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
 #include "state/contact_load.h"
@@ -121,6 +122,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
                         report_end(world, c, ended);
                         end_touch(world, contact);
                     }
+                    forget_answer(world, contact);
                     add_separation_bound(world, contact, -1);
                     return;
                 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "stages/contacts/choose_checks.h"
 
-#include "foundation/check.h"
-#include "foundation/tuning.h"
+#include <algorithm>
 
+#include "foundation/check.h"
 #include "foundation/prefetch.h"
+#include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/separation_bounds.h"
 
@@ -89,6 +90,19 @@ void take_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph
     });
 }
 
+// A composite pair that is looked at because of a part may have a bound still, which says nothing
+// of where the parts are: the look gives it another.
+void drop_bounds_of_checks(ContactStore& store, const std::vector<ContactCheck>& checks) {
+    const auto has_bound = [&](const ContactCheck& check) {
+        return store.contacts[check.contact].has_bound;
+    };
+    if (std::none_of(checks.begin(), checks.end(), has_bound)) return;
+    std::erase_if(store.bounds, [&](const SeparationBound& bound) {
+        return store.contacts[bound.contact].queued;
+    });
+    for (const ContactCheck& check : checks) store.contacts[check.contact].has_bound = false;
+}
+
 // Space for what threads will find.
 void make_space(ContactScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.part_lists);
@@ -109,6 +123,7 @@ void choose_checks(StepContext& step) {
     drop_dormant_pairs(world.contacts);
     take_due_pairs(step);
     take_manifolds_to_rebuild(world.contacts, world.graph, scratch);
+    drop_bounds_of_checks(world.contacts, scratch.checks);
     make_space(scratch);
 }
 

@@ -101,6 +101,7 @@ void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
     if (found.empty() && !boxes_overlap(world, contacts[check.contact])) {
         return destroy_contact(world, check.contact, world.events.contacts_ended);
     }
+    ASSERT(!contacts[check.contact].has_bound);
     double clear = check.near;
     const double margin = begin_margin(world.bodies, contacts[check.contact]);
     for (std::size_t f = 0; f < found.size(); f++) {

@@ -51,16 +51,23 @@ bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
 }
 
 // What is jointed together falls asleep as one, or not: if one of them has a mark, all get it. And
-// what a kinematic body leads goes with it.
+// what a kinematic body leads goes with it. A kinematic body that stands still may be in the awake
+// set while what is jointed to it sleeps: that has no marks.
 void share_among_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
     if (world.joints.ids.alive_count() == 0) return;
+    const auto is_awake = [&](std::uint32_t body) {
+        return world.bodies.cold[body].set == BodySet::awake;
+    };
     const auto mark = [&](std::uint32_t body) -> std::uint8_t& {
+        ASSERT(is_awake(body) && world.bodies.cold[body].at + 1 < marks.size());
         return marks[world.bodies.cold[body].at + 1];
     };
     for_each_jointed(world, world.bodies.awake, [&](const JointedBodies& jointed) {
         std::uint8_t any = jointed.to_kinematic ? 1 : 0;
-        for (const std::uint32_t body : jointed.bodies) any |= mark(body);
-        for (const std::uint32_t body : jointed.bodies) mark(body) = any;
+        for (const std::uint32_t body : jointed.bodies)
+            if (is_awake(body)) any |= mark(body);
+        for (const std::uint32_t body : jointed.bodies)
+            if (is_awake(body)) mark(body) = any;
     });
 }
 

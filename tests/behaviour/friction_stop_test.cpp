@@ -3,6 +3,8 @@
 // What slides comes to rest after v^2 / (2 mu g), in any direction.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/near.h"
 #include "support/world_builder.h"
 
@@ -106,6 +108,41 @@ TEST(Friction, crate_slides_over_seams_and_not_over_a_kerb) {
                     EXPECT_LT(left, wished - 0.1 * speed) << where;
                 }
             }
+}
+
+// Coulomb's distance at any rate, along no axis: what a box that is put down at zero gap loses
+// before its weight is felt may not grow with the rate.
+TEST(Friction, stops_where_coulomb_says_at_every_rate) {
+    const double distance = 25 / (2 * 0.4 * 9.81);
+    double before = 1;
+    for (const double hz : {60.0, 120.0, 240.0, 480.0, 960.0}) {
+        World world = make_world();
+        add_floor(world, 0.4);
+        const BodyId box = add(world, {.geometry = Box{{0.5, 0.05, 0.5}},
+                                       .position = {0, 0.05, 0},
+                                       .velocity = along * 5,
+                                       .friction = 0.4});
+        run(world, 2, hz);
+        const Vec3 p = position_of(world, box);
+        const double error = length(Vec3{p.x, 0, p.z} - along * distance) / distance;
+        EXPECT_LT(error, 2.5e-3) << hz;
+        EXPECT_LT(error, before) << hz;
+        before = error;
+    }
+}
+
+// On a slope of 0.3 with a friction of 0.2 it slides by half of (sine - 0.2 cosine) g t^2.
+TEST(Friction, slides_as_coulomb_says_at_every_rate) {
+    const double cosine = 1 / std::sqrt(1.09), way = 0.5 * 9.81 * (0.3 - 0.2) * cosine * 4;
+    for (const double hz : {60.0, 120.0, 240.0, 480.0, 960.0}) {
+        World world = make_world({.gravity = leaning_gravity(0.3, pi / 6)});
+        add_floor(world, 0.2);
+        const BodyId box = add(
+            world, {.geometry = Box{{0.5, 0.25, 0.5}}, .position = {0, 0.25, 0}, .friction = 0.2});
+        run(world, 2, hz);
+        const Vec3 p = position_of(world, box);
+        EXPECT_NEAR(std::hypot(p.x, p.z) / way, 1, 1e-3) << hz;
+    }
 }
 
 }  // namespace

@@ -204,7 +204,7 @@ TEST(Joints, bodies_without_mass_are_joined_and_wait_for_their_shapes) {
     }
     for (const BodyId body : {a, b})
         must(world.create_shape(body, {.geometry = Box{{0.4, 0.2, 0.2}}}));
-    run(world, 1);
+    run(world, 3);  // they fell by 5 m
     EXPECT_TRUE(near(position_of(world, a), {1, 0, 0}, 2e-3)) << "held by the anchor";
     EXPECT_LT(must(world.joint(both)).separation, 2e-3);
 }
@@ -290,6 +290,55 @@ TEST(Joints, of_a_destroyed_body_are_gone_and_wake_the_other) {
     EXPECT_FALSE(world.contains(joint));
     run(world, 1);
     EXPECT_LT(position_of(world, weight).y, -5);
+}
+
+// A disc of 1 kg that spins at 40 rad/s, its middle 0.5 m above a ball joint, leaning by 60
+// degrees: it goes round at the rate at which gravity's torque turns its angular momentum.
+TEST(Joints, heavy_top_precesses_at_every_rate) {
+    const double l = 0.5, lean = pi / 3, spin = 40, radius = std::sqrt(0.2), half = 0.001;
+    const double own = 0.1, across = 0.05 + half * half / 3 + l * l;
+    const double sine = std::sin(lean), cosine = std::cos(lean);
+    const double rate =
+        (own * spin - std::sqrt(own * own * spin * spin - 4 * across * cosine * 9.81 * l)) /
+        (2 * across * cosine);
+    const Vec3 axis{sine, cosine, 0}, center = axis * l;
+    const Vec3 w = Vec3{0, rate, 0} + axis * (spin - rate * cosine);
+    for (const double hz : {60.0, 240.0}) {
+        World world = make_world({.sleeping = false});
+        const Quat turn = from_axis_angle({0, 0, 1}, -lean);
+        const BodyId top = add(world, {.geometry = Cylinder{radius, half},
+                                       .position = center,
+                                       .rotation = turn,
+                                       .velocity = cross(w, center),
+                                       .spin = w,
+                                       .density = 1 / (pi * radius * radius * 2 * half)});
+        join(world, anchor(world, {0, -5, 0}), top, BallJoint{}, {{0, 5, 0}, {}}, {{0, -l, 0}, {}});
+        double sum = 0;
+        const int steps = static_cast<int>(5 * hz);
+        for (int k = 1; k <= steps; k++) {
+            must(world.step(1 / hz));
+            const double at = rate * k / hz;
+            const Vec3 there{l * sine * std::cos(at), l * cosine, -l * sine * std::sin(at)};
+            sum += length_squared(state_of(world, top).center - there);
+        }
+        EXPECT_LT(std::sqrt(sum / steps) / l, hz > 100 ? 1e-3 : 4e-3) << hz;
+    }
+}
+
+// A joint whose ends begin a metre apart pulls a ball of 1 kg at a point off its middle. However
+// fine the steps, it leaves the ball no more than what it has at the speed at which joints pull.
+TEST(Joints, ends_that_start_apart_make_no_energy) {
+    for (const double hz : {60.0, 240.0, 1000.0}) {
+        for (const int substeps : {8, 64}) {
+            World world = make_world({.gravity = {}, .substeps = substeps, .sleeping = false});
+            const BodyId ball = add(world, {.geometry = Sphere{0.1}, .density = 238.7});
+            const JointId joint = join(world, anchor(world, {0, 5, 0}), ball, BallJoint{},
+                                       {{1.5, -4.9, 0}, {}}, {{0.5, 0.1, 0}, {}});
+            run(world, 1, hz);
+            EXPECT_LT(world.summary().kinetic_energy, 2) << hz << " Hz, " << substeps;
+            EXPECT_LT(must(world.joint(joint)).separation, 1e-3);
+        }
+    }
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct alignas(64) HotBody {
     float dr[3];   // rad, rotation vector
     float free_z;  // 0 when it cannot move along z, else 1
     float unused;
-    // row 2: inverse inertia in world axes, constant over the step
+    // row 2: inverse inertia in world axes, constant over the step (SpinAxes: solver_scratch.h)
     float inertia[6];  // xx yy zz xy xz yz
     float free_x, free_y;
     // row 3: velocity before any contact of this sub-step acted. v - free is what all contacts

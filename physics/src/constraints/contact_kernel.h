@@ -230,7 +230,8 @@ void warm_start_block(ContactConstraintWide& m, const RollingWide* rolling, HotB
 // per normal impulse.
 template <PairKind kPair, Inertia kInertia>
 JOSTLE_INLINE void solve_rolling(ContactConstraintWide& m, RollingWide& rolling,
-                                 Wide normal_impulse, PairBodies<kPair, kInertia>& pair) {
+                                 Wide normal_impulse, PairBodies<kPair, kInertia>& pair,
+                                 WideMask of) {
     const Wide3 w = pair.relative_spin();
     const Wide w1 = dot(pair.t1, w), w2 = dot(pair.t2, w);
     const Wide k00 = load(m.g[3]), k01 = load(m.g[4]), k11 = load(m.g[5]);
@@ -243,18 +244,19 @@ JOSTLE_INLINE void solve_rolling(ContactConstraintWide& m, RollingWide& rolling,
                length2 = r1 * r1 + r2 * r2;
     const Wide scale =
         select(length2 > limit * limit, limit / root(max(length2, splat(1e-30f))), splat(1));
-    r1 = r1 * scale;
-    r2 = r2 * scale;
+    r1 = select(of, r1 * scale, old1);
+    r2 = select(of, r2 * scale, old2);
     store<RollingWide>(rolling.roll[0], r1);
     store<RollingWide>(rolling.roll[1], r2);
     const Wide zero = splat(0);
     pair.apply({zero, zero, zero}, fma(pair.t2, r2 - old2, pair.t1 * (r1 - old1)));
 }
 
-// Cone at the centre, then twist. The limit is the normal impulse that the pass before found.
+// Cone at the centre, then twist, of the lanes in `of`. The limit is the normal impulse that was
+// found last. Returns the lanes that it binds.
 template <PairKind kPair, Inertia kInertia>
-JOSTLE_INLINE void solve_friction(ContactConstraintWide& m, RollingWide* rolling,
-                                  PairBodies<kPair, kInertia>& pair) {
+JOSTLE_INLINE WideMask solve_friction(ContactConstraintWide& m, RollingWide* rolling,
+                                      PairBodies<kPair, kInertia>& pair, WideMask of) {
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide normal_impulse =
         (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
@@ -279,16 +281,36 @@ JOSTLE_INLINE void solve_friction(ContactConstraintWide& m, RollingWide* rolling
     Wide scale = select(over, splat(0), splat(1));
     if (lane_bits(over & (limit > splat(0))) != 0)
         scale = select(over, limit / root(max(length2, splat(1e-30f))), splat(1));
-    f1 = f1 * scale;
-    f2 = f2 * scale;
-    const Wide torsion =
-        max(-torsion_limit,
-            min(fnma(load(m.torsion_mass), dot(pair.n, w), old_torsion), torsion_limit));
+    f1 = select(of, f1 * scale, old1);
+    f2 = select(of, f2 * scale, old2);
+    const Wide wanted = fnma(load(m.torsion_mass), dot(pair.n, w), old_torsion);
+    const Wide torsion = select(of, max(-torsion_limit, min(wanted, torsion_limit)), old_torsion);
     store(m.friction[0], f1);
     store(m.friction[1], f2);
     store(m.torsion, torsion);
     pair.apply(fma(pair.t2, f2 - old2, pair.t1 * (f1 - old1)), pair.n * (torsion - old_torsion));
-    if (rolling != nullptr) solve_rolling(m, *rolling, normal_impulse, pair);
+    if (rolling != nullptr) solve_rolling(m, *rolling, normal_impulse, pair, of);
+    return ~(~over & ~(absolute(wanted) > torsion_limit));
+}
+
+// What parts at more than `speed` and no longer presses holds nothing: the friction of the warm
+// start goes before the bodies turn on. What sinks to its slop presses little as well, and keeps
+// it.
+template <PairKind kPair, Inertia kInertia>
+JOSTLE_INLINE void drop_friction_of_parted(ContactConstraintWide& m, Wide parting, Wide speed,
+                                           PairBodies<kPair, kInertia>& pair) {
+    const Wide zero = splat(0);
+    const Wide normal_impulse =
+        (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+    const Wide f1 = load(m.friction[0]), f2 = load(m.friction[1]), torsion = load(m.torsion);
+    const WideMask parted = ~(normal_impulse > zero) & (parting > speed) &
+                            ((absolute(f1) + absolute(f2)) + absolute(torsion) > zero);
+    if (lane_bits(parted) == 0) return;  // mostly
+    pair.apply(fma(pair.t2, select(parted, -f2, zero), pair.t1 * select(parted, -f1, zero)),
+               pair.n * select(parted, -torsion, zero));
+    store(m.friction[0], select(parted, zero, f1));
+    store(m.friction[1], select(parted, zero, f2));
+    store(m.torsion, select(parted, zero, torsion));
 }
 
 struct PairReport {
@@ -312,7 +334,14 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     PairBodies<kPair, kInertia> pair(m, bodies);
     const PairMotion motion = pair.follow(m);
     const Wide zero = splat(0);
-    if constexpr (kRelax) solve_friction<kPair, kInertia>(m, rolling, pair);
+    // Before the normals, which have the last word on what is held, by the limit of the soft pass.
+    WideMask slips = zero > zero;
+    Wide limit_before = zero;
+    if constexpr (kRelax) {
+        limit_before =
+            (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+        slips = solve_friction<kPair, kInertia>(m, rolling, pair, zero >= zero);
+    }
 
     const Wide s0 = dot(pair.n, motion.moved), s1 = dot(pair.t1, motion.rotated),
                s2 = dot(pair.t2, motion.rotated);
@@ -391,6 +420,16 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         pair.apply(pair.n * sum.total);
     else
         pair.apply(pair.n * sum.total, fma(pair.t2, sum.m2, pair.t1 * sum.m1));
+    // What slips is solved again once its limit is known better: the soft pass presses with less
+    // than the load while what it holds sinks to the slop.
+    if constexpr (kRelax) {
+        const Wide limit_now =
+            (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+        slips = slips & (limit_now > limit_before);
+        if (lane_bits(slips) != 0) solve_friction<kPair, kInertia>(m, rolling, pair, slips);
+    } else {
+        drop_friction_of_parted<kPair, kInertia>(m, u0, splat(set.slop * set.inverse_h), pair);
+    }
     pair.store();
 
     PairReport report;

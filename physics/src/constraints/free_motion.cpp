@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/free_motion.h"
 
+#include <cmath>
+
 #include "foundation/tuning.h"
 
 namespace jostle::physics {
@@ -73,10 +75,19 @@ EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
     return euler_step(BendOfAny{cold.inertia, cold.inverse_inertia}, w, dt);
 }
 
-bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt) {
+Vec3 rotation_vector_between(Quat from, Quat to, Vec3 wished) {
+    const Quat rotation = to * conjugate(from);
+    const Vec3 v{rotation.x, rotation.y, rotation.z};
+    const double l = length(v);
+    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
+    const double angle = 2 * arc_tangent(l, rotation.w), round = 2 * pi;
+    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
+}
+
+bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt, double turn) {
     return !cold.isotropic && cold.type == BodyType::dynamic &&
            (cold.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) == 0 &&
-           length_squared(warm.w) * dt * dt > tuning::gyroscopic_turn * tuning::gyroscopic_turn;
+           length_squared(warm.w) * dt * dt > turn * turn;
 }
 
 namespace {

@@ -38,9 +38,13 @@ struct PrincipalRatios {
 std::optional<PrincipalRatios> principal_ratios(const BodyCold& cold);
 EulerStep euler_step(const PrincipalRatios& bend, Vec3 w, double dt);
 
-// Whether the body turns so far in dt, with an inertia so uneven, that its axes may not be taken as
-// they stood at the start.
-bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt);
+// Whether the body turns further than `turn` (rad) in dt, with an uneven inertia: its axes may not
+// be taken as they stood at the start.
+bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt, double turn);
+
+// An even turn from one attitude to the other, rad, of all that end there the one most like
+// `wished`: so that the way ends where the body does, however often it went round.
+Vec3 rotation_vector_between(Quat from, Quat to, Vec3 wished);
 
 struct FreeSpin {
     Quat rotation;

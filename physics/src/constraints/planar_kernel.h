@@ -104,27 +104,34 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             pair.relative(pair.a.vx, pair.a.vy, pair.a.w, pair.b.vx, pair.b.vy, pair.b.w, ux, uy,
                           w);
     };
-    if constexpr (kRelax) {
+    const auto pressing = [&] { return load(m.lambda[0]) + load(m.lambda[1]); };
+    // Friction and rolling resistance of some lanes; returns those that slip.
+    const auto solve_friction = [&](WideMask of) {
         velocities();
-        const Wide limit = load(m.mu) * (load(m.lambda[0]) + load(m.lambda[1]));
+        const Wide limit = load(m.mu) * pressing();
         Wide u1 = pair.tx * ux + pair.ty * uy;
         if (rolling != nullptr) u1 += load(rolling->surface[0]);
-        const Wide old = load(m.friction[0]);
-        const Wide now = max(-limit, min(old - load(m.friction_mass[0]) * u1, limit));
+        const Wide old = load(m.friction[0]), wanted = old - load(m.friction_mass[0]) * u1;
+        const Wide now = select(of, max(-limit, min(wanted, limit)), old);
         store(m.friction[0], now);
         pair.apply(pair.tx * (now - old), pair.ty * (now - old), zero);
         if (rolling != nullptr) {
             // Rolling resistance: about z.
             velocities();
-            const Wide k = load(m.g[5]),
-                       hold = load(rolling->rolling) * (load(m.lambda[0]) + load(m.lambda[1]));
+            const Wide k = load(m.g[5]), hold = load(rolling->rolling) * pressing();
             const Wide before = load(rolling->roll[1]);
             const Wide after =
-                max(-hold, min(before - pair.z_sign * w / max(k, splat(1e-30f)), hold));
+                select(of, max(-hold, min(before - pair.z_sign * w / max(k, splat(1e-30f)), hold)),
+                       before);
             store(rolling->roll[1], after);
             pair.apply(zero, zero, pair.z_sign * (after - before));
         }
-    }
+        return absolute(wanted) > limit;
+    };
+    // Before the normals and, of what slips, after them: as in solve_block().
+    WideMask slips = zero > zero;
+    const Wide pressed = pressing();
+    if constexpr (kRelax) slips = solve_friction(zero >= zero);
 
     // Where the bodies have gone since the start of the step.
     const auto motion = [](const PlanarSide& s, Wide& dx, Wide& dy, Wide& dr) {
@@ -192,6 +199,10 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     store(m.lambda[1], new1);
     const Wide d0 = new0 - old0, d1 = new1 - old1, total = d0 + d1;
     pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.z_sign);
+    if constexpr (kRelax) {
+        slips = slips & (pressing() > pressed);
+        if (lane_bits(slips) != 0) solve_friction(slips);
+    }
     pair.store();
 
     PairReport report;

@@ -161,11 +161,18 @@ inline constexpr int impact_sweeps = 12;
 // A body that turns further in a step, with an uneven inertia, takes Euler's equations sub-step by
 // sub-step.
 inline constexpr double gyroscopic_turn = 0.02;  // rad
+// ... that joints hold and nothing touches: what joints do to it depends on where its axes are now,
+// and that it stands as it stood at the start of the step is an error of first order.
+inline constexpr double jointed_gyroscopic_turn = 5e-4;  // rad
 
 // --- joints ---
 // Joint frequency as a fraction of the sub-step rate, and its damping.
 inline constexpr double joint_stiffness = 0.25;
 inline constexpr double joint_damping_ratio = 2;
+// Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
+// part of that speed, the more the further it turns in a sub-step.
+inline constexpr double joint_push_speed = 4;  // m/s
+inline constexpr double joint_push_spin = 8;   // rad/s
 
 // --- continuous collision ---
 // A body is swept when a point of it may have moved further than this part of its thickness.

@@ -156,7 +156,7 @@ void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, C
 }
 
 void scale_warm_start(WorldState& world, const Island& island, float scale) {
-    ASSERT(!island.asleep && scale >= 0 && scale <= 1);
+    ASSERT(!island.asleep);
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next)
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {

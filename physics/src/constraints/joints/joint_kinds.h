@@ -147,7 +147,9 @@ JOSTLE_INLINE WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) 
     const WideMask given = spring.mass_scale > splat(0);
     return {select(given, spring.bias_rate, stiff.bias_rate),
             select(given, spring.mass_scale, stiff.mass_scale),
-            select(given, spring.impulse_scale, stiff.impulse_scale)};
+            select(given, spring.impulse_scale, stiff.impulse_scale),
+            select(given, spring.push_speed, stiff.push_speed),
+            select(given, spring.push_spin, stiff.push_spin)};
 }
 
 template <>

@@ -130,6 +130,11 @@ struct JointPair {
         return (b.v + cross(b.w, b.arm)) - (a.v + cross(a.w, a.arm));
     }
     JOSTLE_INLINE Wide3 spin() const { return b.w - a.w; }
+    // How fast the two ends are, together: what moves fast is mended as fast.
+    JOSTLE_INLINE Wide pace() const {
+        const Wide3 at_a = a.v + cross(a.w, a.arm), at_b = b.v + cross(b.w, b.arm);
+        return root(dot(at_a, at_a)) + root(dot(at_b, at_b));
+    }
 
     // On b at its anchor, against a.
     JOSTLE_INLINE void push(Wide3 impulse) {
@@ -160,30 +165,50 @@ struct JointPair {
 // A spring, or what the sub-step can carry, in eight lanes.
 struct WideSoft {
     Wide bias_rate, mass_scale, impulse_scale;
+    Wide push_speed, push_spin;  // at most, m/s and rad/s
 };
 // What is not a spring is without push in the relaxing pass.
 template <bool kRelax>
 JOSTLE_INLINE WideSoft rigid(const JointStep& step) {
-    if constexpr (kRelax) return {splat(0), splat(1), splat(0)};
-    return {splat(step.bias_rate), splat(step.mass_scale), splat(step.impulse_scale)};
+    if constexpr (kRelax) return {splat(0), splat(1), splat(0), splat(0), splat(0)};
+    return {splat(step.bias_rate), splat(step.mass_scale), splat(step.impulse_scale),
+            splat(step.push_speed), splat(step.push_spin)};
 }
 JOSTLE_INLINE WideSoft spring_of(const SoftRow& row) {
-    return {load(row.bias_rate), load(row.mass_scale), load(row.impulse_scale)};
+    const Wide any = splat(1e15f);
+    return {load(row.bias_rate), load(row.mass_scale), load(row.impulse_scale), any, any};
+}
+// The speed at which an error is mended. Where that would be more than `most`, it is that, and the
+// row is rigid: what is soft gives up a part of its load, for which a capped speed may not make up.
+struct Mend {
+    Wide3 speed;
+    Wide mass_scale, impulse_scale;
+};
+JOSTLE_INLINE Mend mend(Wide3 error, const WideSoft& s, Wide most) {
+    const Wide3 speed = error * s.bias_rate;
+    const Wide size2 = dot(speed, speed);
+    const WideMask over = size2 > most * most;
+    if (lane_bits(over) == 0) return {speed, s.mass_scale, s.impulse_scale};  // mostly
+    const Wide part = select(over, most / root(max(size2, splat(1e-30f))), splat(1));
+    return {speed * part, select(over, splat(1), s.mass_scale),
+            select(over, splat(0), s.impulse_scale)};
 }
 
 // The point row: the anchors stay together. `impulse` accumulates, in world axes.
 JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impulse) {
-    const Wide3 error = pair.anchor_velocity() + pair.apart * s.bias_rate;
+    const Mend m = mend(pair.apart, s, s.push_speed + pair.pace());
+    const Wide3 error = pair.anchor_velocity() + m.speed;
     const Wide3 d =
-        -(solve3(pair.point_matrix(), error) * s.mass_scale) - impulse * s.impulse_scale;
+        -(solve3(pair.point_matrix(), error) * m.mass_scale) - impulse * m.impulse_scale;
     impulse = impulse + d;
     pair.push(d);
 }
 
 // All three turns: `error` is the rotation vector from where b should be to where it is.
 JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
-    const Wide3 want = pair.spin() + error * s.bias_rate;
-    const Wide3 d = -(solve3(pair.turn_matrix(), want) * s.mass_scale) - impulse * s.impulse_scale;
+    const Mend m = mend(error, s, s.push_spin);
+    const Wide3 want = pair.spin() + m.speed;
+    const Wide3 d = -(solve3(pair.turn_matrix(), want) * m.mass_scale) - impulse * m.impulse_scale;
     impulse = impulse + d;
     pair.apply_angular(d);
 }
@@ -199,13 +224,14 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
     const Wide3 kp = k * p, kq = k * q;
     const Wide pp = dot(p, kp), pq = dot(p, kq), qq = dot(q, kq);
     const Wide scale = inverse_above(pp * qq - pq * pq, pp * qq * splat(1e-6f));
-    const Wide3 want = pair.spin() + error * s.bias_rate;
+    const Mend m = mend(error, s, s.push_spin);
+    const Wide3 want = pair.spin() + m.speed;
     const Wide ep = dot(p, want), eq = dot(q, want);
     // What accumulated in the step before lies across the axis as it was then.
     impulse = impulse - axis * dot(axis, impulse);
     const Wide3 d =
-        -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * (s.mass_scale * scale)) -
-        impulse * s.impulse_scale;
+        -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * (m.mass_scale * scale)) -
+        impulse * m.impulse_scale;
     impulse = impulse + d;
     pair.apply_angular(d);
 }
@@ -239,12 +265,15 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideR
     const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
-    const Wide bias = left * select(free, splat(step.inverse_h), s.bias_rate);
+    const Wide most = kAngular ? s.push_spin : s.push_speed;
+    const WideMask over = left * s.bias_rate < -most;
+    const Wide bias = select(free, left * splat(step.inverse_h), max(left * s.bias_rate, -most));
+    const WideMask as_rigid = ~(~free & ~over);
     const Wide before = load(kept);
     const Wide toward = row.speed(pair) * splat(sign);
     const Wide now =
-        max(before - select(free, splat(1), s.mass_scale) * (toward + bias) * row.response -
-                select(free, splat(0), s.impulse_scale) * before,
+        max(before - select(as_rigid, splat(1), s.mass_scale) * (toward + bias) * row.response -
+                select(as_rigid, splat(0), s.impulse_scale) * before,
             splat(0));
     row.apply(pair, (now - before) * splat(sign));
     store(kept, now);
@@ -255,8 +284,10 @@ template <bool kAngular>
 JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
                               Wide error, float* kept) {
     const Wide before = load(kept);
-    const Wide d = -(s.mass_scale * (row.speed(pair) + error * s.bias_rate) * row.response) -
-                   s.impulse_scale * before;
+    const Wide most = kAngular ? s.push_spin : s.push_speed;
+    const Wide bias = max(min(error * s.bias_rate, most), -most);
+    const Wide d =
+        -(s.mass_scale * (row.speed(pair) + bias) * row.response) - s.impulse_scale * before;
     store(kept, before + d);
     row.apply(pair, d);
 }

@@ -180,8 +180,13 @@ bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, i
 
 JointStep joint_step(double h) {
     const Softness s = soft(tuning::joint_stiffness / h, tuning::joint_damping_ratio, h);
-    return {as_float(h), as_float(1 / h), as_float(s.bias_rate), as_float(s.mass_scale),
-            as_float(s.impulse_scale)};
+    return {.h = as_float(h),
+            .inverse_h = as_float(1 / h),
+            .bias_rate = as_float(s.bias_rate),
+            .mass_scale = as_float(s.mass_scale),
+            .impulse_scale = as_float(s.impulse_scale),
+            .push_speed = as_float(tuning::joint_push_speed),
+            .push_spin = as_float(tuning::joint_push_spin)};
 }
 
 }  // namespace jostle::physics

@@ -12,17 +12,6 @@
 namespace jostle::physics {
 namespace {
 
-// An even turn from one attitude to the other, rad, of all that end there the one most like
-// `wished`: so that the way ends where the body does, however often it went round.
-Vec3 way_round(Quat from, Quat to, Vec3 wished) {
-    const Quat rotation = to * conjugate(from);
-    const Vec3 v{rotation.x, rotation.y, rotation.z};
-    const double l = length(v);
-    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
-    const double angle = 2 * arc_tangent(l, rotation.w), round = 2 * pi;
-    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
-}
-
 // A body in another attitude and with another spin, which nothing turns.
 FreeSpin spin_of(const WorldState& world, std::uint32_t body, Quat rotation, Vec3 w, double dt) {
     BodyWarm there = warm_of(world, body);
@@ -57,14 +46,14 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
     const Quat to = last ? t.end_rotation : spin_at(world, t, t.sweep.until, dt).rotation;
     const double part = t.sweep.until - from;
     t.sweep.rotation_vector =
-        part > 0 ? way_round(t.sweep.rotation, to, t.spin * (part * dt)) * (1 / part) : Vec3{};
+        part > 0 ? rotation_vector_between(t.sweep.rotation, to, t.spin * (part * dt)) * (1 / part) : Vec3{};
 }
 
 }  // namespace
 
 Sweep even_sweep(const BodyWarm& before, const BodyWarm& now, double dt) {
     ASSERT(before.body == now.body);
-    const Vec3 turn = way_round(before.rotation, now.rotation, now.w * dt);
+    const Vec3 turn = rotation_vector_between(before.rotation, now.rotation, now.w * dt);
     return {0, before.center, before.rotation, now.center - before.center, turn};
 }
 

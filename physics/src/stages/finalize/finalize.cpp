@@ -15,10 +15,14 @@ Vec3 vec(const float* f) {
     return {double{f[0]}, double{f[1]}, double{f[2]}};
 }
 
-FreeMotion motion_of(const HotBody& hot, const BodyWarm& warm, bool gyroscopic) {
+FreeMotion motion_of(const SolverScratch& solver, std::size_t hot_index, const BodyWarm& warm) {
+    const HotBody& hot = solver.hot[hot_index];
+    const SpinAxes axes = solver.spin_axes[hot_index];
+    if (axes == SpinAxes::world_by_substeps)
+        return {vec(hot.dp), solver.gyroscopic[hot_index].now, vec(hot.v), vec(hot.w)};
     const Quat turn = from_rotation_vector(vec(hot.dr));
     return {vec(hot.dp), normalized(turn * warm.rotation), vec(hot.v),
-            gyroscopic ? rotate(turn, vec(hot.w)) : vec(hot.w)};
+            axes == SpinAxes::body ? rotate(turn, vec(hot.w)) : vec(hot.w)};
 }
 
 }  // namespace
@@ -34,8 +38,7 @@ Skipped finalize(StepContext& step) {
     step.team.run(static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
             const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
-            const bool gyroscopic = solver.is_gyroscopic[i + 1] != 0;
-            finalize_body(step, i, motion_of(solver.hot[i + 1], world.bodies.awake[i], gyroscopic));
+            finalize_body(step, i, motion_of(solver, i + 1, world.bodies.awake[i]));
         }
     });
     // In order of the awake set.

@@ -3,7 +3,7 @@
 // The end of a step for the bodies that were solved: what the solver left in float goes back to the
 // double records (finalize_body). Those that were not solved integrate_free has finalized before.
 //
-// Reads: SolverScratch::hot, bodies and is_gyroscopic. Writes: what finalize_body does, and
+// Reads: SolverScratch::hot, bodies and spin_axes. Writes: what finalize_body does, and
 // ShapeStore::moved for all shapes that left their fat box. Tells the moving broad phase of their
 // new boxes, beside the stages that follow: who asks it calls TaskTeam::finish() before. Leaves in
 // scratch: FinalizeScratch, for solve_continuous and quarantine.

@@ -27,8 +27,8 @@ BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
     now.rotation = normalized(turn * now.rotation);
     now.axes = to_matrix(now.rotation);
     now.v = vec(hot.v);
-    // The spin of a gyroscopic body turns with it (solve_constraints.cpp).
-    now.w = scratch.is_gyroscopic[awake_index + 1] != 0 ? rotate(turn, vec(hot.w)) : vec(hot.w);
+    now.w = scratch.spin_axes[awake_index + 1] == SpinAxes::body ? rotate(turn, vec(hot.w))
+                                                                 : vec(hot.w);
     return now;
 }
 
@@ -39,7 +39,7 @@ void push_hot(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awa
     const BodyCold& cold = bodies.cold[bodies.awake[awake_index].body];
     const Vec3 change = scaled(impulse, free_directions(cold)) * cold.inverse_mass;
     Vec3 about = angular_impulse;
-    if (scratch.is_gyroscopic[awake_index + 1] != 0)
+    if (scratch.spin_axes[awake_index + 1] == SpinAxes::body)
         about = inverse_rotate(from_rotation_vector(vec(hot.dr)), about);
     const float* i = hot.inertia;
     const Mat3 inverse_inertia{{double{i[0]}, double{i[3]}, double{i[4]}},

@@ -89,6 +89,19 @@ void count_bodies(const BodyStore& bodies, const SolverScratch& scratch, StepPro
     profile.bodies_heavy = bodies_of(SolverTier::heavy);
 }
 
+Vec3 vec(const float* f) {
+    return {double{f[0]}, double{f[1]}, double{f[2]}};
+}
+
+void put_inertia(HotBody& hot, const Mat3& inverse) {
+    hot.inertia[0] = as_float(inverse.x.x);
+    hot.inertia[1] = as_float(inverse.y.y);
+    hot.inertia[2] = as_float(inverse.z.z);
+    hot.inertia[3] = as_float(inverse.x.y);
+    hot.inertia[4] = as_float(inverse.x.z);
+    hot.inertia[5] = as_float(inverse.y.z);
+}
+
 // The hot record of one body, and what changes it apart from contacts, at the start of the step.
 void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     const WorldState& world = step.world;
@@ -98,12 +111,16 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     const BodyWarm& warm = world.bodies.awake[index];
     const BodyCold& cold = world.bodies.cold[warm.body];
     ASSERT(!cold.asleep_in_place);
-    const bool gyroscopic = is_gyroscopic(warm, cold, step.dt);
-    scratch.is_gyroscopic[index + 1] = gyroscopic ? 1 : 0;
+    const bool touched = cold.constraints > 0;
+    const bool gyroscopic = is_gyroscopic(
+        warm, cold, step.dt, touched ? tuning::gyroscopic_turn : tuning::jointed_gyroscopic_turn);
+    scratch.spin_axes[index + 1] = !gyroscopic ? SpinAxes::world
+                                   : touched   ? SpinAxes::body
+                                               : SpinAxes::world_by_substeps;
     if (gyroscopic) {
         const std::optional<PrincipalRatios> bend = principal_ratios(cold);
-        scratch.gyroscopic[index + 1] = {warm.axes, bend ? bend->factors : Vec3{},
-                                         bend.has_value()};
+        scratch.gyroscopic[index + 1] = {warm.axes, warm.rotation, warm.rotation,
+                                         bend ? bend->factors : Vec3{}, bend.has_value()};
     }
     hot = {};
     external = {};
@@ -114,13 +131,7 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     hot.inverse_mass = as_float(cold.inverse_mass);
     hot.inverse_spin = as_float(cold.inverse_inertia.x.x);
     const Mat3 inertia = world_inverse_inertia(warm, cold);
-    hot.inertia[0] = as_float(inertia.x.x);
-    hot.inertia[1] = as_float(inertia.y.y);
-    hot.inertia[2] = as_float(inertia.z.z);
-    hot.inertia[3] = as_float(inertia.x.y);
-    hot.inertia[4] = as_float(inertia.x.z);
-    hot.inertia[5] = as_float(inertia.y.z);
-
+    put_inertia(hot, inertia);
     const Vec3 free = free_directions(cold);
     hot.free_x = as_float(free.x);
     hot.free_y = as_float(free.y);
@@ -141,19 +152,26 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     put(external.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 
-// Euler's equations for one sub-step. Within a step the spin of a gyroscopic body is that in the
-// frame in which it stood at the start and turns with it since; finalize() turns it back into the
-// world.
+// Euler's equations for one sub-step, before advance(), which adds h w to the rotation vector.
 void integrate_gyroscopic(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t index,
                           double h) {
     HotBody& hot = scratch.hot[index + 1];
-    const GyroscopicBody& gyroscopic_body = scratch.gyroscopic[index + 1];
-    const Vec3 start = transposed_times(gyroscopic_body.axes,
-                                        {double{hot.w[0]}, double{hot.w[1]}, double{hot.w[2]}});
-    const Vec3 end = gyroscopic_body.principal
-                         ? euler_step(PrincipalRatios{gyroscopic_body.bend}, start, h).w
-                         : euler_step(bodies.cold[bodies.awake[index].body], start, h).w;
-    const Vec3 change = gyroscopic_body.axes * (end - start);
+    GyroscopicBody& g = scratch.gyroscopic[index + 1];
+    const BodyCold& cold = bodies.cold[bodies.awake[index].body];
+    const Vec3 before = vec(hot.w), start = transposed_times(g.axes, before);
+    const EulerStep step =
+        g.principal ? euler_step(PrincipalRatios{g.bend}, start, h) : euler_step(cold, start, h);
+    Vec3 change = g.axes * (step.w - start);
+    if (scratch.spin_axes[index + 1] == SpinAxes::world_by_substeps) {
+        const Vec3 mean = before + change * 0.5;
+        g.now = normalized(g.now * step.rotation);
+        g.axes = to_matrix(g.now);
+        put_inertia(hot, g.axes * cold.inverse_inertia * transpose(g.axes));
+        const Vec3 w = g.axes * step.w;
+        change = w - before;
+        const Vec3 turn = rotation_vector_between(g.start, g.now, vec(hot.dr) + mean * h) - w * h;
+        for (int k = 0; k < 3; k++) hot.dr[k] = as_float(turn[k]);
+    }
     // Not an impulse: it counts among what acts without contacts.
     for (int k = 0; k < 3; k++) {
         hot.w[k] += as_float(change[k]);
@@ -268,7 +286,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
         solve(contacts);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
             for (const std::uint32_t hot : some)
-                if (scratch.is_gyroscopic[hot] != 0)
+                if (scratch.spin_axes[hot] != SpinAxes::world)
                     integrate_gyroscopic(step.world.bodies, scratch, hot - 1, h);
             kernel.advance(range_of(scratch, some), set.h);
         });
@@ -359,7 +377,7 @@ Skipped solve_constraints(StepContext& step) {
     scratch.hot.resize(count);
     scratch.external.resize(count);
     scratch.gyroscopic.resize(count);
-    scratch.is_gyroscopic.assign(count, 0);
+    scratch.spin_axes.assign(count, SpinAxes::world);
     // What sleeps in place stands still and cannot be pushed.
     if (bodies.asleep_in_place > 0)
         for (std::size_t i = 0; i < bodies.awake.size(); i++)

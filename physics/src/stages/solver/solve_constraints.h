@@ -6,7 +6,7 @@
 // Reads: awake bodies, joints, Island::colour_set, StepContext::contacts. Writes: impulses, gaps
 // and flags (touching_now, needs_rebuild) in the constraint graph, impulses and loads of joints;
 // joints that broke, with their events. The warm records stay as they were. Leaves in scratch:
-// SolverScratch::hot, bodies and is_gyroscopic for finalize, free for integrate_free, jointed for
+// SolverScratch::hot, bodies and spin_axes for finalize, free for integrate_free, jointed for
 // update_sleep; bodies and free also when there is nothing to solve.
 #pragma once
 

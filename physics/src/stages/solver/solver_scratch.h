@@ -14,13 +14,27 @@
 #include "constraints/contact_passes.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
+#include "jostle/physics/quat.h"
 
 namespace jostle::physics {
 
+// In which axes the solver keeps a body's spin.
+enum class SpinAxes : std::uint8_t {
+    world,  // the gyroscopic change of spin is spread evenly over the step
+    // A gyroscopic body that joints hold and nothing touches: the world's axes, and its inertia
+    // follows it by sub-steps.
+    world_by_substeps,
+    // A gyroscopic body with contacts: the frame in which it stood as the step began and which
+    // turns with it. There the inertia is constant, and contacts know it from the start of the step
+    // alone: seen with another one, what they do to a thin body would be far too much.
+    body,
+};
+
 // A body that turns far in a step, and not evenly: what each sub-step needs of it.
 struct GyroscopicBody {
-    Mat3 axes;  // of the body at the start of the step
-    Vec3 bend;  // PrincipalRatios, if its axes are the principal ones
+    Mat3 axes;        // of the body: at the start of the step; by sub-steps: now
+    Quat start, now;  // its rotation; by sub-steps
+    Vec3 bend;        // PrincipalRatios, if its axes are the principal ones
     bool principal = false;
 };
 
@@ -46,8 +60,8 @@ struct SolverScratch {
     std::array<JointLevels, solved_set_count> joints;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
-    std::vector<std::uint8_t> is_gyroscopic;                             // by hot index
-    std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where is_gyroscopic
+    std::vector<SpinAxes> spin_axes;                                     // by hot index
+    std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where spin_axes is not world
     // Of the group of bodies whose sub-step listeners are called for.
     std::vector<std::uint32_t> listened_awake;
     std::vector<BodyId> listened;

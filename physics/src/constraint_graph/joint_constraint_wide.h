@@ -20,7 +20,7 @@ struct alignas(32) JointConstraintWide {
 
 // A spring as numbers of one sub-step (constraints/softness.h).
 struct SoftRow {
-    float bias_rate[8], mass_scale[8], impulse_scale[8];
+    float position_rate[8], velocity_scale[8], impulse_scale[8];
 };
 
 // What hinges, cones, fixed joints and distances have as well; each uses a part of it. What is

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A spring and damper as numbers of one sub-step (Catto, "Soft Constraints", GDC 2011): an implicit
-// spring of angular frequency omega and damping ratio zeta acts on the velocity as
-//     lambda' = lambda - mass_scale (v + bias_rate C) / k - impulse_scale lambda.
+// A spring and damper as numbers of one sub-step: they act on the velocity v and the error C as
+//     lambda' = lambda - (velocity_scale v + position_rate C) / k - impulse_scale lambda,
+// where lambda is the impulse of the sub-step before, which the warm start has applied, and k is
+// what a unit impulse does to v.
 #pragma once
 
 #include "jostle/physics/scalar.h"
@@ -10,13 +11,15 @@
 namespace jostle::physics {
 
 struct Softness {
-    double bias_rate = 0, mass_scale = 1, impulse_scale = 0;  // as they stand: rigid, no push
+    double position_rate = 0, velocity_scale = 1, impulse_scale = 0;  // so: rigid, no push
 };
 
-inline Softness soft(double hertz, double damping_ratio, double h) {
-    const double omega = 2 * pi * hertz, a1 = 2 * damping_ratio + h * omega;
-    const double a2 = h * omega * a1, a3 = 1 / (1 + a2);
-    return {omega / a1, a2 * a3, a3};
-}
+// Implicit Euler (Catto, "Soft Constraints", GDC 2011): bounded however stiff, and damps.
+Softness soft(double hertz, double damping_ratio, double h);
+
+// A user's spring. As long as a sub-step resolves it: its damping in closed form, and symplectic
+// Euler, which keeps the energy of what is not damped and sags under a load as Hooke says. Else
+// soft(). One pass a sub-step.
+Softness spring(double hertz, double damping_ratio, double h);
 
 }  // namespace jostle::physics

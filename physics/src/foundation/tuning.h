@@ -169,6 +169,8 @@ inline constexpr double jointed_gyroscopic_turn = 5e-4;  // rad
 // Joint frequency as a fraction of the sub-step rate, and its damping.
 inline constexpr double joint_stiffness = 0.25;
 inline constexpr double joint_damping_ratio = 2;
+// A spring that turns by more of its period in a sub-step is not resolved by it.
+inline constexpr double resolved_spring_turn = 1;  // rad
 // Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
 // part of that speed, the more the further it turns in a sub-step.
 inline constexpr double joint_push_speed = 4;  // m/s

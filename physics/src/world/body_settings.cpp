@@ -94,7 +94,7 @@ Status World::set_type(BodyId body, BodyType type) {
 Status World::set_mass(BodyId body, double mass) {
     WorldState& world = *state_;
     if (Status s = check_dynamic(world, body); !s.ok()) return s;
-    if (Status s = check_range("mass", mass, 0, 1e12); !s.ok()) return s;
+    if (Status s = check_mass(mass); !s.ok()) return s;
     wake_neighbours(world, body.index);
     wake_body(world, body.index);
     // Manifolds hold what both masses make of an impulse: they are built anew.

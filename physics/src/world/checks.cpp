@@ -6,6 +6,11 @@
 #include "jostle/physics/limits.h"
 
 namespace jostle::physics {
+
+Status check_mass(double mass) {
+    return mass == 0 ? Status{} : check_range("mass", mass, limits::min_mass, limits::max_mass);
+}
+
 Status check_pose(const char* name, const Transform& pose) {
     const std::string prefix = name;
     if (Status s =
@@ -41,7 +46,7 @@ Status check_body(const BodyDef& def) {
     if (Status s = check_range("linear_damping", def.linear_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("angular_damping", def.angular_damping, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("gravity_scale", def.gravity_scale, -1e3, 1e3); !s.ok()) return s;
-    if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
+    if (Status s = check_mass(def.mass); !s.ok()) return s;
     if (Status s = check_body_type(def.type); !s.ok()) return s;
     if (def.locks >= 64) return invalid("locks has bits beyond the six axes");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
@@ -107,7 +112,7 @@ Status check_shape(const ShapeDef& def, BodyType type) {
     if (surface && def.trigger)
         return invalid(std::string("a ") + kind_name(kind) +
                        " has no inside; a trigger needs a solid shape");
-    if (Status s = check_range("mass", def.mass, 0, 1e15); !s.ok()) return s;
+    if (Status s = check_mass(def.mass); !s.ok()) return s;
     if (type != BodyType::dynamic || def.trigger || def.mass > 0)
         return check_range("density", def.density, 0, limits::max_density);
     if (!(def.density > 0))

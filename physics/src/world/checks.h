@@ -15,6 +15,7 @@
 
 namespace jostle::physics {
 
+Status check_mass(double mass);  // 0 is none
 // Finite, and a rotation that is not zero.
 Status check_pose(const char* name, const Transform& pose);
 Status check_world(const WorldDef& def);

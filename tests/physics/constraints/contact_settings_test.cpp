@@ -26,8 +26,9 @@ TEST(ContactSettings, substeps_fill_the_step) {
 TEST(ContactSettings, stiffness_goes_with_the_rate_of_substeps) {
     const ContactSettings set = contact_settings(dt, {.substeps = 8}, SolverTier::low);
     const Softness expected = soft(0.36 * 480, 10, dt / 8);
-    EXPECT_NEAR(double{set.bias_rate}, expected.bias_rate, 1e-4 * expected.bias_rate);
-    EXPECT_NEAR(double{set.mass_scale}, expected.mass_scale, 1e-6);
+    EXPECT_NEAR(double{set.bias_rate} * double{set.mass_scale}, expected.position_rate,
+                1e-4 * expected.position_rate);
+    EXPECT_NEAR(double{set.mass_scale}, expected.velocity_scale, 1e-6);
     EXPECT_NEAR(double{set.impulse_scale}, expected.impulse_scale, 1e-6);
     const ContactSettings twice = contact_settings(dt, {.substeps = 16}, SolverTier::low);
     EXPECT_NEAR(double{twice.bias_rate}, 2 * double{set.bias_rate}, 1e-3 * double{set.bias_rate});

@@ -114,6 +114,19 @@ TEST(Mass, closed_forms) {
                 1e-9);
 }
 
+// What floats cannot hold the inverse of is refused, wherever a mass is given.
+TEST(Mass, is_none_or_one_that_can_be_counted_with) {
+    World world = make_world();
+    const BodyId body = add(world, {});
+    for (const double mass : {1e-310, 1e-10, -1.0, 1e16}) {
+        EXPECT_FALSE(world.set_mass(body, mass).ok()) << mass;
+        EXPECT_FALSE(world.create_body({.mass = mass}, {.geometry = Sphere{}}).ok()) << mass;
+        EXPECT_FALSE(world.create_body({}, {.geometry = Sphere{}, .mass = mass}).ok()) << mass;
+    }
+    must(world.set_mass(body, 1e-9));
+    EXPECT_EQ(state_of(world, body).mass, 1e-9);
+}
+
 TEST(Mass, taking_a_shape_away_gives_the_mass_back) {
     World world = make_world();
     const BodyId body = add(world, {.geometry = Box{{1, 2, 3}}});

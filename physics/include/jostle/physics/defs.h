@@ -71,7 +71,7 @@ struct ShapeDef {
     // kg/m^3, 1e-6 to 1e6: mass, centre of mass and inertia follow from it. May be 0 for what needs
     // no density: a shape with a mass of its own, a trigger, a shape of a body that is not dynamic.
     double density = 1000;
-    double mass = 0;  // kg, 0 to 1e15; above 0 it replaces the density
+    double mass = 0;  // kg, 0 or 1e-9 to 1e15; above 0 it replaces the density
     Filter filter = {};
     // Touches nothing, adds no mass, and reports what is inside it (Events::triggers_entered). Not
     // for meshes and height fields, which have no inside.
@@ -101,7 +101,7 @@ struct BodyDef {
     // Swept, so that it passes through nothing, in a step in which a point of it moves further than
     // half the radius of the ball that fits into its thinnest shape.
     bool continuous = true;
-    double mass = 0;  // kg, 0 to 1e15; above 0: mass and inertia of the shapes are scaled to it
+    double mass = 0;  // kg, 0 or 1e-9 to 1e15; above 0: mass and inertia of the shapes are scaled to it
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 

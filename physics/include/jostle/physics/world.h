@@ -134,7 +134,7 @@ public:
     // Contacts begin anew. Shapes and joints must suit the type: a dynamic body has a solid shape,
     // a joint at least one dynamic body. A body that becomes static stops.
     Status set_type(BodyId body, BodyType type);
-    // kg; 0: back to what its shapes give. Inertia scales with it.
+    // kg, 1e-9 to 1e15; 0: back to what its shapes give. Inertia scales with it.
     Status set_mass(BodyId body, double mass);
     Status set_material(ShapeId shape, const Material& material);
     Status set_filter(ShapeId shape, const Filter& filter);

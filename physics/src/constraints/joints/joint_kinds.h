@@ -59,8 +59,8 @@ struct JointKernel<HingeJoint> {
             const Wide3 x = x_axis(frame_b);
             const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
             // The weakest first: what must hold has the last word.
-            if ((uses & uses_spring) != 0)
-                spring_row(pair, row, spring_of(t.spring_soft), angle - load(t.spring_at),
+            if (!kRelax && (uses & uses_spring) != 0)
+                spring_row(pair, row, spring_of<kRelax>(t.spring_soft), angle - load(t.spring_at),
                            t.spring);
             if ((uses & uses_motor) != 0)
                 motor_row(pair, row, load(t.motor_speed), load(t.motor_most), t.motor);
@@ -140,13 +140,12 @@ struct JointKernel<ConeTwistJoint> {
     }
 };
 
-// A spring gives in the relaxing pass too; only what is rigid is relaxed.
 template <bool kRelax>
 JOSTLE_INLINE WideSoft soft_or_rigid(const JointStep& step, const SoftRow& row) {
-    const WideSoft spring = spring_of(row), stiff = rigid<kRelax>(step);
-    const WideMask given = spring.mass_scale > splat(0);
-    return {select(given, spring.bias_rate, stiff.bias_rate),
-            select(given, spring.mass_scale, stiff.mass_scale),
+    const WideSoft spring = spring_of<kRelax>(row), stiff = rigid<kRelax>(step);
+    const WideMask given = load(row.impulse_scale) > splat(0);
+    return {select(given, spring.position_rate, stiff.position_rate),
+            select(given, spring.velocity_scale, stiff.velocity_scale),
             select(given, spring.impulse_scale, stiff.impulse_scale),
             select(given, spring.push_speed, stiff.push_speed),
             select(given, spring.push_spin, stiff.push_spin)};

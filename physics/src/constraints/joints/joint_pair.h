@@ -162,44 +162,50 @@ struct JointPair {
     }
 };
 
-// A spring, or what the sub-step can carry, in eight lanes.
+// A spring, or what the sub-step can carry, in eight lanes (constraints/softness.h).
 struct WideSoft {
-    Wide bias_rate, mass_scale, impulse_scale;
+    Wide position_rate, velocity_scale, impulse_scale;
     Wide push_speed, push_spin;  // at most, m/s and rad/s
 };
 // What is not a spring is without push in the relaxing pass.
 template <bool kRelax>
 JOSTLE_INLINE WideSoft rigid(const JointStep& step) {
     if constexpr (kRelax) return {splat(0), splat(1), splat(0), splat(0), splat(0)};
-    return {splat(step.bias_rate), splat(step.mass_scale), splat(step.impulse_scale),
+    return {splat(step.position_rate), splat(step.velocity_scale), splat(step.impulse_scale),
             splat(step.push_speed), splat(step.push_spin)};
 }
+// Springs act once in a sub-step: not in the relaxing pass.
+template <bool kRelax>
 JOSTLE_INLINE WideSoft spring_of(const SoftRow& row) {
-    const Wide any = splat(1e15f);
-    return {load(row.bias_rate), load(row.mass_scale), load(row.impulse_scale), any, any};
+    const Wide any = splat(1e30f);
+    if constexpr (kRelax) return {splat(0), splat(0), splat(0), any, any};
+    return {load(row.position_rate), load(row.velocity_scale), load(row.impulse_scale), any, any};
 }
-// The speed at which an error is mended. Where that would be more than `most`, it is that, and the
+// The most that an error may add to a row's speed.
+JOSTLE_INLINE Wide most_push(const WideSoft& s, Wide most) {
+    return most * max(s.velocity_scale, splat(1e-6f));
+}
+// What an error adds to a row's speed. Where that would be more than `most`, it is that, and the
 // row is rigid: what is soft gives up a part of its load, for which a capped speed may not make up.
 struct Mend {
-    Wide3 speed;
-    Wide mass_scale, impulse_scale;
+    Wide3 push;
+    Wide velocity_scale, impulse_scale;
 };
 JOSTLE_INLINE Mend mend(Wide3 error, const WideSoft& s, Wide most) {
-    const Wide3 speed = error * s.bias_rate;
-    const Wide size2 = dot(speed, speed);
-    const WideMask over = size2 > most * most;
-    if (lane_bits(over) == 0) return {speed, s.mass_scale, s.impulse_scale};  // mostly
+    const Wide3 push = error * s.position_rate;
+    const Wide size2 = dot(push, push), limit = most_push(s, most);
+    const WideMask over = size2 > limit * limit;
+    if (lane_bits(over) == 0) return {push, s.velocity_scale, s.impulse_scale};  // mostly
     const Wide part = select(over, most / root(max(size2, splat(1e-30f))), splat(1));
-    return {speed * part, select(over, splat(1), s.mass_scale),
+    return {push * part, select(over, splat(1), s.velocity_scale),
             select(over, splat(0), s.impulse_scale)};
 }
 
 // The point row: the anchors stay together. `impulse` accumulates, in world axes.
 JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impulse) {
     const Mend m = mend(pair.apart, s, s.push_speed + pair.pace());
-    const Wide3 error = pair.anchor_velocity() + m.speed;
-    const Wide3 d =
-        -(solve3(pair.point_matrix(), error) * m.mass_scale) - impulse * m.impulse_scale;
+    const Wide3 want = pair.anchor_velocity() * m.velocity_scale + m.push;
+    const Wide3 d = -solve3(pair.point_matrix(), want) - impulse * m.impulse_scale;
     impulse = impulse + d;
     pair.push(d);
 }
@@ -207,8 +213,8 @@ JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impuls
 // All three turns: `error` is the rotation vector from where b should be to where it is.
 JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
     const Mend m = mend(error, s, s.push_spin);
-    const Wide3 want = pair.spin() + m.speed;
-    const Wide3 d = -(solve3(pair.turn_matrix(), want) * m.mass_scale) - impulse * m.impulse_scale;
+    const Wide3 want = pair.spin() * m.velocity_scale + m.push;
+    const Wide3 d = -solve3(pair.turn_matrix(), want) - impulse * m.impulse_scale;
     impulse = impulse + d;
     pair.apply_angular(d);
 }
@@ -225,13 +231,12 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
     const Wide pp = dot(p, kp), pq = dot(p, kq), qq = dot(q, kq);
     const Wide scale = inverse_above(pp * qq - pq * pq, pp * qq * splat(1e-6f));
     const Mend m = mend(error, s, s.push_spin);
-    const Wide3 want = pair.spin() + m.speed;
+    const Wide3 want = pair.spin() * m.velocity_scale + m.push;
     const Wide ep = dot(p, want), eq = dot(q, want);
     // What accumulated in the step before lies across the axis as it was then.
     impulse = impulse - axis * dot(axis, impulse);
     const Wide3 d =
-        -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * (m.mass_scale * scale)) -
-        impulse * m.impulse_scale;
+        -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * scale) - impulse * m.impulse_scale;
     impulse = impulse + d;
     pair.apply_angular(d);
 }
@@ -265,16 +270,14 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideR
     const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
-    const Wide most = kAngular ? s.push_spin : s.push_speed;
-    const WideMask over = left * s.bias_rate < -most;
-    const Wide bias = select(free, left * splat(step.inverse_h), max(left * s.bias_rate, -most));
-    const WideMask as_rigid = ~(~free & ~over);
+    const Wide most = kAngular ? s.push_spin : s.push_speed, push = left * s.position_rate;
+    const WideMask over = push < -most_push(s, most), soft = ~free & ~over;
     const Wide before = load(kept);
     const Wide toward = row.speed(pair) * splat(sign);
-    const Wide now =
-        max(before - select(as_rigid, splat(1), s.mass_scale) * (toward + bias) * row.response -
-                select(as_rigid, splat(0), s.impulse_scale) * before,
-            splat(0));
+    const Wide want = toward * select(soft, s.velocity_scale, splat(1)) +
+                      select(free, left * splat(step.inverse_h), select(over, -most, push));
+    const Wide now = max(
+        before - want * row.response - select(soft, s.impulse_scale, splat(0)) * before, splat(0));
     row.apply(pair, (now - before) * splat(sign));
     store(kept, now);
 }
@@ -284,10 +287,11 @@ template <bool kAngular>
 JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
                               Wide error, float* kept) {
     const Wide before = load(kept);
-    const Wide most = kAngular ? s.push_spin : s.push_speed;
-    const Wide bias = max(min(error * s.bias_rate, most), -most);
-    const Wide d =
-        -(s.mass_scale * (row.speed(pair) + bias) * row.response) - s.impulse_scale * before;
+    const Wide most = kAngular ? s.push_spin : s.push_speed, push = error * s.position_rate;
+    const WideMask over = absolute(push) > most_push(s, most);
+    const Wide want = row.speed(pair) * select(over, splat(1), s.velocity_scale) +
+                      select(over, max(min(push, most), -most), push);
+    const Wide d = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
     store(kept, before + d);
     row.apply(pair, d);
 }

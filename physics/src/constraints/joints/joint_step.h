@@ -9,7 +9,7 @@ namespace jostle::physics {
 struct JointStep {
     float h = 0, inverse_h = 0;
     // Of what the user did not make a spring (constraints/softness.h).
-    float bias_rate = 0, mass_scale = 1, impulse_scale = 0;
+    float position_rate = 0, velocity_scale = 1, impulse_scale = 0;
     float push_speed = 0, push_spin = 0;  // m/s, rad/s: at most, of what is no spring
 };
 

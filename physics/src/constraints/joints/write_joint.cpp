@@ -23,8 +23,8 @@ struct Lane {
         put(rows[0], q.x), put(rows[1], q.y), put(rows[2], q.z), put(rows[3], q.w);
     }
     void put(SoftRow& row, const Softness& s) const {
-        put(row.bias_rate, s.bias_rate);
-        put(row.mass_scale, s.mass_scale);
+        put(row.position_rate, s.position_rate);
+        put(row.velocity_scale, s.velocity_scale);
         put(row.impulse_scale, s.impulse_scale);
     }
     double get(const float (&row)[8]) const { return double{row[at]}; }
@@ -42,7 +42,7 @@ constexpr Softness switched_off{0, 1e-30, 1};
 constexpr Softness as_stiff_as_can_be{0, 0, 0};
 
 Softness spring_or(const JointSpring& spring, double h, const Softness& other) {
-    return spring.hertz > 0 ? soft(spring.hertz, spring.damping_ratio, h) : other;
+    return spring.hertz > 0 ? physics::spring(spring.hertz, spring.damping_ratio, h) : other;
 }
 
 // What is switched off keeps no impulse.
@@ -182,8 +182,8 @@ JointStep joint_step(double h) {
     const Softness s = soft(tuning::joint_stiffness / h, tuning::joint_damping_ratio, h);
     return {.h = as_float(h),
             .inverse_h = as_float(1 / h),
-            .bias_rate = as_float(s.bias_rate),
-            .mass_scale = as_float(s.mass_scale),
+            .position_rate = as_float(s.position_rate),
+            .velocity_scale = as_float(s.velocity_scale),
             .impulse_scale = as_float(s.impulse_scale),
             .push_speed = as_float(tuning::joint_push_speed),
             .push_spin = as_float(tuning::joint_push_spin)};

@@ -25,6 +25,42 @@ double worst_offset(const World& world, const std::vector<BodyId>& boxes) {
     return worst;
 }
 
+// Impulses are those of a sub-step: with another length of steps they would push too much or too
+// little for a moment.
+TEST(Stack, keeps_still_when_steps_change_their_length) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    const auto boxes = stack_of(world, 10);
+    run(world, 3);
+    for (const double hz : {240.0, 30.0, 1000.0, 60.0}) {
+        double fastest = 0;
+        for (int step = 0; step < 30; step++) {
+            must(world.step(1 / hz));
+            for (const BodyId box : boxes)
+                fastest = maximum(fastest, length(velocity_of(world, box)));
+        }
+        EXPECT_LT(fastest, 0.02) << hz;
+        EXPECT_LT(worst_offset(world, boxes), 4e-3) << hz;
+    }
+}
+
+// A stack that sleeps is woken in steps of a quarter of the length.
+TEST(Stack, wakes_gently_into_steps_of_another_length) {
+    World world = make_world();
+    add_floor(world);
+    const auto boxes = stack_of(world, 10);
+    run(world, 4);
+    ASSERT_FALSE(state_of(world, boxes[0]).awake);
+    must(world.step(1.0 / 240));
+    must(world.set_awake(boxes[0], true));
+    double fastest = 0;
+    for (int step = 0; step < 30; step++) {
+        must(world.step(1.0 / 240));
+        for (const BodyId box : boxes) fastest = maximum(fastest, length(velocity_of(world, box)));
+    }
+    EXPECT_LT(fastest, 0.02);
+}
+
 TEST(Stack, ten_boxes_stay_within_ten_millimetres_and_sleep) {
     World world = make_world();
     add_floor(world);

@@ -136,6 +136,8 @@ COVERED_BY = {
         (["physics/world/fields_test.cpp"], "fields are created, changed, destroyed and listed"),
     "state/force_fields.cpp":
         (["behaviour/force_fields_test.cpp"], "each kind against a closed form"),
+    "state/impulse_scale.cpp":
+        (["behaviour/stack_stays_test.cpp"], "a stack awake and one asleep keep still when steps change their length"),
     "state/joint_store.h":
         (["physics/state/joint_graph_test.cpp"], "its lists are walked there"),
     "state/listener_store.h":

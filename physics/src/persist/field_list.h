@@ -388,6 +388,7 @@ void visit_fields(V& v, Island& island) {
     v.field("uneven", island.uneven);
     v.field("mass", island.mass);
     v.field("kept_load", island.kept_load);
+    v.optional("dt", island.dt, 11);
     visit_all(v, "sleepers", island.sleepers, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "manifolds", island.manifolds, [&](SavedContact& m) { visit_fields(v, m); });
 }

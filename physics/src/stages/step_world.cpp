@@ -17,6 +17,7 @@
 #include "stages/sleep/wake_bodies.h"
 #include "stages/solver/solve_constraints.h"
 #include "stages/step_scratch.h"
+#include "state/impulse_scale.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -29,6 +30,7 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.profile = {};
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
+    if (dt != world.last_dt && world.last_dt > 0) scale_awake(world, dt / world.last_dt);
     world.last_dt = dt;
     return {world, scratch, *world.team, dt, {}};
 }

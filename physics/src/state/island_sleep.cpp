@@ -8,6 +8,7 @@
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
 #include "state/contact_load.h"
+#include "state/impulse_scale.h"
 #include "state/joint_graph.h"
 #include "state/partial_sleep.h"
 #include "state/separation_bounds.h"
@@ -55,8 +56,15 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const BodyWarm& warm : sleepers)
         if (!world.bodies.cold[warm.body].asleep_in_place)
             woke.push_back(body_id(world, warm.body));
+    // Steps may have another length than when it fell asleep.
+    const double scale = island.dt > 0 && world.last_dt > 0 ? world.last_dt / island.dt : 1;
+    if (scale != 1)
+        for (const BodyWarm& warm : sleepers) scale_joints(world, warm.body, scale);
     for (const SavedContact& saved : manifolds) {
         restore_contact(world, saved);
+        if (scale != 1)
+            scale_impulses(place_of(world, world.contacts.contacts[saved.contact]),
+                           static_cast<float>(scale), false);
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
@@ -144,6 +152,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
     }
     ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = true;
+    island.dt = world.last_dt;
 }
 
 }  // namespace jostle::physics

@@ -8,6 +8,7 @@
 
 #include "foundation/check.h"
 #include "state/contact_constraints.h"
+#include "state/impulse_scale.h"
 
 namespace jostle::physics {
 namespace {
@@ -19,52 +20,13 @@ void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit)
         visit(body);
 }
 
-// All that warm-starts the next step.
-void scale_impulses(const ContactPlace& place, float scale) {
-    const auto row = [&](float* values) { values[place.lane] *= scale; };
-    for (auto& lambda : place.block->lambda) row(lambda);
-    for (auto& friction : place.block->friction) row(friction);
-    row(place.block->torsion);
-    for (auto& mean_impulse : place.block->mean_impulse) row(mean_impulse);
-    for (auto& roll : place.rolling->roll) row(roll);
-}
-
-// Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
-// mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
-// and the load stays what it is. `even`: the points of a manifold share it.
-void stiffen(const ContactPlace& place, float stiffer, bool even) {
-    ContactConstraintWide& block = *place.block;
-    const int lane = place.lane;
-    float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
-    for (int k = 0; k < 4; k++) {
-        // There is always a first one.
-        if (k > 0 && block.gap[k][lane] > 0.5f * no_point) continue;
-        lambda_sum += block.lambda[k][lane];
-        mean_impulse_sum += block.mean_impulse[k][lane];
-        points++;
-    }
-    for (int k = 0; k < 4; k++) {
-        float& mean_impulse = block.mean_impulse[k][lane];
-        const float lambda = even ? lambda_sum / points : block.lambda[k][lane];
-        mean_impulse =
-            lambda - stiffer * (lambda - (even ? mean_impulse_sum / points : mean_impulse));
-    }
-}
-
-void scale_impulses(Joint& joint, double scale) {
-    for (Vec3* v : {&joint.point, &joint.angular, &joint.friction}) *v = *v * scale;
-    for (double* x : {&joint.lower, &joint.upper, &joint.swing, &joint.spring, &joint.motor})
-        *x *= scale;
-}
-
 void move_contacts(WorldState& world, std::uint32_t body, float scale, bool even) {
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
         if (c.colour < 0 || c.body_a != body) return;
         if (scale != 1 || even) {
             const ContactPlace place = place_of(world, c);
-            scale_impulses(place, scale);
-            stiffen(place, 1 / (scale * scale), even);
+            scale_impulses(place, scale, even);
         }
         if (c.colour_set != set_of_contact(world, c)) move_contact(world, index);
     });
@@ -86,15 +48,6 @@ void swap_sets(WorldState& world, ColourSetKey a, ColourSetKey b) {
                     if (set_of_contact(world, c) != key) others.push_back(index);
                 }
     for (const std::uint32_t contact : others) move_contact(world, contact);
-}
-
-void scale_joints(WorldState& world, std::uint32_t body, double scale) {
-    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
-        Joint& j = world.joints.joints[index];
-        // Once each: at its first dynamic body.
-        const bool first = world.bodies.cold[j.body_a].type == BodyType::dynamic;
-        if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
-    });
 }
 
 }  // namespace
@@ -161,7 +114,7 @@ void scale_warm_start(WorldState& world, const Island& island, float scale) {
          body = world.bodies.cold[body].island_next)
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
             const Contact& c = world.contacts.contacts[index];
-            if (c.colour >= 0 && c.body_a == body) scale_impulses(place_of(world, c), scale);
+            if (c.colour >= 0 && c.body_a == body) scale_warm_start(place_of(world, c), scale);
         });
 }
 

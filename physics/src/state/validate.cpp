@@ -26,6 +26,11 @@ Fault check_pool(const char* name, const IdPool& ids, const std::vector<T>& item
     return {};
 }
 
+// As World::step() takes them; 0: none yet.
+bool is_step_length(double dt) {
+    return dt == 0 || (dt >= 1e-5 && dt <= 0.25);
+}
+
 bool body_alive(const WorldState& world, std::uint32_t body) {
     return body < world.bodies.cold.size() && world.bodies.ids.alive(body);
 }
@@ -360,7 +365,7 @@ Fault check_islands(const WorldState& world) {
             return at("islands", i, "has a list of bodies with another end or length");
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
-        if (island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
+        if (!is_step_length(island.dt) || island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
             island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))
@@ -408,7 +413,7 @@ Fault check_answers(const WorldState& world) {
 std::optional<std::string> find_fault(const WorldState& world) {
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
-    if (!(world.last_dt >= 0 && world.last_dt <= 0.25)) return "world.last_dt is out of range";
+    if (!is_step_length(world.last_dt)) return "world.last_dt is out of range";
     if (Fault f = check_pool("bodies", world.bodies.ids, world.bodies.cold)) return f;
     if (Fault f = check_pool("shapes", world.shapes.ids, world.shapes.shapes)) return f;
     if (Fault f = check_pool("contacts", world.contacts.ids, world.contacts.contacts)) return f;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "state/impulse_scale.h"
+
+#include "foundation/check.h"
+
+namespace jostle::physics {
+
+namespace {
+
+// Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
+// mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
+// and the load stays what it is. `even`: the points of a manifold share it.
+void stiffen(const ContactPlace& place, float stiffer, bool even) {
+    ContactConstraintWide& block = *place.block;
+    const int lane = place.lane;
+    float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
+    for (int k = 0; k < 4; k++) {
+        // There is always a first one.
+        if (k > 0 && block.gap[k][lane] > 0.5f * no_point) continue;
+        lambda_sum += block.lambda[k][lane];
+        mean_impulse_sum += block.mean_impulse[k][lane];
+        points++;
+    }
+    for (int k = 0; k < 4; k++) {
+        float& mean_impulse = block.mean_impulse[k][lane];
+        const float lambda = even ? lambda_sum / points : block.lambda[k][lane];
+        mean_impulse =
+            lambda - stiffer * (lambda - (even ? mean_impulse_sum / points : mean_impulse));
+    }
+}
+
+void scale_impulses(Joint& joint, double scale) {
+    for (Vec3* v : {&joint.point, &joint.angular, &joint.friction}) *v = *v * scale;
+    for (double* x : {&joint.lower, &joint.upper, &joint.swing, &joint.spring, &joint.motor})
+        *x *= scale;
+}
+
+}  // namespace
+
+void scale_warm_start(const ContactPlace& place, float scale) {
+    const auto row = [&](float* values) { values[place.lane] *= scale; };
+    for (auto& lambda : place.block->lambda) row(lambda);
+    for (auto& friction : place.block->friction) row(friction);
+    row(place.block->torsion);
+    for (auto& mean_impulse : place.block->mean_impulse) row(mean_impulse);
+    for (auto& roll : place.rolling->roll) row(roll);
+}
+
+void scale_impulses(const ContactPlace& place, float scale, bool even) {
+    scale_warm_start(place, scale);
+    stiffen(place, 1 / (scale * scale), even);
+}
+
+void scale_joints(WorldState& world, std::uint32_t body, double scale) {
+    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
+        Joint& j = world.joints.joints[index];
+        // Once each: at its first dynamic body.
+        const bool first = world.bodies.cold[j.body_a].type == BodyType::dynamic;
+        if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
+    });
+}
+
+void scale_awake(WorldState& world, double scale) {
+    ASSERT(scale > 0);
+    for (std::uint32_t i = 0; i < world.contacts.contacts.size(); i++) {
+        const Contact& c = world.contacts.contacts[i];
+        if (world.contacts.ids.alive(i) && c.colour >= 0)
+            scale_impulses(place_of(world, c), static_cast<float>(scale), false);
+    }
+    for (const BodyWarm& warm : world.bodies.awake)
+        if (world.bodies.cold[warm.body].type == BodyType::dynamic)
+            scale_joints(world, warm.body, scale);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// Impulses that warm-start the next sub-step are those of a sub-step of the same length. When that
+// changes, because an island changes its tier or the user the length of the step, they follow it.
+#pragma once
+
+#include "state/contact_constraints.h"
+
+namespace jostle::physics {
+
+// All that warm-starts a manifold.
+void scale_warm_start(const ContactPlace& place, float scale);
+// ... for sub-steps that are `scale` times as long. `even`: the points of a manifold share its
+// load.
+void scale_impulses(const ContactPlace& place, float scale, bool even);
+// Those of the joints of a body, each joint once: at its first dynamic body.
+void scale_joints(WorldState& world, std::uint32_t body, double scale);
+
+// All of the awake set, for steps that are `scale` times as long. What sleeps follows when it
+// wakes.
+void scale_awake(WorldState& world, double scale);
+
+}  // namespace jostle::physics

@@ -4,6 +4,7 @@
 // callback that leaves its exit status behind.
 #include <CLI/CLI.hpp>
 
+#include "accuracy/accuracy.h"
 #include "broadphase.h"
 #include "feature_cost.h"
 #include "rollback.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr const char* footer = R"(
 Examples:
+  jostle-bench accuracy --scene j1,c8 --peers none
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
   jostle-bench features --at-most 1
@@ -31,6 +33,7 @@ int main(int argc, char** argv) {
     CLI::App app{"Measures parts of Jostle and prints tables; --json keeps the figures."};
     int status = 0;
     app.require_subcommand(1);
+    jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
     jostle::bench::add_features(app, status);
     jostle::bench::add_rollback(app, status);

@@ -104,7 +104,7 @@ private:
         // What stands for a body that meets nothing is as thin as it must be: never sweep it.
         def.continuous = body.shape.has_value();
         ShapeDef shape{.material = {.friction = scene.friction, .restitution = scene.restitution},
-                       .density = 0,
+
                        .mass = body.mass};
         if (body.shape) {
             auto geometry = geometry_of(*body.shape);

@@ -91,6 +91,7 @@ public:
         world_->setGravity(vector(scene.gravity));
         world_->getSolverInfo().m_numIterations = iterations_of(mode);
         thin_ = mode.ends_with("-thin");
+        if (thin_) world_->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
         pull_ = scene.central_pull;
         for (const Body& body : scene.bodies) add_body(scene, body);
         set_damping(scene.damping);

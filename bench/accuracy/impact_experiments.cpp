@@ -19,7 +19,7 @@ constexpr int phases = 16;
 // --- C5 ---
 
 Scene bouncing(double restitution, double late) {
-    Scene scene{.name = "c5", .restitution = restitution};
+    Scene scene{.name = "c5", .restitution = restitution, .planar = true};
     Body ball = solid_sphere(1, radius, {0, 0, 1 + radius - 0.5 * g * late * late});
     ball.velocity = {0, 0, -g * late};
     scene.bodies = {ball, fixed_plane()};
@@ -105,7 +105,7 @@ Start billiard(double shift) {
 // Four balls in a row touch; a fifth arrives at 1 m/s.
 Start cradle(double shift) {
     constexpr int count = 5;
-    Scene scene{.name = "c7", .gravity = {}, .restitution = 1};
+    Scene scene{.name = "c7", .gravity = {}, .restitution = 1, .planar = true};
     Body first = solid_sphere(1, radius, {-0.5 - 2 * radius + shift, 0, 0});
     first.velocity = {1, 0, 0};
     scene.bodies = {first};

@@ -40,7 +40,8 @@ const std::vector<EngineKind>& kinds() {
          make_jostle_engine},
         {"bullet",
          "double precision; sequential impulses or nonlinear conjugate gradients with so many "
-         "iterations, or Dantzig's direct solver; thin: contacts begin when shapes touch",
+         "iterations, or Dantzig's direct solver; thin: contacts begin when "
+         "shapes touch, and push apart without leaving velocity",
          {"si10", "si4", "si50", "si10-thin", "nncg10", "nncg50", "dantzig"},
          make_bullet},
         {"ode",

@@ -13,7 +13,7 @@
 namespace jostle::bench::lab {
 namespace {
 
-constexpr int contacts_per_pair = 8;
+constexpr int contacts_per_pair = 4;
 
 // ODE tells of trouble by a handler that knows no world.
 std::string& last_message() {

@@ -29,7 +29,7 @@ Body wedge(double from, double to, double inner_radius, double outer_radius) {
 }  // namespace
 
 Scene box_stack(int count, Vec3 half_extents, double mass) {
-    Scene scene{.name = "stack", .friction = 0.5};
+    Scene scene{.name = "stack", .friction = 0.5, .planar = true};
     for (int k = 0; k < count; k++)
         scene.bodies.push_back(solid_box(mass, half_extents, {0, 0, half_extents.z * (2 * k + 1)}));
     scene.bodies.push_back(fixed_plane());
@@ -39,7 +39,7 @@ Scene box_stack(int count, Vec3 half_extents, double mass) {
 // The cards' inner upper edges meet over the origin; each stands on an edge.
 Scene leaning_cards(double friction) {
     const double lean = 20 * pi / 180, half_height = 0.5, half_thickness = 0.01;
-    Scene scene{.name = "cards", .friction = friction};
+    Scene scene{.name = "cards", .friction = friction, .planar = true};
     for (const double side : {-1.0, 1.0}) {
         const double out = half_height * std::sin(lean) + half_thickness * std::cos(lean);
         const double up = half_height * std::cos(lean) + half_thickness * std::sin(lean);

@@ -76,6 +76,15 @@ std::string lines_of_series(const std::vector<Row>& rows, const std::string& sce
     return text;
 }
 
+// Why engines have no rows, each reason once.
+std::vector<std::string> reasons_of(const std::vector<Row>& rows, const std::string& scene) {
+    std::vector<std::string> reasons;
+    for (const Row& row : rows)
+        if (row.scene == scene && !row.lacks.empty() && !names(reasons, row.lacks))
+            reasons.push_back(row.lacks);
+    return reasons;
+}
+
 }  // namespace
 
 std::string scene_report(const Experiment& experiment, const std::vector<Row>& rows) {
@@ -91,6 +100,8 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
                     work_of(least_work(rows, experiment.name, engine, tolerance)) + ",";
         text.back() = '\n';
     }
+    for (const std::string& reason : reasons_of(rows, experiment.name))
+        text += "  left out: " + reason + "\n";
     text += "  Pareto set:";
     for (const Row& row : pareto_set(rows, experiment.name))
         text += format(" %s %s (%.3g us/s, %.2g)", row.engine.c_str(), where(row).c_str(),

@@ -156,6 +156,15 @@ std::string springs_of(const Scene& scene) {
     return text + "</tendon>\n";
 }
 
+// Room for contacts and their rows; MuJoCo takes memory for the square of the rows.
+std::string size_of(const Scene& scene) {
+    std::size_t solids = 0;
+    for (const Body& body : scene.bodies) solids += body.shape.has_value();
+    const std::size_t contacts = 50 + 10 * solids;
+    return "<size nconmax=\"" + std::to_string(contacts) + "\" njmax=\"" +
+           std::to_string(3 * contacts) + "\"/>\n";
+}
+
 std::string option_of(const Scene& scene, const std::string& mode) {
     const bool rk4 = mode.find("rk4") != std::string::npos;
     const bool implicit = mode.find("implicit") != std::string::npos;
@@ -202,8 +211,8 @@ Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const s
     for (std::size_t j = 0; j < scene.joints.size(); j++)
         if (scene.joints[j].kind == JointKind::spring && scene.joints[j].a == ground)
             sites += TreeText::site("sa", j, scene.joints[j].anchor);
-    return "<mujoco>\n<compiler angle=\"radian\"/>\n<size njmax=\"20000\" nconmax=\"5000\"/>\n" +
-           option_of(scene, mode) + "<default><geom condim=\"" + (scene.friction > 0 ? "3" : "1") +
+    return "<mujoco>\n<compiler angle=\"radian\"/>\n" + size_of(scene) + option_of(scene, mode) +
+           "<default><geom condim=\"" + (scene.friction > 0 ? "3" : "1") +
            "\" friction=" + triple({scene.friction, 0, 0}) + "/></default>\n" + assets_of(scene) +
            "<worldbody>\n" + sites + TreeText(scene, tree).children_of(ground) + "</worldbody>\n" +
            springs_of(scene) + loops_of(scene, tree) + "</mujoco>\n";

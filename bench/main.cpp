@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "accuracy/accuracy.h"
+#include "accuracy/stability.h"
 #include "broadphase.h"
 #include "feature_cost.h"
 #include "rollback.h"
@@ -22,6 +23,7 @@ Examples:
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
+  jostle-bench stability --peers none
   jostle-bench threads --at-most 1.01
 
 Measure a release build (cmake --preset release): the others are several times slower.
@@ -38,6 +40,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_features(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
+    jostle::bench::add_stability(app, status);
     jostle::bench::add_threads(app, status);
     app.footer(footer);
     try {

@@ -216,7 +216,8 @@ private:
             case JointKind::rod:
                 break;
         }
-        return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * anchor);
+        const btVector3 end_b = vector(joint.torn.value_or(joint.anchor));
+        return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * end_b);
     }
 
     // Along the line of the anchors at the start: all else is free.

@@ -143,7 +143,7 @@ private:
         }
         const Quat turned = axes_along(joint.axis);
         const bool two_anchors = joint.kind == JointKind::rod || joint.kind == JointKind::spring;
-        const Vec3 end_b = two_anchors ? joint.anchor_b : joint.anchor;
+        const Vec3 end_b = two_anchors ? joint.anchor_b : joint.torn.value_or(joint.anchor);
         const Transform a = pose_of(scene, joint.a), b = pose_of(scene, joint.b);
         def.frame_a = {apply_inverse(a, joint.anchor), conjugate(a.rotation) * turned};
         def.frame_b = {apply_inverse(b, end_b), conjugate(b.rotation) * turned};

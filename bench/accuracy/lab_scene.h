@@ -69,6 +69,7 @@ struct Joint {
     Vec3 axis{0, 1, 0};
     double stiffness = 0, damping = 0;  // of springs: N/m and N s/m
     double rest_length = 0;             // of springs: m
+    std::optional<Vec3> torn;           // of balls: where their end at b is instead of the anchor
     std::optional<Motor> motor;         // of hinges
     std::optional<Limit> limit;         // of hinges
 };

@@ -201,6 +201,7 @@ Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const s
     if (scene.restitution > 0) return Error{.message = "restitution is no parameter of mujoco"};
     for (const Joint& joint : scene.joints) {
         if (joint.kind == JointKind::rod) return Error{.message = "mujoco has no rods"};
+        if (joint.torn) return Error{.message = "torn joints are not made in mujoco"};
         if (joint.motor || joint.limit)
             return Error{.message = "mujoco's motors are not made here"};
     }

@@ -95,7 +95,10 @@ public:
         damping_ = scene.damping;
         for (const Body& body : scene.bodies)
             if (auto status = add_body(body); !status) return status;
-        for (const Joint& joint : scene.joints) add_joint(joint);
+        for (const Joint& joint : scene.joints) {
+            if (joint.torn) return Error{.message = "torn joints are not made in ode"};
+            add_joint(joint);
+        }
         return {};
     }
 

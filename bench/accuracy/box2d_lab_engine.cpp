@@ -33,6 +33,8 @@ float angle_of(Quat q) {
 class Box2dLabEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
+        if (scene.central_pull > 0 || scene.mutual_pull > 0)
+            return Error{.message = "forces are not made in box2d"};
         if (!scene.planar) return Error{.message = "box2d is planar"};
         iterations_ = std::stoi(mode.substr(3));
         world_.SetGravity(flat(scene.gravity));

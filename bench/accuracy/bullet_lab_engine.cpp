@@ -93,6 +93,7 @@ public:
         thin_ = mode.ends_with("-thin");
         if (thin_) world_->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
         pull_ = scene.central_pull;
+        mutual_pull_ = scene.mutual_pull;
         for (const Body& body : scene.bodies) add_body(scene, body);
         set_damping(scene.damping);
         for (const Joint& joint : scene.joints)
@@ -114,6 +115,7 @@ public:
                 const double away = at.length();
                 body->applyCentralForce(at * (-pull_ / (body->getInvMass() * away * away * away)));
             }
+        if (mutual_pull_ > 0) pull_each_other();
         world_->stepSimulation(dt, 0);
     }
 
@@ -138,6 +140,16 @@ public:
     }
 
 private:
+    void pull_each_other() {
+        for (const auto& a : bodies_)
+            for (const auto& b : bodies_) {
+                if (a == b) continue;
+                const btVector3 apart = b->getCenterOfMassPosition() - a->getCenterOfMassPosition();
+                const double away = apart.length(), masses = a->getMass() * b->getMass();
+                a->applyCentralForce(apart * (mutual_pull_ * masses / (away * away * away)));
+            }
+    }
+
     void add_body(const Scene& scene, const Body& body) {
         const bool free = body.motion == Motion::free;
         shapes_.push_back(body.shape ? std::visit(ShapeMaker{}, *body.shape)
@@ -245,7 +257,7 @@ private:
     std::unique_ptr<btConstraintSolver> solver_;
     std::optional<btDiscreteDynamicsWorld> world_;
     bool thin_ = false;
-    double pull_ = 0;
+    double pull_ = 0, mutual_pull_ = 0;
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
     std::vector<std::unique_ptr<btTypedConstraint>> constraints_;

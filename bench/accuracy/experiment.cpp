@@ -7,9 +7,9 @@ namespace {
 // The order of the specification: F, J, C.
 std::vector<Experiment> in_order() {
     std::vector<Experiment> all;
-    for (const auto& family :
-         {free_experiments(), top_experiments(), pendulum_experiments(), machine_experiments(),
-          friction_experiments(), impact_experiments(), stack_experiments(), pile_experiments()})
+    for (const auto& family : {free_experiments(), top_experiments(), pendulum_experiments(),
+                               machine_experiments(), friction_experiments(), impact_experiments(),
+                               stack_experiments(), pile_experiments(), chaos_experiments()})
         all.insert(all.end(), family.begin(), family.end());
     return all;
 }

@@ -44,6 +44,9 @@ struct Experiment {
     // Starts, each a part of a step later than the one before; their errors are averaged.
     int phases = 1;
     double most_hz = 1920;  // beyond that it takes too long
+    // No truth is known: the primary error is the RMS distance, over all bodies at the end, from
+    // the same engine's run in the same mode at this rate. 0: the meter's error counts.
+    double finest_hz = 0;
     // `shift`: seconds by which the start is late, less than a step.
     std::function<Start(double shift)> start;
 };
@@ -61,5 +64,6 @@ std::vector<Experiment> friction_experiments();
 std::vector<Experiment> impact_experiments();
 std::vector<Experiment> stack_experiments();
 std::vector<Experiment> pile_experiments();
+std::vector<Experiment> chaos_experiments();  // what neighbouring starts leave each other in
 
 }  // namespace jostle::bench::lab

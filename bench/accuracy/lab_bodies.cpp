@@ -102,6 +102,20 @@ double reduced_mass(const Scene& scene, const Joint& joint) {
     return 1 / (inverse_of(joint.a) + inverse_of(joint.b));
 }
 
+std::vector<Vec3> mutual_forces(std::span<const double> masses, std::span<const Vec3> at,
+                                double pull) {
+    std::vector<Vec3> forces(at.size());
+    for (std::size_t a = 0; a < at.size(); a++)
+        for (std::size_t b = 0; b < a; b++) {
+            const Vec3 apart = at[b] - at[a];
+            const double away = length(apart);
+            const Vec3 force = apart * (pull * masses[a] * masses[b] / (away * away * away));
+            forces[a] += force;
+            forces[b] -= force;
+        }
+    return forces;
+}
+
 Vec3 azimuth(double angle) {
     return {std::cos(angle), std::sin(angle), 0};
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "accuracy/lab_scene.h"
 
@@ -42,6 +43,10 @@ Transform pose_of(const Scene& scene, int body);  // of the ground: none
 
 // The mass that a spring between the centres of two bodies moves.
 double reduced_mass(const Scene& scene, const Joint& joint);
+
+// What the others pull each body with, N.
+std::vector<Vec3> mutual_forces(std::span<const double> masses, std::span<const Vec3> at,
+                                double pull);
 
 // Of a turn of the whole scene about z.
 Vec3 azimuth(double angle);  // the unit vector that x becomes

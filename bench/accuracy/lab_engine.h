@@ -27,7 +27,7 @@ public:
     // Once, before all else. An error says what the scene has and the engine lacks; the row is left
     // out then. Bodies never sleep, and nothing slows them down but Scene::damping.
     virtual Status build(const Scene& scene, const std::string& mode) = 0;
-    // By dt seconds, forces of Scene::central_pull included. This alone is timed.
+    // By dt seconds, with the forces of Scene::central_pull and mutual_pull. This alone is timed.
     virtual void step(double dt) = 0;
     virtual BodyState state(int body) const = 0;
     virtual void set_damping(double rate) = 0;               // 1/s, of all bodies

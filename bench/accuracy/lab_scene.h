@@ -83,6 +83,8 @@ struct Scene {
     std::vector<Joint> joints;
     // Pulls each body to the origin with mass * pull / r^2, N. 0: none.
     double central_pull = 0;
+    // Any two bodies pull each other with mass * mass * mutual_pull / r^2, N. 0: none.
+    double mutual_pull = 0;
     // Each body slows down by damping * velocity, 1/s, and its spin likewise.
     double damping = 0;
     bool swept =

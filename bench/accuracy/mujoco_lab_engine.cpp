@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/lab_bodies.h"
 #include "accuracy/mujoco_model.h"
 
 namespace jostle::bench::lab {
@@ -22,23 +23,30 @@ void end_on_error(const char* message) {
 }
 void ignore_warning(const char*) {}
 
-// The force law of Scene::central_pull, where MuJoCo asks for forces: in each stage of a step. Its
-// hook knows no world.
-thread_local double central_pull = 0;
-
-void pull_to_origin(const mjModel* model, mjData* data) {
-    for (int k = 1; k < model->nbody; k++) {
-        const mjtNum* at = data->xipos + 3 * k;
-        const double away = std::sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
-        const double share = -central_pull * model->body_mass[k] / (away * away * away);
-        const mjtNum force[3] = {share * at[0], share * at[1], share * at[2]};
-        const mjtNum torque[3] = {0, 0, 0};
-        mj_applyFT(model, data, force, torque, at, k, data->qfrc_passive);
-    }
-}
-
 Vec3 from(const mjtNum* v) {
     return {v[0], v[1], v[2]};
+}
+
+// The force laws of a scene, where MuJoCo asks for forces: in each stage of a step. Its hook knows
+// no world.
+thread_local double central_pull = 0, mutual_pull = 0;
+
+void pull_bodies(const mjModel* model, mjData* data) {
+    std::vector<Vec3> at;
+    std::vector<double> masses;
+    for (int k = 1; k < model->nbody; k++) {
+        at.push_back(from(data->xipos + 3 * k));
+        masses.push_back(model->body_mass[k]);
+    }
+    const std::vector<Vec3> mutual = mutual_forces(masses, at, mutual_pull);
+    for (std::size_t k = 0; k < at.size(); k++) {
+        const double away = length(at[k]);
+        Vec3 sum = mutual[k];
+        if (central_pull > 0) sum -= at[k] * (central_pull * masses[k] / (away * away * away));
+        const mjtNum force[3] = {sum.x, sum.y, sum.z}, torque[3] = {0, 0, 0};
+        const mjtNum point[3] = {at[k].x, at[k].y, at[k].z};
+        mj_applyFT(model, data, force, torque, point, static_cast<int>(k) + 1, data->qfrc_passive);
+    }
 }
 
 class MujocoLabEngine final : public Engine {
@@ -66,7 +74,8 @@ public:
         hard_ = mode.ends_with("-hard");
         damping_ = scene.damping;
         central_pull = scene.central_pull;
-        mjcb_passive = central_pull > 0 ? pull_to_origin : nullptr;
+        mutual_pull = scene.mutual_pull;
+        mjcb_passive = central_pull > 0 || mutual_pull > 0 ? pull_bodies : nullptr;
         return {};
     }
 

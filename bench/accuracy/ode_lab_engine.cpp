@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "accuracy/lab_bodies.h"
+
 namespace jostle::bench::lab {
 namespace {
 
@@ -80,6 +82,7 @@ public:
         friction_ = scene.friction;
         restitution_ = scene.restitution;
         pull_ = scene.central_pull;
+        mutual_pull_ = scene.mutual_pull;
         damping_ = scene.damping;
         for (const Body& body : scene.bodies)
             if (auto status = add_body(body); !status) return status;
@@ -100,6 +103,7 @@ public:
                 const Vec3 force = at * (-pull_ * mass.mass / std::pow(length(at), 3));
                 dBodyAddForce(body, force.x, force.y, force.z);
             }
+        if (mutual_pull_ > 0) pull_each_other();
         dSpaceCollide(space_, this, &OdeLabEngine::on_pair);
         if (quick_)
             dWorldQuickStep(world_, dt);
@@ -128,6 +132,20 @@ public:
     }
 
 private:
+    void pull_each_other() {
+        std::vector<Vec3> at;
+        std::vector<double> masses;
+        for (const dBodyID body : bodies_) {
+            dMass mass;
+            dBodyGetMass(body, &mass);
+            at.push_back(from(dBodyGetPosition(body)));
+            masses.push_back(mass.mass);
+        }
+        const std::vector<Vec3> forces = mutual_forces(masses, at, mutual_pull_);
+        for (std::size_t k = 0; k < bodies_.size(); k++)
+            dBodyAddForce(bodies_[k], forces[k].x, forces[k].y, forces[k].z);
+    }
+
     static void on_pair(void* self, dGeomID a, dGeomID b) {
         static_cast<OdeLabEngine*>(self)->collide(a, b);
     }
@@ -257,7 +275,8 @@ private:
     dSpaceID space_ = nullptr;
     dJointGroupID contacts_ = nullptr;
     bool quick_ = true;
-    double friction_ = 0, restitution_ = 0, pull_ = 0, damping_ = 0, last_dt_ = 0;
+    double friction_ = 0, restitution_ = 0, pull_ = 0, mutual_pull_ = 0, damping_ = 0;
+    double last_dt_ = 0;
     std::vector<dBodyID> bodies_;  // null: fixed
     std::vector<std::pair<dJointID, Joint>> springs_;
 };

@@ -58,6 +58,21 @@ double least_time(const Start& start, const EngineKind& kind, const std::string&
     return least;
 }
 
+// The same run at the finest rate: RMS distance of the bodies at the end.
+double distance_from_finest(const Experiment& experiment, const EngineKind& kind,
+                            const std::string& mode, double rate_hz, std::string& blown) {
+    const auto here = run_once(experiment.start(0), kind, mode, rate_hz);
+    const auto finest = run_once(experiment.start(0), kind, mode, experiment.finest_hz);
+    if (!here || !finest || !here->blown.empty() || !finest->blown.empty()) {
+        blown = "the finest run is lost";
+        return 0;
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < here->last.size(); k++)
+        sum += length_squared(here->last[k] - finest->last[k]);
+    return std::sqrt(sum / static_cast<double>(here->last.size()));
+}
+
 }  // namespace
 
 Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string& mode,
@@ -69,13 +84,17 @@ Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string&
     for (long k = 0; k < steps; k++) {
         if (k == damped) engine->set_damping(0);
         engine->step(1 / rate_hz);
-        if (auto why = blown(start.scene, *engine); !why.empty()) return Outcome{{}, why};
+        if (auto why = blown(start.scene, *engine); !why.empty()) return Outcome{.blown = why};
         start.meter->sample(static_cast<double>(k + 1) / rate_hz, *engine);
-        if (k % 16 == 15 && cpu_seconds() - began > longest) return Outcome{{}, takes_too_long};
+        if (k % 16 == 15 && cpu_seconds() - began > longest)
+            return Outcome{.blown = takes_too_long};
     }
-    const Errors errors = start.meter->errors();
-    const bool finite = std::isfinite(errors.primary) && std::isfinite(errors.second);
-    return Outcome{errors, finite ? "" : "the error is no number"};
+    Outcome outcome{.errors = start.meter->errors()};
+    if (!std::isfinite(outcome.errors.primary) || !std::isfinite(outcome.errors.second))
+        outcome.blown = "the error is no number";
+    for (std::size_t k = 0; k < start.scene.bodies.size(); k++)
+        outcome.last.push_back(engine->state(static_cast<int>(k)).position);
+    return outcome;
 }
 
 Row run_row(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
@@ -95,6 +114,10 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
     }
     row.error = std::sqrt(primary / experiment.phases);
     row.second_error = std::sqrt(second / experiment.phases);
+    if (experiment.finest_hz > 0) {
+        row.error = distance_from_finest(experiment, kind, mode, rate_hz, row.blown);
+        if (!row.usable()) return row;
+    }
     const Start start = experiment.start(0);
     row.cpu_us_per_second = 1e6 * least_time(start, kind, mode, rate_hz) / start.seconds;
     return row;

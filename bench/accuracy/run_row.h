@@ -34,7 +34,8 @@ Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const
 // One start, without taking its time.
 struct Outcome {
     Errors errors;
-    std::string blown;  // why; empty: it is not
+    std::string blown;       // why; empty: it is not
+    std::vector<Vec3> last;  // where the bodies are at the end
 };
 Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string& mode,
                          double rate_hz);

@@ -71,6 +71,9 @@ public:
         for (std::size_t k = 0; k < scene.bodies.size(); k++)
             bodies_.push_back(mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(k)).c_str()));
         set_velocities(scene, tree);
+        int motor = 0;  // in the order of the bodies, as they are written
+        for (const BodyTree::Node& node : tree.nodes)
+            if (node.joint && node.joint->motor) data_->ctrl[motor++] = node.joint->motor->speed;
         hard_ = mode.ends_with("-hard");
         damping_ = scene.damping;
         central_pull = scene.central_pull;
@@ -166,6 +169,7 @@ private:
         model_->opt.timestep = dt;
         if (!hard_) return;
         for (int k = 0; k < model_->ngeom; k++) model_->geom_solref[mjNREF * k] = 2 * dt;
+        for (int k = 0; k < model_->njnt; k++) model_->jnt_solref[mjNREF * k] = 2 * dt;
         for (int k = 0; k < model_->neq; k++) model_->eq_solref[mjNREF * k] = 2 * dt;
     }
 

@@ -100,7 +100,7 @@ private:
                 " diaginertia=" + triple(body.inertia) + "/>\n";
         if (body.shape) text += "<geom " + std::visit(GeomText{k}, *body.shape) + "/>\n";
         if (node.joint && node.joint->kind != JointKind::fixed)
-            text += joint(*node.joint, body.pose);
+            text += joint(k, *node.joint, body.pose);
         else if (!node.joint && body.motion == Motion::free)
             text += "<freejoint/>\n";
         for (std::size_t j = 0; j < scene_.joints.size(); j++) {
@@ -113,11 +113,14 @@ private:
         return text + children_of(static_cast<int>(k)) + "</body>\n";
     }
 
-    static std::string joint(const Joint& joint, const Transform& pose) {
-        std::string text = std::string("<joint type=\"") + type_of(joint.kind) +
+    static std::string joint(std::size_t body, const Joint& joint, const Transform& pose) {
+        std::string text = "<joint name=" + name_of("j", body) + " type=\"" + type_of(joint.kind) +
                            "\" pos=" + triple(apply_inverse(pose, joint.anchor));
         if (joint.kind != JointKind::ball)
             text += " axis=" + triple(inverse_rotate(pose.rotation, joint.axis));
+        if (joint.limit)
+            text += " limited=\"true\" range=\"" + std::to_string(joint.limit->lower) + " " +
+                    std::to_string(joint.limit->upper) + "\"";
         return text + "/>\n";
     }
 
@@ -154,6 +157,23 @@ std::string springs_of(const Scene& scene) {
                 "/><site site=" + name_of("sb", j) + "/></spatial>\n";
     }
     return text + "</tendon>\n";
+}
+
+// A motor is a damper against the wanted speed that gives at most its torque. Weak ones are as firm
+// as an explicit integrator carries.
+constexpr double weak = 100;  // N m
+
+std::string motors_of(const BodyTree& tree) {
+    std::string text = "<actuator>\n";
+    for (std::size_t k = 0; k < tree.nodes.size(); k++) {
+        const auto& joint = tree.nodes[k].joint;
+        if (!joint || !joint->motor) continue;
+        const double most = joint->motor->max_torque;
+        text += "<velocity joint=" + name_of("j", k) + " kv=" + number(most > weak ? 1e4 : 5) +
+                " forcelimited=\"true\" forcerange=\"-" + std::to_string(most) + " " +
+                std::to_string(most) + "\"/>\n";
+    }
+    return text + "</actuator>\n";
 }
 
 // Room for contacts and their rows; MuJoCo takes memory for the square of the rows.
@@ -202,8 +222,8 @@ Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const s
     for (const Joint& joint : scene.joints) {
         if (joint.kind == JointKind::rod) return Error{.message = "mujoco has no rods"};
         if (joint.torn) return Error{.message = "torn joints are not made in mujoco"};
-        if (joint.motor || joint.limit)
-            return Error{.message = "mujoco's motors are not made here"};
+        if (joint.motor && joint.motor->max_torque > weak && mode.find("implicit") == mode.npos)
+            return Error{.message = "mujoco's strong motors ask for its implicit integrator"};
     }
     for (const Body& body : scene.bodies)
         if (body.motion == Motion::driven)
@@ -216,7 +236,7 @@ Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const s
            "<default><geom condim=\"" + (scene.friction > 0 ? "3" : "1") +
            "\" friction=" + triple({scene.friction, 0, 0}) + "/></default>\n" + assets_of(scene) +
            "<worldbody>\n" + sites + TreeText(scene, tree).children_of(ground) + "</worldbody>\n" +
-           springs_of(scene) + loops_of(scene, tree) + "</mujoco>\n";
+           springs_of(scene) + loops_of(scene, tree) + motors_of(tree) + "</mujoco>\n";
 }
 
 }  // namespace jostle::bench::lab

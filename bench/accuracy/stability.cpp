@@ -55,11 +55,14 @@ nlohmann::ordered_json run_in_process(const StressTest& test, const EngineKind& 
 }
 
 void print_row(const nlohmann::ordered_json& row) {
-    const std::string id = row["id"], engine = row["engine"], mode = row["mode"];
     if (row.contains("lacks")) return;
-    std::printf("%-8s %-8s %-14s %-4s %11.4g  < %-6g %s\n", id.c_str(), engine.c_str(),
-                mode.c_str(), row["pass"] ? "pass" : "FAIL", row["figure"].get<double>(),
-                row["limit"].get<double>(), row.value("why", "").c_str());
+    const std::string id = row["id"], engine = row["engine"], mode = row["mode"];
+    char figure[24] = "-";
+    if (row.contains("figure"))
+        std::snprintf(figure, sizeof figure, "%.4g", row["figure"].get<double>());
+    std::printf("%-8s %-8s %-14s %-4s %11s  < %-6g %s\n", id.c_str(), engine.c_str(), mode.c_str(),
+                row["pass"] ? "pass" : "FAIL", figure, row["limit"].get<double>(),
+                row.value("why", "").c_str());
     std::fflush(stdout);
 }
 

@@ -78,7 +78,7 @@ nlohmann::ordered_json to_json(const StressTest& test, const EngineKind& kind,
         return json;
     }
     json["pass"] = verdict.pass;
-    json["figure"] = rounded(verdict.figure);
+    if (verdict.figure) json["figure"] = rounded(*verdict.figure);
     json["limit"] = test.limit;
     if (!verdict.why.empty()) json["why"] = verdict.why;
     return json;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +16,9 @@ namespace jostle::bench::lab {
 
 struct Verdict {
     bool pass = false;
-    double figure = 0;  // passes when it is below the limit
-    std::string why;    // it fails, where the figure does not say it
-    std::string lacks;  // what the engine does not have: not run
+    std::optional<double> figure;  // passes when it is below the limit; none: the run was lost
+    std::string why;               // it fails, where the figure does not say it
+    std::string lacks;             // what the engine does not have: not run
 };
 
 struct StressTest {

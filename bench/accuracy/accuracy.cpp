@@ -45,11 +45,11 @@ struct Flags {
 void print_row(const Row& row) {
     if (!row.lacks.empty()) return;
     if (row.usable())
-        std::printf("%-10s %-8s %-14s %6g %11.4g %11.4g %12.4g\n", row.scene.c_str(),
+        std::printf("%-10s %-8s %-18s %6g %11.4g %11.4g %12.4g\n", row.scene.c_str(),
                     row.engine.c_str(), row.mode.c_str(), row.rate_hz, row.error, row.second_error,
                     row.cpu_us_per_second);
     else
-        std::printf("%-10s %-8s %-14s %6g  blown: %s\n", row.scene.c_str(), row.engine.c_str(),
+        std::printf("%-10s %-8s %-18s %6g  blown: %s\n", row.scene.c_str(), row.engine.c_str(),
                     row.mode.c_str(), row.rate_hz, row.blown.c_str());
     std::fflush(stdout);
 }
@@ -71,7 +71,7 @@ void run_mode(const Experiment& experiment, const EngineKind& kind, const std::s
 
 std::vector<Row> run_rows(const Flags& flags) {
     std::vector<Row> rows;
-    std::printf("%-10s %-8s %-14s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
+    std::printf("%-10s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
                 "second", "cpu us/s");
     for (const Experiment* experiment : chosen_experiments(flags.scenes)) {
         static_cast<void>(experiment->start(0));  // makes the reference, which children inherit

@@ -37,7 +37,8 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
     }
     const LogAxis x = log_axis_over(times, left, right), y = log_axis_over(errors, bottom, top);
     draw_x_axis(svg, x, top, bottom, "CPU time, us per simulated second");
-    draw_y_axis(svg, y, left, right, "error: " + experiment.measures);
+    draw_y_axis(svg, y, left, right,
+                "error: " + experiment.measures.substr(0, experiment.measures.find(';')));
     draw_legend(svg, engines, {right, 72});
 
     std::vector<Curve> curves;

@@ -67,7 +67,7 @@ std::string lines_of_series(const std::vector<Row>& rows, const std::string& sce
                             const std::vector<Series>& all) {
     std::string text;
     for (const Series& series : all) {
-        text += format("  %-8s %-14s %9s  ", series.engine.c_str(), series.mode.c_str(),
+        text += format("  %-8s %-18s %9s  ", series.engine.c_str(), series.mode.c_str(),
                        error_at_usual_rate(rows, scene, series).c_str());
         for (const Order& order : observed_orders(rows, scene, series.engine, series.mode))
             text += format(" %g-%g: %.2f", order.from_hz, order.to_hz, order.order);
@@ -91,7 +91,7 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
     const std::vector<Series> all = series_of(rows, experiment.name);
     std::string text =
         "\n" + experiment.name + ": " + experiment.about + "\n  " + experiment.measures + "\n";
-    text += format("  %-8s %-14s %9s   %s\n", "engine", "mode", "at 60 Hz", "order between rates");
+    text += format("  %-8s %-18s %9s   %s\n", "engine", "mode", "at 60 Hz", "order between rates");
     text += lines_of_series(rows, experiment.name, all);
     for (const double tolerance : experiment.tolerances) {
         text += format("  least work for %g, us/s:", tolerance);

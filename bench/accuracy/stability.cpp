@@ -60,7 +60,7 @@ void print_row(const nlohmann::ordered_json& row) {
     char figure[24] = "-";
     if (row.contains("figure"))
         std::snprintf(figure, sizeof figure, "%.4g", row["figure"].get<double>());
-    std::printf("%-8s %-8s %-14s %-4s %11s  < %-6g %s\n", id.c_str(), engine.c_str(), mode.c_str(),
+    std::printf("%-8s %-8s %-18s %-4s %11s  < %-6g %s\n", id.c_str(), engine.c_str(), mode.c_str(),
                 row["pass"] ? "pass" : "FAIL", figure, row["limit"].get<double>(),
                 row.value("why", "").c_str());
     std::fflush(stdout);
@@ -69,7 +69,7 @@ void print_row(const nlohmann::ordered_json& row) {
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     if (names(flags.peers, "all")) say_which_are_absent();
-    std::printf("%-8s %-8s %-14s %-4s %11s  %s\n", "test", "engine", "mode", "", "figure", "limit");
+    std::printf("%-8s %-8s %-18s %-4s %11s  %s\n", "test", "engine", "mode", "", "figure", "limit");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const StressTest& test : all_stress_tests()) {
         if (!names(flags.scenes, "all") && !names(flags.scenes, test.id)) continue;

@@ -4,6 +4,8 @@
 // callback that leaves its exit status behind.
 #include <CLI/CLI.hpp>
 
+#include "accuracy/accuracy.h"
+#include "accuracy/stability.h"
 #include "broadphase.h"
 #include "feature_cost.h"
 #include "rollback.h"
@@ -14,12 +16,14 @@ namespace {
 
 constexpr const char* footer = R"(
 Examples:
+  jostle-bench accuracy --scene j1,c8 --peers none
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
   jostle-bench features --at-most 1
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
+  jostle-bench stability --peers none
   jostle-bench threads --at-most 1.01
 
 Measure a release build (cmake --preset release): the others are several times slower.
@@ -31,10 +35,12 @@ int main(int argc, char** argv) {
     CLI::App app{"Measures parts of Jostle and prints tables; --json keeps the figures."};
     int status = 0;
     app.require_subcommand(1);
+    jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
     jostle::bench::add_features(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
+    jostle::bench::add_stability(app, status);
     jostle::bench::add_threads(app, status);
     app.footer(footer);
     try {

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/accuracy.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "accuracy/accuracy_plot.h"
+#include "accuracy/accuracy_report.h"
+#include "accuracy/choices.h"
+#include "accuracy/run_row.h"
+#include "measure.h"
+#include "result_file.h"
+
+namespace jostle::bench {
+namespace {
+
+using namespace lab;
+
+constexpr const char* footer = R"(
+Each row runs in a process of its own: an engine that crashes leaves a row that says so. Errors are
+taken at the end of each step against a closed form, or against the classical Runge-Kutta method at
+19200 steps a second. Impacts run from 16 starts a sixteenth of a step apart; their errors are
+averaged (root of the mean of squares). Time is processor time of the step calls alone, per
+simulated second, the least of up to four runs. Blown: a body is lost, or the engine complained.
+
+Examples:
+  jostle-bench accuracy --scene j1,j2 --peers none
+  jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
+  jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
+
+Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
+
+struct Flags {
+    std::vector<std::string> scenes = {"all"};
+    std::vector<std::string> rates = {"30", "60", "120", "240", "480"};
+    std::vector<std::string> peers = {"all"};
+    std::vector<std::string> modes = {"all"};
+    std::string json, csv, plot;
+};
+
+void print_row(const Row& row) {
+    if (!row.lacks.empty()) return;
+    if (row.usable())
+        std::printf("%-10s %-8s %-18s %6g %11.4g %11.4g %12.4g\n", row.scene.c_str(),
+                    row.engine.c_str(), row.mode.c_str(), row.rate_hz, row.error, row.second_error,
+                    row.cpu_us_per_second);
+    else
+        std::printf("%-10s %-8s %-18s %6g  blown: %s\n", row.scene.c_str(), row.engine.c_str(),
+                    row.mode.c_str(), row.rate_hz, row.blown.c_str());
+    std::fflush(stdout);
+}
+
+// All rates of one mode; ends when the engine lacks something or a rate took too long.
+void run_mode(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
+              const Flags& flags, std::vector<Row>& rows) {
+    for (const std::string& rate : flags.rates) {
+        const double hz = std::stod(rate);
+        if (hz > experiment.most_hz) continue;
+        show_progress(experiment.name + " " + kind.name + " " + mode + " " + rate + " Hz");
+        Row row = run_row_in_child(experiment, kind, mode, hz);
+        show_progress("");
+        print_row(row);
+        rows.push_back(row);
+        if (!row.lacks.empty() || row.blown == takes_too_long) return;
+    }
+}
+
+std::vector<Row> run_rows(const Flags& flags) {
+    std::vector<Row> rows;
+    std::printf("%-10s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
+                "second", "cpu us/s");
+    for (const Experiment* experiment : chosen_experiments(flags.scenes)) {
+        static_cast<void>(experiment->start(0));  // makes the reference, which children inherit
+        for (const EngineKind* kind : chosen_engines(flags.peers))
+            for (const std::string& mode : chosen_modes(*kind, flags.modes))
+                run_mode(*experiment, *kind, mode, flags, rows);
+    }
+    return rows;
+}
+
+bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& score) {
+    bool done = true;
+    if (!flags.json.empty()) {
+        nlohmann::ordered_json head = file_head("accuracy");
+        head["work"] = work_json(rows);
+        head["score"] = score_json(score);
+        nlohmann::ordered_json json = nlohmann::ordered_json::array();
+        for (const Row& row : rows) json.push_back(to_json(row));
+        done = write_result(flags.json, head, json) && done;
+    }
+    if (!flags.csv.empty()) {
+        std::string text = csv_heading() + "\n";
+        for (const Row& row : rows)
+            if (row.lacks.empty()) text += csv_line(row) + "\n";
+        done = write_text(flags.csv, text) && done;
+    }
+    if (!flags.plot.empty())
+        for (const Experiment* experiment : chosen_experiments(flags.scenes))
+            done = write_text(flags.plot + "/" + experiment->name + ".svg",
+                              plot_accuracy(*experiment, rows, cpu_model() + ", " + compiler())) &&
+                   done;
+    return done;
+}
+
+int run(const Flags& flags) {
+    for (const std::string& path : {flags.json, flags.csv})
+        if (!path.empty() && !can_write(path)) return 1;
+    if (!flags.plot.empty()) {
+        std::error_code refused;
+        std::filesystem::create_directories(flags.plot, refused);
+        if (refused) {
+            std::fprintf(stderr, "jostle-bench: cannot make the folder %s: %s\n",
+                         flags.plot.c_str(), refused.message().c_str());
+            return 1;
+        }
+    }
+    if (names(flags.peers, "all")) say_which_are_absent();
+    const std::vector<Row> rows = run_rows(flags);
+    for (const Experiment* experiment : chosen_experiments(flags.scenes))
+        std::printf("%s", scene_report(*experiment, rows).c_str());
+    const Score score = score_of(rows, "jostle");
+    std::printf("%s", score_report(score).c_str());
+    return write_files(flags, rows, score) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand(
+        "accuracy", "Run time against error, in Jostle and other engines, scene by scene.");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("--scene", flags->scenes, "By name, or all")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_experiment, "SCENE"));
+    command->add_option("--rates", flags->rates, "Steps a second")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_rate, "HZ"));
+    command->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_peer, "PEER"));
+    command->add_option("--modes", flags->modes, "all, default (each engine's own), or by name")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_mode, "MODE"));
+    command->add_option("--json", flags->json, "Writes rows, work and score here as JSON");
+    command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
+    command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
+    command->footer("\n" + lists_of_experiments() + "\n" + lists_of_engines() + footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/accuracy_plot.h"
+
+#include <algorithm>
+
+#include "speed/log_axis.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+constexpr double width = 900, height = 640, left = 90, right = 870, top = 90, bottom = 580;
+constexpr double least_error = 1e-16;  // smaller errors are drawn there
+
+struct Curve {
+    std::string engine, mode;
+    std::vector<SvgPoint> points;
+};
+
+}  // namespace
+
+std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& all_rows,
+                          const std::string& note) {
+    std::vector<Row> rows;
+    for (const Row& row : all_rows)
+        if (row.scene == experiment.name && row.usable()) rows.push_back(row);
+    Svg svg(width, height);
+    svg.text({left, 28}, experiment.name + ": " + experiment.about, {.size = 16, .bold = true});
+    svg.text({left, 48}, note, {.color = "#666"});
+    if (rows.empty()) return svg.str();
+
+    std::vector<double> times, errors;
+    std::vector<std::string> engines;
+    for (const Row& row : rows) {
+        times.push_back(row.cpu_us_per_second);
+        errors.push_back(std::max(row.error, least_error));
+        series_index(engines, row.engine);
+    }
+    const LogAxis x = log_axis_over(times, left, right), y = log_axis_over(errors, bottom, top);
+    draw_x_axis(svg, x, top, bottom, "CPU time, us per simulated second");
+    draw_y_axis(svg, y, left, right,
+                "error: " + experiment.measures.substr(0, experiment.measures.find(';')));
+    draw_legend(svg, engines, {right, 72});
+
+    std::vector<Curve> curves;
+    for (const Row& row : rows) {
+        const SvgPoint at{x.at(row.cpu_us_per_second), y.at(std::max(row.error, least_error))};
+        if (curves.empty() || curves.back().engine != row.engine || curves.back().mode != row.mode)
+            curves.push_back({row.engine, row.mode, {}});
+        curves.back().points.push_back(at);
+        const SeriesStyle style = series_style(engines, series_index(engines, row.engine));
+        svg.mark(at, style.mark, style.color);
+    }
+    for (const Curve& curve : curves) {
+        const SeriesStyle style = series_style(engines, series_index(engines, curve.engine));
+        svg.polyline(curve.points, style.color);
+        svg.text({curve.points.back().x + 7, curve.points.back().y - 4}, curve.mode,
+                 {.size = 10, .color = style.color});
+    }
+    return svg.str();
+}
+
+}  // namespace jostle::bench::lab

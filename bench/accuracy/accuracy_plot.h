@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// CPU time against error of one scene: a point a row, a curve a mode.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "accuracy/run_row.h"
+
+namespace jostle::bench::lab {
+
+// SVG text. `note` says where it was measured.
+std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& rows,
+                          const std::string& note);
+
+}  // namespace jostle::bench::lab

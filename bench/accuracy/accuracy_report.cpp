@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/accuracy_report.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "accuracy/choices.h"
+#include "result_file.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+constexpr double usual_hz = 60;
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
+    char text[256];
+    va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(text, sizeof text, pattern, arguments);
+    va_end(arguments);
+    return text;
+}
+
+std::string where(const Row& row) {
+    return format("%s@%g", row.mode.c_str(), row.rate_hz);
+}
+
+std::string work_of(const std::optional<Row>& row) {
+    if (!row) return "-";
+    return format("%.3g (%s)", row->cpu_us_per_second, where(*row).c_str());
+}
+
+struct Series {
+    std::string engine, mode;
+    bool operator==(const Series&) const = default;
+};
+
+std::vector<Series> series_of(const std::vector<Row>& rows, const std::string& scene) {
+    std::vector<Series> found;
+    for (const Row& row : rows) {
+        const Series series{row.engine, row.mode};
+        if (row.scene == scene && row.lacks.empty() &&
+            std::find(found.begin(), found.end(), series) == found.end())
+            found.push_back(series);
+    }
+    return found;
+}
+
+std::string error_at_usual_rate(const std::vector<Row>& rows, const std::string& scene,
+                                const Series& series) {
+    for (const Row& row : rows)
+        if (row.scene == scene && row.engine == series.engine && row.mode == series.mode &&
+            row.rate_hz == usual_hz)
+            return row.usable() ? format("%.3g", row.error) : "blown";
+    return "-";
+}
+
+std::vector<std::string> engines_of(const std::vector<Series>& all) {
+    std::vector<std::string> engines;
+    for (const Series& series : all)
+        if (!names(engines, series.engine)) engines.push_back(series.engine);
+    return engines;
+}
+
+std::string lines_of_series(const std::vector<Row>& rows, const std::string& scene,
+                            const std::vector<Series>& all) {
+    std::string text;
+    for (const Series& series : all) {
+        text += format("  %-8s %-18s %9s  ", series.engine.c_str(), series.mode.c_str(),
+                       error_at_usual_rate(rows, scene, series).c_str());
+        for (const Order& order : observed_orders(rows, scene, series.engine, series.mode))
+            text += format(" %g-%g: %.2f", order.from_hz, order.to_hz, order.order);
+        text += "\n";
+    }
+    return text;
+}
+
+// Why engines have no rows, each reason once.
+std::vector<std::string> reasons_of(const std::vector<Row>& rows, const std::string& scene) {
+    std::vector<std::string> reasons;
+    for (const Row& row : rows)
+        if (row.scene == scene && !row.lacks.empty() && !names(reasons, row.lacks))
+            reasons.push_back(row.lacks);
+    return reasons;
+}
+
+}  // namespace
+
+std::string scene_report(const Experiment& experiment, const std::vector<Row>& rows) {
+    const std::vector<Series> all = series_of(rows, experiment.name);
+    std::string text =
+        "\n" + experiment.name + ": " + experiment.about + "\n  " + experiment.measures + "\n";
+    text += format("  %-8s %-18s %9s   %s\n", "engine", "mode", "at 60 Hz", "order between rates");
+    text += lines_of_series(rows, experiment.name, all);
+    for (const double tolerance : experiment.tolerances) {
+        text += format("  least work for %g, us/s:", tolerance);
+        for (const std::string& engine : engines_of(all))
+            text += " " + engine + " " +
+                    work_of(least_work(rows, experiment.name, engine, tolerance)) + ",";
+        text.back() = '\n';
+    }
+    for (const std::string& reason : reasons_of(rows, experiment.name))
+        text += "  left out: " + reason + "\n";
+    text += "  Pareto set:";
+    for (const Row& row : pareto_set(rows, experiment.name))
+        text += format(" %s %s (%.3g us/s, %.2g)", row.engine.c_str(), where(row).c_str(),
+                       row.cpu_us_per_second, row.error);
+    return text + "\n";
+}
+
+std::string score_report(const Score& score) {
+    if (score.comparisons.empty()) return "\nNo peer to compare with.\n";
+    int behind = 0, far_behind = 0;
+    std::string lines;
+    for (const Comparison& comparison : score.comparisons) {
+        behind += comparison.ratio < 1;
+        far_behind += comparison.ratio < 0.5;
+        if (comparison.ratio >= 1) continue;
+        const std::string peer = comparison.best_peer ? comparison.best_peer->engine : "";
+        lines += format("  %-10s %-8g %6.2f%s  ours %s, %s %s\n", comparison.scene.c_str(),
+                        comparison.tolerance, comparison.ratio,
+                        comparison.ratio < 0.5 ? " below 1/2" : "          ",
+                        work_of(comparison.ours).c_str(), peer.c_str(),
+                        work_of(comparison.best_peer).c_str());
+    }
+    return format("\nWork of the best peer over ours, geometric mean of %zu: %.3g\n",
+                  score.comparisons.size(), score.mean) +
+           format("Behind in %d, below 1/2 in %d:\n", behind, far_behind) + lines;
+}
+
+nlohmann::ordered_json work_json(const std::vector<Row>& rows) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Experiment& experiment : all_experiments())
+        for (const std::string& engine : engines_of(series_of(rows, experiment.name)))
+            for (const double tolerance : experiment.tolerances) {
+                const auto row = least_work(rows, experiment.name, engine, tolerance);
+                nlohmann::ordered_json line = {
+                    {"scene", experiment.name}, {"tolerance", tolerance}, {"engine", engine}};
+                if (row) {
+                    line["cpu_us_per_second"] = row->cpu_us_per_second;
+                    line["mode"] = row->mode;
+                    line["rate_hz"] = row->rate_hz;
+                }
+                all.push_back(line);
+            }
+    return all;
+}
+
+nlohmann::ordered_json score_json(const Score& score) {
+    nlohmann::ordered_json ratios = nlohmann::ordered_json::array();
+    for (const Comparison& comparison : score.comparisons)
+        ratios.push_back({{"scene", comparison.scene},
+                          {"tolerance", comparison.tolerance},
+                          {"ratio", rounded(comparison.ratio)}});
+    return {{"geometric_mean", rounded(score.mean)}, {"ratios", ratios}};
+}
+
+}  // namespace jostle::bench::lab

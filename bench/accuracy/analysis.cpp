@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jostle::bench::lab {
+namespace {
+
+constexpr double missing = 0.01;
+
+std::vector<Row> by_rate(const std::vector<Row>& rows, const std::string& scene,
+                         const std::string& engine, const std::string& mode) {
+    std::vector<Row> chosen;
+    for (const Row& row : rows)
+        if (row.scene == scene && row.engine == engine && row.mode == mode) chosen.push_back(row);
+    std::sort(chosen.begin(), chosen.end(),
+              [](const Row& a, const Row& b) { return a.rate_hz < b.rate_hz; });
+    return chosen;
+}
+
+// Of several engines; `us` or all others.
+std::optional<Row> cheapest(const std::vector<Row>& rows, const std::string& scene,
+                            double tolerance, const std::string& us, bool ours) {
+    std::optional<Row> best;
+    for (const Row& row : rows) {
+        if (row.scene != scene || (row.engine == us) != ours || !row.usable()) continue;
+        if (row.error > tolerance) continue;
+        if (!best || row.cpu_us_per_second < best->cpu_us_per_second) best = row;
+    }
+    return best;
+}
+
+bool has_peer(const std::vector<Row>& rows, const std::string& scene, const std::string& us) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+        return row.scene == scene && row.engine != us && row.lacks.empty();
+    });
+}
+
+}  // namespace
+
+std::vector<Order> observed_orders(const std::vector<Row>& rows, const std::string& scene,
+                                   const std::string& engine, const std::string& mode) {
+    const std::vector<Row> chosen = by_rate(rows, scene, engine, mode);
+    std::vector<Order> orders;
+    for (std::size_t k = 1; k < chosen.size(); k++) {
+        const Row &slow = chosen[k - 1], &fast = chosen[k];
+        if (!slow.usable() || !fast.usable() || slow.error <= 0 || fast.error <= 0) continue;
+        orders.push_back(
+            {slow.rate_hz, fast.rate_hz,
+             std::log(slow.error / fast.error) / std::log(fast.rate_hz / slow.rate_hz)});
+    }
+    return orders;
+}
+
+std::optional<Row> least_work(const std::vector<Row>& rows, const std::string& scene,
+                              const std::string& engine, double tolerance) {
+    return cheapest(rows, scene, tolerance, engine, true);
+}
+
+std::vector<Row> pareto_set(const std::vector<Row>& rows, const std::string& scene) {
+    std::vector<Row> candidates;
+    for (const Row& row : rows)
+        if (row.scene == scene && row.usable()) candidates.push_back(row);
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Row& a, const Row& b) {
+        if (a.cpu_us_per_second != b.cpu_us_per_second)
+            return a.cpu_us_per_second < b.cpu_us_per_second;
+        return a.error < b.error;
+    });
+    std::vector<Row> front;
+    for (const Row& row : candidates)
+        if (front.empty() || row.error < front.back().error) front.push_back(row);
+    return front;
+}
+
+Score score_of(const std::vector<Row>& rows, const std::string& us) {
+    Score score;
+    double logs = 0;
+    for (const Experiment& experiment : all_experiments()) {
+        if (!has_peer(rows, experiment.name, us)) continue;
+        for (const double tolerance : experiment.tolerances) {
+            Comparison found{.scene = experiment.name,
+                             .tolerance = tolerance,
+                             .ours = cheapest(rows, experiment.name, tolerance, us, true),
+                             .best_peer = cheapest(rows, experiment.name, tolerance, us, false)};
+            if (!found.ours && !found.best_peer) continue;
+            found.ratio = !found.ours ? missing
+                          : !found.best_peer
+                              ? 1 / missing
+                              : found.best_peer->cpu_us_per_second / found.ours->cpu_us_per_second;
+            logs += std::log(found.ratio);
+            score.comparisons.push_back(std::move(found));
+        }
+    }
+    if (!score.comparisons.empty())
+        score.mean = std::exp(logs / static_cast<double>(score.comparisons.size()));
+    return score;
+}
+
+}  // namespace jostle::bench::lab

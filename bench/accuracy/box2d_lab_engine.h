@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Box2D as a peer of the laboratory, for planar scenes: its y is the laboratory's z.
+#pragma once
+
+#include <memory>
+
+#include "accuracy/lab_engine.h"
+
+namespace jostle::bench::lab {
+
+std::unique_ptr<Engine> make_box2d_lab_engine();
+
+}  // namespace jostle::bench::lab

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/bullet_lab_library.h"
+
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace jostle::bench::lab {
+namespace {
+
+using Maker = Engine* (*)();
+
+// Names are looked for in the library and what it needs first (RTLD_DEEPBIND): there Bullet is of
+// double precision, in this program of single.
+Maker open_library() {
+    void* library = dlopen(JOSTLE_BULLET_LAB, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+    void* maker = library ? dlsym(library, "make_bullet_lab_engine") : nullptr;
+    if (!maker) {
+        std::fprintf(stderr, "jostle-bench: cannot open Bullet: %s\n", dlerror());
+        std::exit(1);
+    }
+    return reinterpret_cast<Maker>(maker);
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> open_bullet_engine() {
+    static const Maker make = open_library();
+    return std::unique_ptr<Engine>(make());
+}
+
+}  // namespace jostle::bench::lab

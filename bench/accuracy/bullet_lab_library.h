@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Bullet as a peer of the laboratory. Its library is opened when the first engine is made.
+#pragma once
+
+#include <memory>
+
+#include "accuracy/lab_engine.h"
+
+// What the library exports.
+extern "C" jostle::bench::lab::Engine* make_bullet_lab_engine();
+
+namespace jostle::bench::lab {
+
+std::unique_ptr<Engine> open_bullet_engine();
+
+}  // namespace jostle::bench::lab

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/choices.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "accuracy/lab_engine_kinds.h"
+#include "accuracy/reference.h"
+#include "measure.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+std::vector<std::string> absent_peers() {
+    std::vector<std::string> absent;
+    for (const EngineKind& kind : engine_kinds())
+        if (!kind.make) absent.push_back(kind.name);
+    return absent;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+}  // namespace
+
+bool names(const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+std::string check_experiment(const std::string& name) {
+    if (name == "all" || find_experiment(name)) return "";
+    std::vector<std::string> known = {"all"};
+    for (const Experiment& experiment : all_experiments()) known.push_back(experiment.name);
+    return "there is no scene " + name + "; there are " + joined(known);
+}
+
+std::string check_peer(const std::string& name) {
+    if (name == "all" || name == "none") return "";
+    const EngineKind* kind = find_engine_kind(name);
+    if (!kind || kind == &engine_kinds()[0]) {
+        std::vector<std::string> known = {"all", "none"};
+        for (const EngineKind& peer : engine_kinds().subspan(1)) known.push_back(peer.name);
+        return "there is no peer " + name + "; there are " + joined(known);
+    }
+    if (kind->make) return "";
+    return name + " is not built in: install its library (scripts/setup --with-peers), then run " +
+           "cmake and build anew";
+}
+
+std::string check_mode(const std::string& name) {
+    if (name == "all" || name == "default") return "";
+    std::vector<std::string> known = {"all", "default"};
+    for (const EngineKind& kind : engine_kinds()) {
+        if (names(kind.modes, name)) return "";
+        known.insert(known.end(), kind.modes.begin(), kind.modes.end());
+    }
+    return "no engine has a mode " + name + "; there are " + joined(known);
+}
+
+std::string check_rate(const std::string& text) {
+    char* end = nullptr;
+    const long rate = std::strtol(text.c_str(), &end, 10);
+    if (*end == 0 && rate >= 4 && rate <= reference_hz && reference_hz % rate == 0) return "";
+    return text + " is no rate: a whole number of steps a second from 4 on that divides " +
+           std::to_string(reference_hz);
+}
+
+std::vector<const Experiment*> chosen_experiments(const std::vector<std::string>& chosen) {
+    std::vector<const Experiment*> experiments;
+    for (const Experiment& experiment : all_experiments())
+        if (names(chosen, "all") || names(chosen, experiment.name))
+            experiments.push_back(&experiment);
+    return experiments;
+}
+
+std::vector<const EngineKind*> chosen_engines(const std::vector<std::string>& peers) {
+    std::vector<const EngineKind*> chosen;
+    for (const EngineKind& kind : engine_kinds())
+        if (chosen.empty() || (kind.make && (names(peers, "all") || names(peers, kind.name))))
+            chosen.push_back(&kind);
+    return chosen;
+}
+
+std::vector<std::string> chosen_modes(const EngineKind& kind,
+                                      const std::vector<std::string>& chosen) {
+    if (names(chosen, "all")) return kind.modes;
+    std::vector<std::string> modes;
+    for (const std::string& mode : kind.modes)
+        if (names(chosen, mode) || (names(chosen, "default") && mode == kind.modes[0]))
+            modes.push_back(mode);
+    return modes;
+}
+
+std::string lists_of_engines() {
+    std::string text = "Engines and their modes, the default one first:\n";
+    for (const EngineKind& kind : engine_kinds())
+        text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +
+                kind.about + "\n    " + joined(kind.modes) + "\n";
+    return text;
+}
+
+std::string lists_of_experiments() {
+    std::string text = "Scenes, and their two errors:\n";
+    for (const Experiment& experiment : all_experiments())
+        text += "  " + experiment.name + ": " + experiment.about + "\n    " + experiment.measures +
+                "\n";
+    return text;
+}
+
+void say_which_are_absent() {
+    for (const std::string& peer : absent_peers())
+        std::fprintf(stderr, "jostle-bench: %s is not built in\n", peer.c_str());
+}
+
+nlohmann::ordered_json file_head(const char* benchmark) {
+    return {{"benchmark", benchmark},
+            {"cpu", cpu_model()},
+            {"compiler", compiler()},
+            {"peers_not_built_in", absent_peers()}};
+}
+
+}  // namespace jostle::bench::lab

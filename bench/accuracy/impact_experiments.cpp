@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+//
+// C5 to C7 and C15: impacts. When in its step an impact falls decides its error, so each runs from
+// 16 starts.
+#include <cmath>
+#include <utility>
+
+#include "accuracy/lab_bodies.h"
+#include "accuracy/meters.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+using physics::pi;
+
+constexpr double radius = 0.1;
+constexpr int phases = 16;
+
+// --- C5 ---
+
+Scene bouncing(double restitution, double late) {
+    Scene scene{.name = "c5", .restitution = restitution, .planar = true};
+    Body ball = solid_sphere(1, radius, {0, 0, 1 + radius - 0.5 * g * late * late});
+    ball.velocity = {0, 0, -g * late};
+    scene.bodies = {ball, fixed_plane()};
+    return scene;
+}
+
+// An apex is that of the parabola through the highest sample and its two neighbours: steps that
+// miss it do not count as an error.
+class ApexMeter final : public Meter {
+public:
+    void sample(double, const Engine& engine) override {
+        const double height = engine.state(0).position.z - radius;
+        if (heights_ >= 2 && last_ > before_ && last_ >= height) {
+            const double bend = before_ - 2 * last_ + height, rise = 0.5 * (height - before_);
+            apexes_.push_back(bend < 0 ? last_ - 0.5 * rise * rise / bend : last_);
+        }
+        before_ = last_;
+        last_ = height;
+        heights_++;
+        deepest_ = std::max(deepest_, -height);
+    }
+    Errors errors() const override {
+        constexpr std::size_t asked = 5;
+        double sum = 0;
+        for (std::size_t n = 0; n < asked; n++) {
+            const double truth = std::pow(0.64, static_cast<double>(n + 1));
+            sum += std::abs((n < apexes_.size() ? apexes_[n] : 0) - truth) / truth;
+        }
+        return {sum / static_cast<double>(asked), deepest_};
+    }
+
+private:
+    double before_ = 0, last_ = 0, deepest_ = 0;
+    int heights_ = 0;
+    std::vector<double> apexes_;
+};
+
+class BounceEnergyMeter final : public Meter {
+public:
+    explicit BounceEnergyMeter(const Scene& scene) : scene_(scene) {}
+    void sample(double, const Engine& engine) override {
+        last_ = energy(scene_, engine) / (g * (1 + radius)) - 1;
+        error_.add(last_ * last_);
+    }
+    Errors errors() const override { return {error_.value(), std::abs(last_)}; }
+
+private:
+    Scene scene_;
+    Rms error_;
+    double last_ = 0;
+};
+
+Start bounce(double shift) {
+    return {bouncing(0.8, shift), 3, std::make_unique<ApexMeter>()};
+}
+
+Start elastic_bounce(double shift) {
+    Scene scene = bouncing(1, shift);
+    auto meter = std::make_unique<BounceEnergyMeter>(scene);
+    return {std::move(scene), 20, std::move(meter)};
+}
+
+// --- C6 and C7 ---
+
+// B's centre is one radius beside A's way, so the line of centres is 30 degrees off it.
+Start billiard(double shift) {
+    const double speed = 5, angle = 37 * pi / 180;
+    const Vec3 along = azimuth(angle), aside = azimuth(angle + 0.5 * pi);
+    Scene scene{.name = "c6", .gravity = {}, .restitution = 1};
+    Body a = solid_sphere(1, radius, along * (-2 + speed * shift));
+    a.velocity = along * speed;
+    scene.bodies = {a, solid_sphere(1, radius, aside * radius)};
+    const Vec3 normal = along * std::cos(pi / 6) + aside * std::sin(pi / 6);
+    const Vec3 of_b = normal * (speed * std::cos(pi / 6)), of_a = along * speed - of_b;
+    auto meter = last_meter([=](double, const Engine& engine) {
+        const Vec3 va = engine.state(0).velocity, vb = engine.state(1).velocity;
+        return Errors{(length(va - of_a) + length(vb - of_b)) / speed,
+                      std::abs((dot(va, va) + dot(vb, vb)) / (speed * speed) - 1)};
+    });
+    return {std::move(scene), 1, std::move(meter)};
+}
+
+// Four balls in a row touch; a fifth arrives at 1 m/s.
+Start cradle(double shift) {
+    constexpr int count = 5;
+    Scene scene{.name = "c7", .gravity = {}, .restitution = 1, .planar = true};
+    Body first = solid_sphere(1, radius, {-0.5 - 2 * radius + shift, 0, 0});
+    first.velocity = {1, 0, 0};
+    scene.bodies = {first};
+    for (int k = 0; k < count - 1; k++)
+        scene.bodies.push_back(solid_sphere(1, radius, {2 * radius * k, 0, 0}));
+    auto meter = last_meter([](double, const Engine& engine) {
+        double squares = 0, motion = 0;
+        for (int k = 0; k < count; k++) {
+            const Vec3 v = engine.state(k).velocity;
+            squares += length_squared(v - Vec3{k == count - 1 ? 1.0 : 0.0, 0, 0});
+            motion += dot(v, v);
+        }
+        return Errors{std::sqrt(squares), std::abs(motion - 1)};
+    });
+    return {std::move(scene), 1, std::move(meter)};
+}
+
+// --- C15 ---
+
+// At 15 steps a second it comes 13 m further in a step: later starts begin further away.
+Start bullet(double shift) {
+    constexpr double speed = 200;
+    Scene scene{.name = "c15", .gravity = {}, .swept = true};
+    Body ball = solid_sphere(0.1, 0.05, {-5.4 - speed * shift, 0.01, 0.02});
+    ball.velocity = {speed, 0, 0};
+    scene.bodies = {ball, fixed_box({0.01, 1, 1}, {})};
+    auto meter = last_meter([](double, const Engine& engine) {
+        const double x = engine.state(0).position.x;
+        return Errors{x > 0 ? 1.0 : 0.0, std::max(x + 0.05 + 0.01, 0.0)};
+    });
+    return {std::move(scene), 0.1, std::move(meter)};
+}
+
+}  // namespace
+
+std::vector<Experiment> impact_experiments() {
+    return {
+        {.name = "c5-e0.8",
+         .about = "a ball bounces with restitution 0.8 for 3 s",
+         .measures = "mean error of the first five apexes over their heights; deepest overlap, m",
+         .tolerances = {0.05, 0.02, 0.005},
+         .phases = phases,
+         .start = bounce},
+        {.name = "c5-e1",
+         .about = "a ball bounces without loss for 20 s",
+         .measures = "RMS error of the energy; the same at the end",
+         .tolerances = {0.1, 0.01, 0.001},
+         .phases = phases,
+         .start = elastic_bounce},
+        {.name = "c6",
+         .about = "a ball strikes another off its centre",
+         .measures = "errors of both velocities over the speed; error of the energy",
+         .tolerances = {0.1, 0.05, 0.02},
+         .phases = phases,
+         .start = billiard},
+        {.name = "c7",
+         .about = "Newton's cradle: a ball strikes a row of four that touch",
+         .measures = "norm of the errors of all velocities, m/s; error of the energy",
+         .tolerances = {0.5, 0.1, 0.01},
+         .phases = phases,
+         .start = cradle},
+        {.name = "c15",
+         .about = "a bullet of 200 m/s against a wall of 2 cm",
+         .measures = "1 where it passes, else 0; furthest past the near side, m",
+         .tolerances = {0.01},
+         .phases = phases,
+         .start = bullet},
+    };
+}
+
+}  // namespace jostle::bench::lab

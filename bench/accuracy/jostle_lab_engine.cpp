@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "accuracy/lab_bodies.h"
+#include "accuracy/lab_engine_kinds.h"
+#include "jostle/physics/hull.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+using physics::BodyDef;
+using physics::BodyId;
+using physics::BodyType;
+using physics::ShapeDef;
+
+Result<physics::Geometry> geometry_of(const Shape& shape) {
+    if (const auto* hull = std::get_if<HullPoints>(&shape)) {
+        auto built = physics::build_hull(hull->points);
+        if (!built) return built.error();
+        return physics::Geometry{physics::Hull{*built}};
+    }
+    physics::Geometry geometry;
+    std::visit(
+        [&](const auto& primitive) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(primitive)>, HullPoints>)
+                geometry = primitive;
+        },
+        shape);
+    return geometry;
+}
+
+// Which way a body may move: along one axis of the world alone.
+std::optional<physics::AxisLocks> locks_of_slider(const Joint& joint) {
+    const physics::AxisLocks turns =
+        physics::lock_rotation_x | physics::lock_rotation_y | physics::lock_rotation_z;
+    if (joint.a != ground) return {};
+    if (std::abs(joint.axis.x) == 1) return turns | physics::lock_y | physics::lock_z;
+    if (std::abs(joint.axis.y) == 1) return turns | physics::lock_x | physics::lock_z;
+    if (std::abs(joint.axis.z) == 1) return turns | physics::lock_x | physics::lock_y;
+    return {};
+}
+
+class JostleLabEngine final : public Engine {
+public:
+    Status build(const Scene& scene, const std::string& mode) override {
+        auto world = physics::World::create({.gravity = scene.gravity,
+                                             .substeps = std::stoi(mode.substr(3)),
+                                             .threads = 1,
+                                             .sleeping = false});
+        if (!world) return world.error();
+        world_.emplace(std::move(*world));
+        for (const Body& body : scene.bodies)
+            if (auto status = add_body(scene, body); !status) return status;
+        for (const Joint& joint : scene.joints)
+            if (auto status = add_joint(scene, joint); !status) return status;
+        mutual_pull_ = scene.mutual_pull;
+        if (scene.central_pull == 0) return {};
+        const physics::RadialField pull{
+            .strength = -scene.central_pull, .falloff = 2, .nearest = 1e-3, .per_mass = true};
+        if (auto field = world_->create_field({.force = pull}); !field) return field.error();
+        return {};
+    }
+
+    void step(double dt) override {
+        if (mutual_pull_ > 0) pull_each_other(dt);
+        if (auto status = world_->step(dt); !status) complaint_ = status.error().message;
+    }
+
+    BodyState state(int body) const override {
+        const auto now = *world_->body(bodies_[static_cast<std::size_t>(body)]);
+        return {now.center, now.pose.rotation, now.linear_velocity, now.angular_velocity};
+    }
+
+    void set_damping(double rate) override {
+        for (const BodyId body : bodies_)
+            if (world_->body(body)->type == BodyType::dynamic)
+                static_cast<void>(world_->set_damping(body, rate, rate));
+    }
+
+    void set_velocity(int body, Vec3 velocity) override {
+        static_cast<void>(
+            world_->set_velocity(bodies_[static_cast<std::size_t>(body)], velocity, {}));
+    }
+
+    std::string complaint() const override { return complaint_; }
+
+private:
+    // A force that is constant within a step is integrated exactly. Taken where the bodies are in
+    // the middle of the step it is of second order, as Jostle's own fields are.
+    void pull_each_other(double dt) {
+        std::vector<Vec3> at;
+        std::vector<double> masses;
+        for (const BodyId id : bodies_) {
+            const auto body = *world_->body(id);
+            at.push_back(body.center + body.linear_velocity * (0.5 * dt));
+            masses.push_back(body.mass);
+        }
+        const std::vector<Vec3> forces = mutual_forces(masses, at, mutual_pull_);
+        for (std::size_t k = 0; k < bodies_.size(); k++)
+            static_cast<void>(
+                world_->apply_force(bodies_[k], forces[k], world_->body(bodies_[k])->center));
+    }
+
+    Status add_body(const Scene& scene, const Body& body) {
+        BodyDef def{.type = body.motion == Motion::fixed    ? BodyType::static_body
+                            : body.motion == Motion::driven ? BodyType::kinematic
+                                                            : BodyType::dynamic,
+                    .pose = body.pose,
+                    .linear_velocity = body.velocity,
+                    .angular_velocity = body.spin};
+        if (body.motion == Motion::free) def.linear_damping = def.angular_damping = scene.damping;
+        const auto index = static_cast<int>(bodies_.size());
+        for (const Joint& joint : scene.joints) {
+            if (joint.kind != JointKind::slider || joint.b != index) continue;
+            const auto locks = locks_of_slider(joint);
+            if (!locks) return Error{.message = "jostle has no slider but along the world's axes"};
+            def.locks = *locks;
+        }
+        // What stands for a body that meets nothing is as thin as it must be: never sweep it.
+        def.continuous = body.shape.has_value();
+        ShapeDef shape{.material = {.friction = scene.friction, .restitution = scene.restitution},
+
+                       .mass = body.mass};
+        if (body.shape) {
+            auto geometry = geometry_of(*body.shape);
+            if (!geometry) return geometry.error();
+            shape.geometry = *geometry;
+        } else {
+            shape.geometry = physics::Box{box_of_inertia(body.mass, body.inertia)};
+            shape.filter = {.category = 0, .mask = 0};
+        }
+        auto id = world_->create_body(def, shape);
+        if (!id) return id.error();
+        bodies_.push_back(*id);
+        return {};
+    }
+
+    // A body without a shape, made when the first joint asks for it.
+    Result<BodyId> ground_body() {
+        if (!ground_) {
+            auto id = world_->create_body({.type = BodyType::static_body});
+            if (!id) return id.error();
+            ground_ = *id;
+        }
+        return *ground_;
+    }
+
+    Status add_joint(const Scene& scene, const Joint& joint) {
+        if (joint.kind == JointKind::slider) return {};  // locks of the body, made with it
+        physics::JointDef def{.body_b = bodies_[static_cast<std::size_t>(joint.b)],
+                              .kind = kind_of(scene, joint)};
+        if (joint.a == ground) {
+            auto id = ground_body();
+            if (!id) return id.error();
+            def.body_a = *id;
+        } else {
+            def.body_a = bodies_[static_cast<std::size_t>(joint.a)];
+        }
+        const Quat turned = axes_along(joint.axis);
+        const bool two_anchors = joint.kind == JointKind::rod || joint.kind == JointKind::spring;
+        const Vec3 end_b = two_anchors ? joint.anchor_b : joint.torn.value_or(joint.anchor);
+        const Transform a = pose_of(scene, joint.a), b = pose_of(scene, joint.b);
+        def.frame_a = {apply_inverse(a, joint.anchor), conjugate(a.rotation) * turned};
+        def.frame_b = {apply_inverse(b, end_b), conjugate(b.rotation) * turned};
+        if (auto id = world_->create_joint(def); !id) return id.error();
+        return {};
+    }
+
+    static physics::JointKind kind_of(const Scene& scene, const Joint& joint) {
+        switch (joint.kind) {
+            case JointKind::hinge: {
+                physics::HingeJoint hinge;
+                if (joint.motor) hinge.motor = {true, joint.motor->speed, joint.motor->max_torque};
+                if (joint.limit) hinge.limit = {true, joint.limit->lower, joint.limit->upper};
+                return hinge;
+            }
+            case JointKind::fixed:
+                return physics::FixedJoint{};
+            case JointKind::rod: {
+                const double length = physics::length(joint.anchor_b - joint.anchor);
+                return physics::DistanceJoint{.min_length = length, .max_length = length};
+            }
+            case JointKind::spring: {
+                const double mass = reduced_mass(scene, joint);
+                const double rate = std::sqrt(joint.stiffness / mass);
+                return physics::DistanceJoint{
+                    .min_length = 0,
+                    .max_length = 1e6,
+                    .spring = {rate / (2 * physics::pi), joint.damping / (2 * mass * rate)},
+                    .rest_length = joint.rest_length};
+            }
+            case JointKind::ball:
+            case JointKind::slider:
+                break;
+        }
+        return physics::BallJoint{};
+    }
+
+    std::optional<physics::World> world_;
+    std::vector<BodyId> bodies_;
+    std::optional<BodyId> ground_;
+    double mutual_pull_ = 0;
+    std::string complaint_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_jostle_engine() {
+    return std::make_unique<JostleLabEngine>();
+}
+
+}  // namespace jostle::bench::lab

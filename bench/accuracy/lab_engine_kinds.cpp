@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/lab_engine_kinds.h"
+
+#include "accuracy/box2d_lab_engine.h"
+#include "accuracy/bullet_lab_library.h"
+#include "accuracy/mujoco_lab_engine.h"
+#include "accuracy/ode_lab_engine.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+using Maker = std::unique_ptr<Engine> (*)();
+
+#if JOSTLE_LAB_BULLET
+constexpr Maker make_bullet = open_bullet_engine;
+#else
+constexpr Maker make_bullet = nullptr;
+#endif
+#if JOSTLE_LAB_ODE
+constexpr Maker make_ode = make_ode_lab_engine;
+#else
+constexpr Maker make_ode = nullptr;
+#endif
+#if JOSTLE_LAB_MUJOCO
+constexpr Maker make_mujoco = make_mujoco_lab_engine;
+#else
+constexpr Maker make_mujoco = nullptr;
+#endif
+#if JOSTLE_LAB_BOX2D
+constexpr Maker make_box2d = make_box2d_lab_engine;
+#else
+constexpr Maker make_box2d = nullptr;
+#endif
+
+const std::vector<EngineKind>& kinds() {
+    static const std::vector<EngineKind> all = {
+        {"jostle",
+         "double outside, float in the inner loops; sub-steps; sweeps as by default",
+         {"sub8", "sub1", "sub4", "sub16"},
+         make_jostle_engine},
+        {"bullet",
+         "double precision; sequential impulses or nonlinear conjugate gradients with so many "
+         "iterations, or Dantzig's direct solver; thin: contacts begin when "
+         "shapes touch, and push apart without leaving velocity",
+         {"si10", "si4", "si50", "si10-thin", "nncg10", "nncg50", "dantzig"},
+         make_bullet},
+        {"ode",
+         "double precision; QuickStep with so many iterations, or the direct step; friction as a "
+         "pyramid",
+         {"quick20", "quick50", "world"},
+         make_ode},
+        {"mujoco",
+         "double precision; Newton's method or conjugate gradients with an integrator; elliptic "
+         "cones; hard: constraints as stiff as two steps; restitution is no parameter of it",
+         {"newton-euler", "newton-implicit", "newton-rk4", "newton-euler-hard", "newton-rk4-hard",
+          "cg-euler-hard"},
+         make_mujoco},
+        {"box2d",
+         "single precision, planar scenes alone; so many velocity iterations and 3 for positions",
+         {"vel8", "vel4", "vel50"},
+         make_box2d},
+    };
+    return all;
+}
+
+}  // namespace
+
+std::span<const EngineKind> engine_kinds() {
+    return kinds();
+}
+
+const EngineKind* find_engine_kind(std::string_view name) {
+    for (const EngineKind& kind : kinds())
+        if (name == kind.name) return &kind;
+    return nullptr;
+}
+
+}  // namespace jostle::bench::lab

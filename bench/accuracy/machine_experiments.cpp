@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// J5 to J8: a motor with a slider, a motor with a limit, and what hangs between two points.
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "accuracy/lab_bodies.h"
+#include "accuracy/meters.h"
+#include "accuracy/reference.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+using physics::pi;
+
+// --- J5 ---
+
+// Crank 0.2 m at 10 rad/s, rod 0.6 m, a slider along x. The crank turns from x towards z, about -y.
+Start slider_crank(double) {
+    constexpr double crank_length = 0.2, rod_length = 0.6, rate = 10;
+    constexpr Vec3 axis{0, -1, 0};
+    Scene scene{.name = "j5", .gravity = {}, .planar = true};
+    Body crank = without_shape(solid_box(1, {0.5 * crank_length, 0.02, 0.02}, {0.1, 0, 0}));
+    Body rod = without_shape(solid_box(1, {0.5 * rod_length, 0.02, 0.02}, {0.5, 0, 0}));
+    Body slider = without_shape(solid_box(1, {0.05, 0.05, 0.05}, {0.8, 0, 0}));
+    crank.spin = axis * rate;
+    crank.velocity = cross(crank.spin, crank.pose.position);
+    const Vec3 pin{crank_length, 0, 0}, pin_velocity = cross(crank.spin, pin);
+    rod.spin = axis * (-rate * crank_length / rod_length);
+    rod.velocity = pin_velocity + cross(rod.spin, rod.pose.position - pin);
+    scene.bodies = {crank, rod, slider};
+    Joint driven = hinge_at(ground, 0, {}, axis);
+    driven.motor = Motor{rate, 1e4};
+    scene.joints = {driven,
+                    hinge_at(0, 1, pin, axis),
+                    hinge_at(1, 2, {0.8, 0, 0}, axis),
+                    {.kind = JointKind::slider, .b = 2, .anchor = {0.8, 0, 0}, .axis = {1, 0, 0}}};
+    const auto truth = [](double t) {
+        const double angle = rate * t, up = crank_length * std::sin(angle);
+        const double along = std::sqrt(rod_length * rod_length - up * up);
+        return Vec3{crank_length * std::cos(angle) + along, 0, 0};
+    };
+    auto meter = track_meter(scene, 2, truth, crank_length, 1);
+    return {std::move(scene), 3, std::move(meter)};
+}
+
+// --- J6 ---
+
+class LimitMeter final : public Meter {
+public:
+    LimitMeter(double torque_over_inertia, double target, double limit)
+        : acceleration_(torque_over_inertia),
+          target_(target),
+          limit_(limit),
+          reached_at_(std::sqrt(2 * limit / torque_over_inertia)) {}
+
+    void sample(double t, const Engine& engine) override {
+        const BodyState now = engine.state(0);
+        const double truth = t < reached_at_ ? std::min(target_, acceleration_ * t) : 0;
+        const Vec3 z = rotate(now.rotation, {0, 0, 1});
+        const double angle = std::atan2(z.x, z.z);
+        errors_.primary = std::max(errors_.primary, std::abs(now.spin.y - truth) / target_);
+        errors_.second = std::max(errors_.second, angle - limit_);
+    }
+    Errors errors() const override { return errors_; }
+
+private:
+    double acceleration_, target_, limit_, reached_at_;
+    Errors errors_;
+};
+
+// The limit comes before the motor reaches its speed.
+Start motor_and_limit(double) {
+    Scene scene{.name = "j6", .gravity = {}, .planar = true};
+    const Body rod = without_shape(solid_box(1, {0.05, 0.05, 0.5}, {0, 0, 0.5}));
+    const double torque = 0.5, target = 2, limit = pi / 4;
+    Joint joint = hinge_at(ground, 0, {});
+    joint.motor = Motor{target, torque};
+    joint.limit = Limit{-1, limit};
+    scene.bodies = {rod};
+    scene.joints = {joint};
+    auto meter = std::make_unique<LimitMeter>(torque / (rod.inertia.y + 0.25), target, limit);
+    return {std::move(scene), 3, std::move(meter)};
+}
+
+// --- J7 and J8 ---
+
+class SagMeter final : public Meter {
+public:
+    SagMeter(const Scene& scene, Joint lowest, double sag, double gap_length)
+        : gaps_(scene),
+          body_(lowest.a),
+          local_(apply_inverse(pose_of(scene, lowest.a), lowest.anchor)),
+          sag_(sag),
+          gap_length_(gap_length) {}
+
+    void sample(double, const Engine& engine) override {
+        const BodyState now = engine.state(body_);
+        const double found = -(now.position + rotate(now.rotation, local_)).z;
+        error_ = std::abs(found - sag_) / sag_;
+        gaps_.sample(engine);
+    }
+    Errors errors() const override { return {error_, gaps_.most() / gap_length_}; }
+
+private:
+    GapMeter gaps_;
+    int body_;
+    Vec3 local_;
+    double sag_, gap_length_, error_ = 0;
+};
+
+struct Hanging {
+    const char* name;
+    int links;
+    double length, span, seconds, damping_ends;
+    double mass;
+    Vec3 half_extents;  // a link along x
+    JointKind joint;
+};
+
+// From a V, damped until it rests. The slowest motion of such a chain has about 3 rad/s, so that
+// twice as much is critical.
+Start hanging(const Hanging& what) {
+    Scene scene{.name = what.name, .damping = 6};
+    const double half_length = 0.5 * what.length * what.links;
+    const double along = 0.5 * what.span / half_length;  // cosine of the legs' slope
+    const double down = std::sqrt(1 - along * along);
+    Vec3 from;
+    for (int k = 0; k < what.links; k++) {
+        const bool first_leg = k < what.links / 2;
+        const Vec3 direction{along, 0, first_leg ? -down : down};
+        const double angle = std::atan2(first_leg ? down : -down, along);
+        Body link = without_shape(
+            solid_box(what.mass, what.half_extents, from + direction * (0.5 * what.length)));
+        link.pose.rotation = physics::from_axis_angle({0, 1, 0}, angle);
+        scene.bodies.push_back(std::move(link));
+        scene.joints.push_back({.kind = what.joint, .a = k - 1, .b = k, .anchor = from});
+        from += direction * what.length;
+    }
+    Joint end{.kind = what.joint, .a = ground, .b = what.links - 1, .anchor = from};
+    scene.joints.push_back(end);
+    const Joint lowest{.a = what.links / 2 - 1,
+                       .anchor = scene.joints[static_cast<std::size_t>(what.links) / 2].anchor};
+    auto meter = std::make_unique<SagMeter>(
+        scene, lowest, catenary_sag(what.links, what.length, what.span), what.length);
+    return {std::move(scene), what.seconds, std::move(meter), what.damping_ends};
+}
+
+}  // namespace
+
+std::vector<Experiment> machine_experiments() {
+    const std::vector<double> tolerances = {0.01, 0.001, 1e-4};
+    constexpr const char* sag = "error of the sag over the sag; widest joint gap over a link";
+    return {
+        {.name = "j5",
+         .about = "a slider-crank at 10 rad/s for 3 s",
+         .measures = "RMS distance of the slider over the crank; widest joint gap, m",
+         .tolerances = tolerances,
+         .start = slider_crank},
+        {.name = "j6",
+         .about = "a motor of 0.5 N m turns a rod against a limit",
+         .measures = "largest error of the spin over 2 rad/s; largest overshoot, rad",
+         .tolerances = tolerances,
+         .start = motor_and_limit},
+        {.name = "j7",
+         .about = "a chain of 40 links settles between two points, then 1 s without damping",
+         .measures = sag,
+         .tolerances = tolerances,
+         .most_hz = 480,
+         .start =
+             [](double) {
+                 return hanging(
+                     {"j7", 40, 0.1, 3.0, 21, 20, 0.05, {0.05, 0.01, 0.01}, JointKind::ball});
+             }},
+        {.name = "j8",
+         .about = "a bridge of 20 planks settles between two points",
+         .measures = sag,
+         .tolerances = tolerances,
+         .most_hz = 480,
+         .start =
+             [](double) {
+                 return hanging(
+                     {"j8", 20, 0.5, 9.8, 20, 0, 1, {0.25, 0.4, 0.04}, JointKind::hinge});
+             }},
+    };
+}
+
+}  // namespace jostle::bench::lab

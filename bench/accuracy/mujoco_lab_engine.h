@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// MuJoCo as a peer of the laboratory: what hangs together becomes a tree of bodies, what closes a
+// loop an equality.
+#pragma once
+
+#include <memory>
+
+#include "accuracy/lab_engine.h"
+
+namespace jostle::bench::lab {
+
+std::unique_ptr<Engine> make_mujoco_lab_engine();
+
+}  // namespace jostle::bench::lab

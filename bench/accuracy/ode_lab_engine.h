@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// ODE as a peer of the laboratory.
+#pragma once
+
+#include <memory>
+
+#include "accuracy/lab_engine.h"
+
+namespace jostle::bench::lab {
+
+std::unique_ptr<Engine> make_ode_lab_engine();
+
+}  // namespace jostle::bench::lab

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/run_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "measure.h"
+#include "result_file.h"
+#include "speed/child_process.h"
+
+namespace jostle::bench::lab {
+namespace {
+
+constexpr double furthest = 1e5;    // m
+constexpr double short_run = 0.05;  // s of processor time: repeated
+constexpr double one_look = 0.4;    // s: longer runs are timed once
+constexpr int repetitions = 3;
+constexpr double longest = 20;  // s of processor time: one start that takes more is ended
+
+long steps_of(const Start& start, double rate_hz) {
+    return std::llround(start.seconds * rate_hz);
+}
+
+// Steps after which damping ends; more than all when it stays.
+long damped_steps(const Start& start, double rate_hz) {
+    return start.damping_ends > 0 ? std::llround(start.damping_ends * rate_hz) : -1;
+}
+
+std::string blown(const Scene& scene, const Engine& engine) {
+    for (std::size_t k = 0; k < scene.bodies.size(); k++) {
+        const double away = length(engine.state(static_cast<int>(k)).position);
+        if (!(away < furthest)) return "a body is lost";
+    }
+    return engine.complaint();
+}
+
+// Steps alone, nothing is looked at: CPU seconds, or none when the engine refuses the scene.
+double time_steps(const Start& start, const EngineKind& kind, const std::string& mode,
+                  double rate_hz) {
+    const auto engine = kind.make();
+    if (!engine->build(start.scene, mode)) return 0;
+    const long steps = steps_of(start, rate_hz), damped = damped_steps(start, rate_hz);
+    const double dt = 1 / rate_hz, before = cpu_seconds();
+    for (long k = 0; k < steps; k++) {
+        if (k == damped) engine->set_damping(0);
+        engine->step(dt);
+    }
+    return cpu_seconds() - before;
+}
+
+double least_time(const Start& start, const EngineKind& kind, const std::string& mode,
+                  double rate_hz) {
+    double least = time_steps(start, kind, mode, rate_hz);
+    const int more = least < short_run ? repetitions : least < one_look ? 1 : 0;
+    for (int k = 0; k < more; k++) least = std::min(least, time_steps(start, kind, mode, rate_hz));
+    return least;
+}
+
+// The same run at the finest rate: RMS distance of the bodies at the end.
+double distance_from_finest(const Experiment& experiment, const EngineKind& kind,
+                            const std::string& mode, double rate_hz, std::string& blown) {
+    const auto here = run_once(experiment.start(0), kind, mode, rate_hz);
+    const auto finest = run_once(experiment.start(0), kind, mode, experiment.finest_hz);
+    if (!here || !finest || !here->blown.empty() || !finest->blown.empty()) {
+        blown = "the finest run is lost";
+        return 0;
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < here->last.size(); k++)
+        sum += length_squared(here->last[k] - finest->last[k]);
+    return std::sqrt(sum / static_cast<double>(here->last.size()));
+}
+
+}  // namespace
+
+Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string& mode,
+                         double rate_hz) {
+    const auto engine = kind.make();
+    if (auto status = engine->build(start.scene, mode); !status) return status.error();
+    const long steps = steps_of(start, rate_hz), damped = damped_steps(start, rate_hz);
+    const double began = cpu_seconds();
+    for (long k = 0; k < steps; k++) {
+        if (k == damped) engine->set_damping(0);
+        engine->step(1 / rate_hz);
+        if (auto why = blown(start.scene, *engine); !why.empty()) return Outcome{.blown = why};
+        start.meter->sample(static_cast<double>(k + 1) / rate_hz, *engine);
+        if (k % 16 == 15 && cpu_seconds() - began > longest)
+            return Outcome{.blown = takes_too_long};
+    }
+    Outcome outcome{.errors = start.meter->errors()};
+    if (!std::isfinite(outcome.errors.primary) || !std::isfinite(outcome.errors.second))
+        outcome.blown = "the error is no number";
+    for (std::size_t k = 0; k < start.scene.bodies.size(); k++)
+        outcome.last.push_back(engine->state(static_cast<int>(k)).position);
+    return outcome;
+}
+
+Row run_row(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
+            double rate_hz) {
+    Row row{.scene = experiment.name, .engine = kind.name, .mode = mode, .rate_hz = rate_hz};
+    double primary = 0, second = 0;
+    for (int phase = 0; phase < experiment.phases; phase++) {
+        const double shift = phase / rate_hz / experiment.phases;
+        auto outcome = run_once(experiment.start(shift), kind, mode, rate_hz);
+        if (!outcome)
+            row.lacks = outcome.error().message;
+        else
+            row.blown = outcome->blown;
+        if (!row.usable()) return row;
+        primary += outcome->errors.primary * outcome->errors.primary;
+        second += outcome->errors.second * outcome->errors.second;
+    }
+    row.error = std::sqrt(primary / experiment.phases);
+    row.second_error = std::sqrt(second / experiment.phases);
+    if (experiment.finest_hz > 0) {
+        row.error = distance_from_finest(experiment, kind, mode, rate_hz, row.blown);
+        if (!row.usable()) return row;
+    }
+    const Start start = experiment.start(0);
+    row.cpu_us_per_second = 1e6 * least_time(start, kind, mode, rate_hz) / start.seconds;
+    return row;
+}
+
+Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
+                     double rate_hz) {
+    const ChildAnswer answer =
+        run_in_child([&] { return to_json(run_row(experiment, kind, mode, rate_hz)).dump(); });
+    if (answer.failure.empty()) return row_from(nlohmann::ordered_json::parse(answer.text));
+    return {.scene = experiment.name,
+            .engine = kind.name,
+            .mode = mode,
+            .rate_hz = rate_hz,
+            .blown = answer.failure};
+}
+
+nlohmann::ordered_json to_json(const Row& row) {
+    nlohmann::ordered_json json = {
+        {"scene", row.scene}, {"engine", row.engine}, {"mode", row.mode}, {"rate_hz", row.rate_hz}};
+    if (!row.lacks.empty()) json["lacks"] = row.lacks;
+    if (!row.blown.empty()) json["blown"] = row.blown;
+    if (!row.usable()) return json;
+    json["error"] = rounded(row.error);
+    json["second_error"] = rounded(row.second_error);
+    json["cpu_us_per_second"] = rounded(row.cpu_us_per_second);
+    return json;
+}
+
+Row row_from(const nlohmann::ordered_json& json) {
+    return {.scene = json.at("scene"),
+            .engine = json.at("engine"),
+            .mode = json.at("mode"),
+            .rate_hz = json.at("rate_hz"),
+            .error = json.value("error", 0.0),
+            .second_error = json.value("second_error", 0.0),
+            .cpu_us_per_second = json.value("cpu_us_per_second", 0.0),
+            .blown = json.value("blown", ""),
+            .lacks = json.value("lacks", "")};
+}
+
+std::string csv_heading() {
+    return "scene,engine,mode,rate_hz,error,second_error,cpu_us_per_second";
+}
+
+std::string csv_line(const Row& row) {
+    char text[256];
+    const std::string head = row.scene + "," + row.engine + "," + row.mode;
+    if (!row.usable())
+        std::snprintf(text, sizeof text, "%s,%g,blown,,", head.c_str(), row.rate_hz);
+    else
+        std::snprintf(text, sizeof text, "%s,%g,%.4g,%.4g,%.4g", head.c_str(), row.rate_hz,
+                      row.error, row.second_error, row.cpu_us_per_second);
+    return text;
+}
+
+}  // namespace jostle::bench::lab

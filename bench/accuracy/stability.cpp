@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/stability.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "accuracy/choices.h"
+#include "accuracy/stress_test.h"
+#include "measure.h"
+#include "result_file.h"
+#include "speed/child_process.h"
+
+namespace jostle::bench {
+namespace {
+
+using namespace lab;
+
+constexpr const char* footer = R"(
+A test passes when no body is lost, the engine complains of nothing, no body is ever twice as fast
+as its energy allows, and the figure is below the limit. Each runs in a process of its own.
+
+Examples:
+  jostle-bench stability --peers none
+  jostle-bench stability --scene s6,s9-j1 --peers bullet,ode --json stability.json
+
+Exit status: 0 done, whatever the verdicts; 1 a file could not be written; 2 wrong flags.)";
+
+struct Flags {
+    std::vector<std::string> scenes = {"all"};
+    std::vector<std::string> peers = {"all"};
+    std::vector<std::string> modes = {"default"};
+    std::string json;
+};
+
+std::string check_test(const std::string& id) {
+    if (id == "all") return "";
+    std::string known = "all";
+    for (const StressTest& test : all_stress_tests()) {
+        if (test.id == id) return "";
+        known += ", " + test.id;
+    }
+    return "there is no test " + id + "; there are " + known;
+}
+
+// In a process of its own; what comes back are the words of to_json().
+nlohmann::ordered_json run_in_process(const StressTest& test, const EngineKind& kind,
+                                      const std::string& mode) {
+    const ChildAnswer answer =
+        run_in_child([&] { return to_json(test, kind, mode, test.run(kind, mode)).dump(); });
+    if (answer.failure.empty()) return nlohmann::ordered_json::parse(answer.text);
+    return to_json(test, kind, mode, {.why = answer.failure});
+}
+
+void print_row(const nlohmann::ordered_json& row) {
+    if (row.contains("lacks")) return;
+    const std::string id = row["id"], engine = row["engine"], mode = row["mode"];
+    char figure[24] = "-";
+    if (row.contains("figure"))
+        std::snprintf(figure, sizeof figure, "%.4g", row["figure"].get<double>());
+    std::printf("%-8s %-8s %-18s %-4s %11s  < %-6g %s\n", id.c_str(), engine.c_str(), mode.c_str(),
+                row["pass"] ? "pass" : "FAIL", figure, row["limit"].get<double>(),
+                row.value("why", "").c_str());
+    std::fflush(stdout);
+}
+
+int run(const Flags& flags) {
+    if (!flags.json.empty() && !can_write(flags.json)) return 1;
+    if (names(flags.peers, "all")) say_which_are_absent();
+    std::printf("%-8s %-8s %-18s %-4s %11s  %s\n", "test", "engine", "mode", "", "figure", "limit");
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const StressTest& test : all_stress_tests()) {
+        if (!names(flags.scenes, "all") && !names(flags.scenes, test.id)) continue;
+        for (const EngineKind* kind : chosen_engines(flags.peers))
+            for (const std::string& mode : chosen_modes(*kind, flags.modes)) {
+                show_progress(test.id + " " + kind->name + " " + mode);
+                const nlohmann::ordered_json row = run_in_process(test, *kind, mode);
+                show_progress("");
+                print_row(row);
+                rows.push_back(row);
+            }
+    }
+    if (flags.json.empty()) return 0;
+    return write_result(flags.json, file_head("stability"), rows) ? 0 : 1;
+}
+
+std::string lists_of_tests() {
+    std::string text = "Tests, and what is measured:\n";
+    for (const StressTest& test : all_stress_tests())
+        text += "  " + test.id + ": " + test.about + "\n    " + test.figure + "\n";
+    return text;
+}
+
+}  // namespace
+
+void add_stability(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand(
+        "stability", "Scenes in which engines fail: whether Jostle and others do.");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("--scene", flags->scenes, "By id, or all")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_test, "TEST"));
+    command->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_peer, "PEER"));
+    command->add_option("--modes", flags->modes, "default (each engine's own), all, or by name")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_mode, "MODE"));
+    command->add_option("--json", flags->json, "Writes the rows here as JSON");
+    command->footer("\n" + lists_of_tests() + "\n" + lists_of_engines() + footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

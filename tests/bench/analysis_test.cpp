@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+//
+// What is made of rows, on rows that are made up.
+#include "accuracy/analysis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "accuracy/accuracy_plot.h"
+#include "accuracy/accuracy_report.h"
+
+namespace {
+
+using namespace jostle::bench::lab;
+
+Row row_of(const char* scene, const char* engine, double rate_hz, double error, double cost) {
+    return {.scene = scene,
+            .engine = engine,
+            .mode = "m",
+            .rate_hz = rate_hz,
+            .error = error,
+            .cpu_us_per_second = cost};
+}
+
+const std::vector<Row>& made_up() {
+    static const std::vector<Row> rows = [] {
+        std::vector<Row> all = {
+            row_of("j1", "jostle", 30, 0.02, 50),     row_of("j1", "jostle", 60, 0.005, 100),
+            row_of("j1", "jostle", 120, 0.0009, 200), row_of("j1", "peer", 30, 0.008, 40),
+            row_of("j1", "peer", 60, 0.004, 90),      row_of("j1", "other", 60, 1e-6, 400),
+        };
+        all.push_back(row_of("j1", "other", 30, 1e-9, 1));
+        all.back().blown = "a body is lost";
+        return all;
+    }();
+    return rows;
+}
+
+TEST(Orders, are_slopes_between_neighbouring_rates) {
+    const auto orders = observed_orders(made_up(), "j1", "jostle", "m");
+    ASSERT_EQ(orders.size(), 2u);
+    EXPECT_NEAR(orders[0].order, 2, 1e-12);
+    EXPECT_EQ(orders[0].to_hz, 60);
+    EXPECT_NEAR(orders[1].order, std::log2(0.005 / 0.0009), 1e-12);
+    EXPECT_TRUE(observed_orders(made_up(), "j1", "other", "m").empty());
+}
+
+TEST(LeastWork, is_the_cheapest_row_that_is_good_enough) {
+    EXPECT_EQ(least_work(made_up(), "j1", "jostle", 0.01)->cpu_us_per_second, 100);
+    EXPECT_EQ(least_work(made_up(), "j1", "peer", 0.01)->cpu_us_per_second, 40);
+    EXPECT_FALSE(least_work(made_up(), "j1", "peer", 0.001));
+    EXPECT_EQ(least_work(made_up(), "j1", "other", 1)->cpu_us_per_second, 400);  // not the lost one
+}
+
+TEST(ParetoSet, holds_what_nobody_beats_in_both) {
+    const auto front = pareto_set(made_up(), "j1");
+    ASSERT_EQ(front.size(), 4u);
+    EXPECT_EQ(front[0].cpu_us_per_second, 40);
+    EXPECT_EQ(front[1].cpu_us_per_second, 90);
+    EXPECT_EQ(front[2].cpu_us_per_second, 200);
+    EXPECT_EQ(front[3].error, 1e-6);
+}
+
+// j1 asks for 0.01, 0.001 and 1e-5: 40/100, 400/200, and one that only a peer reaches.
+TEST(Score, is_the_geometric_mean_and_a_missing_figure_counts_a_hundredth) {
+    const Score score = score_of(made_up(), "jostle");
+    ASSERT_EQ(score.comparisons.size(), 3u);
+    EXPECT_DOUBLE_EQ(score.comparisons[0].ratio, 0.4);
+    EXPECT_DOUBLE_EQ(score.comparisons[1].ratio, 2);
+    EXPECT_DOUBLE_EQ(score.comparisons[2].ratio, 0.01);
+    EXPECT_NEAR(score.mean, std::cbrt(0.4 * 2 * 0.01), 1e-12);
+    const std::string text = score_report(score);
+    EXPECT_NE(text.find("Behind in 2, below 1/2 in 2"), std::string::npos);
+}
+
+TEST(Score, leaves_out_scenes_without_a_peer) {
+    const std::vector<Row> alone = {row_of("j1", "jostle", 60, 0.005, 100)};
+    EXPECT_TRUE(score_of(alone, "jostle").comparisons.empty());
+}
+
+TEST(Score, what_only_we_reach_counts_a_hundred) {
+    const std::vector<Row> rows = {row_of("j1", "jostle", 60, 1e-6, 100),
+                                   row_of("j1", "peer", 60, 1, 10)};
+    const Score score = score_of(rows, "jostle");
+    ASSERT_EQ(score.comparisons.size(), 3u);
+    EXPECT_DOUBLE_EQ(score.mean, 100);
+}
+
+TEST(Report, says_errors_orders_work_and_reasons) {
+    std::vector<Row> rows = made_up();
+    rows.push_back({.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .lacks = "no z"});
+    const std::string text = scene_report(*find_experiment("j1"), rows);
+    EXPECT_NE(text.find("30-60: 2.00"), std::string::npos) << text;
+    EXPECT_NE(text.find("jostle 100 (m@60)"), std::string::npos);
+    EXPECT_NE(text.find("left out: no z"), std::string::npos);
+}
+
+TEST(Rows, go_through_json_unchanged) {
+    for (const Row& row : made_up()) {
+        EXPECT_EQ(to_json(row_from(to_json(row))), to_json(row));
+        EXPECT_EQ(to_json(row).contains("error"), row.blown.empty());
+    }
+    EXPECT_EQ(csv_line(made_up()[0]), "j1,jostle,m,30,0.02,0,50");
+    EXPECT_EQ(csv_line(made_up().back()), "j1,other,m,30,blown,,");
+}
+
+TEST(Plot, draws_a_mark_a_row_and_a_curve_a_mode) {
+    const std::string svg = plot_accuracy(*find_experiment("j1"), made_up(), "a machine");
+    std::size_t curves = 0;
+    for (std::size_t at = svg.find("<polyline"); at != std::string::npos;
+         at = svg.find("<polyline", at + 1))
+        curves++;
+    EXPECT_EQ(curves, 3u);
+    EXPECT_NE(svg.find("CPU time, us per simulated second"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// The laboratory's truth: closed forms against the Runge-Kutta method, and the figures that are
+// known from elsewhere.
+#include "accuracy/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "accuracy/experiment.h"
+#include "accuracy/lab_bodies.h"
+
+namespace {
+
+using namespace jostle::bench::lab;
+using jostle::physics::pi;
+
+constexpr double rod_at_pivot = 1.0 / 3 * (0.05 * 0.05 + 0.25) + 0.25;  // kg m^2, of 1 kg and 1 m
+
+double rod_rate() {
+    return std::sqrt(g * 0.5 / rod_at_pivot);
+}
+
+TEST(Pendulum, rate_and_periods_to_the_last_digit) {
+    EXPECT_NEAR(rod_rate(), 3.8312275, 5e-8);
+    const double degrees[] = {5, 30, 90, 150, 170};
+    const double periods[] = {1.640774, 1.668543, 1.935750, 2.890001, 4.000537};
+    for (int k = 0; k < 5; k++)
+        EXPECT_NEAR(pendulum_period(rod_rate(), degrees[k] * pi / 180), periods[k], 5e-7);
+}
+
+TEST(Pendulum, closed_form_and_runge_kutta_agree) {
+    const std::vector<ChainLink> rod = {{1, rod_at_pivot - 0.25, 1, 0.5}};
+    for (const double degrees : {5.0, 30.0, 90.0, 150.0, 170.0}) {
+        const double start = degrees * pi / 180;
+        const Track track = planar_chain(rod, start, 5, 0);
+        for (double t = 0; t <= 5; t += 0.25) {
+            const double angle = pendulum_angle(rod_rate(), start, t);
+            const Vec3 truth = Vec3{std::sin(angle), 0, -std::cos(angle)} * 0.5;
+            EXPECT_LT(length(at_time(track, t) - truth), 1e-10) << degrees << " degrees, " << t;
+        }
+    }
+}
+
+TEST(Pendulum, comes_back_after_a_period) {
+    const double start = 2.5, period = pendulum_period(2, start);
+    EXPECT_NEAR(pendulum_angle(2, start, 0), start, 1e-12);
+    EXPECT_NEAR(pendulum_angle(2, start, 0.25 * period), 0, 1e-12);
+    EXPECT_NEAR(pendulum_angle(2, start, 0.5 * period), -start, 1e-12);
+    EXPECT_NEAR(pendulum_angle(2, start, 1000 * period), start, 1e-9);
+}
+
+TEST(Elliptic, agrees_with_the_standard_library) {
+    for (const double k : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+        EXPECT_NEAR(elliptic_k(k), std::comp_ellint_1(k), 1e-13);
+        EXPECT_NEAR(jacobi_cd(elliptic_k(k), k), 0, 1e-12);
+        EXPECT_NEAR(jacobi_cd(0, k), 1, 1e-15);
+    }
+}
+
+TEST(Parallelogram, rate_and_period) {
+    const double rate = std::sqrt((2 * 0.5 + 2) * g / (2 * rod_at_pivot + 2));
+    EXPECT_NEAR(rate, 3.3210475, 5e-8);
+    EXPECT_NEAR(pendulum_period(rate, pi / 3), 2.030384, 5e-7);
+}
+
+// A light last link hardly pulls: the chain of two is then the chain of one.
+TEST(Chain, a_weightless_link_changes_nothing) {
+    const Track one = planar_chain({{1, 0.1, 1, 0.5}}, 1, 1, 0);
+    const Track two = planar_chain({{1, 0.1, 1, 0.5}, {1e-9, 1e-10, 1, 0.5}}, 1, 1, 0);
+    EXPECT_LT(length(one.back() - two.back()), 1e-7);
+}
+
+// Small swings of two equal rods: sum of the two normal modes, by hand for point masses at the
+// ends: w^2 = g/l (2 -+ sqrt 2).
+TEST(Chain, two_point_masses_swing_in_the_slow_mode) {
+    const double slow = std::sqrt(g * (2 - std::sqrt(2.0)));
+    const std::vector<ChainLink> points = {{1, 0, 1, 1}, {1, 0, 1, 1}};
+    // Both at one small angle is 0.854 of the slow mode and 0.146 of the fast one, at the lower
+    // end.
+    const double start = 1e-4, fast = std::sqrt(g * (2 + std::sqrt(2.0)));
+    const Track track = planar_chain(points, start, 2, 1);
+    for (double t = 0; t <= 2; t += 0.1) {
+        const double a = (2 + std::sqrt(2.0)) / 4, b = (2 - std::sqrt(2.0)) / 4;
+        const double upper = start * (a * std::cos(slow * t) + b * std::cos(fast * t));
+        const double lower =
+            start * std::sqrt(2.0) * (a * std::cos(slow * t) - b * std::cos(fast * t));
+        EXPECT_NEAR(at_time(track, t).x, upper + lower, 1e-8 * 10) << t;
+    }
+}
+
+// The spin about the middle axis changes its sign after 3.0838 s, and again after half a period of
+// Jacobi's functions, 2 K(k) / rate = 5.5634 s.
+TEST(Tumble, half_a_period_is_that_of_jacobis_functions) {
+    const Vec3 inertia{0.1, 0.2, 0.28}, spin{0.01, 5, 0.01};
+    const Vec3 l = scaled(inertia, spin);
+    const double energy2 = dot(spin, l), momentum2 = dot(l, l);
+    // Landau and Lifshitz, Mechanics, section 37, with I1 < I2 < I3.
+    const auto [a, b, c] = inertia;
+    const bool above = momentum2 > energy2 * b;
+    const double rate2 = above ? (c - b) * (momentum2 - energy2 * a) / (a * b * c)
+                               : (b - a) * (energy2 * c - momentum2) / (a * b * c);
+    const double k2 = (b - a) * (energy2 * c - momentum2) / ((c - b) * (momentum2 - energy2 * a));
+    const double k = std::sqrt(above ? k2 : 1 / k2);
+    const double half_period = 2 * elliptic_k(k) / std::sqrt(rate2);
+    const Track axis = free_axis_y(inertia, spin, 10);
+    std::vector<double> zeros;  // of the spin about the middle axis
+    for (std::size_t i = 1; i < axis.size(); i++)
+        if (dot(axis[i - 1], l) * dot(axis[i], l) <= 0)
+            zeros.push_back(static_cast<double>(i) / reference_hz);
+    ASSERT_EQ(zeros.size(), 2u);
+    EXPECT_NEAR(zeros[0], 3.08381, 1e-4);
+    EXPECT_NEAR(half_period, 5.56342, 1e-5);
+    EXPECT_NEAR(zeros[1] - zeros[0], half_period, 1.1 / reference_hz);
+}
+
+TEST(Catenary, sags_as_known) {
+    EXPECT_NEAR(catenary_sag(40, 0.1, 3.0), 1.1777516, 5e-8);
+    EXPECT_NEAR(catenary_sag(20, 0.5, 9.8), 0.8644919, 5e-8);
+}
+
+// Euler's equations about the fixed point, with the torque of the weight: where the centre is.
+Vec3 top_after(const Body& body, Vec3 inertia_at_pivot, Vec3 arm, double seconds) {
+    const Vec3 local_spin = inverse_rotate(body.pose.rotation, body.spin);
+    const Quat q0 = body.pose.rotation;
+    State y = {local_spin.x, local_spin.y, local_spin.z, q0.x, q0.y, q0.z, q0.w};
+    const auto rate = [&](const State& at, State& dy) {
+        const Quat q{at[3], at[4], at[5], at[6]};
+        const Vec3 w{at[0], at[1], at[2]};
+        const Vec3 torque = cross(arm, inverse_rotate(q, {0, 0, -g * body.mass}));
+        const Vec3 push = torque - cross(w, scaled(inertia_at_pivot, w));
+        const Quat turn = q * Quat{w.x, w.y, w.z, 0};
+        dy = {push.x / inertia_at_pivot.x,
+              push.y / inertia_at_pivot.y,
+              push.z / inertia_at_pivot.z,
+              0.5 * turn.x,
+              0.5 * turn.y,
+              0.5 * turn.z,
+              0.5 * turn.w};
+    };
+    const auto ticks = static_cast<int>(seconds * reference_hz);
+    for (int k = 0; k < ticks; k++) runge_kutta_step(y, 1.0 / reference_hz, rate);
+    return rotate(Quat{y[3], y[4], y[5], y[6]}, arm);
+}
+
+TEST(Top, precesses_as_the_closed_form_says) {
+    const Body top = find_experiment("f5")->start(0).scene.bodies[0];
+    const double tilt = pi / 3, rate = length(top.velocity) / (0.5 * std::sin(tilt));
+    EXPECT_NEAR(rate, 1.2885096, 5e-8);
+    const Vec3 found = top_after(top, {0.3, 0.3, 0.1}, {0, 0, 0.5}, 3);
+    const Vec3 truth = azimuth(rate * 3) * (0.5 * std::sin(tilt)) + Vec3{0, 0, 0.25};
+    EXPECT_LT(length(found - truth), 1e-9);
+}
+
+TEST(ConicalPendulum, goes_round_as_the_closed_form_says) {
+    const Body rod = find_experiment("f6")->start(0).scene.bodies[0];
+    const double tilt = pi / 6, rate = rod.spin.z;
+    EXPECT_NEAR(rate * rate * (rod_at_pivot - rod.inertia.z) * std::cos(tilt), g * 0.5, 1e-12);
+    const Vec3 found = top_after(rod, {rod_at_pivot, rod_at_pivot, rod.inertia.z}, {0, 0, -0.5}, 3);
+    const Vec3 truth =
+        azimuth(rate * 3) * (0.5 * std::sin(tilt)) - Vec3{0, 0, 0.5 * std::cos(tilt)};
+    EXPECT_LT(length(found - truth), 1e-9);
+}
+
+TEST(Bodies, box_of_an_inertia_has_it) {
+    const Vec3 half{0.3, 0.2, 0.1};
+    EXPECT_LT(length(box_of_inertia(2, box_inertia(2, half)) - half), 1e-12);
+    // A plate without thickness becomes 2 mm thick, and keeps its largest moment.
+    const Vec3 plate = box_of_inertia(1, {0.05, 0.05, 0.1});
+    EXPECT_DOUBLE_EQ(plate.z, 1e-3);
+    EXPECT_NEAR(box_inertia(1, plate).z, 0.1, 1e-12);
+}
+
+TEST(Bodies, wedge_of_the_arch_is_where_it_should_be) {
+    const Scene arch = find_experiment("c11")->start(0).scene;
+    ASSERT_EQ(arch.bodies.size(), 16u);
+    double mass = 0;
+    for (int k = 0; k < 15; k++) {
+        EXPECT_GT(arch.bodies[k].pose.position.z, 0);
+        mass += arch.bodies[k].mass;
+    }
+    // A ring of 15 trapezoids: (r2^2 - r1^2) / 2 * 15 sin(12 deg) * depth * density.
+    EXPECT_NEAR(mass, (2.4 * 2.4 - 2 * 2) / 2 * 15 * std::sin(pi / 15) * 0.4 * 1000, 1e-6 * mass);
+    EXPECT_NEAR(arch.bodies[7].pose.position.x, 0, 1e-12);
+    EXPECT_NEAR(arch.bodies[0].pose.position.x, -arch.bodies[14].pose.position.x, 1e-9);
+}
+
+}  // namespace

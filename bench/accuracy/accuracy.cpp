@@ -79,8 +79,8 @@ std::optional<std::vector<Row>> earlier_rows(const std::string& path) {
     if (path.empty()) return rows;
     std::ifstream in(path);
     try {
-        for (const auto& row : nlohmann::ordered_json::parse(in).at("rows"))
-            rows.push_back(row_from(row));
+        const auto json = nlohmann::ordered_json::parse(in);
+        for (const auto& row : json.at("rows")) rows.push_back(row_from(row));
     } catch (const nlohmann::json::exception& error) {
         std::fprintf(stderr, "jostle-bench: no rows in %s: %s\n", path.c_str(), error.what());
         return {};
@@ -163,7 +163,7 @@ void add_accuracy(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
         "accuracy", "Run time against error, in Jostle and other engines, scene by scene.");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--scene", flags->scenes, "By name, or all")
+    command->add_option("--scene", flags->scenes, "By name, all, or none")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Validator(check_experiment, "SCENE"));

@@ -2,9 +2,12 @@
 #include "accuracy/accuracy.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +34,7 @@ Examples:
   jostle-bench accuracy --scene j1,j2 --peers none
   jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
+  jostle-bench accuracy --scene c9-r100 --add accuracy.json --json both.json
 
 Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
 
@@ -39,7 +43,7 @@ struct Flags {
     std::vector<std::string> rates = {"30", "60", "120", "240", "480"};
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"all"};
-    std::string json, csv, plot;
+    std::string json, csv, plot, add;
 };
 
 void print_row(const Row& row) {
@@ -69,8 +73,32 @@ void run_mode(const Experiment& experiment, const EngineKind& kind, const std::s
     }
 }
 
-std::vector<Row> run_rows(const Flags& flags) {
+// Of a file that --json wrote; says on stderr what is wrong with it.
+std::optional<std::vector<Row>> earlier_rows(const std::string& path) {
     std::vector<Row> rows;
+    if (path.empty()) return rows;
+    std::ifstream in(path);
+    try {
+        const auto json = nlohmann::ordered_json::parse(in);
+        for (const auto& row : json.at("rows")) rows.push_back(row_from(row));
+    } catch (const nlohmann::json::exception& error) {
+        std::fprintf(stderr, "jostle-bench: no rows in %s: %s\n", path.c_str(), error.what());
+        return {};
+    }
+    return rows;
+}
+
+// Those of which there are rows.
+std::vector<const Experiment*> reported(const std::vector<Row>& rows) {
+    std::vector<const Experiment*> experiments;
+    for (const Experiment& experiment : all_experiments())
+        if (std::any_of(rows.begin(), rows.end(),
+                        [&](const Row& row) { return row.scene == experiment.name; }))
+            experiments.push_back(&experiment);
+    return experiments;
+}
+
+std::vector<Row> run_rows(const Flags& flags, std::vector<Row> rows) {
     std::printf("%-10s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
                 "second", "cpu us/s");
     for (const Experiment* experiment : chosen_experiments(flags.scenes)) {
@@ -99,7 +127,7 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
         done = write_text(flags.csv, text) && done;
     }
     if (!flags.plot.empty())
-        for (const Experiment* experiment : chosen_experiments(flags.scenes))
+        for (const Experiment* experiment : reported(rows))
             done = write_text(flags.plot + "/" + experiment->name + ".svg",
                               plot_accuracy(*experiment, rows, cpu_model() + ", " + compiler())) &&
                    done;
@@ -118,9 +146,11 @@ int run(const Flags& flags) {
             return 1;
         }
     }
+    auto earlier = earlier_rows(flags.add);
+    if (!earlier) return 1;
     if (names(flags.peers, "all")) say_which_are_absent();
-    const std::vector<Row> rows = run_rows(flags);
-    for (const Experiment* experiment : chosen_experiments(flags.scenes))
+    const std::vector<Row> rows = run_rows(flags, std::move(*earlier));
+    for (const Experiment* experiment : reported(rows))
         std::printf("%s", scene_report(*experiment, rows).c_str());
     const Score score = score_of(rows, "jostle");
     std::printf("%s", score_report(score).c_str());
@@ -133,7 +163,7 @@ void add_accuracy(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
         "accuracy", "Run time against error, in Jostle and other engines, scene by scene.");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--scene", flags->scenes, "By name, or all")
+    command->add_option("--scene", flags->scenes, "By name, all, or none")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Validator(check_experiment, "SCENE"));
@@ -152,6 +182,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Writes rows, work and score here as JSON");
     command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
     command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
+    command->add_option("--add", flags->add, "Reports on the rows of this JSON of before as well");
     command->footer("\n" + lists_of_experiments() + "\n" + lists_of_engines() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

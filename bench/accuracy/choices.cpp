@@ -32,8 +32,8 @@ bool names(const std::vector<std::string>& list, const std::string& name) {
 }
 
 std::string check_experiment(const std::string& name) {
-    if (name == "all" || find_experiment(name)) return "";
-    std::vector<std::string> known = {"all"};
+    if (name == "all" || name == "none" || find_experiment(name)) return "";
+    std::vector<std::string> known = {"all", "none"};
     for (const Experiment& experiment : all_experiments()) known.push_back(experiment.name);
     return "there is no scene " + name + "; there are " + joined(known);
 }

@@ -24,8 +24,8 @@ Vec3 box_of_inertia(double mass, Vec3 inertia);
 Body solid_box(double mass, Vec3 half_extents, Vec3 position);
 Body solid_sphere(double mass, double radius, Vec3 position);
 Body solid_cylinder(double mass, double radius, double half_length, Vec3 position);
-// A convex solid of density 1 kg/m^3 times `density`; its points are in the world. Its principal
-// axes must be the world's: what is symmetric about them.
+// A convex solid of so many kg/m^3; its points are in the world. Its principal axes must be the
+// world's, as they are of what is symmetric about two of them.
 Body solid_hull(double density, std::span<const Vec3> points);
 
 Body fixed_plane();  // z = 0, its inside below

@@ -29,7 +29,7 @@ public:
     virtual Status build(const Scene& scene, const std::string& mode) = 0;
     // By dt seconds, with the forces of Scene::central_pull and mutual_pull. This alone is timed.
     virtual void step(double dt) = 0;
-    virtual BodyState state(int body) const = 0;
+    virtual BodyState state(int body) const = 0;             // of a fixed body nothing is said
     virtual void set_damping(double rate) = 0;               // 1/s, of all bodies
     virtual void set_velocity(int body, Vec3 velocity) = 0;  // of a driven body
     // What the engine complained about since the start: the run is worth nothing. Empty: nothing.

@@ -6,12 +6,13 @@
 #include <map>
 #include <utility>
 
+#include "accuracy/lab_bodies.h"
+
 namespace jostle::bench::lab {
 namespace {
 
 using physics::pi;
 
-constexpr double gravity = 9.81;
 constexpr double reference_step = 1.0 / reference_hz;
 
 std::size_t ticks_of(double seconds) {
@@ -53,7 +54,7 @@ public:
         dy.resize(2 * n_);
         for (std::size_t j = 0; j < n_; j++) {
             dy[j] = y[n_ + j];
-            double push = -gravity * moment_[j] * std::sin(y[j]);
+            double push = -g * moment_[j] * std::sin(y[j]);
             for (std::size_t k = 0; k < n_; k++) {
                 const double angle = y[j] - y[k], c = coupling_[j * n_ + k];
                 mass_[j * n_ + k] = c * std::cos(angle) + (j == k ? links_[j].inertia : 0);

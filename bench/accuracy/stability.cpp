@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "accuracy/stability.h"
 
+#include <sys/resource.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -45,11 +47,16 @@ std::string check_test(const std::string& id) {
     return "there is no test " + id + "; there are " + known;
 }
 
+constexpr rlim_t longest_s = 240;  // of processor time
+
 // In a process of its own; what comes back are the words of to_json().
 nlohmann::ordered_json run_in_process(const StressTest& test, const EngineKind& kind,
                                       const std::string& mode) {
-    const ChildAnswer answer =
-        run_in_child([&] { return to_json(test, kind, mode, test.run(kind, mode)).dump(); });
+    const ChildAnswer answer = run_in_child([&] {
+        const rlimit limit{longest_s, longest_s + 1};
+        setrlimit(RLIMIT_CPU, &limit);
+        return to_json(test, kind, mode, test.run(kind, mode)).dump();
+    });
     if (answer.failure.empty()) return nlohmann::ordered_json::parse(answer.text);
     return to_json(test, kind, mode, {.why = answer.failure});
 }

@@ -21,6 +21,7 @@ struct alignas(32) JointConstraintWide {
 // A spring as numbers of one sub-step (constraints/softness.h).
 struct SoftRow {
     float position_rate[8], velocity_scale[8], impulse_scale[8];
+    float once[8];  // 1: not in the relaxing pass
 };
 
 // What hinges, cones, fixed joints and distances have as well; each uses a part of it. What is

@@ -25,7 +25,7 @@ Softness spring(double hertz, double damping_ratio, double h) {
     const double turn = 2 * pi * hertz * h, damping = 2 * damping_ratio * turn;
     if (turn > tuning::resolved_spring_turn || damping > 1) return soft(hertz, damping_ratio, h);
     const double left = decay(damping);
-    return {left * turn * turn / h, 1 - left, left};
+    return {left * turn * turn / h, 1 - left, left, true};
 }
 
 }  // namespace jostle::physics

@@ -12,6 +12,7 @@ namespace jostle::physics {
 
 struct Softness {
     double position_rate = 0, velocity_scale = 1, impulse_scale = 0;  // so: rigid, no push
+    bool once = false;  // acts in one pass of a sub-step: not in the relaxing one
 };
 
 // Implicit Euler (Catto, "Soft Constraints", GDC 2011): bounded however stiff, and damps.
@@ -19,7 +20,7 @@ Softness soft(double hertz, double damping_ratio, double h);
 
 // A user's spring. As long as a sub-step resolves it: its damping in closed form, and symplectic
 // Euler, which keeps the energy of what is not damped and sags under a load as Hooke says. Else
-// soft(). One pass a sub-step.
+// soft(), in both passes: of stiff springs in a row one pass is too few.
 Softness spring(double hertz, double damping_ratio, double h);
 
 }  // namespace jostle::physics

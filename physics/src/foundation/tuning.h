@@ -173,8 +173,8 @@ inline constexpr double joint_damping_ratio = 2;
 inline constexpr double resolved_spring_turn = 1;  // rad
 // Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
 // part of that speed, the more the further it turns in a sub-step.
-inline constexpr double joint_push_speed = 4;  // m/s
-inline constexpr double joint_push_spin = 8;   // rad/s
+inline constexpr double joint_push_speed = 10;  // m/s
+inline constexpr double joint_push_spin = 8;    // rad/s
 
 // --- continuous collision ---
 // A body is swept when a point of it may have moved further than this part of its thickness.

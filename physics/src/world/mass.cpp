@@ -26,8 +26,10 @@ void flatten(BodyCold& cold) {
 }
 
 MassProperties mass_of_shape(const ShapeRecord& shape, bool planar) {
-    const MassProperties p = planar ? planar_mass_of(shape.geometry, shape.density)
-                                    : mass_of(shape.geometry, shape.density);
+    // A mass of its own needs no density.
+    const double density = shape.mass > 0 && shape.density == 0 ? 1 : shape.density;
+    const MassProperties p =
+        planar ? planar_mass_of(shape.geometry, density) : mass_of(shape.geometry, density);
     return shape.mass > 0 && p.mass > 0 ? scaled_to(p, shape.mass) : p;
 }
 

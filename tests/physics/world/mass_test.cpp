@@ -127,6 +127,14 @@ TEST(Mass, is_none_or_one_that_can_be_counted_with) {
     EXPECT_EQ(state_of(world, body).mass, 1e-9);
 }
 
+TEST(Mass, of_its_own_needs_no_density) {
+    World world = make_world();
+    const BodyId body =
+        must(world.create_body({}, {.geometry = Sphere{0.5}, .density = 0, .mass = 3}));
+    EXPECT_DOUBLE_EQ(state_of(world, body).mass, 3);
+    EXPECT_NEAR(state_of(world, body).inertia.x.x, 0.4 * 3 * 0.25, 1e-12);
+}
+
 TEST(Mass, taking_a_shape_away_gives_the_mass_back) {
     World world = make_world();
     const BodyId body = add(world, {.geometry = Box{{1, 2, 3}}});

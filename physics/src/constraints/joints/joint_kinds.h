@@ -59,7 +59,7 @@ struct JointKernel<HingeJoint> {
             const Wide3 x = x_axis(frame_b);
             const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
             // The weakest first: what must hold has the last word.
-            if (!kRelax && (uses & uses_spring) != 0)
+            if ((uses & uses_spring) != 0)
                 spring_row(pair, row, spring_of<kRelax>(t.spring_soft), angle - load(t.spring_at),
                            t.spring);
             if ((uses & uses_motor) != 0)

@@ -174,12 +174,12 @@ JOSTLE_INLINE WideSoft rigid(const JointStep& step) {
     return {splat(step.position_rate), splat(step.velocity_scale), splat(step.impulse_scale),
             splat(step.push_speed), splat(step.push_spin)};
 }
-// Springs act once in a sub-step: not in the relaxing pass.
 template <bool kRelax>
 JOSTLE_INLINE WideSoft spring_of(const SoftRow& row) {
     const Wide any = splat(1e30f);
-    if constexpr (kRelax) return {splat(0), splat(0), splat(0), any, any};
-    return {load(row.position_rate), load(row.velocity_scale), load(row.impulse_scale), any, any};
+    const Wide part = kRelax ? splat(1) - load(row.once) : splat(1);
+    return {load(row.position_rate) * part, load(row.velocity_scale) * part,
+            load(row.impulse_scale) * part, any, any};
 }
 // The most that an error may add to a row's speed.
 JOSTLE_INLINE Wide most_push(const WideSoft& s, Wide most) {

@@ -26,6 +26,7 @@ struct Lane {
         put(row.position_rate, s.position_rate);
         put(row.velocity_scale, s.velocity_scale);
         put(row.impulse_scale, s.impulse_scale);
+        put(row.once, s.once ? 1 : 0);
     }
     double get(const float (&row)[8]) const { return double{row[at]}; }
     Vec3 get3(const float (*rows)[8]) const { return {get(rows[0]), get(rows[1]), get(rows[2])}; }

@@ -151,7 +151,8 @@ private:
             b.gravity_scale = number(path + ".gravity_scale", m.gravity_scale(), -1e3, 1e3);
         if (m.has_may_sleep()) b.sleep_allowed = m.may_sleep();
         if (m.has_continuous()) b.continuous = m.continuous();
-        if (m.has_mass()) b.mass = number(path + ".mass", m.mass(), limits::min_mass, limits::max_mass);
+        if (m.has_mass())
+            b.mass = number(path + ".mass", m.mass(), limits::min_mass, limits::max_mass);
         b.locks = locks_of(m.locks());
         if (m.has_color())
             out.color = static_cast<std::uint32_t>(number(path + ".color", m.color(), 0, 0xffffff));

@@ -264,7 +264,8 @@ ShapeDef read_shape(FieldReader& in, const std::string& path, const v1::Shape& m
                 in.rotation(path + ".rotation", m.has_rotation(), m.rotation())};
     if (m.has_density())
         def.density = in.number(path + ".density", m.density(), 1e-3, limits::max_density);
-    if (m.has_mass()) def.mass = in.number(path + ".mass", m.mass(), limits::min_mass, limits::max_mass);
+    if (m.has_mass())
+        def.mass = in.number(path + ".mass", m.mass(), limits::min_mass, limits::max_mass);
     def.material = read_material(in, path, m);
     if (m.filter().has_category()) def.filter.category = m.filter().category();
     if (m.filter().has_mask()) def.filter.mask = m.filter().mask();

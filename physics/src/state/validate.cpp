@@ -365,8 +365,8 @@ Fault check_islands(const WorldState& world) {
             return at("islands", i, "has a list of bodies with another end or length");
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
-        if (!is_step_length(island.dt) || island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
-            island.split_at > world.steps)
+        if (!is_step_length(island.dt) || island.kept_load < 0 || island.kept_load > 1 ||
+            island.calm > tuning::tier_patience || island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))
             return at("islands", i, "sleeps with some of its bodies");

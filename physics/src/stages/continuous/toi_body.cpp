@@ -46,7 +46,8 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
     const Quat to = last ? t.end_rotation : spin_at(world, t, t.sweep.until, dt).rotation;
     const double part = t.sweep.until - from;
     t.sweep.rotation_vector =
-        part > 0 ? rotation_vector_between(t.sweep.rotation, to, t.spin * (part * dt)) * (1 / part) : Vec3{};
+        part > 0 ? rotation_vector_between(t.sweep.rotation, to, t.spin * (part * dt)) * (1 / part)
+                 : Vec3{};
 }
 
 }  // namespace

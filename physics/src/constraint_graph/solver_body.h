@@ -12,6 +12,7 @@
 
 #include "constraint_graph/solver_tier.h"
 #include "foundation/check.h"
+#include "jostle/physics/vec3.h"
 
 namespace jostle::physics {
 
@@ -36,6 +37,11 @@ struct alignas(64) HotBody {
     float free[8];
 };
 static_assert(sizeof(HotBody) == 128);
+
+// The first three of a row.
+inline Vec3 to_vec3(const float* row) {
+    return {double{row[0]}, double{row[1]}, double{row[2]}};
+}
 
 // What changes a body apart from contacts, per sub-step: free = row 0 * keep + push. Lanes 6 and 7
 // carry mass and spin through unchanged (keep 1, push 0). Touched by the body passes only.

@@ -11,18 +11,14 @@
 namespace jostle::physics {
 namespace {
 
-Vec3 vec(const float* f) {
-    return {double{f[0]}, double{f[1]}, double{f[2]}};
-}
-
 FreeMotion motion_of(const SolverScratch& solver, std::size_t hot_index, const BodyWarm& warm) {
     const HotBody& hot = solver.hot[hot_index];
     const SpinAxes axes = solver.spin_axes[hot_index];
     if (axes == SpinAxes::world_by_substeps)
-        return {vec(hot.dp), solver.gyroscopic[hot_index].now, vec(hot.v), vec(hot.w)};
-    const Quat turn = from_rotation_vector(vec(hot.dr));
-    return {vec(hot.dp), normalized(turn * warm.rotation), vec(hot.v),
-            axes == SpinAxes::body ? rotate(turn, vec(hot.w)) : vec(hot.w)};
+        return {to_vec3(hot.dp), solver.gyroscopic[hot_index].now, to_vec3(hot.v), to_vec3(hot.w)};
+    const Quat turn = from_rotation_vector(to_vec3(hot.dr));
+    return {to_vec3(hot.dp), normalized(turn * warm.rotation), to_vec3(hot.v),
+            axes == SpinAxes::body ? rotate(turn, to_vec3(hot.w)) : to_vec3(hot.w)};
 }
 
 }  // namespace

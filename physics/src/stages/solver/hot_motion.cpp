@@ -4,17 +4,9 @@
 #include "foundation/check.h"
 
 namespace jostle::physics {
-namespace {
-
-Vec3 vec(const float* f) {
-    return {double{f[0]}, double{f[1]}, double{f[2]}};
-}
-
-}  // namespace
-
 Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index) {
     ASSERT(awake_index + 1 < scratch.hot.size());
-    return bodies.awake[awake_index].center + vec(scratch.hot[awake_index + 1].dp);
+    return bodies.awake[awake_index].center + to_vec3(scratch.hot[awake_index + 1].dp);
 }
 
 BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
@@ -22,13 +14,13 @@ BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
     ASSERT(awake_index + 1 < scratch.hot.size());
     const HotBody& hot = scratch.hot[awake_index + 1];
     BodyWarm now = bodies.awake[awake_index];
-    const Quat turn = from_rotation_vector(vec(hot.dr));
+    const Quat turn = from_rotation_vector(to_vec3(hot.dr));
     now.center = center_now(bodies, scratch, awake_index);
     now.rotation = normalized(turn * now.rotation);
     now.axes = to_matrix(now.rotation);
-    now.v = vec(hot.v);
-    now.w = scratch.spin_axes[awake_index + 1] == SpinAxes::body ? rotate(turn, vec(hot.w))
-                                                                 : vec(hot.w);
+    now.v = to_vec3(hot.v);
+    now.w = scratch.spin_axes[awake_index + 1] == SpinAxes::body ? rotate(turn, to_vec3(hot.w))
+                                                                 : to_vec3(hot.w);
     return now;
 }
 
@@ -40,7 +32,7 @@ void push_hot(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awa
     const Vec3 change = scaled(impulse, free_directions(cold)) * cold.inverse_mass;
     Vec3 about = angular_impulse;
     if (scratch.spin_axes[awake_index + 1] == SpinAxes::body)
-        about = inverse_rotate(from_rotation_vector(vec(hot.dr)), about);
+        about = inverse_rotate(from_rotation_vector(to_vec3(hot.dr)), about);
     const float* i = hot.inertia;
     const Mat3 inverse_inertia{{double{i[0]}, double{i[3]}, double{i[4]}},
                                {double{i[3]}, double{i[1]}, double{i[5]}},

@@ -89,10 +89,6 @@ void count_bodies(const BodyStore& bodies, const SolverScratch& scratch, StepPro
     profile.bodies_heavy = bodies_of(SolverTier::heavy);
 }
 
-Vec3 vec(const float* f) {
-    return {double{f[0]}, double{f[1]}, double{f[2]}};
-}
-
 void put_inertia(HotBody& hot, const Mat3& inverse) {
     hot.inertia[0] = as_float(inverse.x.x);
     hot.inertia[1] = as_float(inverse.y.y);
@@ -158,7 +154,7 @@ void integrate_gyroscopic(const BodyStore& bodies, SolverScratch& scratch, std::
     HotBody& hot = scratch.hot[index + 1];
     GyroscopicBody& g = scratch.gyroscopic[index + 1];
     const BodyCold& cold = bodies.cold[bodies.awake[index].body];
-    const Vec3 before = vec(hot.w), start = transposed_times(g.axes, before);
+    const Vec3 before = to_vec3(hot.w), start = transposed_times(g.axes, before);
     const EulerStep step =
         g.principal ? euler_step(PrincipalRatios{g.bend}, start, h) : euler_step(cold, start, h);
     Vec3 change = g.axes * (step.w - start);
@@ -169,7 +165,8 @@ void integrate_gyroscopic(const BodyStore& bodies, SolverScratch& scratch, std::
         put_inertia(hot, g.axes * cold.inverse_inertia * transpose(g.axes));
         const Vec3 w = g.axes * step.w;
         change = w - before;
-        const Vec3 turn = rotation_vector_between(g.start, g.now, vec(hot.dr) + mean * h) - w * h;
+        const Vec3 turn =
+            rotation_vector_between(g.start, g.now, to_vec3(hot.dr) + mean * h) - w * h;
         for (int k = 0; k < 3; k++) hot.dr[k] = as_float(turn[k]);
     }
     // Not an impulse: it counts among what acts without contacts.

@@ -327,7 +327,7 @@ TEST(Joints, heavy_top_precesses_at_every_rate) {
 
 // A joint whose ends begin a metre apart pulls a ball of 1 kg at a point off its middle. However
 // fine the steps, it leaves the ball no more than what it has at the speed at which joints pull.
-TEST(Joints, ends_that_start_apart_make_no_energy) {
+TEST(Joints, ends_that_start_apart_gain_no_more_in_finer_steps) {
     for (const double hz : {60.0, 240.0, 1000.0}) {
         for (const int substeps : {8, 64}) {
             World world = make_world({.gravity = {}, .substeps = substeps, .sleeping = false});

@@ -336,10 +336,9 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     const Wide zero = splat(0);
     // Before the normals, which have the last word on what is held, by the limit of the soft pass.
     WideMask slips = zero > zero;
-    Wide limit_before = zero;
+    Wide pressed = zero;
     if constexpr (kRelax) {
-        limit_before =
-            (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
+        pressed = (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
         slips = solve_friction<kPair, kInertia>(m, rolling, pair, zero >= zero);
     }
 
@@ -423,9 +422,9 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     // What slips is solved again once its limit is known better: the soft pass presses with less
     // than the load while what it holds sinks to the slop.
     if constexpr (kRelax) {
-        const Wide limit_now =
+        const Wide presses =
             (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
-        slips = slips & (limit_now > limit_before);
+        slips = slips & (presses > pressed);
         if (lane_bits(slips) != 0) solve_friction<kPair, kInertia>(m, rolling, pair, slips);
     } else {
         drop_friction_of_parted<kPair, kInertia>(m, u0, splat(set.slop * set.inverse_h), pair);

@@ -218,7 +218,13 @@ struct JointFieldList {
         number(lower_name, lower, low, high);
         number(upper_name, upper, lower, high);
     }
-    void vector(const char* name, Vec3& x, double) { visit(v, name, x); }
+    void vector(const char* name, Vec3& x, double limit) {
+        v.enter(name);
+        number("x", x.x, -limit, limit);
+        number("y", x.y, -limit, limit);
+        number("z", x.z, -limit, limit);
+        v.leave();
+    }
     void flag(const char* name, bool& x) { v.field(name, x); }
     void limit(const char* name, JointLimit& limit, double low, double high) {
         v.enter(name);

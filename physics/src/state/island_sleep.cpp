@@ -58,6 +58,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
             woke.push_back(body_id(world, warm.body));
     // Steps may have another length than when it fell asleep.
     const double scale = island.dt > 0 && world.last_dt > 0 ? world.last_dt / island.dt : 1;
+    island.dt = 0;
     if (scale != 1)
         for (const BodyWarm& warm : sleepers) scale_joints(world, warm.body, scale);
     for (const SavedContact& saved : manifolds) {

@@ -27,7 +27,7 @@ struct Island {
     std::uint64_t split_at = 0;  // the step of the last attempt to split it
     double mass = 0;             // kg, of its bodies
     double kept_load = 1;        // share of its mass that the user has left it since the last step
-    double dt = 0;               // s, of the step in which it fell asleep: its impulses are of that
+    double dt = 0;  // s, when asleep: of the step in which it fell asleep, whose impulses it keeps
     std::vector<BodyWarm> sleepers;       // when asleep, in the order of the list
     std::vector<SavedContact> manifolds;  // when asleep
 };

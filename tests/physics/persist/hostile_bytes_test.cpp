@@ -100,6 +100,33 @@ TEST(HostileBytes, header_says_what_is_wrong_with_it) {
     expect_refused(bytes, "checksum");
 }
 
+// A joint's numbers and vectors are within the ranges that create_joint() holds them to.
+TEST(HostileBytes, joints_out_of_their_range_are_refused_by_name) {
+    World world = make_world();
+    const BodyId floor = add_floor(world), box = add(world, {.position = {0, 3, 0}});
+    must(world.create_joint(
+        {.body_a = floor, .body_b = box, .kind = HingeJoint{.motor = {true, 1, 123.4375}}}));
+    must(world.create_joint(
+        {.body_a = floor, .body_b = box, .kind = VelocityRow{.linear_b = {0, 345.6875, 0}}}));
+    const struct {
+        double value;
+        const char* name;
+    } fields[] = {{123.4375, "max_torque"}, {345.6875, "linear_b.y"}};
+    for (const auto& [value, name] : fields) {
+        Bytes bytes = save(world);
+        std::uint64_t written = 0, forged = 0;
+        const double bad = -1e13;
+        std::memcpy(&written, &value, 8);
+        std::memcpy(&forged, &bad, 8);
+        int found = 0;
+        for (std::size_t at = header_bytes; at + 8 <= bytes.size(); at++)
+            if (word_at(bytes, at) == written) set_word(bytes, at, forged), found++;
+        ASSERT_EQ(found, 1) << name;
+        restamp(bytes);
+        expect_refused(bytes, name);
+    }
+}
+
 TEST(HostileBytes, every_flipped_bit_is_noticed) {
     Random random(1);
     for (int i = 0; i < 1000; i++) {

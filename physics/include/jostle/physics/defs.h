@@ -101,8 +101,8 @@ struct BodyDef {
     // Swept, so that it passes through nothing, in a step in which a point of it moves further than
     // half the radius of the ball that fits into its thinnest shape.
     bool continuous = true;
-    double mass =
-        0;  // kg, 0 or 1e-9 to 1e15; above 0: mass and inertia of the shapes are scaled to it
+    // kg, 0 or 1e-9 to 1e15; above 0: mass and inertia of the shapes are scaled to it.
+    double mass = 0;
     std::uint64_t user_data = 0;  // kept, saved and returned, never read
 };
 

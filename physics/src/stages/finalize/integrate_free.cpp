@@ -92,11 +92,14 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
 Skipped integrate_free(StepContext& step) {
     if (step.world.bodies.awake.empty()) return nobody_awake;
     WorldState& world = step.world;
-    // Each awake body is free, in the solver, or asleep in place.
+    // Each awake body is free, in the solver, in a joint group, or asleep in place.
+    const JointGroupScratch& groups = step.scratch.solver.groups;
     ASSERT(step.scratch.solver.free.size() + step.scratch.solver.bodies.all.size() +
-               world.bodies.asleep_in_place ==
+               groups.awake.size() + world.bodies.asleep_in_place ==
            world.bodies.awake.size());
     begin_finalize(world.bodies, step.scratch.finalize);
+    for (std::size_t k = 0; k < groups.awake.size(); k++)
+        finalize_body(step, groups.awake[k], groups.motions[k]);
     std::vector<std::uint32_t> others;
     const bool by_substeps = has_substep_listeners(world.listeners) || !world.fields.empty();
     if (by_substeps) integrate_by_substeps(step, others);

@@ -10,6 +10,7 @@
 #include "constraints/free_motion.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/joint_groups.h"
 #include "stages/solver/solve_joints.h"
 #include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
@@ -53,10 +54,12 @@ void sort_out_bodies(const BodyStore& bodies, const IslandStore& islands, Solver
         return bodies.cold[bodies.awake[i].body];
     };
     bool any_jointed = false;
+    const bool grouped = !scratch.groups.active.empty();
     for (std::uint32_t i = 0; i < bodies.awake.size(); i++) {
         const BodyCold& cold = cold_of(i);
         const bool held = cold.constraints > 0 || cold.first_joint != none;
         if (cold.asleep_in_place) continue;
+        if (grouped && scratch.groups.grouped[i] != 0) continue;
         if (cold.type == BodyType::kinematic) {
             // Moved by its velocity, whatever touches it; the solver reads it when something may.
             scratch.free.push_back(i);
@@ -364,12 +367,18 @@ Skipped solve_constraints(StepContext& step) {
     const ConstraintGraph& graph = step.world.graph;
     if (bodies.awake.empty()) return nobody_awake;
     SolverScratch& scratch = step.scratch.solver;
+    find_joint_groups(step);
     sort_out_bodies(bodies, step.world.islands, scratch);
     count_bodies(bodies, scratch, step.world.profile);
     ASSERT(!scratch.bodies.all.empty() ||
            std::all_of(graph.solved().begin(), graph.solved().end(),
                        [](const ColourSet& set) { return set.contacts == 0; }));
-    if (scratch.bodies.all.empty()) return "nothing touches and nothing is jointed";
+    if (scratch.bodies.all.empty()) {
+        if (scratch.groups.active.empty()) return "nothing touches and nothing is jointed";
+        solve_joint_groups(step);
+        break_joints(step);
+        return ran;
+    }
     const std::size_t count = bodies.awake.size() + 1;
     scratch.hot.resize(count);
     scratch.external.resize(count);
@@ -380,6 +389,7 @@ Skipped solve_constraints(StepContext& step) {
         for (std::size_t i = 0; i < bodies.awake.size(); i++)
             if (bodies.cold[bodies.awake[i].body].asleep_in_place) scratch.hot[i + 1] = {};
     solve_tasks(step, make_tasks(step));
+    solve_joint_groups(step);
     break_joints(step);
     return ran;
 }

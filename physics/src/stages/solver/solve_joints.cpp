@@ -202,6 +202,14 @@ void break_joints(StepContext& step) {
         levels.joints.clear();
         levels.metas.clear();
     }
+    JointGroupScratch& groups = step.scratch.solver.groups;
+    for (const std::uint32_t island : groups.active) {
+        const JointGroup& group = *groups.of_island[island];
+        world.profile.joints += static_cast<int>(group.joints.size());
+        world.profile.joints_direct += static_cast<int>(group.joints.size());
+        for (const std::uint32_t index : group.joints)
+            if (is_overloaded(world.joints.joints[index])) broken.push_back(index);
+    }
     ASSERT(world.profile.joints <= static_cast<int>(world.joints.ids.alive_count()));
     // In their own order, whichever part they were in.
     std::sort(broken.begin(), broken.end());

@@ -15,6 +15,7 @@
 #include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/quat.h"
+#include "stages/solver/joint_groups.h"
 
 namespace jostle::physics {
 
@@ -60,6 +61,7 @@ struct SolverScratch {
     std::array<JointLevels, solved_set_count> joints;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
+    JointGroupScratch groups;
     std::vector<SpinAxes> spin_axes;                                     // by hot index
     std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where spin_axes is not world
     // Of the group of bodies whose sub-step listeners are called for.

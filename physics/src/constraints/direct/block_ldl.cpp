@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/direct/block_ldl.h"
+
+#include <algorithm>
+#include <set>
+
+#include "foundation/check.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int most = BlockLdl::most_rows;
+constexpr std::size_t most_values = most * most;
+// A pivot of which no more than this is left of its diagonal depends on the rows before it.
+constexpr double dependent = 1e-10;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// The inverse of a pivot block of n rows by its own L D L^T; `kept` is its diagonal before the
+// elimination. Returns how many rows depend on others.
+int invert_pivot(const double* block, int n, const double* kept, double* inverse) {
+    double lower[most][most] = {}, pivot[most], reciprocal[most], x[most][most] = {};
+    int left_out = 0;
+    for (int j = 0; j < n; j++) {
+        double d = block[j * n + j];
+        for (int k = 0; k < j; k++) d -= lower[j][k] * lower[j][k] * pivot[k];
+        const bool bad = !(d > dependent * kept[j]);
+        left_out += bad ? 1 : 0;
+        pivot[j] = bad ? 0 : d;
+        reciprocal[j] = bad ? 0 : 1 / d;
+        for (int i = j + 1; i < n; i++) {
+            double s = block[i * n + j];
+            for (int k = 0; k < j; k++) s -= lower[i][k] * lower[j][k] * pivot[k];
+            lower[i][j] = s * reciprocal[j];
+        }
+    }
+    for (int c = 0; c < n; c++) {
+        x[c][c] = 1;
+        for (int i = c + 1; i < n; i++) {
+            double s = 0;
+            for (int k = c; k < i; k++) s -= lower[i][k] * x[k][c];
+            x[i][c] = s;
+        }
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j <= i; j++) {
+            double s = 0;
+            for (int k = i; k < n; k++) s += x[k][i] * x[k][j] * reciprocal[k];
+            inverse[i * n + j] = inverse[j * n + i] = s;
+        }
+    return left_out;
+}
+
+// ... of three rows by cofactors, where they are far from dependent.
+bool invert_three(const double* m, const double* kept, double* inverse) {
+    const double a = m[0], b = m[3], c = m[6], d = m[4], e = m[7], f = m[8];
+    const double m0 = d * f - e * e, m1 = c * e - b * f, m2 = b * e - c * d;
+    const double determinant = a * m0 + b * m1 + c * m2;
+    if (!(determinant > 1e-7 * kept[0] * kept[1] * kept[2] && a > 0 && m0 > 0)) return false;
+    const double s = 1 / determinant;
+    inverse[0] = m0 * s;
+    inverse[1] = inverse[3] = m1 * s;
+    inverse[2] = inverse[6] = m2 * s;
+    inverse[4] = (a * f - c * c) * s;
+    inverse[5] = inverse[7] = (b * c - a * e) * s;
+    inverse[8] = (a * d - b * b) * s;
+    return true;
+}
+
+}  // namespace
+
+// ---- the pattern ----
+
+std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
+    const int n = static_cast<int>(position_.size());
+    std::vector<std::set<int>> near(at(n));
+    for (const auto& [a, b] : edges)
+        if (a != b) near[at(a)].insert(b), near[at(b)].insert(a);
+    std::set<std::pair<int, int>> queue;  // degree, node
+    const auto degree = [&](int node) { return static_cast<int>(near[at(node)].size()); };
+    for (int i = 0; i < n; i++) queue.insert({degree(i), i});
+    std::vector<int> order;
+    order.reserve(at(n));
+    while (!queue.empty()) {
+        const int node = queue.begin()->second;
+        queue.erase(queue.begin());
+        order.push_back(node);
+        const std::vector<int> others(near[at(node)].begin(), near[at(node)].end());
+        for (const int a : others) queue.erase({degree(a), a});
+        for (const int a : others) {
+            near[at(a)].erase(node);
+            for (const int b : others)
+                if (a != b) near[at(a)].insert(b);
+        }
+        for (const int a : others) queue.insert({degree(a), a});
+        near[at(node)].clear();
+    }
+    return order;
+}
+
+// What lies below each node takes in what lies below its children in the elimination tree.
+void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) {
+    const std::size_t n = order.size();
+    for (std::size_t p = 0; p < n; p++) position_[at(order[p])] = static_cast<int>(p);
+    std::vector<std::vector<int>> coupled(n), children(n);
+    for (const auto& [a, b] : edges) {
+        const int p = position(a), q = position(b);
+        if (p != q) coupled[at(std::min(p, q))].push_back(std::max(p, q));
+    }
+    filled_.assign(n, {});
+    std::vector<int> mark(n, -1);
+    for (int k = 0; k < static_cast<int>(n); k++) {
+        std::vector<int>& list = filled_[at(k)];
+        const auto take = [&](int row) {
+            if (row <= k || mark[at(row)] == k) return;
+            mark[at(row)] = k;
+            list.push_back(row);
+        };
+        for (const int row : coupled[at(k)]) take(row);
+        for (const int child : children[at(k)])
+            for (const int row : filled_[at(child)]) take(row);
+        std::sort(list.begin(), list.end());
+        if (!list.empty()) children[at(list.front())].push_back(k);
+    }
+}
+
+void BlockLdl::lay_out() {
+    const std::size_t n = rows_.size();
+    diagonal_.resize(n);
+    first_below_.assign(n + 1, 0);
+    first_update_.assign(n + 1, 0);
+    below_.clear();
+    updates_.clear();
+    work_ = 0;
+    int size = 0;
+    for (std::size_t k = 0; k < n; k++) {
+        diagonal_[k] = size;
+        size += rows_[k] * rows_[k];
+        first_below_[k] = static_cast<int>(below_.size());
+        for (const int row : filled_[k]) {
+            below_.push_back({row, size});
+            size += rows_[at(row)] * rows_[k];
+        }
+    }
+    first_below_[n] = static_cast<int>(below_.size());
+    for (std::size_t k = 0; k < n; k++) {
+        first_update_[k] = static_cast<int>(updates_.size());
+        const int first = first_below_[k], last = first_below_[k + 1];
+        work_ += std::int64_t{rows_[k]} * rows_[k] * rows_[k];
+        for (int j = first; j < last; j++)
+            for (int i = j; i < last; i++) {
+                const int row = below_[at(i)].position, column = below_[at(j)].position;
+                updates_.push_back({find(row, column), i - first, j - first});
+                work_ += std::int64_t{rows_[at(row)]} * rows_[at(column)] * rows_[k];
+            }
+    }
+    first_update_[n] = static_cast<int>(updates_.size());
+    values_.assign(at(size), 0);
+    inverse_.assign(n * most_values, 0);
+    kept_.assign(at(rows()), 0);
+}
+
+void BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges) {
+    const std::size_t n = rows_of_node.size();
+    position_.assign(n, 0);
+    const std::vector<int> order = order_by_degree(edges);
+    fill(edges, order);
+    rows_.resize(n);
+    begin_.assign(n + 1, 0);
+    same_rows_ = n == 0 ? 0 : rows_of_node[0];
+    for (std::size_t p = 0; p < n; p++) {
+        rows_[p] = rows_of_node[at(order[p])];
+        ASSERT(rows_[p] >= 1 && rows_[p] <= most_rows);
+        begin_[p + 1] = begin_[p] + rows_[p];
+        if (rows_[p] != same_rows_) same_rows_ = 0;
+    }
+    lay_out();
+}
+
+int BlockLdl::find(int row, int column) const {
+    if (row == column) return diagonal_[at(column)];
+    const auto first = below_.begin() + first_below_[at(column)];
+    const auto last = below_.begin() + first_below_[at(column) + 1];
+    const auto found = std::lower_bound(
+        first, last, row, [](const Below& b, int wanted) { return b.position < wanted; });
+    ASSERT(found != last && found->position == row);
+    return found->at;
+}
+
+int BlockLdl::block_at(int later, int sooner) const {
+    return find(position(later), position(sooner));
+}
+
+// ---- the numbers ----
+
+void BlockLdl::clear() {
+    std::fill(values_.begin(), values_.end(), 0.0);
+}
+
+// Column by column, to the right. kRows: of all nodes, 0 if they differ.
+template <int kRows>
+int BlockLdl::factor_columns() {
+    int left_out = 0;
+    const int n = nodes();
+    for (int k = 0; k < n; k++) {
+        const int nk = kRows != 0 ? kRows : rows_[at(k)];
+        double* const pivot = values_.data() + diagonal_[at(k)];
+        double* const inverse = inverse_.data() + at(k) * most_values;
+        const double* const kept = kept_.data() + begin_[at(k)];
+        if (kRows != 3 || !invert_three(pivot, kept, inverse))
+            left_out += invert_pivot(pivot, nk, kept, inverse);
+        const int first = first_below_[at(k)], count = first_below_[at(k) + 1] - first;
+        if (count == 0) continue;
+        // The column is kept beside; L = column D^-1 takes its place.
+        column_at_.resize(at(count));
+        std::size_t size = 0;
+        for (int i = 0; i < count; i++) {
+            column_at_[at(i)] = static_cast<int>(size);
+            size += at(rows_[at(below_[at(first + i)].position)] * nk);
+        }
+        if (column_.size() < size) column_.resize(size);
+        for (int i = 0; i < count; i++) {
+            const Below& below = below_[at(first + i)];
+            const int ni = kRows != 0 ? kRows : rows_[at(below.position)];
+            double* const lower = values_.data() + below.at;
+            double* const column = column_.data() + column_at_[at(i)];
+            std::copy(lower, lower + ni * nk, column);
+            for (int r = 0; r < ni; r++)
+                for (int c = 0; c < nk; c++) {
+                    double s = 0;
+                    for (int t = 0; t < nk; t++) s += column[r * nk + t] * inverse[t * nk + c];
+                    lower[r * nk + c] = s;
+                }
+        }
+        for (int u = first_update_[at(k)]; u < first_update_[at(k) + 1]; u++) {
+            const Update& update = updates_[at(u)];
+            const Below &bi = below_[at(first + update.i)], &bj = below_[at(first + update.j)];
+            const int ni = kRows != 0 ? kRows : rows_[at(bi.position)];
+            const int nj = kRows != 0 ? kRows : rows_[at(bj.position)];
+            const double* const lower = values_.data() + bi.at;
+            const double* const column = column_.data() + column_at_[at(update.j)];
+            double* const to = values_.data() + update.at;
+            for (int r = 0; r < ni; r++)
+                for (int c = 0; c < nj; c++) {
+                    double s = 0;
+                    for (int t = 0; t < nk; t++) s += lower[r * nk + t] * column[c * nk + t];
+                    to[r * nj + c] -= s;
+                }
+        }
+    }
+    return left_out;
+}
+
+int BlockLdl::factor() {
+    for (int k = 0; k < nodes(); k++)
+        for (int i = 0; i < rows_[at(k)]; i++)
+            kept_[at(begin_[at(k)] + i)] =
+                values_[at(diagonal_[at(k)] + i * rows_[at(k)] + i)];
+    return same_rows_ == 3   ? factor_columns<3>()
+           : same_rows_ == 5 ? factor_columns<5>()
+                             : factor_columns<0>();
+}
+
+template <int kRows>
+void BlockLdl::solve_columns(double* x) const {
+    const int n = nodes();
+    for (int k = 0; k < n; k++) {
+        const int nk = kRows != 0 ? kRows : rows_[at(k)];
+        const double* const xk = x + begin_[at(k)];
+        for (int b = first_below_[at(k)]; b < first_below_[at(k) + 1]; b++) {
+            const Below& below = below_[at(b)];
+            const int ni = kRows != 0 ? kRows : rows_[at(below.position)];
+            const double* const lower = values_.data() + below.at;
+            double* const xi = x + begin_[at(below.position)];
+            for (int r = 0; r < ni; r++) {
+                double s = 0;
+                for (int t = 0; t < nk; t++) s += lower[r * nk + t] * xk[t];
+                xi[r] -= s;
+            }
+        }
+    }
+    for (int k = n - 1; k >= 0; k--) {
+        const int nk = kRows != 0 ? kRows : rows_[at(k)];
+        const double* const inverse = inverse_.data() + at(k) * most_values;
+        double* const xk = x + begin_[at(k)];
+        double y[most];
+        for (int r = 0; r < nk; r++) {
+            double s = 0;
+            for (int t = 0; t < nk; t++) s += inverse[r * nk + t] * xk[t];
+            y[r] = s;
+        }
+        for (int b = first_below_[at(k)]; b < first_below_[at(k) + 1]; b++) {
+            const Below& below = below_[at(b)];
+            const int ni = kRows != 0 ? kRows : rows_[at(below.position)];
+            const double* const lower = values_.data() + below.at;
+            const double* const xi = x + begin_[at(below.position)];
+            for (int r = 0; r < ni; r++)
+                for (int t = 0; t < nk; t++) y[t] -= lower[r * nk + t] * xi[r];
+        }
+        for (int r = 0; r < nk; r++) xk[r] = y[r];
+    }
+}
+
+void BlockLdl::solve(std::span<double> x) const {
+    ASSERT(static_cast<int>(x.size()) == rows());
+    if (same_rows_ == 3)
+        solve_columns<3>(x.data());
+    else if (same_rows_ == 5)
+        solve_columns<5>(x.data());
+    else
+        solve_columns<0>(x.data());
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Block-sparse L D L^T of a symmetric, positive semi-definite matrix, in double. The pattern is
+// analysed once and used again for each matrix of it: A. George, J. Liu, "Computer solution of
+// large sparse positive definite systems", 1981; T. Davis, "Direct methods for sparse linear
+// systems", 2006.
+//
+// A node is a few rows that belong together, an edge says that two nodes meet in the matrix. On
+// trees and chains nothing is filled in, so factor and solve take time in proportion to the nodes.
+// Rows that depend on others (loops of hinges have some) are found by their pivots and left out:
+// their unknowns are zero, and the others solve what the rows agree on.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace jostle::physics {
+
+class BlockLdl {
+public:
+    static constexpr int most_rows = 8;  // of a node
+    using Edge = std::pair<int, int>;
+
+    // By minimum degree; ties by number. Edges may occur more than once, in either direction.
+    void analyze(std::span<const int> rows_of_node, std::span<const Edge> edges);
+
+    int nodes() const { return static_cast<int>(rows_.size()); }
+    int rows() const { return begin_.empty() ? 0 : begin_.back(); }
+    // Of the first unknown of a node.
+    int row_of(int node) const { return begin_[static_cast<std::size_t>(position(node))]; }
+    // Multiplications of one factor(): what the pattern costs.
+    std::int64_t work() const { return work_; }
+
+    // Where the block of two nodes lies among values(), row by row. The rows are those of the one
+    // that is eliminated later; a block of a node with itself is read below its diagonal only.
+    bool is_later(int a, int b) const { return position(a) >= position(b); }
+    int block_at(int later, int sooner) const;
+    std::span<double> values() { return values_; }
+    void clear();
+
+    // Values become factors. Returns how many rows were left out.
+    int factor();
+    // x: right-hand sides in, unknowns out, by row_of().
+    void solve(std::span<double> x) const;
+
+private:
+    struct Below {
+        int position, at;  // the lower node by elimination order; its block among the values
+    };
+    struct Update {
+        int at, i, j;  // block at -= L_i D L_j^T; i and j count in the column
+    };
+
+    int position(int node) const { return position_[static_cast<std::size_t>(node)]; }
+    int find(int row, int column) const;  // by elimination order
+    std::vector<int> order_by_degree(std::span<const Edge> edges) const;
+    void fill(std::span<const Edge> edges, const std::vector<int>& order);
+    void lay_out();
+    template <int kRows>
+    int factor_columns();
+    template <int kRows>
+    void solve_columns(double* x) const;
+
+    std::vector<int> position_;  // by node
+    // By elimination order.
+    std::vector<int> rows_, begin_, diagonal_, first_below_, first_update_;
+    std::vector<std::vector<int>> filled_;  // positions below each
+    std::vector<Below> below_;
+    std::vector<Update> updates_;
+    std::vector<double> values_, inverse_, kept_, column_;
+    std::vector<int> column_at_;
+    std::int64_t work_ = 0;
+    int same_rows_ = 0;  // of all nodes, or 0
+};
+
+}  // namespace jostle::physics

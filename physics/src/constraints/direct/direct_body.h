@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// A body of a joint group, in double. Its axes are the principal ones of its inertia. The state is
+// momentum, not velocity: what conserves momentum then does so to rounding.
+#pragma once
+
+#include "jostle/physics/quat.h"
+
+namespace jostle::physics {
+
+struct DirectBody {
+    // Constant over the step.
+    double mass = 0, inverse_mass = 0;  // kg; zero of what joints cannot push
+    Vec3 moments, inverse_moments;      // kg m^2, about the principal axes
+    Vec3 force, torque;                 // N, N m, world; gravity included
+    double linear_damping = 0, angular_damping = 0;
+    bool pushed = false;  // joints can push it; else it moves at v and w, whatever they do
+
+    // State.
+    Vec3 x;  // m, of the centre of mass
+    Quat q;  // of the principal axes
+    Vec3 p, l;  // kg m/s, kg m^2/s about the centre, world
+    Vec3 v, w;  // of what is not pushed; of others scratch
+    // Of that state.
+    Mat3 axes;
+    Mat3 inverse_inertia;  // world
+
+    // Where the step tries to go, and what the energy-momentum step knows of it.
+    Vec3 x1;
+    Quat q1;
+    Mat3 axes1;
+    Vec3 v0, w0;           // as the step began
+    Vec3 mean_w;           // rad/s: the unknown
+    Vec3 sum, twist;       // impulse, N s; angular impulse, N m s
+    Vec3 miss, answer;     // of the turn's equation, N m s; what that does to the spin, rad/s
+    Mat3 inertia;          // world, as the step began
+    Mat3 stiffness;        // of the joints' forces, as the body turns: N m / rad
+    Mat3 response;         // inverse of the step's matrix of the body
+};
+
+// m diag(d) m^T.
+inline Mat3 in_axes(const Mat3& m, Vec3 d) {
+    const Vec3 x = m.x * d.x, y = m.y * d.y, z = m.z * d.z;
+    const double xy = m.x.x * x.y + m.y.x * y.y + m.z.x * z.y;
+    const double xz = m.x.x * x.z + m.y.x * y.z + m.z.x * z.z;
+    const double yz = m.x.y * x.z + m.y.y * y.z + m.z.y * z.z;
+    return {{m.x.x * x.x + m.y.x * y.x + m.z.x * z.x, xy, xz},
+            {xy, m.x.y * x.y + m.y.y * y.y + m.z.y * z.y, yz},
+            {xz, yz, m.x.z * x.z + m.y.z * y.z + m.z.z * z.z}};
+}
+
+inline Vec3 velocity(const DirectBody& body) {
+    return body.pushed ? body.p * body.inverse_mass : body.v;
+}
+inline Vec3 spin(const DirectBody& body) {
+    return body.pushed ? body.inverse_inertia * body.l : body.w;
+}
+// After x and q have changed.
+inline void refresh(DirectBody& body) {
+    body.axes = to_matrix(body.q);
+    body.inverse_inertia = in_axes(body.axes, body.inverse_moments);
+}
+
+}  // namespace jostle::physics

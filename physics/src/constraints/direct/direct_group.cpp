@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/direct/direct_group.h"
+
+#include <algorithm>
+
+#include "constraints/direct/free_turn.h"
+
+namespace jostle::physics {
+namespace {
+
+// RATTLE's corrections stop to converge at about one radian.
+constexpr double followed = 0.7;  // rad
+constexpr int most_halvings = 6;
+// Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
+constexpr double suzuki = 0.41449077179437573714;
+constexpr double stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
+constexpr double longest_stage = 4 * suzuki - 1;
+
+}  // namespace
+
+// Of what joints may be apart, m: of what a step of h gets wrong anyway a small part. Scaled with
+// the group.
+double DirectGroup::tolerance(double h) const {
+    return minimum(1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
+}
+
+void DirectGroup::save(int depth) {
+    if (saved_.size() <= static_cast<std::size_t>(depth)) saved_.resize(static_cast<std::size_t>(depth) + 1);
+    Saved& to = saved_[static_cast<std::size_t>(depth)];
+    to.bodies.clear();
+    to.joints.clear();
+    for (const DirectBody& body : bodies) to.bodies.push_back({body.x, body.p, body.l, body.q});
+    for (const DirectJoint& joint : joints)
+        to.joints.push_back({joint.force_sum, joint.torque_sum, joint.at_limit, joint.at_most, {}});
+    for (std::size_t k = 0; k < joints.size(); k++)
+        std::copy(std::begin(joints[k].force), std::end(joints[k].force), to.joints[k].force);
+}
+
+void DirectGroup::restore(int depth) {
+    const Saved& from = saved_[static_cast<std::size_t>(depth)];
+    for (std::size_t k = 0; k < bodies.size(); k++) {
+        DirectBody& body = bodies[k];
+        body.x = from.bodies[k].x;
+        body.p = from.bodies[k].p;
+        body.l = from.bodies[k].l;
+        body.q = from.bodies[k].q;
+        refresh(body);
+    }
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        DirectJoint& joint = joints[k];
+        joint.force_sum = from.joints[k].force_sum;
+        joint.torque_sum = from.joints[k].torque_sum;
+        joint.at_limit = from.joints[k].at_limit;
+        joint.at_most = from.joints[k].at_most;
+        std::copy(std::begin(from.joints[k].force), std::end(from.joints[k].force), joint.force);
+    }
+    factored_ = false;
+}
+
+bool DirectGroup::compose(double h) {
+    count_.compositions++;
+    // Fourth order wants digits.
+    const double fine = minimum(1e-7, tolerance(h)) * minimum(1, 2 * reach_);
+    for (const double stage : stages)
+        if (!step_rattle(h * stage, fine)) return false;
+    return true;
+}
+
+void DirectGroup::step(double h, int depth) {
+    save(depth);
+    if (stiffest() * h < followed) {
+        if (step_rattle(h, tolerance(h))) return;
+        restore(depth);
+    }
+    if (step_energy(h, tolerance(h))) return;
+    restore(depth);
+    if (depth == most_halvings) {
+        count_.last_resorts++;
+        resort_to_velocities(h);
+        return;
+    }
+    count_.halvings++;
+    step(0.5 * h, depth + 1);
+    step(0.5 * h, depth + 1);
+}
+
+void DirectGroup::advance(double dt, int substeps) {
+    const int parts = smooth_ ? substeps / 5 : 0;  // a composition is five steps
+    for (int part = 0; part < parts; part++) {
+        const double h = dt / parts;
+        save(0);
+        if (stiffest() * h * longest_stage < followed) {
+            if (compose(h)) continue;
+            restore(0);
+        }
+        for (int k = 0; k < substeps / parts; k++) step(h / (substeps / parts), 1);
+    }
+    if (parts > 0) return;
+    for (int k = 0; k < substeps; k++) step(dt / substeps, 1);
+}
+
+// Kick, velocities that joints allow and that take their errors away, drift: of first order, and
+// cannot fail.
+void DirectGroup::resort_to_velocities(double h) {
+    set_bounds(h);
+    set_targets(h);
+    for (DirectBody& body : bodies) {
+        body.x1 = body.x;
+        body.q1 = body.q;
+        body.axes1 = body.axes;
+    }
+    measure_all(0);
+    factor_here();
+    kick(h);
+    kick(h);
+    project_velocities(h, 0.2 / h);
+    for (DirectBody& body : bodies) {
+        body.x1 = body.x + velocity(body) * h;
+        body.q1 = normalized(turn_by(spin(body) * h) * body.q);
+        body.axes1 = to_matrix(body.q1);
+    }
+    commit();
+}
+
+}  // namespace jostle::physics

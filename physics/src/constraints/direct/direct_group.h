@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+//
+// Bodies that joints tie together and nothing touches, moved together: all joints are solved at
+// once, by a direct factorisation, and hold at the end of each step to rounding or the tolerance.
+//
+// Three kinds of steps, all of second order in h and exact in angular momentum:
+//   RATTLE (H. C. Andersen, 1983; E. Hairer, Ch. Lubich, G. Wanner, "Geometric numerical
+//     integration", VII.1): symplectic; while the fastest swing that the joints' forces can cause
+//     turns by no more than 0.7 rad in h;
+//   five of those put together to fourth order (M. Suzuki, 1990), where nothing is lost or limited;
+//   energy-momentum (J. C. Simo, K. K. Wong, 1991; O. Gonzalez, 1996): bounded however stiff.
+// A step that does not converge is halved; one that will not be halved further is solved for
+// velocities alone, which cannot fail.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "constraints/direct/block_ldl.h"
+#include "constraints/direct/direct_body.h"
+#include "constraints/direct/direct_joint.h"
+
+namespace jostle::physics {
+
+class DirectGroup {
+public:
+    std::vector<DirectBody> bodies;
+    std::vector<DirectJoint> joints;
+
+    // What happened since prepare(), for the profile and for tests.
+    struct Count {
+        int compositions = 0, rattle_steps = 0, energy_steps = 0, halvings = 0, last_resorts = 0;
+        int factors = 0, solves = 0, left_out = 0;
+    };
+
+    // Once bodies and joints are there: their pattern, unless it is that of before.
+    void prepare();
+    // Multiplications of one factor: what the pattern costs.
+    std::int64_t work() const { return matrix_.work(); }
+    // By dt, in about so many sub-steps.
+    void advance(double dt, int substeps);
+    const Count& count() const { return count_; }
+
+private:
+    struct Coupling {  // of two joints by a body that both push
+        int at;        // of the block
+        int later, sooner, body;
+        bool later_b, sooner_b;  // whether it is their b
+    };
+    struct SavedBody {
+        Vec3 x, p, l;
+        Quat q;
+    };
+    struct SavedJoint {
+        Vec3 force_sum, torque_sum;
+        int at_limit, at_most;
+        double force[DirectJoint::most_rows];
+    };
+    struct Saved {
+        std::vector<SavedBody> bodies;
+        std::vector<SavedJoint> joints;
+    };
+
+    // ---- direct_group.cpp ----
+    void step(double h, int depth);
+    bool compose(double h);
+    double tolerance(double h) const;
+    void save(int depth);
+    void restore(int depth);
+    void resort_to_velocities(double h);
+
+    // ---- what all steps share: direct_system.cpp ----
+    void kick(double h);  // forces, motors at their most and damping, for half a step of h
+    void damp(double time);
+    void write_all_vectors();
+    void assemble(double linear, const Mat3 DirectBody::* response);
+    void factor_here();  // at the state, unless it is there
+    void push(const DirectJoint& joint, const double* impulse);
+    void act(DirectJoint& joint, const double* impulse);
+    void record(DirectJoint& joint, const double* impulse);
+    void give_most(DirectJoint& joint, double time);
+    void switch_off(DirectJoint& joint, int row, bool off);
+    void set_bounds(double h);
+    bool keep_bounds(DirectJoint& joint, double* value, double most);
+    bool reach_limits();
+    double measure_all(double h);
+    void set_targets(double h);
+    void commit();
+    // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers
+    // over h are kept as the joints' forces if `keep_forces`.
+    void project_velocities(double h, double bias, bool keep_forces = true);
+
+    // ---- one file each ----
+    bool step_rattle(double h, double tolerance);
+    bool find_way(double h, double tolerance);
+    bool step_energy(double h, double tolerance);
+    void begin_energy_step(double h);
+    double miss_of(double h, bool stiffness_too);
+    void correct(double h, bool again);
+    bool find_energy_way(double h, double tolerance);
+    double stiffest();  // rad/s: no swing is faster
+
+    // How often a step is taken again because a limit or a motor's most was met.
+    static constexpr int bound_rounds = 4;
+
+    BlockLdl matrix_;
+    std::vector<Coupling> couplings_;
+    std::vector<int> pattern_;        // bodies and rows of each joint, of which the pattern is
+    std::vector<double> right_side_;  // by the matrix's rows
+    std::vector<Vec3> before_guess_;  // momenta
+    std::vector<Saved> saved_;        // by depth
+    bool factored_ = false;
+    bool smooth_ = true;  // neither damping nor limits nor motors
+    double reach_ = 0;    // m: a length of the group's
+    Count count_;
+};
+
+}  // namespace jostle::physics

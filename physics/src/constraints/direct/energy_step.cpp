@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+//
+// The energy-momentum step: arms are means over the step and a Cayley map turns the bodies, so that
+// joints do no work, however stiff they pull. Its unknowns are the mean spins and the impulses;
+// Newton's method knows how the pull changes as the arms turn (geometric stiffness: M. Tournier et
+// al., "Stable constrained dynamics", 2015), which for points is a matter of each body alone. At the
+// end velocities are projected: what of a whip's crack h cannot resolve is lost, nothing is gained.
+#include "constraints/direct/direct_group.h"
+#include "constraints/direct/free_turn.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int most_corrections = 16;
+// The matrix is made anew when an error keeps more of itself.
+constexpr double slow = 0.35;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// A force on a body at an arm pulls it straight, or topples it: minus the derivative of its torque.
+void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
+    const double along = dot(force, arm);
+    const Vec3 f = force * 0.5;
+    Mat3& k = body.stiffness;
+    k.x += Vec3{along - 2 * arm.x * f.x, -(arm.y * f.x + arm.x * f.y), -(arm.z * f.x + arm.x * f.z)};
+    k.y += Vec3{-(arm.x * f.y + arm.y * f.x), along - 2 * arm.y * f.y, -(arm.z * f.y + arm.y * f.z)};
+    k.z += Vec3{-(arm.x * f.z + arm.z * f.x), -(arm.y * f.z + arm.z * f.y), along - 2 * arm.z * f.z};
+}
+
+Vec3 pull_of(const DirectJoint& joint, const double* value) {
+    if (joint.points == 3) return {value[0], value[1], value[2]};
+    return joint.points == 1 ? joint.line * value[0] : Vec3{};
+}
+
+// Of a positive definite one.
+bool invert(const Mat3& m, Mat3& to) {
+    const double a = m.x.x, b = m.x.y, c = m.x.z, d = m.y.y, e = m.y.z, f = m.z.z;
+    const double m0 = d * f - e * e, m1 = c * e - b * f, m2 = b * e - c * d;
+    const double determinant = a * m0 + b * m1 + c * m2;
+    if (!(a > 0 && a * d - b * b > 0 && determinant > 0)) return false;
+    const double s = 1 / determinant;
+    const double xy = m1 * s, xz = m2 * s, yz = (b * c - a * e) * s;
+    to = {{m0 * s, xy, xz}, {xy, (a * f - c * c) * s, yz}, {xz, yz, (a * d - b * b) * s}};
+    return true;
+}
+
+}  // namespace
+
+// Half of the trace or of the norm of I^-1 K bounds the squares of the swings of a body; joints can
+// only lower them (Rayleigh).
+double DirectGroup::stiffest() {
+    for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
+    for (const DirectJoint& joint : joints) {
+        const Vec3 pull = pull_of(joint, joint.force) * 2;
+        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        stiffen(a, pull, a.axes * joint.arm_a);
+        stiffen(b, -pull, b.axes * joint.arm_b);
+    }
+    double most = 0;
+    for (const DirectBody& body : bodies) {
+        if (!body.pushed) continue;
+        const Mat3 m = body.inverse_inertia * body.stiffness;
+        const double trace = absolute(m.x.x + m.y.y + m.z.z) * 0.5;
+        const double norm = square_root(
+            (length_squared(m.x) + length_squared(m.y) + length_squared(m.z)) * 0.5);
+        most = maximum(most, maximum(trace, norm));
+    }
+    return square_root(most);
+}
+
+void DirectGroup::begin_energy_step(double h) {
+    for (DirectBody& body : bodies) {
+        body.v0 = velocity(body);
+        body.w0 = spin(body);
+        body.inertia = in_axes(body.axes, body.moments);
+        body.twist = {};
+    }
+    // The first guess: as the joints pulled until now.
+    for (DirectJoint& joint : joints) {
+        for (int k = 0; k < joint.rows(); k++)
+            joint.impulse[k] = joint.off[at(k)] ? 0 : 2 * h * joint.force[k];
+        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        for (int k = 0; k < joint.rows(); k++) {
+            a.twist += joint.angular_a[k] * joint.impulse[k];
+            b.twist += joint.angular_b[k] * joint.impulse[k];
+        }
+    }
+    for (DirectBody& body : bodies)
+        body.mean_w = body.pushed ? body.w0 + body.inverse_inertia *
+                                                  (body.twist + (body.torque - cross(body.w0, body.l)) * h) *
+                                                  0.5
+                                  : body.w0;
+}
+
+// Where the unknowns lead, and by how much that misses, m.
+double DirectGroup::miss_of(double h, bool stiffness_too) {
+    for (DirectBody& body : bodies) {
+        const Vec3 t = body.mean_w * (0.5 * h);
+        const double s = 1 / square_root(1 + dot(t, t));
+        body.q1 = Quat{s * t.x, s * t.y, s * t.z, s} * body.q;
+        body.axes1 = to_matrix(body.q1);
+        body.sum = body.force * h;
+        body.twist = body.torque * h;
+        if (stiffness_too) body.stiffness = diagonal({0, 0, 0});
+    }
+    for (const DirectJoint& joint : joints) {
+        const Vec3 pull = pull_of(joint, joint.impulse);
+        bodies[at(joint.a)].sum -= pull;
+        bodies[at(joint.b)].sum += pull;
+        if (joint.at_most == 0) continue;
+        const Vec3 most =
+            bodies[at(joint.a)].axes * joint.axis_a * (h * joint.at_most * joint.most_torque);
+        bodies[at(joint.a)].twist -= most;
+        bodies[at(joint.b)].twist += most;
+    }
+    for (DirectBody& body : bodies)
+        body.x1 = body.x + (body.v0 + body.sum * (0.5 * body.inverse_mass)) * h;
+    for (DirectJoint& joint : joints) {
+        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        write_mean_vectors(joint, a, b);
+        for (int k = 0; k < joint.rows(); k++) {
+            a.twist += joint.angular_a[k] * joint.impulse[k];
+            b.twist += joint.angular_b[k] * joint.impulse[k];
+        }
+        if (!stiffness_too) continue;
+        const Vec3 pull = pull_of(joint, joint.impulse);
+        stiffen(a, pull, a.axes1 * joint.arm_a);
+        stiffen(b, -pull, b.axes1 * joint.arm_b);
+    }
+    double largest = 0;
+    for (DirectBody& body : bodies) {
+        if (!body.pushed) {
+            body.miss = {};
+            continue;
+        }
+        const Vec3 momentum = body.inertia * body.mean_w;
+        body.miss = (momentum - body.inertia * body.w0) * 2 + cross(body.mean_w, momentum) * h -
+                    body.twist + cross(body.mean_w, body.twist) * (0.5 * h);
+        const double size = square_root(absolute(dot(body.miss, body.inverse_inertia * body.miss) *
+                                                 body.inverse_mass)) *
+                            h;
+        largest = size <= largest ? largest : size;
+    }
+    const double apart = measure_all(h);
+    return apart <= largest ? largest : apart;
+}
+
+void DirectGroup::correct(double h, bool again) {
+    if (again) {
+        for (DirectBody& body : bodies) {
+            if (!body.pushed) {
+                body.response = diagonal({0, 0, 0});
+                continue;
+            }
+            // What is pushed together instead of pulled may have no such matrix: then without.
+            if (!invert(body.inertia * 2 + body.stiffness * (0.5 * h), body.response))
+                body.response = body.inverse_inertia * 0.5;
+        }
+        assemble(0.5, &DirectBody::response);
+        factored_ = false;
+    }
+    for (DirectBody& body : bodies) {
+        body.answer = -(body.response * body.miss);
+        body.miss = -body.miss;
+    }
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        const DirectJoint& joint = joints[k];
+        const DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+        for (int r = 0; r < joint.rows(); r++)
+            to[r] = -dot(joint.angular_a[r], a.answer) - dot(joint.angular_b[r], b.answer) -
+                    joint.error[r] / h;
+    }
+    matrix_.solve(right_side_);
+    count_.solves++;
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        DirectJoint& joint = joints[k];
+        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+        for (int r = 0; r < joint.rows(); r++) {
+            joint.impulse[r] += more[r];
+            a.miss += joint.angular_a[r] * more[r];
+            b.miss += joint.angular_b[r] * more[r];
+        }
+    }
+    for (DirectBody& body : bodies) body.mean_w += body.response * body.miss;
+}
+
+bool DirectGroup::find_energy_way(double h, double tolerance) {
+    begin_energy_step(h);
+    double before = 1e300;
+    bool again = true;
+    for (int round = 0;; round++) {
+        const double error = miss_of(h, true);
+        if (error < tolerance) return true;
+        if (round == most_corrections || !(error < 1e6)) return error < 30 * tolerance;
+        again = round < 1 || error > slow * before;
+        before = error;
+        correct(h, again);
+    }
+}
+
+bool DirectGroup::step_energy(double h, double tolerance) {
+    count_.energy_steps++;
+    set_bounds(h);
+    if (!smooth_) damp(0.5 * h);
+    write_all_vectors();
+    set_targets(h);
+    for (int round = 0;; round++) {
+        if (!find_energy_way(h, tolerance)) return false;
+        if (smooth_ || round == bound_rounds) break;
+        bool changed = reach_limits();
+        for (DirectJoint& joint : joints)
+            if (keep_bounds(joint, joint.impulse, h * joint.most_torque)) changed = true;
+        if (!changed) break;
+    }
+    for (DirectBody& body : bodies) {
+        if (!body.pushed) continue;
+        body.p += body.sum;
+        body.l += body.twist;
+        body.q1 = nearly_unit(body.q1);
+    }
+    for (DirectJoint& joint : joints) {
+        record(joint, joint.impulse);
+        for (int k = 0; k < joint.rows(); k++) joint.force[k] = joint.impulse[k] / (2 * h);
+    }
+    commit();
+    if (!smooth_) damp(0.5 * h);
+    project_velocities(h, 0, false);
+    return true;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/direct/free_turn.h"
+
+namespace jostle::physics {
+
+Quat turn_by(Vec3 r) {
+    const double s = 0.25 * length_squared(r);  // of half the angle
+    if (!(s < 0.25)) return from_rotation_vector(r);
+    const double cosine =
+        1 -
+        s * (1.0 / 2 -
+             s * (1.0 / 24 -
+                  s * (1.0 / 720 - s * (1.0 / 40320 - s * (1.0 / 3628800 - s / 479001600.0)))));
+    const double ratio =
+        1 -
+        s * (1.0 / 6 -
+             s * (1.0 / 120 -
+                  s * (1.0 / 5040 - s * (1.0 / 362880 - s * (1.0 / 39916800 - s / 6227020800.0)))));
+    const double k = 0.5 * ratio;
+    return {r.x * k, r.y * k, r.z * k, cosine};
+}
+
+namespace {
+
+double component(Quat q, Vec3 v, int axis) {
+    const Mat3 m = to_matrix(q);
+    return dot(axis == 0 ? m.x : (axis == 1 ? m.y : m.z), v);
+}
+
+Quat about(int axis, double angle) {
+    Vec3 r;
+    r[axis] = angle;
+    return turn_by(r);
+}
+
+}  // namespace
+
+Quat free_turn(Quat q, Vec3 momentum, Vec3 inverse_moments, double h) {
+    const Vec3& inverse = inverse_moments;
+    if (inverse.x == inverse.y && inverse.y == inverse.z)
+        return nearly_unit(turn_by(momentum * (h * inverse.x)) * q);
+    // The axis whose two others are most alike.
+    const double yz = absolute(inverse.y - inverse.z), zx = absolute(inverse.z - inverse.x),
+                 xy = absolute(inverse.x - inverse.y);
+    const int top = yz <= zx && yz <= xy ? 0 : (zx <= xy ? 1 : 2);
+    const int i = (top + 1) % 3, j = (top + 2) % 3;
+    const double uneven = inverse[j] - inverse[i];
+    if (uneven != 0) q = q * about(j, 0.5 * h * uneven * component(q, momentum, j));
+    const double along = (inverse[top] - inverse[i]) * component(q, momentum, top);
+    q = turn_by(momentum * (h * inverse[i])) * (q * about(top, h * along));
+    if (uneven != 0) q = q * about(j, 0.5 * h * uneven * component(q, momentum, j));
+    return nearly_unit(q);
+}
+
+}  // namespace jostle::physics

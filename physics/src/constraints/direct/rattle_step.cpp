@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// RATTLE: half a kick, the way on which all joints hold at its end, half a kick, the velocities that
+// joints allow. The matrix of where the step begins serves for the way as well: there is one
+// factorisation a step.
+#include "constraints/direct/direct_group.h"
+#include "constraints/direct/free_turn.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int most_corrections = 8;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+void drift(DirectBody& body, double h) {
+    if (body.pushed) {
+        body.x1 = body.x + body.p * (body.inverse_mass * h);
+        body.q1 = free_turn(body.q, body.l, body.inverse_moments, h);
+    } else {
+        body.x1 = body.x + body.v * h;
+        body.q1 = body.w == Vec3{} ? body.q : nearly_unit(turn_by(body.w * h) * body.q);
+    }
+    body.axes1 = to_matrix(body.q1);
+}
+
+}  // namespace
+
+// From the momenta there are, to where joints hold. False if that is not found.
+bool DirectGroup::find_way(double h, double tolerance) {
+    for (DirectJoint& joint : joints) {
+        for (int k = 0; k < joint.rows(); k++)
+            joint.impulse[k] = joint.off[at(k)] ? 0 : h * joint.force[k];
+        push(joint, joint.impulse);
+    }
+    double before = 1e300;
+    for (int round = 0;; round++) {
+        for (DirectBody& body : bodies) drift(body, h);
+        const double error = measure_all(h);
+        if (error < tolerance) return true;
+        if (round == most_corrections || !(error < 4 * before)) return error < 30 * tolerance;
+        before = error;
+        for (std::size_t k = 0; k < joints.size(); k++) {
+            double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+            for (int r = 0; r < joints[k].rows(); r++) to[r] = -joints[k].error[r] / h;
+        }
+        matrix_.solve(right_side_);
+        count_.solves++;
+        for (std::size_t k = 0; k < joints.size(); k++) {
+            const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+            push(joints[k], more);
+            for (int r = 0; r < joints[k].rows(); r++) joints[k].impulse[r] += more[r];
+        }
+    }
+}
+
+bool DirectGroup::step_rattle(double h, double tolerance) {
+    count_.rattle_steps++;
+    set_bounds(h);
+    factor_here();
+    kick(h);
+    set_targets(h);
+    if (!smooth_) {
+        before_guess_.clear();
+        for (const DirectBody& body : bodies)
+            before_guess_.push_back(body.p), before_guess_.push_back(body.l);
+    }
+    for (int round = 0;; round++) {
+        if (!find_way(h, tolerance)) return false;
+        if (smooth_ || round == bound_rounds) break;
+        bool changed = reach_limits();
+        for (std::size_t k = 0; k < bodies.size(); k++)
+            bodies[k].p = before_guess_[2 * k], bodies[k].l = before_guess_[2 * k + 1];
+        for (DirectJoint& joint : joints) {
+            const int at_most = joint.at_most;
+            if (keep_bounds(joint, joint.impulse, 0.5 * h * joint.most_torque)) changed = true;
+            if (joint.at_most != at_most) give_most(joint, 0.5 * h);
+        }
+        for (std::size_t k = 0; k < bodies.size(); k++)
+            before_guess_[2 * k] = bodies[k].p, before_guess_[2 * k + 1] = bodies[k].l;
+        if (!changed) {
+            for (DirectJoint& joint : joints) push(joint, joint.impulse);
+            break;
+        }
+        factor_here();
+    }
+    for (DirectJoint& joint : joints) record(joint, joint.impulse);
+    commit();
+    kick(h);
+    project_velocities(h, 0);
+    return true;
+}
+
+}  // namespace jostle::physics

@@ -20,9 +20,9 @@ COVERED_BY = {
     "collision/broadphase/fat_box.h":
         (["physics/state/shape_proxy_test.cpp"], "one function: the boxes of a slow and of two fast balls, in numbers"),
     "collision/broadphase/sort_and_sweep.cpp":
-        (["physics/collision/broadphase/broad_phase_test.cpp"], "EveryBroadPhase: as a loop over all boxes answers"),
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "of_every_kind: as a loop over all boxes answers"),
     "collision/broadphase/uniform_grid.cpp":
-        (["physics/collision/broadphase/broad_phase_test.cpp"], "EveryBroadPhase: as a loop over all boxes answers"),
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "of_every_kind: as a loop over all boxes answers"),
     "collision/narrowphase/collide_boxes.cpp":
         (["physics/collision/narrowphase/collide_test.cpp"], "boxes against a search over all directions; four points at rest"),
     "collision/narrowphase/collide_plane.cpp":

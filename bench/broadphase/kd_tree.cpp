@@ -15,11 +15,10 @@ using physics::Vec3;
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::size_t crowded = 8;  // boxes in a cell that is divided, if that pays
+constexpr std::size_t crowded = 16;  // boxes in a cell that is divided, if that pays
 constexpr int depth_max = 48;
-constexpr int bins = 16;                    // planes between them are tried
-constexpr double plane_cost = 1;            // of passing a plane, in tests of a box
-constexpr std::size_t moves_per_build = 4;  // a move costs as much as so many boxes of a new tree
+constexpr int bins = 16;          // planes between them are tried
+constexpr double plane_cost = 1;  // of passing a plane, in tests of a box
 
 // Which sides of a plane a box is on: it may be on both.
 bool is_below(const Aabb& box, int axis, double plane) {
@@ -67,12 +66,6 @@ void KdTree::move(std::int32_t handle, const Aabb& box) {
     entry(handle).box = box;
     replace(0, old, entry(handle), 0);
     changes_++;
-}
-
-void KdTree::move_all(std::span<const Move> moves) {
-    if (moves.size() * moves_per_build < entries_.size()) return BroadPhaseIndex::move_all(moves);
-    for (const Move& m : moves) entry(m.handle).box = m.box;
-    rebuild();
 }
 
 void KdTree::flush() {

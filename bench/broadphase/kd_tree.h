@@ -6,8 +6,8 @@
 // tracing using space subdivision", 1990). A box is in every cell that it reaches into; a pair of
 // boxes is told in the one cell that holds the low corner of what they share.
 //
-// When many boxes moved, or the boxes have moved twice on average, it is built anew; otherwise a
-// box that moves leaves its cells and enters others, and a cell that is crowded is divided.
+// A box that moves leaves its cells and enters others, and a cell that is crowded is divided. When
+// boxes have moved twice on average the tree is built anew.
 #pragma once
 
 #include "collision/broadphase/broad_phase_index.h"
@@ -20,7 +20,6 @@ public:
                         std::uint32_t category) override;
     void remove(std::int32_t handle) override;
     void move(std::int32_t handle, const physics::Aabb& box) override;
-    void move_all(std::span<const Move> moves) override;
     void query(const physics::Aabb& box, std::uint32_t mask,
                std::vector<std::uint32_t>& found) const override;
     void cast_ray(physics::Vec3 origin, physics::Vec3 motion, std::uint32_t mask,

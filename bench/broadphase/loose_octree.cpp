@@ -11,7 +11,7 @@ using physics::Vec3;
 
 namespace {
 
-constexpr std::size_t crowded = 8;   // boxes in a cube that is divided
+constexpr std::size_t crowded = 16;  // boxes in a cube that is divided
 constexpr double side_min = 0x1p-6;  // m
 // A box fits while it is a little smaller than its cube: rounding of its centre takes less.
 constexpr double fill = 0.999;

@@ -15,6 +15,7 @@
 #include "accuracy/accuracy_report.h"
 #include "accuracy/choices.h"
 #include "accuracy/run_row.h"
+#include "accuracy/short_form.h"
 #include "measure.h"
 #include "result_file.h"
 
@@ -35,15 +36,17 @@ Examples:
   jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
   jostle-bench accuracy --scene c9-r100 --add accuracy.json --json both.json
+  jostle-bench accuracy --short --against bench/results/accuracy_short.json
 
-Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
+Exit status: 0 done, 1 a file could not be written or --against found a fault, 2 wrong flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<std::string> rates = {"30", "60", "120", "240", "480"};
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"all"};
-    std::string json, csv, plot, add;
+    std::string json, csv, plot, add, against;
+    bool short_form = false, update = false;
 };
 
 void print_row(const Row& row) {
@@ -135,6 +138,8 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
 }
 
 int run(const Flags& flags) {
+    if (flags.short_form)
+        return run_short_form(chosen_experiments(flags.scenes), flags.against, flags.update);
     for (const std::string& path : {flags.json, flags.csv})
         if (!path.empty() && !can_write(path)) return 1;
     if (!flags.plot.empty()) {
@@ -183,6 +188,19 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
     command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
     command->add_option("--add", flags->add, "Reports on the rows of this JSON of before as well");
+    CLI::Option* short_form = command->add_flag(
+        "--short", flags->short_form,
+        "Jostle alone, errors without times, at 30, 60 and 120 Hz on the scenes that take seconds");
+    CLI::Option* against =
+        command
+            ->add_option("--against", flags->against,
+                         "Compares with this file; a figure worse by more than a third is a fault")
+            ->needs(short_form);
+    command->add_flag("--update", flags->update, "Keeps today's figures in that file")
+        ->needs(against);
+    for (const char* other :
+         {"--rates", "--peers", "--modes", "--json", "--csv", "--plot", "--add"})
+        short_form->excludes(command->get_option(other));
     command->footer("\n" + lists_of_experiments() + "\n" + lists_of_engines() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -100,7 +100,7 @@ Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string&
 }
 
 Row run_row(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-            double rate_hz) {
+            double rate_hz, Timing timing) {
     Row row{.scene = experiment.name, .engine = kind.name, .mode = mode, .rate_hz = rate_hz};
     double primary = 0, second = 0;
     for (int phase = 0; phase < experiment.phases; phase++) {
@@ -120,6 +120,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
         row.error = distance_from_finest(experiment, kind, mode, rate_hz, row.blown);
         if (!row.usable()) return row;
     }
+    if (timing == Timing::none) return row;
     const Start start = experiment.start(0);
     row.cpu_us_per_second = 1e6 * least_time(start, kind, mode, rate_hz) / start.seconds;
     return row;
@@ -127,12 +128,12 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
 
 // One step may take minutes in a direct solver: the system ends the process then.
 Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-                     double rate_hz) {
+                     double rate_hz, Timing timing) {
     const ChildAnswer answer = run_in_child([&] {
         const auto most = static_cast<rlim_t>(longest * (experiment.phases + 3));
         const rlimit limit{most, most + 1};
         setrlimit(RLIMIT_CPU, &limit);
-        return to_json(run_row(experiment, kind, mode, rate_hz)).dump();
+        return to_json(run_row(experiment, kind, mode, rate_hz, timing)).dump();
     });
     if (answer.failure.empty()) return row_from(nlohmann::ordered_json::parse(answer.text));
     const bool late = answer.failure.find("signal " + std::to_string(SIGXCPU)) != std::string::npos;
@@ -157,8 +158,8 @@ nlohmann::ordered_json to_json(const Row& row) {
 
 Row row_from(const nlohmann::ordered_json& json) {
     return {.scene = json.at("scene"),
-            .engine = json.at("engine"),
-            .mode = json.at("mode"),
+            .engine = json.value("engine", ""),
+            .mode = json.value("mode", ""),
             .rate_hz = json.at("rate_hz"),
             .error = json.value("error", 0.0),
             .second_error = json.value("second_error", 0.0),

@@ -24,12 +24,15 @@ struct Row {
 
 inline constexpr const char* takes_too_long = "takes too long";  // of blown rows
 
+// Whether processor time is taken, which needs runs of its own.
+enum class Timing { taken, none };
+
 // All starts, and the time of the first.
 Row run_row(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-            double rate_hz);
+            double rate_hz, Timing timing = Timing::taken);
 // In a process of its own: an engine that crashes leaves a row that says so.
 Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-                     double rate_hz);
+                     double rate_hz, Timing timing = Timing::taken);
 
 // One start, without taking its time.
 struct Outcome {

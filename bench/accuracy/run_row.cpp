@@ -7,6 +7,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <istream>
+#include <stdexcept>
 #include <utility>
 
 #include "measure.h"
@@ -181,6 +183,28 @@ std::string csv_line(const Row& row) {
         std::snprintf(text, sizeof text, "%s,%g,%.4g,%.4g,%.4g", head.c_str(), row.rate_hz,
                       row.error, row.second_error, row.cpu_us_per_second);
     return text;
+}
+
+std::vector<Row> rows_from_csv(std::istream& in) {
+    std::vector<Row> rows;
+    std::string line;
+    std::getline(in, line);
+    if (line != csv_heading()) throw std::runtime_error("the first line is not " + csv_heading());
+    while (std::getline(in, line)) {
+        char scene[32], engine[32], mode[32], first[32];
+        Row row;
+        const int read =
+            std::sscanf(line.c_str(), "%31[^,],%31[^,],%31[^,],%lf,%31[^,],%lf,%lf", scene, engine,
+                        mode, &row.rate_hz, first, &row.second_error, &row.cpu_us_per_second);
+        if (read < 5) throw std::runtime_error("this is no row: " + line);
+        row.scene = scene, row.engine = engine, row.mode = mode;
+        if (std::string(first) == "blown")
+            row.blown = first;
+        else
+            row.error = std::stod(first);
+        rows.push_back(std::move(row));
+    }
+    return rows;
 }
 
 }  // namespace jostle::bench::lab

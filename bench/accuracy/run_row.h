@@ -3,6 +3,7 @@
 // One row of the laboratory: an experiment in one engine, one mode, at one rate.
 #pragma once
 
+#include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -47,5 +48,6 @@ nlohmann::ordered_json to_json(const Row& row);
 Row row_from(const nlohmann::ordered_json& json);
 std::string csv_heading();
 std::string csv_line(const Row& row);
+std::vector<Row> rows_from_csv(std::istream& in);  // throws std::runtime_error: the line
 
 }  // namespace jostle::bench::lab

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "integrators/integrator.h"
-
-#include <array>
-
-#include "integrators/world_integrator.h"
+#include "integrators/textbook_integrators.h"
 
 namespace jostle::bench::integrators {
 namespace {
@@ -101,31 +97,26 @@ public:
     }
 };
 
-template <class Method>
-std::unique_ptr<Integrator> make(const ParticleField& field) {
-    return std::make_unique<Method>(field);
-}
-
-constexpr std::array kinds = {
-    IntegratorKind{"explicit", "explicit Euler", 1, make<ExplicitEuler>},
-    IntegratorKind{"semi-implicit", "semi-implicit (symplectic) Euler", 1, make<SemiImplicitEuler>},
-    IntegratorKind{"implicit", "implicit Euler, by Newton's method", 1, make<ImplicitEuler>},
-    IntegratorKind{"verlet", "position Verlet (leapfrog)", 2, make<Verlet>},
-    IntegratorKind{"rk4", "the classical Runge-Kutta method", 4, make<RungeKutta>},
-    IntegratorKind{"jostle", "a free body in a World of 8 sub-steps, pushed by a step listener", 2,
-                   make_world_integrator},
-};
-
 }  // namespace
 
-std::span<const IntegratorKind> integrator_kinds() {
-    return kinds;
+std::unique_ptr<Integrator> make_explicit_euler(const ParticleField& field) {
+    return std::make_unique<ExplicitEuler>(field);
 }
 
-const IntegratorKind* find_integrator(std::string_view name) {
-    for (const IntegratorKind& kind : kinds)
-        if (name == kind.name) return &kind;
-    return nullptr;
+std::unique_ptr<Integrator> make_semi_implicit_euler(const ParticleField& field) {
+    return std::make_unique<SemiImplicitEuler>(field);
+}
+
+std::unique_ptr<Integrator> make_implicit_euler(const ParticleField& field) {
+    return std::make_unique<ImplicitEuler>(field);
+}
+
+std::unique_ptr<Integrator> make_verlet(const ParticleField& field) {
+    return std::make_unique<Verlet>(field);
+}
+
+std::unique_ptr<Integrator> make_runge_kutta(const ParticleField& field) {
+    return std::make_unique<RungeKutta>(field);
 }
 
 }  // namespace jostle::bench::integrators

@@ -109,9 +109,9 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("scene", flags.scene, "A scene's name or the path of a scene file");
     app.add_option("--seconds", flags.seconds, "Simulated time")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(between(0, 1e6));
     app.add_option("--hz", flags.hz, "Steps per second; default: the scene's")
-        ->check(CLI::Range(4.0, 10000.0));
+        ->check(between(4, 10000));
     app.add_option("--substeps", flags.substeps, "Solver passes per step; default: the scene's")
         ->check(CLI::Range(1, 64));
     app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")

@@ -6,8 +6,6 @@
 
 #include <stdexcept>
 
-#include "jostle/physics/joint_fields.h"
-
 namespace jostle::scenes {
 
 using namespace physics;
@@ -81,17 +79,15 @@ void ReadFields::limit(const char* name, JointLimit& limit, double low, double h
     if (limit.lower > limit.upper) in_.note(fields.path_of("lower"), "is above the upper limit");
 }
 
-void ReadFields::motor(const char* name, JointMotor& motor) {
-    motor = {};
-    ReadFields fields(in_, path_, from_);
-    fields.prefix_ = prefix_ + name + "_";
-    motor.enabled = !fields.lacks("speed");
-    if (motor.enabled) visit_motor(fields, motor);
-}
-
 void ReadFields::spring(const char* name, JointSpring& spring) {
     ReadFields fields = inside(name);
     if (!lacks(name)) visit_spring(fields, spring);
+}
+
+void ReadFields::axis(const char* name, JointAxis& axis, double low, double high) {
+    axis = {};
+    ReadFields fields = inside(name);
+    if (!lacks(name)) visit_axis(fields, axis, low, high);
 }
 
 WriteFields WriteFields::inside(const char* name) const {
@@ -126,17 +122,16 @@ void WriteFields::limit(const char* name, const JointLimit& limit, double low, d
     visit_limit(fields, limit, low, high);
 }
 
-void WriteFields::motor(const char* name, const JointMotor& motor) {
-    if (!motor.enabled) return;
-    WriteFields fields(to_);
-    fields.prefix_ = prefix_ + name + "_";
-    visit_motor(fields, motor);
-}
-
 void WriteFields::spring(const char* name, const JointSpring& spring) {
     if (!(spring.hertz > 0)) return;
     WriteFields fields = inside(name);
     visit_spring(fields, spring);
+}
+
+void WriteFields::axis(const char* name, const JointAxis& axis, double low, double high) {
+    if (!axis.free) return;
+    WriteFields fields = inside(name);
+    visit_axis(fields, axis, low, high);
 }
 
 }  // namespace jostle::scenes

@@ -51,8 +51,31 @@ struct alignas(32) VelocityRowWide {
     float torque[3][8];        // N m s on b over the step so far, world axes
 };
 
-// Which of a kind's rows some joint of a block has.
-enum JointUses : std::uint8_t { uses_limit = 1, uses_spring = 2, uses_motor = 4 };
+// What sliders, six-dofs and wheels have instead (constraints/joints/axes_layout.h): one of six
+// axes. What is switched off has numbers that make its impulse zero, as in JointAngularWide.
+struct alignas(32) JointAxisWide {
+    float lower[8], upper[8], spring[8], motor[8], friction[8];  // impulses of a sub-step
+    float lower_at[8], upper_at[8], spring_at[8];                // m or rad
+    float motor_speed[8], motor_most[8], friction_most[8];       // the latter of a sub-step
+    SoftRow soft;
+};
+struct alignas(32) JointAxesWide {
+    float frame_a[4][8];  // x y z w, in the world, as the step starts
+    float turn[4][8];     // from that to b's, in its own axes
+    float locked[6][8];   // 1: locked
+    float by_a[8];        // 1: the impulses at the point turn with a, whatever carries others
+    float turns[3][8];    // impulses along the rows of locked turns, N m s
+    float torque[3][8];   // N m s over the step so far, world axes
+    JointAxisWide axes[6];
+};
+
+// Which of a kind's rows some joint of a block has. Of axes: four bits each, so shifted.
+enum JointUses : std::uint8_t {
+    uses_limit = 1,
+    uses_spring = 2,
+    uses_motor = 4,
+    uses_friction = 8
+};
 
 // Who is in a block.
 struct JointConstraintWideMeta {
@@ -60,10 +83,11 @@ struct JointConstraintWideMeta {
     // Hot indices of the two bodies, negative for what moves but cannot be pushed; 0: does not
     // move.
     std::int32_t a[8] = {}, b[8] = {};
-    int angular = -1;  // its JointAngularWide, if the kind has one
-    int row = -1;      // its VelocityRowWide, if the kind has one
+    int angular = -1;        // its JointAngularWide, if the kind has one
+    int row = -1;            // its VelocityRowWide, if the kind has one
+    int axes = -1;           // its JointAxesWide, if the kind has one
+    std::uint32_t uses = 0;  // JointUses
     std::uint8_t count = 0;
-    std::uint8_t uses = 0;        // JointUses
     std::uint8_t overloaded = 0;  // by lane, at the end of the step
 };
 

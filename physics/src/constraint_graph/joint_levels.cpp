@@ -2,7 +2,11 @@
 #include "constraint_graph/joint_levels.h"
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
+#include <variant>
 
+#include "constraint_graph/joint_memory.h"
 #include "foundation/check.h"
 #include "jostle/physics/joint_defs.h"
 
@@ -12,8 +16,21 @@ namespace {
 bool has_row(std::uint32_t kind) {
     return kind == JointKind(VelocityRow{}).index();
 }
+template <class Kind>
+constexpr bool is_of_axes = requires(Kind kind) {
+    axes_of(kind);
+};
+// By index into JointKind.
+template <class... Kinds>
+constexpr std::array<bool, sizeof...(Kinds)> find_axes(std::type_identity<std::variant<Kinds...>>) {
+    return {is_of_axes<Kinds>...};
+}
+bool has_axes(std::uint32_t kind) {
+    static constexpr auto axes = find_axes(std::type_identity<JointKind>{});
+    return axes[kind];
+}
 bool has_angular(std::uint32_t kind) {
-    return kind != JointKind(BallJoint{}).index() && !has_row(kind);
+    return kind != JointKind(BallJoint{}).index() && !has_row(kind) && !has_axes(kind);
 }
 
 // Returns how many there are.
@@ -46,7 +63,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.places.assign(static_cast<std::size_t>(count) * joint_kinds, 0);
     for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
     levels.runs.clear();
-    int blocks = 0, angular = 0, rows = 0;
+    int blocks = 0, angular = 0, rows = 0, axes = 0;
     for (std::uint32_t key = 0; key < levels.places.size(); key++) {
         const int joints = levels.places[key];
         levels.places[key] = blocks * 8;  // the next free lane
@@ -57,10 +74,12 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
                                .begin = blocks,
                                .end = blocks + size,
                                .angular = has_angular(kind) ? angular : -1,
-                               .row = has_row(kind) ? rows : -1});
+                               .row = has_row(kind) ? rows : -1,
+                               .axes = has_axes(kind) ? axes : -1});
         blocks += size;
         if (has_angular(kind)) angular += size;
         if (has_row(kind)) rows += size;
+        if (has_axes(kind)) axes += size;
     }
     levels.metas.assign(static_cast<std::size_t>(blocks), {});
     for (const JointRun& run : levels.runs)
@@ -68,6 +87,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
             JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(k)];
             meta.angular = run.angular < 0 ? -1 : run.angular + k - run.begin;
             meta.row = run.row < 0 ? -1 : run.row + k - run.begin;
+            meta.axes = run.axes < 0 ? -1 : run.axes + k - run.begin;
         }
     for (const LeveledJoint& joint : levels.joints) {
         const int lane = levels.places[joint.run]++;
@@ -81,6 +101,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.blocks.assign(static_cast<std::size_t>(blocks), JointConstraintWide{});
     levels.angular.assign(static_cast<std::size_t>(angular), JointAngularWide{});
     levels.rows.assign(static_cast<std::size_t>(rows), VelocityRowWide{});
+    levels.axes.assign(static_cast<std::size_t>(axes), JointAxesWide{});
 }
 
 }  // namespace jostle::physics

@@ -23,6 +23,7 @@ struct JointRun {
     int begin = 0, end = 0;  // blocks
     int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
     int row = -1;            // VelocityRowWide likewise
+    int axes = -1;           // JointAxesWide likewise
 };
 
 struct LeveledJoint {
@@ -38,6 +39,7 @@ struct JointLevels {
     std::vector<JointConstraintWide> blocks;
     std::vector<JointAngularWide> angular;
     std::vector<VelocityRowWide> rows;
+    std::vector<JointAxesWide> axes;
     std::vector<JointConstraintWideMeta> metas;  // by block
 
     // Scratch.
@@ -59,6 +61,11 @@ inline JointAngularWide* angular_of(JointLevels& levels, int first) {
 inline VelocityRowWide* row_of(JointLevels& levels, int first) {
     ASSERT(first < static_cast<int>(levels.rows.size()));
     return first < 0 ? nullptr : &levels.rows[static_cast<std::size_t>(first)];
+}
+
+inline JointAxesWide* axes_of(JointLevels& levels, int first) {
+    ASSERT(first < static_cast<int>(levels.axes.size()));
+    return first < 0 ? nullptr : &levels.axes[static_cast<std::size_t>(first)];
 }
 
 }  // namespace jostle::physics

@@ -41,6 +41,7 @@ struct JointRange {
     JointConstraintWide* blocks;
     JointAngularWide* angular;  // of the run's first block; null for kinds that have none
     VelocityRowWide* rows;      // likewise
+    JointAxesWide* axes;        // likewise
     const JointConstraintWideMeta* metas;
     int kind;   // index into JointKind
     int first;  // block of the run

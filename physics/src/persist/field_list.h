@@ -232,7 +232,7 @@ struct JointFieldList {
         visit_limit(*this, limit, low, high);
         v.leave();
     }
-    void motor(const char* name, JointMotor& motor) {
+    void motor(const char* name, auto& motor) {
         v.enter(name);
         v.field("enabled", motor.enabled);
         visit_motor(*this, motor);
@@ -241,6 +241,11 @@ struct JointFieldList {
     void spring(const char* name, JointSpring& spring) {
         v.enter(name);
         visit_spring(*this, spring);
+        v.leave();
+    }
+    void axis(const char* name, JointAxis& axis, double low, double high) {
+        v.enter(name);
+        visit_axis(*this, axis, low, high);
         v.leave();
     }
 };
@@ -284,6 +289,16 @@ void visit_fields(V& v, Joint& j) {
     visit(v, "friction", j.friction);
     visit(v, "force", j.force);
     visit(v, "torque", j.torque);
+    if (const std::size_t numbers = memory_of(j.kind); numbers > 0) {
+        if constexpr (V::kLoading) j.memory.resize(numbers);
+        v.enter("memory");
+        for (std::size_t i = 0; i < numbers; i++) {
+            v.enter(i);
+            v.field("", j.memory[i]);
+            v.leave();
+        }
+        v.leave();
+    }
     for (int side = 0; side < 2; side++) {
         v.field("next", j.next[side]);
         v.field("prev", j.prev[side]);

@@ -2,7 +2,6 @@
 #include "world/joint_checks.h"
 
 #include "foundation/messages.h"
-#include "jostle/physics/joint_fields.h"
 #include "world/checks.h"
 
 namespace jostle::physics {
@@ -31,15 +30,21 @@ void JointCheck::limit(const char* name, const JointLimit& limit, double low, do
     if (status_.ok()) status_ = inside.status_;
 }
 
-void JointCheck::motor(const char* name, const JointMotor& motor) {
-    JointCheck inside((path_ + name).c_str());
-    visit_motor(inside, motor);
-    if (status_.ok()) status_ = inside.status_;
-}
-
 void JointCheck::spring(const char* name, const JointSpring& spring) {
     JointCheck inside((path_ + name).c_str());
     visit_spring(inside, spring);
+    if (status_.ok()) status_ = inside.status_;
+}
+
+void JointCheck::axis(const char* name, const JointAxis& axis, double low, double high) {
+    const std::string prefix = path_ + name;
+    JointCheck inside(prefix.c_str());
+    visit_axis(inside, axis, low, high);
+    const bool moves = axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled;
+    if (inside.status_.ok() && !axis.free && (moves || axis.friction > 0))
+        inside.status_ = invalid(prefix +
+                                 " is locked and has a limit, spring, motor or friction; make it "
+                                 "free, or take those away");
     if (status_.ok()) status_ = inside.status_;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "constraints/joints/angles.h"
+#include "constraints/joints/axes_layout.h"
 #include "foundation/messages.h"
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
@@ -85,6 +86,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.frame_a = {def.frame_a.position, unit(def.frame_a.rotation)};
     j.frame_b = {def.frame_b.position, unit(def.frame_b.rotation)};
     j.kind = def.kind;
+    j.memory.assign(memory_of(def.kind), 0);
     j.collide_connected = def.collide_connected;
     j.break_force = def.break_force;
     j.break_torque = def.break_torque;
@@ -139,6 +141,23 @@ Result<JointState> World::joint(JointId id) const {
     if (std::holds_alternative<ConeTwistJoint>(j.kind)) {
         state.angle = twist_angle(a.rotation, b.rotation);
         state.swing = swing_angle(a.rotation, b.rotation);
+    }
+    state.offset = inverse_rotate(a.rotation, b.position - a.position);
+    if (std::holds_alternative<SliderJoint>(j.kind)) state.travel = state.offset.z;
+    if (const auto* six = std::get_if<SixDofJoint>(&j.kind)) {
+        const GimbalAngles turns = pose_of(layout_of(*six), a, b).turns;
+        const double angles[] = {turns.first, turns.middle, turns.last};
+        const int first = middle_turn(*six->axes) + 2;
+        state.angles = {angles[(3 - first % 3) % 3], angles[(4 - first % 3) % 3],
+                        angles[(5 - first % 3) % 3]};
+    }
+    if (const auto* wheel = std::get_if<WheelJoint>(&j.kind)) {
+        WheelJoint straight = *wheel;
+        straight.steering = 0;
+        const GimbalAngles turns = pose_of(layout_of(straight), a, b).turns;
+        state.travel = state.offset.y;
+        state.angle = turns.last;
+        state.angles = {0, turns.first, turns.last};
     }
     return state;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "constraints/joints/axes_layout.h"
 #include "jostle/physics/world.h"
 #include "state/world_state.h"
 
@@ -28,6 +29,22 @@ void add_body(WorldSummary& sum, Vec3 gravity, const BodyCold& cold, const BodyW
     sum.angular_momentum += spin_momentum + cross(warm.center, warm.v * cold.mass);
 }
 
+// How far a joint's ends are from where they may be, m.
+double error_of(const JointState& j) {
+    if (const auto* d = std::get_if<DistanceJoint>(&j.def.kind))
+        return maximum(d->min_length - j.separation, j.separation - d->max_length);
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { layout_of(kind); }) {
+                const AxesLayout layout = layout_of(kind);
+                return locked_error(layout, {inverse_rotate(layout.turn_a, j.offset), {}});
+            } else {
+                return j.separation;
+            }
+        },
+        j.def.kind);
+}
+
 }  // namespace
 
 WorldSummary World::summary() const {
@@ -49,14 +66,7 @@ WorldSummary World::summary() const {
     for (const JointId id : joints()) {
         sum.joints++;
         const JointState j = *joint(id);
-        // A distance joint's anchors are meant to be apart.
-        if (!std::holds_alternative<DistanceJoint>(j.def.kind)) {
-            sum.max_joint_error = maximum(sum.max_joint_error, j.separation);
-            continue;
-        }
-        const auto& d = std::get<DistanceJoint>(j.def.kind);
-        sum.max_joint_error = maximum(
-            sum.max_joint_error, maximum(d.min_length - j.separation, j.separation - d.max_length));
+        sum.max_joint_error = maximum(sum.max_joint_error, error_of(j));
     }
     return sum;
 }

@@ -43,6 +43,16 @@ TEST(JointChecks, errors_name_the_field_by_its_path) {
         {VelocityRow{.angular_b = {0, nan, 0}}, "velocity_row.angular_b"},
         {VelocityRow{.softness = -1}, "velocity_row.softness"},
         {VelocityRow{.lower = 2, .upper = 1}, "velocity_row.upper"},
+        {SliderJoint{.limit = {true, 1, -1}}, "slider.limit.lower"},
+        {SliderJoint{.motor = {true, 1, -1}}, "slider.motor.max_force"},
+        {SliderJoint{.friction_force = nan}, "slider.friction_force"},
+        {SixDofJoint{SixDofAxes{.y = {.free = true, .motor = {true, 1, -1}}}},
+         "six_dof.y.motor.most"},
+        {SixDofJoint{SixDofAxes{.turn_z = {.free = true, .limit = {true, -4, 4}}}},
+         "six_dof.turn_z.limit.lower"},
+        {SixDofJoint{SixDofAxes{.x = {.friction = 1}}}, "six_dof.x is locked"},
+        {WheelJoint{.suspension = {.hertz = -1}}, "wheel.suspension.hertz"},
+        {WheelJoint{.steering = 4}, "wheel.steering"},
     };
     for (const auto& [kind, path] : faults)
         EXPECT_NE(error_of(kind).find(path), std::string::npos) << path << ": " << error_of(kind);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "jostle/physics/boxed.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/transform.h"
 
@@ -35,6 +36,24 @@ struct JointMotor {
     double max_torque = 0;  // N m
 
     bool operator==(const JointMotor&) const = default;
+};
+
+// Along a line.
+struct LinearMotor {
+    bool enabled = false;
+    double speed = 0;      // m/s of b against a
+    double max_force = 0;  // N
+
+    bool operator==(const LinearMotor&) const = default;
+};
+
+// Along or about an axis.
+struct AxisMotor {
+    bool enabled = false;
+    double speed = 0;  // m/s or rad/s of b against a
+    double most = 0;   // N or N m
+
+    bool operator==(const AxisMotor&) const = default;
 };
 
 // The origins of both frames stay together.
@@ -101,8 +120,67 @@ struct VelocityRow {
     bool operator==(const VelocityRow&) const = default;
 };
 
-using JointKind =
-    std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint, VelocityRow>;
+// b slides along the z axis of a's frame and does not turn against it. Its travel is how far b's
+// origin is along that axis.
+struct SliderJoint {
+    JointLimit limit = {};  // m, within -1e6..1e6
+    LinearMotor motor = {};
+    JointSpring spring = {};    // pulls the travel towards spring_travel when hertz > 0
+    double spring_travel = 0;   // m
+    double friction_force = 0;  // N that resists sliding
+
+    bool operator==(const SliderJoint&) const = default;
+};
+
+// One of the six relative degrees of freedom of two frames. Locked unless free; what is locked has
+// nothing else.
+struct JointAxis {
+    bool free = false;
+    JointLimit limit = {};  // m or rad
+    JointSpring spring = {};
+    double spring_at = 0;  // m or rad: where the spring pulls to
+    AxisMotor motor = {};
+    double friction = 0;  // N or N m that resists
+
+    bool operator==(const JointAxis&) const = default;
+};
+
+// Each of three translations and three turns by itself. The translations are those of b's origin
+// along the axes of a's frame. The turns are angles one after the other, like those of a gimbal:
+// the first is about an axis of a's frame, the last about one of b's frame, the middle one across
+// both. The middle one is the first locked turn among y, z, x, or y when all are free; before and
+// after it come the others, in the order x y z x y. So a lone free turn goes all the way round, and
+// of two free ones each is about an axis of its own body, as in a universal joint. A middle turn
+// that is free stays within a quarter turn each way.
+struct SixDofAxes {
+    JointAxis x, y, z;                 // m
+    JointAxis turn_x, turn_y, turn_z;  // rad, within -pi..pi
+
+    bool operator==(const SixDofAxes&) const = default;
+};
+struct SixDofJoint {
+    Boxed<SixDofAxes> axes;  // large: a joint of another kind does not carry it along
+
+    bool operator==(const SixDofJoint&) const = default;
+};
+
+// The wheel b on the chassis a: it rises and falls along the y axis of a's frame, is steered about
+// that axis, and spins about the z axis of b's frame, which stays across it.
+struct WheelJoint {
+    JointSpring suspension = {};
+    double ride = 0;         // m along the suspension, where its spring is at rest
+    JointLimit travel = {};  // m along the suspension, within -1e6..1e6
+    double steering = 0;  // rad, within -pi..pi: the wheel is held there, unless it steers freely
+    bool free_steering = false;      // as a castor does
+    JointLimit steering_limit = {};  // rad, of a castor, within -pi..pi
+    JointMotor motor = {};           // spins the wheel
+    double friction_torque = 0;      // N m that resists spin: bearings, brakes
+
+    bool operator==(const WheelJoint&) const = default;
+};
+
+using JointKind = std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint,
+                               VelocityRow, SliderJoint, SixDofJoint, WheelJoint>;
 inline constexpr int joint_kinds = static_cast<int>(std::variant_size_v<JointKind>);
 const char* kind_name(const JointKind& kind);  // "ball", "hinge", "cone-twist", ...
 
@@ -121,9 +199,13 @@ struct JointState {
     JointDef def;
     Vec3 force = {};        // N on b, world, mean of the last step
     Vec3 torque = {};       // N m on b, world
-    double angle = 0;       // hinge: rad; cone-twist: rad of twist
+    double angle = 0;       // hinge: rad; cone-twist: rad of twist; wheel: rad of spin
     double swing = 0;       // cone-twist: rad
     double separation = 0;  // m between the frames' origins; distance: the present length
+    double travel = 0;      // slider, wheel: m along the axis
+    // Six-dof: rad about each axis, as SixDofAxes says. Wheel: y is the steering.
+    Vec3 angles = {};
+    Vec3 offset = {};  // of b's origin from a's, in a's frame, m
 };
 
 }  // namespace jostle::physics

@@ -30,13 +30,17 @@ JOSTLE_INLINE JointAngularWide& own_of(const JointRange& range, int block,
 JOSTLE_INLINE VelocityRowWide& own_of(const JointRange& range, int block, VelocityRowWide&) {
     return range.rows[block - range.first];
 }
+JOSTLE_INLINE JointAxesWide& own_of(const JointRange& range, int block, JointAxesWide&) {
+    return range.axes[block - range.first];
+}
 
 inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
     with_kind(range.kind, [&](auto kernel) {
         typename decltype(kernel)::Own nothing;
         for (int k = range.begin; k < range.end; k++) {
             JointPair pair(range.blocks[k], bodies);
-            kernel.warm_start(pair, range.blocks[k], own_of(range, k, nothing));
+            kernel.warm_start(pair, range.blocks[k], own_of(range, k, nothing),
+                              range.metas[k].uses);
             pair.store();
         }
     });

@@ -5,15 +5,12 @@
 // the joint exerted on b, in world axes. Own: what the kind has beside the block.
 #pragma once
 
+#include "constraints/joints/axes_kernel.h"
+#include "constraints/joints/joint_load.h"
 #include "constraints/joints/joint_pair.h"
 #include "jostle/physics/joint_defs.h"
 
 namespace jostle::physics::JOSTLE_ISA {
-
-struct JointLoad {
-    Wide3 impulse;  // N s
-    Wide3 angular;  // N m s
-};
 
 template <class Kind>
 struct JointKernel;
@@ -22,7 +19,7 @@ template <>
 struct JointKernel<BallJoint> {
     using Own = JointAngularWide;
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide&) {
+                                         JointAngularWide&, unsigned) {
         pair.push(pair.to_world(block.point));
     }
     template <bool kRelax>
@@ -42,7 +39,7 @@ struct JointKernel<HingeJoint> {
         return load(t.lower) - load(t.upper) + load(t.spring) + load(t.motor);
     }
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t) {
+                                         JointAngularWide& t, unsigned) {
         const Wide3 axis = z_axis(pair.a.rotation * load4(t.frame_a));
         pair.push(pair.to_world(block.point));
         pair.apply_angular(pair.to_world(t.angular) + axis * along_axis(t));
@@ -99,7 +96,7 @@ struct JointKernel<ConeTwistJoint> {
         }
     };
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t) {
+                                         JointAngularWide& t, unsigned) {
         const Axes axes(pair.a.rotation * load4(t.frame_a), pair.b.rotation * load4(t.frame_b));
         pair.push(pair.to_world(block.point));
         pair.apply_angular(axes.total(t, pair.to_world(t.friction)));
@@ -155,7 +152,7 @@ template <>
 struct JointKernel<FixedJoint> {
     using Own = JointAngularWide;
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t) {
+                                         JointAngularWide& t, unsigned) {
         pair.push(pair.to_world(block.point));
         pair.apply_angular(pair.to_world(t.angular));
     }
@@ -187,8 +184,8 @@ struct JointKernel<DistanceJoint> {
     JOSTLE_INLINE static Wide along(const JointAngularWide& t) {
         return load(t.spring) + load(t.lower) - load(t.upper);
     }
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&,
-                                         JointAngularWide& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&, JointAngularWide& t,
+                                         unsigned) {
         pair.push(line_of(pair) * along(t));
     }
     template <bool kRelax>
@@ -245,8 +242,8 @@ struct JointKernel<VelocityRow> {
             pair.b.w = pair.b.w + pair.b.inverse_inertia * angular_b * impulse;
         }
     };
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&,
-                                         VelocityRowWide& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&, VelocityRowWide& t,
+                                         unsigned) {
         Jacobian(pair, t).apply(pair, load(t.impulse));
     }
     template <bool kRelax>
@@ -264,5 +261,12 @@ struct JointKernel<VelocityRow> {
                 (jacobian.angular_b - cross(pair.b.arm, jacobian.linear_b)) * now};
     }
 };
+
+template <>
+struct JointKernel<SliderJoint> : AxesKernel {};
+template <>
+struct JointKernel<SixDofJoint> : AxesKernel {};
+template <>
+struct JointKernel<WheelJoint> : AxesKernel {};
 
 }  // namespace jostle::physics::JOSTLE_ISA

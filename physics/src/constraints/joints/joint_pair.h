@@ -119,6 +119,9 @@ struct JointPair {
         a.store_to();
         b.store_to();
     }
+    // From now on a is pushed, and its anchor's velocity is that of it, where b's anchor is. So
+    // rows along a's axes are rates of where that is in a's frame.
+    JOSTLE_INLINE void meet_at_b() { a.arm = a.arm + apart; }
     JOSTLE_INLINE Wide3 to_world(const float (*impulse)[8]) const {
         return rotate(carried, load3(impulse));
     }
@@ -297,7 +300,8 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
 }
 
 // Drives the row's speed to the target with at most `most` per sub-step.
-JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<true>& row, Wide speed, Wide most,
+template <bool kAngular>
+JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<kAngular>& row, Wide speed, Wide most,
                              float* kept) {
     const Wide before = load(kept);
     const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);

@@ -3,59 +3,19 @@
 
 #include <cstdlib>
 
-#include "constraint_graph/wide_rows.h"
-#include "constraints/softness.h"
+#include "constraints/joints/axes_layout.h"
+#include "constraints/joints/joint_lane.h"
+#include "constraints/joints/write_axes.h"
 #include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {
 
-constexpr float never = 1e30f;  // a limit that nothing reaches
-
-struct Lane {
-    int at;
-
-    void put(float (&row)[8], double x) const { row[at] = as_float(x); }
-    void put(float (*rows)[8], Vec3 v) const {
-        put(rows[0], v.x), put(rows[1], v.y), put(rows[2], v.z);
-    }
-    void put(float (*rows)[8], Quat q) const {
-        put(rows[0], q.x), put(rows[1], q.y), put(rows[2], q.z), put(rows[3], q.w);
-    }
-    void put(SoftRow& row, const Softness& s) const {
-        put(row.position_rate, s.position_rate);
-        put(row.velocity_scale, s.velocity_scale);
-        put(row.impulse_scale, s.impulse_scale);
-        put(row.once, s.once ? 1 : 0);
-    }
-    double get(const float (&row)[8]) const { return double{row[at]}; }
-    Vec3 get3(const float (*rows)[8]) const { return {get(rows[0]), get(rows[1]), get(rows[2])}; }
-
-    void put_limit(JointAngularWide& t, double lower, double upper) const {
-        put(t.lower_at, lower);
-        put(t.upper_at, upper);
-    }
-};
-
-// Takes away what was left of an impulse and adds none.
-constexpr Softness switched_off{0, 1e-30, 1};
-// Where kernels read this they put what the sub-step can carry.
-constexpr Softness as_stiff_as_can_be{0, 0, 0};
-
-Softness spring_or(const JointSpring& spring, double h, const Softness& other) {
-    return spring.hertz > 0 ? physics::spring(spring.hertz, spring.damping_ratio, h) : other;
-}
-
-// What is switched off keeps no impulse.
-double kept(bool enabled, double impulse) {
-    return enabled ? impulse : 0;
-}
-
 struct Parts {
     const Joint& joint;
     const JointEnd &a, &b;
     double h;
-    const Lane& lane;
+    const JointLane& lane;
     JointAngularWide& t;
     std::uint8_t uses = 0;
 
@@ -82,8 +42,7 @@ struct Parts {
         lane.put(t.frame_b, b.frame);
     }
 
-    void operator()(const BallJoint&) {}
-    void operator()(const VelocityRow&) {}
+    void operator()(const auto&) {}  // writes what it has elsewhere
     void operator()(const HingeJoint& kind) {
         frames();
         limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
@@ -114,7 +73,7 @@ struct Parts {
 };
 
 void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const JointEnd& b,
-               double h, VelocityRowWide& to, const Lane& lane) {
+               double h, VelocityRowWide& to, const JointLane& lane) {
     const auto put = [&](float(*rows)[8], Vec3 v, const JointEnd& end) {
         lane.put(rows, row.world_axes ? v : rotate(end.frame, v));
     };
@@ -133,11 +92,15 @@ void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const 
 
 }  // namespace
 
+std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b) {
+    return turns_with_a(kind) || b <= 0 ? a : b;
+}
+
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane_index) {
-    const Lane lane{lane_index};
+    const JointLane lane{lane_index};
     JointConstraintWide& block = to.block;
-    const std::int32_t carrier = carrier_of(a.hot, b.hot);
+    const std::int32_t carrier = carrier_of(joint.kind, a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
     block.a[lane.at] = std::abs(a.hot);
     block.b[lane.at] = std::abs(b.hot);
@@ -147,6 +110,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     lane.put(block.point, rotate(carried, joint.point));
     if (to.row != nullptr)
         write_row(std::get<VelocityRow>(joint.kind), joint.motor, a, b, h, *to.row, lane);
+    if (to.axes != nullptr) to.meta.uses |= write_axes(joint, a, b, h, *to.axes, lane);
     if (to.angular == nullptr) return;
     JointAngularWide& angular = *to.angular;
     lane.put(angular.angular, rotate(carried, joint.angular));
@@ -157,7 +121,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
 }
 
 bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, int lane_index) {
-    const Lane lane{lane_index};
+    const JointLane lane{lane_index};
     const JointConstraintWide& block = from.block;
     joint.point = inverse_rotate(carried, lane.get3(block.point));
     joint.force = lane.get3(block.force) * (1 / dt);
@@ -165,6 +129,7 @@ bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, i
         joint.motor = lane.get(from.row->impulse);
         joint.torque = lane.get3(from.row->torque) * (1 / dt);
     }
+    if (from.axes != nullptr) read_axes(joint, *from.axes, dt, lane);
     if (const JointAngularWide* angular = from.angular; angular != nullptr) {
         joint.angular = inverse_rotate(carried, lane.get3(angular->angular));
         joint.friction = inverse_rotate(carried, lane.get3(angular->friction));

@@ -102,6 +102,7 @@ void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const Join
             pass({.blocks = levels.blocks.data(),
                   .angular = angular_of(levels, run.angular),
                   .rows = row_of(levels, run.row),
+                  .axes = axes_of(levels, run.axes),
                   .metas = levels.metas.data(),
                   .kind = run.kind,
                   .first = run.begin,
@@ -142,7 +143,7 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
             write_joint(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
                         end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), h,
                         {levels.blocks[block], angular_of(levels, meta.angular),
-                         row_of(levels, meta.row), meta},
+                         row_of(levels, meta.row), axes_of(levels, meta.axes), meta},
                         lane);
         }
     });
@@ -178,13 +179,14 @@ void finish_joints(StepContext& step, const JointTask& task) {
     if (levels.runs.empty()) return;
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {
         for (int lane = 0; lane < meta.count; lane++) {
-            const std::int32_t carrier = carrier_of(meta.a[lane], meta.b[lane]);
+            const std::int32_t carrier =
+                carrier_of(world.joints.joints[meta.joint[lane]].kind, meta.a[lane], meta.b[lane]);
             const Quat carried =
                 carrier > 0 ? world.bodies.awake[static_cast<std::size_t>(carrier) - 1].rotation
                             : Quat{};
             if (read_joint(world.joints.joints[meta.joint[lane]], carried, step.dt,
                            {levels.blocks[block], angular_of(levels, meta.angular),
-                            row_of(levels, meta.row), meta},
+                            row_of(levels, meta.row), axes_of(levels, meta.axes), meta},
                            lane))
                 meta.overloaded |= static_cast<std::uint8_t>(1u << lane);
         }

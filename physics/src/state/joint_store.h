@@ -17,7 +17,7 @@ namespace jostle::physics {
 struct Joint {
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
 
-    // What the user set. Bodies by index.
+    // What the user set. Bodies by index; body_a may be none, the world.
     std::uint32_t body_a = none, body_b = none;
     Transform frame_a, frame_b;
     JointKind kind;

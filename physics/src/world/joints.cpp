@@ -20,13 +20,13 @@ namespace jostle::physics {
 namespace {
 
 Status check_joint(const WorldState& world, const JointDef& def) {
-    if (Status s = check_id(world, def.body_a); !s.ok()) return s;
+    const bool to_world = is_null(def.body_a);
+    if (!to_world)
+        if (Status s = check_id(world, def.body_a); !s.ok()) return s;
     if (Status s = check_id(world, def.body_b); !s.ok()) return s;
     if (def.body_a == def.body_b)
         return invalid("body_a and body_b are the same body; a joint joins two");
-    const BodyType a = world.bodies.cold[def.body_a.index].type,
-                   b = world.bodies.cold[def.body_b.index].type;
-    if (a != BodyType::dynamic && b != BodyType::dynamic)
+    if (!is_dynamic(world, def.body_a.index) && !is_dynamic(world, def.body_b.index))
         return Error{ErrorCode::failed_precondition,
                      "neither body_a nor body_b is dynamic; a joint moves at least one of them"};
     if (Status s = check_pose("frame_a", def.frame_a); !s.ok()) return s;
@@ -58,6 +58,7 @@ constexpr auto spoken_name = [] {
 }();
 
 Transform frame_in_world(const WorldState& world, std::uint32_t body, const Transform& frame) {
+    if (body == none) return frame;
     return compose(pose_of(warm_of(world, body), world.bodies.cold[body]), frame);
 }
 
@@ -71,9 +72,9 @@ Result<JointId> World::create_joint(const JointDef& def) {
     WorldState& world = *state_;
     if (Status s = check_joint(world, def); !s.ok()) return s.error();
     const std::uint32_t a = def.body_a.index, b = def.body_b.index;
-    wake_body(world, a);
+    if (a != none) wake_body(world, a);
     wake_body(world, b);
-    if (!def.collide_connected)
+    if (!def.collide_connected && a != none)
         destroy_contacts_between(world, world.bodies.cold[a].type == BodyType::dynamic ? a : b,
                                  world.bodies.cold[a].type == BodyType::dynamic ? b : a,
                                  world.events.pending.ended);
@@ -99,7 +100,7 @@ Status World::destroy_joint(JointId id) {
     WorldState& world = *state_;
     if (Status s = check_id(world, id); !s.ok()) return s;
     const Joint& j = world.joints.joints[id.index];
-    wake_body(world, j.body_a);
+    if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     physics::destroy_joint(world, id.index);
     return {};
@@ -116,7 +117,7 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     if (Status s = check_kind(kind); !s.ok()) return s;
     if (j.kind == kind) return {};
     j.kind = kind;
-    wake_body(world, j.body_a);
+    if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     return {};
 }

@@ -33,6 +33,7 @@ void add_body(WorldSummary& sum, Vec3 gravity, const BodyCold& cold, const BodyW
 double error_of(const JointState& j) {
     if (const auto* d = std::get_if<DistanceJoint>(&j.def.kind))
         return maximum(d->min_length - j.separation, j.separation - d->max_length);
+    if (std::holds_alternative<GrabJoint>(j.def.kind)) return 0;
     return std::visit(
         [&](const auto& kind) {
             if constexpr (requires { layout_of(kind); }) {

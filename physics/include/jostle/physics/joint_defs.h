@@ -179,13 +179,24 @@ struct WheelJoint {
     bool operator==(const WheelJoint&) const = default;
 };
 
+// A hand: pulls the origin of b's frame to a target, mostly with the world as a.
+struct GrabJoint {
+    Vec3 target = {};         // m, in a's frame; each component within 1e6
+    JointSpring spring = {};  // 0 hertz: does not pull
+    double max_force = 1e15;  // N
+    double turn_damping = 0;  // 1/s: b loses that share of its spin against a
+
+    bool operator==(const GrabJoint&) const = default;
+};
+
 using JointKind = std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint,
-                               VelocityRow, SliderJoint, SixDofJoint, WheelJoint>;
+                               VelocityRow, SliderJoint, SixDofJoint, WheelJoint, GrabJoint>;
 inline constexpr int joint_kinds = static_cast<int>(std::variant_size_v<JointKind>);
 const char* kind_name(const JointKind& kind);  // "ball", "hinge", "cone-twist", ...
 
 struct JointDef {
-    BodyId body_a = {}, body_b = {};       // at least one of them dynamic
+    // At least one of them dynamic. A null body_a is the world, and frame_a is a frame in it.
+    BodyId body_a = {}, body_b = {};
     Transform frame_a = {}, frame_b = {};  // in the bodies' own frames
     JointKind kind = BallJoint{};
     bool collide_connected = false;  // whether the two bodies' shapes collide with each other

@@ -163,6 +163,17 @@ struct JointFields<WheelJoint> {
     }
 };
 
+template <>
+struct JointFields<GrabJoint> {
+    static constexpr const char* name = "grab";
+    static void visit(auto& v, auto& grab) {
+        v.vector("target", grab.target, 1e6);
+        v.spring("spring", grab.spring);
+        v.number("max_force", grab.max_force, 0, 1e15);
+        v.number("turn_damping", grab.turn_damping, 0, 1e6);
+    }
+};
+
 // Calls each(joint) with every kind as its struct makes it, in the order of JointKind.
 void for_each_joint_kind(auto&& each) {
     [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {

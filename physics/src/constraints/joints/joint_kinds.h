@@ -262,6 +262,38 @@ struct JointKernel<VelocityRow> {
     }
 };
 
+// Uses of a JointAngularWide: point_soft, motor_most (of the point), spring_soft (of the spin).
+template <>
+struct JointKernel<GrabJoint> {
+    using Own = JointAngularWide;
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t, unsigned) {
+        pair.push(pair.to_world(block.point));
+        pair.apply_angular(pair.to_world(t.angular));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep&,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned uses) {
+        Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
+        if ((uses & uses_spring) != 0) {
+            const Wide zero = splat(0);
+            hold_rotation(pair, spring_of<kRelax>(t.spring_soft), {zero, zero, zero}, angular);
+            pair.keep(t.angular, angular);
+        }
+        const Wide3 before = point;
+        Wide3 wanted = point;
+        JointPair tried = pair;
+        hold_points(tried, spring_of<kRelax>(t.point_soft), wanted);
+        const Wide size = root(dot(wanted, wanted)), most = load(t.motor_most);
+        const WideMask strong = size > most;
+        point = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
+        pair.push(point - before);
+        pair.keep(block.point, point);
+        return {point, angular};
+    }
+};
+
 template <>
 struct JointKernel<SliderJoint> : AxesKernel {};
 template <>

@@ -62,6 +62,13 @@ struct Parts {
         lane.put(t.spring_soft, spring_or(kind.angular, h, as_stiff_as_can_be));
         lane.put(t.point_soft, spring_or(kind.linear, h, as_stiff_as_can_be));
     }
+    void operator()(const GrabJoint& kind) {
+        lane.put(t.point_soft, spring_or(kind.spring, h, switched_off));
+        lane.put(t.motor_most, minimum(kind.max_force * h, 1e30));
+        const bool damped = kind.turn_damping > 0;
+        lane.put(t.spring_soft, damped ? damper(kind.turn_damping, h) : switched_off);
+        if (damped) uses |= uses_spring;
+    }
     void operator()(const DistanceJoint& kind) {
         const bool rod = kind.min_length == kind.max_length;
         limit(!rod, kind.min_length, kind.max_length);
@@ -96,9 +103,12 @@ std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b) {
     return turns_with_a(kind) || b <= 0 ? a : b;
 }
 
-void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
+void write_joint(const Joint& joint, const JointEnd& end_a, const JointEnd& b, double h,
                  const JointBlock& to, int lane_index) {
     const JointLane lane{lane_index};
+    JointEnd a = end_a;
+    if (const auto* grab = std::get_if<GrabJoint>(&joint.kind))
+        a.arm += rotate(a.frame, grab->target);
     JointConstraintWide& block = to.block;
     const std::int32_t carrier = carrier_of(joint.kind, a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);

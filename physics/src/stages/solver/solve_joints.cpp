@@ -18,6 +18,8 @@ namespace {
 
 JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& frame,
                 std::int32_t hot) {
+    if (body == none)  // the world
+        return {.center = {}, .arm = frame.position, .rotation = {}, .frame = frame.rotation};
     const BodyWarm& warm = hot != 0
                                ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
                                : warm_of(world, body);
@@ -55,6 +57,7 @@ void find_joints(const JointStore& store, const BodyStore& all, const JointTask&
 // Their bodies by hot index: negative for what moves but cannot be pushed, 0 for what stands still.
 void find_bodies(const JointStore& store, const BodyStore& bodies, JointLevels& levels) {
     const auto hot_of = [&](std::uint32_t body) -> std::int32_t {
+        if (body == none) return 0;
         const BodyCold& cold = bodies.cold[body];
         if (cold.set != BodySet::awake) return 0;
         const auto hot = static_cast<std::int32_t>(cold.at + 1);

@@ -43,6 +43,10 @@ COVERED_BY = {
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
     "constraints/joints/axes_kernel.h":
         (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
+    "constraints/joints/couple_ends.cpp":
+        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+    "constraints/joints/couple_kernel.h":
+        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
     "constraints/joints/joint_lane.h":
         (["behaviour/joints_test.cpp", "behaviour/axis_joints_test.cpp"], "every number of a joint goes through it"),
     "constraints/joints/write_axes.cpp":

@@ -69,6 +69,25 @@ struct alignas(32) JointAxesWide {
     JointAxisWide axes[6];
 };
 
+// What gears, racks and pulleys have instead: one row that couples the ways of two ends, of up to
+// four bodies. Slots 0 and 1 are a and b, the others their carriers, where those are neither.
+struct alignas(32) JointCoupleWide {
+    std::int32_t body[4][8];    // hot indices; 0: none, or does not move
+    float arm[2][4][3][8];      // of each end, from each slot's centre as the step starts
+    float part[2][4][8];        // what of an end's motion the slot's is: 1, -1 or 0
+    float axis[2][3][8];        // along or about which, as the step starts; a rope: to its end
+    float way[2][8];            // a rope's length to its end, as the step starts, m
+    float scale[2][8];          // of each end's way in the row
+    float turns[2][8];          // 1: its way is a turn; else a length
+    float rope[8];              // 1: its ends are ropes, which pull only
+    float error[8];             // as the step starts
+    float impulse[8];           // of a sub-step
+    float moved[2][8];          // way of each end since the step began
+    float torque[3][8];         // N m s on b over the step so far, world axes
+    double ways[2][8], sum[8];  // of CoupleMemory, as the step starts
+    double carriers[2][8];      // likewise
+};
+
 // Which of a kind's rows some joint of a block has. Of axes: four bits each, so shifted.
 enum JointUses : std::uint8_t {
     uses_limit = 1,
@@ -86,6 +105,7 @@ struct JointConstraintWideMeta {
     int angular = -1;        // its JointAngularWide, if the kind has one
     int row = -1;            // its VelocityRowWide, if the kind has one
     int axes = -1;           // its JointAxesWide, if the kind has one
+    int couple = -1;         // its JointCoupleWide, if the kind has one
     std::uint32_t uses = 0;  // JointUses
     std::uint8_t count = 0;
     std::uint8_t overloaded = 0;  // by lane, at the end of the step

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
+#include <variant>
 
 #include "jostle/physics/joint_defs.h"
 
@@ -26,11 +28,31 @@ constexpr std::size_t axes_of(const WheelJoint&) {
     return 3;
 }
 
+// What gears and racks keep: what their ends were measured against, and how far they have turned or
+// travelled in all.
+struct CoupleMemory {
+    enum At : std::size_t { measured, carrier_a, carrier_b, way_a, way_b, sum, count };
+};
+
+// Whether a joint is one row that couples the ways of two ends, each against a carrier.
+template <class Kind>
+inline constexpr bool is_couple =
+    std::is_same_v<Kind, GearJoint> || std::is_same_v<Kind, RackJoint> ||
+    std::is_same_v<Kind, PulleyJoint>;
+template <class Kind>
+inline constexpr bool has_couple_memory = is_couple<Kind> && !std::is_same_v<Kind, PulleyJoint>;
+
+inline bool joint_is_couple(const JointKind& kind) {
+    return std::visit([]<class Kind>(const Kind&) { return is_couple<Kind>; }, kind);
+}
+
 inline std::size_t memory_of(const JointKind& kind) {
     return std::visit(
-        [](const auto& joint) -> std::size_t {
+        []<class Kind>(const Kind& joint) -> std::size_t {
             if constexpr (requires { axes_of(joint); })
                 return axes_of(joint) * AxisImpulses::count;
+            else if constexpr (has_couple_memory<Kind>)
+                return CoupleMemory::count;
             else
                 return 0;
         },

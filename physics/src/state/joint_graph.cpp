@@ -71,6 +71,30 @@ bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint3
     return joined;
 }
 
+std::uint32_t find_carrier(const WorldState& world, const Joint& couple, int end) {
+    if (std::holds_alternative<PulleyJoint>(couple.kind)) return none;
+    const bool slides = end == 1 && std::holds_alternative<RackJoint>(couple.kind);
+    const std::uint32_t body = end == 0 ? couple.body_a : couple.body_b;
+    if (body == none) return none;
+    const Vec3 z{0, 0, 1};
+    const Vec3 axis =
+        rotate(end == 0 ? couple.frame_a.rotation : couple.frame_b.rotation, z);  // in the body
+    std::uint32_t first = none, carrier = none;
+    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
+        const Joint& j = world.joints.joints[index];
+        const bool is_b = j.body_b == body;
+        const bool holds = slides ? std::holds_alternative<SliderJoint>(j.kind)
+                                  : std::holds_alternative<HingeJoint>(j.kind) ||
+                                        (is_b && std::holds_alternative<WheelJoint>(j.kind));
+        if (!holds || index > first) return;
+        const Vec3 other = rotate(is_b ? j.frame_b.rotation : j.frame_a.rotation, z);
+        if (absolute(dot(axis, other)) < 0.999) return;  // 2.6 degrees
+        first = index;
+        carrier = is_b ? j.body_a : j.body_b;
+    });
+    return carrier;
+}
+
 JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t>& found = world.scratch.jointed;
     found.assign(1, body);

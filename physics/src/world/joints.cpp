@@ -144,6 +144,9 @@ Result<JointState> World::joint(JointId id) const {
         state.swing = swing_angle(a.rotation, b.rotation);
     }
     state.offset = inverse_rotate(a.rotation, b.position - a.position);
+    if (const auto* pulley = std::get_if<PulleyJoint>(&j.kind))
+        state.travel = length(a.position - pulley->point_a) +
+                       pulley->ratio * length(b.position - pulley->point_b);
     if (std::holds_alternative<SliderJoint>(j.kind)) state.travel = state.offset.z;
     if (const auto* six = std::get_if<SixDofJoint>(&j.kind)) {
         const GimbalAngles turns = pose_of(layout_of(*six), a, b).turns;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "constraint_graph/joint_memory.h"
 #include "constraints/joints/axes_layout.h"
 #include "jostle/physics/world.h"
 #include "state/world_state.h"
@@ -33,7 +34,9 @@ void add_body(WorldSummary& sum, Vec3 gravity, const BodyCold& cold, const BodyW
 double error_of(const JointState& j) {
     if (const auto* d = std::get_if<DistanceJoint>(&j.def.kind))
         return maximum(d->min_length - j.separation, j.separation - d->max_length);
-    if (std::holds_alternative<GrabJoint>(j.def.kind)) return 0;
+    if (const auto* pulley = std::get_if<PulleyJoint>(&j.def.kind))
+        return j.travel - pulley->length;
+    if (std::holds_alternative<GrabJoint>(j.def.kind) || joint_is_couple(j.def.kind)) return 0;
     return std::visit(
         [&](const auto& kind) {
             if constexpr (requires { layout_of(kind); }) {

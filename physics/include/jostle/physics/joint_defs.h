@@ -189,8 +189,39 @@ struct GrabJoint {
     bool operator==(const GrabJoint&) const = default;
 };
 
+// Couples two bodies that turn, each about the z axis of its frame, as gears do: turn_a + ratio *
+// turn_b stays what it was when the joint was made, however often they go round. A turn is against
+// the carrier: what a hinge or a wheel along the same axis holds the body to, of several the one
+// made first; the world if there is none. Carriers feel what gears do to each other.
+struct GearJoint {
+    double ratio = 1;  // of b's turn, -1e6..1e6; 2: b turns half as fast, the other way
+
+    bool operator==(const GearJoint&) const = default;
+};
+
+// The pinion a, which turns about the z axis of its frame, and the rack b, which moves along the z
+// axis of its frame: travel_b - radius * turn_a stays what it was when the joint was made. a's
+// carrier is that of a gear; b's is what a slider along the same axis holds it to.
+struct RackJoint {
+    double radius = 1;  // m of b's travel for each rad of a's turn, -1e6..1e6
+
+    bool operator==(const RackJoint&) const = default;
+};
+
+// A rope from the origin of a's frame up to a point of the world, over to another, and down to the
+// origin of b's frame: length_a + ratio * length_b is at most `length`. With a ratio of 2 the rope
+// goes up and down at b, as in a tackle.
+struct PulleyJoint {
+    Vec3 point_a = {}, point_b = {};  // m, world; each component within 1e6
+    double length = 1;                // m, 0..1e6
+    double ratio = 1;                 // 1e-3..1e3
+
+    bool operator==(const PulleyJoint&) const = default;
+};
+
 using JointKind = std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint,
-                               VelocityRow, SliderJoint, SixDofJoint, WheelJoint, GrabJoint>;
+                               VelocityRow, SliderJoint, SixDofJoint, WheelJoint, GrabJoint,
+                               GearJoint, RackJoint, PulleyJoint>;
 inline constexpr int joint_kinds = static_cast<int>(std::variant_size_v<JointKind>);
 const char* kind_name(const JointKind& kind);  // "ball", "hinge", "cone-twist", ...
 
@@ -213,7 +244,7 @@ struct JointState {
     double angle = 0;       // hinge: rad; cone-twist: rad of twist; wheel: rad of spin
     double swing = 0;       // cone-twist: rad
     double separation = 0;  // m between the frames' origins; distance: the present length
-    double travel = 0;      // slider, wheel: m along the axis
+    double travel = 0;      // slider, wheel: m along the axis; pulley: m of rope that is in use
     // Six-dof: rad about each axis, as SixDofAxes says. Wheel: y is the steering.
     Vec3 angles = {};
     Vec3 offset = {};  // of b's origin from a's, in a's frame, m

@@ -174,6 +174,29 @@ struct JointFields<GrabJoint> {
     }
 };
 
+template <>
+struct JointFields<GearJoint> {
+    static constexpr const char* name = "gear";
+    static void visit(auto& v, auto& gear) { v.number("ratio", gear.ratio, -1e6, 1e6); }
+};
+
+template <>
+struct JointFields<RackJoint> {
+    static constexpr const char* name = "rack";
+    static void visit(auto& v, auto& rack) { v.number("radius", rack.radius, -1e6, 1e6); }
+};
+
+template <>
+struct JointFields<PulleyJoint> {
+    static constexpr const char* name = "pulley";
+    static void visit(auto& v, auto& pulley) {
+        v.vector("point_a", pulley.point_a, 1e6);
+        v.vector("point_b", pulley.point_b, 1e6);
+        v.number("length", pulley.length, 0, 1e6);
+        v.number("ratio", pulley.ratio, 1e-3, 1e3);
+    }
+};
+
 // Calls each(joint) with every kind as its struct makes it, in the order of JointKind.
 void for_each_joint_kind(auto&& each) {
     [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "constraints/joints/axes_kernel.h"
+#include "constraints/joints/couple_kernel.h"
 #include "constraints/joints/joint_load.h"
 #include "constraints/joints/joint_pair.h"
 #include "jostle/physics/joint_defs.h"
@@ -293,6 +294,13 @@ struct JointKernel<GrabJoint> {
         return {point, angular};
     }
 };
+
+template <>
+struct JointKernel<GearJoint> : CoupleTag {};
+template <>
+struct JointKernel<RackJoint> : CoupleTag {};
+template <>
+struct JointKernel<PulleyJoint> : CoupleTag {};
 
 template <>
 struct JointKernel<SliderJoint> : AxesKernel {};

@@ -67,6 +67,7 @@ struct JointSide {
     Wide3 inverse_mass;  // per axis of the world
     WideSymmetric inverse_inertia;
     WideQuat rotation;  // since the start of the step
+    Wide3 turned;       // the same as a rotation vector
     Wide3 arm;          // of the anchor, now
     Wide3 swept;        // how the anchor moved by that turn
 
@@ -82,7 +83,8 @@ struct JointSide {
         dp = {motion[0], motion[1], motion[2]};
         inverse_mass = {state[6] * inertia[6], state[6] * inertia[7], state[6] * motion[6]};
         inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
-        rotation = from_rotation_vector({motion[3], motion[4], motion[5]});
+        turned = {motion[3], motion[4], motion[5]};
+        rotation = from_rotation_vector(turned);
         const Wide3 start = load3(start_arm);
         swept = rotated_by(rotation, start);
         arm = start + swept;

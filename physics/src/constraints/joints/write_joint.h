@@ -21,10 +21,11 @@ struct JointBlock {
     JointAngularWide* angular;
     VelocityRowWide* row;
     JointAxesWide* axes;
+    JointCoupleWide* couple;
     JointConstraintWideMeta& meta;
 };
 
-// h: sub-step, s.
+// h: sub-step, s. Of gears, racks and pulleys write_couple() (couple_ends.h) writes the rest.
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane);
 // Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation

@@ -70,6 +70,24 @@ void ReadFields::flag(const char* name, bool& value) {
     if (!lacks(name)) value = from_.GetReflection()->GetBool(from_, field);
 }
 
+void ReadFields::points(const char* name, std::vector<Vec3>& points, std::size_t least,
+                        std::size_t most, double limit) {
+    const FieldDescriptor* field = find_field(from_, prefix_ + name);
+    const auto* reflection = from_.GetReflection();
+    const auto count = static_cast<std::size_t>(reflection->FieldSize(from_, field));
+    if (count < least || count > most)
+        return in_.note(path_of(name), "has " + std::to_string(count) + " points; give " +
+                                           std::to_string(least) + " to " + std::to_string(most));
+    points.assign(count, {});
+    for (std::size_t k = 0; k < count; k++) {
+        ReadFields point(in_, path_of(name) + "[" + std::to_string(k) + "]",
+                         reflection->GetRepeatedMessage(from_, field, static_cast<int>(k)));
+        point.number("x", points[k].x, -limit, limit);
+        point.number("y", points[k].y, -limit, limit);
+        point.number("z", points[k].z, -limit, limit);
+    }
+}
+
 void ReadFields::limit(const char* name, JointLimit& limit, double low, double high) {
     limit = {};
     ReadFields fields = inside(name);
@@ -114,6 +132,17 @@ void WriteFields::vector(const char* name, Vec3 value, double limit) {
 
 void WriteFields::flag(const char* name, bool value) {
     to_.GetReflection()->SetBool(&to_, find_field(to_, prefix_ + name, flag_type), value);
+}
+
+void WriteFields::points(const char* name, const std::vector<Vec3>& points, std::size_t,
+                         std::size_t, double limit) {
+    const FieldDescriptor* field = find_field(to_, prefix_ + name);
+    for (const Vec3 point : points) {
+        WriteFields to(*to_.GetReflection()->AddMessage(&to_, field));
+        to.number("x", point.x, -limit, limit);
+        to.number("y", point.y, -limit, limit);
+        to.number("z", point.z, -limit, limit);
+    }
 }
 
 void WriteFields::limit(const char* name, const JointLimit& limit, double low, double high) {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "field_reader.h"
 #include "jostle/physics/joint_fields.h"
@@ -33,6 +34,8 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3& value, double limit);
     void flag(const char* name, bool& value);
+    void points(const char* name, std::vector<physics::Vec3>& points, std::size_t least,
+                std::size_t most, double limit);
     void limit(const char* name, physics::JointLimit& limit, double low, double high);
     void motor(const char* name, auto& motor) {
         motor = {};
@@ -64,6 +67,8 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3 value, double limit);
     void flag(const char* name, bool value);
+    void points(const char* name, const std::vector<physics::Vec3>& points, std::size_t least,
+                std::size_t most, double limit);
     void limit(const char* name, const physics::JointLimit& limit, double low, double high);
     void motor(const char* name, const auto& motor) {
         if (!motor.enabled) return;

@@ -66,6 +66,8 @@ struct alignas(32) JointAxesWide {
     float by_a[8];        // 1: the impulses at the point turn with a, whatever carries others
     float turns[3][8];    // impulses along the rows of locked turns, N m s
     float torque[3][8];   // N m s over the step so far, world axes
+    float curvature[8];   // of a path, towards the second axis, 1/m
+    double at[8];         // on the path, as the step starts
     JointAxisWide axes[6];
 };
 
@@ -95,6 +97,7 @@ enum JointUses : std::uint8_t {
     uses_motor = 4,
     uses_friction = 8
 };
+inline constexpr std::uint32_t uses_curve = 1u << 31;  // of axes: the first is a path
 
 // Who is in a block.
 struct JointConstraintWideMeta {

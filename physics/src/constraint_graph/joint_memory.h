@@ -46,10 +46,21 @@ inline bool joint_is_couple(const JointKind& kind) {
     return std::visit([]<class Kind>(const Kind&) { return is_couple<Kind>; }, kind);
 }
 
+// What a path keeps after its axis' impulses: where b was on the curve, once it was found, and how
+// far that was from where it was the step before.
+struct PathMemory {
+    enum At : std::size_t { found = AxisImpulses::count, at, step, count };
+};
+constexpr std::size_t axes_of(const PathJoint&) {
+    return 1;
+}
+
 inline std::size_t memory_of(const JointKind& kind) {
     return std::visit(
         []<class Kind>(const Kind& joint) -> std::size_t {
-            if constexpr (requires { axes_of(joint); })
+            if constexpr (std::is_same_v<Kind, PathJoint>)
+                return PathMemory::count;
+            else if constexpr (requires { axes_of(joint); })
                 return axes_of(joint) * AxisImpulses::count;
             else if constexpr (has_couple_memory<Kind>)
                 return CoupleMemory::count;

@@ -226,6 +226,17 @@ struct JointFieldList {
         v.leave();
     }
     void flag(const char* name, bool& x) { v.field(name, x); }
+    void points(const char* name, std::vector<Vec3>& points, std::size_t least, std::size_t most,
+                double limit) {
+        visit_all(v, name, points, [&](Vec3& x) { vector("", x, limit); });
+        if constexpr (V::kLoading) {
+            if (points.size() < least || points.size() > most)
+                return v.fail(name, "are too few or too many");
+            for (std::size_t k = 1; k < points.size(); k++)
+                if (!(length(points[k] - points[k - 1]) >= 1e-6))
+                    return v.fail(name, "has the same point twice");
+        }
+    }
     void limit(const char* name, JointLimit& limit, double low, double high) {
         v.enter(name);
         v.field("enabled", limit.enabled);

@@ -20,6 +20,20 @@ void JointCheck::vector(const char* name, Vec3 value, double limit) {
     if (status_.ok()) status_ = check_vector((path_ + name).c_str(), value, limit);
 }
 
+void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::size_t least,
+                        std::size_t most, double limit) {
+    const std::string path = path_ + name;
+    if (status_.ok() && (points.size() < least || points.size() > most))
+        status_ = invalid(path + " are " + std::to_string(points.size()) + "; give " +
+                          std::to_string(least) + " to " + std::to_string(most));
+    for (std::size_t k = 0; k < points.size() && status_.ok(); k++) {
+        const std::string which = "[" + std::to_string(k) + "]";
+        vector((name + which).c_str(), points[k], limit);
+        if (status_.ok() && k > 0 && length(points[k] - points[k - 1]) < 1e-6)
+            status_ = invalid(path + which + " is where the one before it is; leave one out");
+    }
+}
+
 void JointCheck::limit(const char* name, const JointLimit& limit, double low, double high) {
     const std::string prefix = path_ + name;
     JointCheck inside(prefix.c_str());

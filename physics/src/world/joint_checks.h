@@ -24,6 +24,8 @@ public:
                  double low, double high);
     void vector(const char* name, Vec3 value, double limit);
     void flag(const char*, bool) {}
+    void points(const char* name, const std::vector<Vec3>& points, std::size_t least,
+                std::size_t most, double limit);
     void limit(const char* name, const JointLimit& limit, double low, double high);
     template <class Motor>
     void motor(const char* name, const Motor& motor) {

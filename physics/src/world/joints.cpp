@@ -147,6 +147,13 @@ Result<JointState> World::joint(JointId id) const {
     if (const auto* pulley = std::get_if<PulleyJoint>(&j.kind))
         state.travel = length(a.position - pulley->point_a) +
                        pulley->ratio * length(b.position - pulley->point_b);
+    if (const auto* path = std::get_if<PathJoint>(&j.kind)) {
+        const PathPlace place = j.memory[PathMemory::found] == 0
+                                    ? nearest_place(*path, state.offset)
+                                    : nearest_place(*path, state.offset, j.memory[PathMemory::at]);
+        state.travel = place.travel;
+        state.separation = length(state.offset - place.position);
+    }
     if (std::holds_alternative<SliderJoint>(j.kind)) state.travel = state.offset.z;
     if (const auto* six = std::get_if<SixDofJoint>(&j.kind)) {
         const GimbalAngles turns = pose_of(layout_of(*six), a, b).turns;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <variant>
+#include <vector>
 
 #include "jostle/physics/boxed.h"
 #include "jostle/physics/ids.h"
@@ -219,9 +220,24 @@ struct PulleyJoint {
     bool operator==(const PulleyJoint&) const = default;
 };
 
+// A bead on a wire: the origin of b's frame stays on a curve through points in a's frame, and b
+// turns freely. Its travel is the length of the curve up to it.
+struct PathJoint {
+    std::vector<Vec3> points = {{0, 0, 0}, {0, 0, 1}};  // m, 2..1024, each component within 1e6
+    bool smooth = true;     // Catmull-Rom; else straight from point to point
+    bool closed = false;    // from the last point back to the first; its travel starts again there
+    JointLimit limit = {};  // m of travel, of an open path, within 0..1e9; its ends are limits, too
+    LinearMotor motor = {};
+    JointSpring spring = {};    // pulls the travel towards spring_travel when hertz > 0
+    double spring_travel = 0;   // m, 0..1e9
+    double friction_force = 0;  // N that resists sliding
+
+    bool operator==(const PathJoint&) const = default;
+};
+
 using JointKind = std::variant<BallJoint, HingeJoint, ConeTwistJoint, FixedJoint, DistanceJoint,
                                VelocityRow, SliderJoint, SixDofJoint, WheelJoint, GrabJoint,
-                               GearJoint, RackJoint, PulleyJoint>;
+                               GearJoint, RackJoint, PulleyJoint, PathJoint>;
 inline constexpr int joint_kinds = static_cast<int>(std::variant_size_v<JointKind>);
 const char* kind_name(const JointKind& kind);  // "ball", "hinge", "cone-twist", ...
 
@@ -239,12 +255,14 @@ struct JointDef {
 struct JointState {
     JointId id = {};
     JointDef def;
-    Vec3 force = {};        // N on b, world, mean of the last step
-    Vec3 torque = {};       // N m on b, world
-    double angle = 0;       // hinge: rad; cone-twist: rad of twist; wheel: rad of spin
-    double swing = 0;       // cone-twist: rad
-    double separation = 0;  // m between the frames' origins; distance: the present length
-    double travel = 0;      // slider, wheel: m along the axis; pulley: m of rope that is in use
+    Vec3 force = {};   // N on b, world, mean of the last step
+    Vec3 torque = {};  // N m on b, world
+    double angle = 0;  // hinge: rad; cone-twist: rad of twist; wheel: rad of spin
+    double swing = 0;  // cone-twist: rad
+    // m between the frames' origins; distance: the present length; path: from the curve.
+    double separation = 0;
+    double travel = 0;  // slider, wheel: m along the axis; path: m up to b;
+                        // pulley: m of rope in use
     // Six-dof: rad about each axis, as SixDofAxes says. Wheel: y is the steering.
     Vec3 angles = {};
     Vec3 offset = {};  // of b's origin from a's, in a's frame, m

@@ -14,6 +14,7 @@
 //     v.ordered(name, x, name, y, low, high)    two numbers, x <= y
 //     v.vector(name, x, limit)                  each component at most that in size
 //     v.flag(name, x)
+//     v.points(name, x, least, most, limit)     so many vectors, each unlike the one before
 //     v.limit(name, x, low, high)  v.spring(name, x)
 //     v.motor(name, x)                          a JointMotor, LinearMotor or AxisMotor
 //     v.axis(name, x, low, high)                a JointAxis; the range is that of its values
@@ -194,6 +195,21 @@ struct JointFields<PulleyJoint> {
         v.vector("point_b", pulley.point_b, 1e6);
         v.number("length", pulley.length, 0, 1e6);
         v.number("ratio", pulley.ratio, 1e-3, 1e3);
+    }
+};
+
+template <>
+struct JointFields<PathJoint> {
+    static constexpr const char* name = "path";
+    static void visit(auto& v, auto& path) {
+        v.points("points", path.points, 2, 1024, 1e6);
+        v.flag("smooth", path.smooth);
+        v.flag("closed", path.closed);
+        v.limit("limit", path.limit, 0, 1e9);
+        v.motor("motor", path.motor);
+        v.spring("spring", path.spring);
+        v.number("spring_travel", path.spring_travel, 0, 1e9);
+        v.number("friction_force", path.friction_force, 0, 1e12);
     }
 };
 

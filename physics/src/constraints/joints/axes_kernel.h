@@ -70,6 +70,19 @@ struct AxesKernel {
             about[1] = to_world(middle);
             about[2] = to_world(Wide3{splat(0), -middle.z, middle.y} * share);
         }
+        // The first axis is along an arc, towards the second: where b is on it, and how far from
+        // it.
+        JOSTLE_INLINE void bend(Wide curvature) {
+            const Wide u = offset[0], n = offset[1], one = splat(1);
+            const Wide c = one - curvature * n, s = curvature * u;
+            const Wide size = root(c * c + s * s), share = one / max(size, splat(1e-6f));
+            const Wide3 x = (along[0] * c + along[1] * s) * share;
+            along[1] = (along[1] * c - along[0] * s) * share;
+            along[0] = x;
+            const WideMask bent = curvature > splat(1e-6f);
+            offset[0] = select(bent, arc_tangent(s, c) / select(bent, curvature, one), u);
+            offset[1] = (n + n - curvature * (u * u + n * n)) / (one + size);
+        }
         JOSTLE_INLINE Wide3 to_world(Wide3 v) const {
             return along[0] * v.x + along[1] * v.y + along[2] * v.z;
         }
@@ -110,7 +123,8 @@ struct AxesKernel {
                            unsigned uses) {
         pair.meet_at_b();
         set_carrier(pair, t);
-        const Axes axes(pair, t);
+        Axes axes(pair, t);
+        if ((uses & uses_curve) != 0) axes.bend(load(t.curvature));
         const Wide3 point = point_impulse(pair, axes, block, t) + free_impulse(t, uses, 0);
         const Wide3 turns = load3(t.turns) + free_impulse(t, uses, 3);
         pair.push(axes.to_world(point));
@@ -141,7 +155,8 @@ struct AxesKernel {
                            JointAxesWide& t, unsigned uses) {
         pair.meet_at_b();
         set_carrier(pair, t);
-        const Axes axes(pair, t);
+        Axes axes(pair, t);
+        if ((uses & uses_curve) != 0) axes.bend(load(t.curvature));
         for (int k = 0; k < 3; k++)
             solve_free<kRelax, true>(pair, step, axes.about[k], axes.angle[k], t.axes[k + 3],
                                      uses >> 4 * (k + 3) & 15);

@@ -87,6 +87,31 @@ AxesLayout layout_of(const WheelJoint& wheel) {
     return layout;
 }
 
+AxesLayout layout_at(const PathJoint& path, const PathPlace& place) {
+    AxesLayout layout;
+    layout.turn_a = place.rotation;
+    JointLimit limit = path.limit;
+    if (!path.closed) {
+        const double end = length_of(path);
+        limit.lower = limit.enabled ? minimum(limit.lower, end) : 0;
+        limit.upper = limit.enabled ? minimum(limit.upper, end) : end;
+        limit.enabled = true;
+    } else {
+        limit.enabled = false;
+    }
+    limit.lower -= place.travel;
+    limit.upper -= place.travel;
+    layout.axes[0] = {.free = true,
+                      .limit = limit,
+                      .spring = path.spring,
+                      .spring_at = path.spring_travel - place.travel,
+                      .motor = {path.motor.enabled, path.motor.speed, path.motor.max_force},
+                      .friction = path.friction_force};
+    layout.slots[0] = 0;
+    for (std::size_t k = 3; k < 6; k++) layout.axes[k].free = true;
+    return layout;
+}
+
 AxesPose pose_of(const AxesLayout& layout, const Transform& frame_a, const Transform& frame_b) {
     const Quat a = frame_a.rotation * layout.turn_a, b = frame_b.rotation * layout.turn_b;
     return {inverse_rotate(a, frame_b.position - frame_a.position), gimbal_angles(a, b)};

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "constraints/joints/path_curve.h"
 #include "jostle/physics/joint_defs.h"
 
 namespace jostle::physics {
@@ -38,6 +39,8 @@ struct AxesLayout {
 AxesLayout layout_of(const SliderJoint& slider);
 AxesLayout layout_of(const SixDofJoint& six);
 AxesLayout layout_of(const WheelJoint& wheel);
+// Where the bead is: the first axis is along the curve there, and counts from there.
+AxesLayout layout_at(const PathJoint& path, const PathPlace& place);
 
 // Where b is against a, in the layout's terms.
 struct AxesPose {

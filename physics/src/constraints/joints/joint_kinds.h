@@ -308,5 +308,7 @@ template <>
 struct JointKernel<SixDofJoint> : AxesKernel {};
 template <>
 struct JointKernel<WheelJoint> : AxesKernel {};
+template <>
+struct JointKernel<PathJoint> : AxesKernel {};
 
 }  // namespace jostle::physics::JOSTLE_ISA

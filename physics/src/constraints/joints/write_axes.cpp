@@ -52,18 +52,24 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
 bool turns_with_a(const JointKind& kind) {
     if (const auto* six = std::get_if<SixDofJoint>(&kind))
         return six->axes->x.free || six->axes->y.free || six->axes->z.free;
+    if (std::holds_alternative<PathJoint>(kind)) return true;
     return std::holds_alternative<SliderJoint>(kind) || std::holds_alternative<WheelJoint>(kind);
 }
 
 std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                         JointAxesWide& to, const JointLane& lane) {
-    const AxesLayout layout = layout_of(joint.kind);
+                         const PathPlace* place, JointAxesWide& to, const JointLane& lane) {
+    const AxesLayout layout = place == nullptr ? layout_of(joint.kind)
+                                               : layout_at(std::get<PathJoint>(joint.kind), *place);
     const Quat frame_a = a.frame * layout.turn_a, frame_b = b.frame * layout.turn_b;
     lane.put(to.frame_a, frame_a);
     lane.put(to.turn, conjugate(frame_a) * frame_b);
     lane.put(to.by_a, turns_with_a(joint.kind) ? 1 : 0);
     const double turns[] = {joint.angular.x, joint.angular.y, joint.angular.z};
     std::uint32_t uses = 0;
+    if (place != nullptr) {
+        uses = uses_curve;
+        lane.put(to.curvature, place->curvature);
+    }
     for (std::size_t k = 0; k < 6; k++) {
         const bool locked = !layout.axes[k].free;
         lane.put(to.locked[k], locked ? 1 : 0);
@@ -79,7 +85,16 @@ std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& 
 void read_axes(Joint& joint, const JointAxesWide& from, double dt, const JointLane& lane) {
     joint.torque = lane.get3(from.torque) * (1 / dt);
     joint.angular = lane.get3(from.turns);
-    const AxesLayout layout = layout_of(joint.kind);
+    const auto* path = std::get_if<PathJoint>(&joint.kind);
+    if (path != nullptr) {
+        double* memory = joint.memory.data();
+        const double at = from.at[lane.at];
+        memory[PathMemory::step] =
+            memory[PathMemory::found] == 0 ? 0 : parameter_step(*path, memory[PathMemory::at], at);
+        memory[PathMemory::found] = 1;
+        memory[PathMemory::at] = at;
+    }
+    const AxesLayout layout = path != nullptr ? layout_at(*path, {}) : layout_of(joint.kind);
     for (std::size_t k = 0; k < 6; k++) {
         if (layout.slots[k] < 0) continue;
         double* impulses = &joint.memory[first_impulse(layout.slots[k])];

@@ -6,6 +6,7 @@
 
 #include "constraints/joints/joint_end.h"
 #include "constraints/joints/joint_lane.h"
+#include "constraints/joints/path_curve.h"
 #include "state/joint_store.h"
 
 namespace jostle::physics {
@@ -15,8 +16,9 @@ namespace jostle::physics {
 bool turns_with_a(const JointKind& kind);
 
 // Returns which rows it uses (JointUses), four bits for each axis. h: sub-step, s.
+// `place`: where b is on a path, of which a's arm ends there; null for other kinds.
 std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
-                         JointAxesWide& to, const JointLane& lane);
+                         const PathPlace* place, JointAxesWide& to, const JointLane& lane);
 void read_axes(Joint& joint, const JointAxesWide& from, double dt, const JointLane& lane);
 
 }  // namespace jostle::physics

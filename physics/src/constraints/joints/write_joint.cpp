@@ -2,7 +2,9 @@
 #include "constraints/joints/write_joint.h"
 
 #include <cstdlib>
+#include <optional>
 
+#include "constraint_graph/joint_memory.h"
 #include "constraints/joints/axes_layout.h"
 #include "constraints/joints/couple_ends.h"
 #include "constraints/joints/joint_lane.h"
@@ -110,6 +112,19 @@ void write_joint(const Joint& joint, const JointEnd& end_a, const JointEnd& b, d
     JointEnd a = end_a;
     if (const auto* grab = std::get_if<GrabJoint>(&joint.kind))
         a.arm += rotate(a.frame, grab->target);
+    std::optional<PathPlace> place;
+    if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {
+        const Vec3 bead = inverse_rotate(a.frame, (b.center - a.center) + (b.arm - a.arm));
+        place = joint.memory[PathMemory::found] == 0
+                    ? nearest_place(*path, bead)
+                    : nearest_place(*path, bead, joint.memory[PathMemory::at]);
+        to.axes->at[lane.at] = place->at;
+        // The circle that stands for the curve in this step touches it in the middle of b's way.
+        if (path->smooth)
+            place = place_at(
+                *path, place->at + maximum(-0.5, minimum(joint.memory[PathMemory::step] / 2, 0.5)));
+        a.arm += rotate(a.frame, place->position);
+    }
     JointConstraintWide& block = to.block;
     const std::int32_t carrier = carrier_of(joint.kind, a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
@@ -121,7 +136,8 @@ void write_joint(const Joint& joint, const JointEnd& end_a, const JointEnd& b, d
     lane.put(block.point, rotate(carried, joint.point));
     if (to.row != nullptr)
         write_row(std::get<VelocityRow>(joint.kind), joint.motor, a, b, h, *to.row, lane);
-    if (to.axes != nullptr) to.meta.uses |= write_axes(joint, a, b, h, *to.axes, lane);
+    if (to.axes != nullptr)
+        to.meta.uses |= write_axes(joint, a, b, h, place ? &*place : nullptr, *to.axes, lane);
     if (to.angular == nullptr) return;
     JointAngularWide& angular = *to.angular;
     lane.put(angular.angular, rotate(carried, joint.angular));

@@ -88,6 +88,20 @@ void ReadFields::points(const char* name, std::vector<Vec3>& points, std::size_t
     }
 }
 
+void ReadFields::drive(const char* name, RotationDrive& drive) {
+    ReadFields fields = inside(name);
+    if (lacks(name)) return;
+    fields.spring("spring", drive.spring);
+    fields.number("max_torque", drive.max_torque, 0, 1e12);
+    ReadFields target = fields.inside("target");
+    if (fields.lacks("target")) return;
+    target.number("x", drive.target.x, -1, 1);
+    target.number("y", drive.target.y, -1, 1);
+    target.number("z", drive.target.z, -1, 1);
+    target.number("w", drive.target.w, -1, 1);
+    if (norm_squared(drive.target) < 1e-6) in_.note(fields.path_of("target"), "is no rotation");
+}
+
 void ReadFields::limit(const char* name, JointLimit& limit, double low, double high) {
     limit = {};
     ReadFields fields = inside(name);
@@ -143,6 +157,18 @@ void WriteFields::points(const char* name, const std::vector<Vec3>& points, std:
         to.number("y", point.y, -limit, limit);
         to.number("z", point.z, -limit, limit);
     }
+}
+
+void WriteFields::drive(const char* name, const RotationDrive& drive) {
+    if (!(drive.spring.hertz > 0)) return;
+    WriteFields fields = inside(name);
+    fields.spring("spring", drive.spring);
+    fields.number("max_torque", drive.max_torque, 0, 1e12);
+    WriteFields target = fields.inside("target");
+    target.number("x", drive.target.x, -1, 1);
+    target.number("y", drive.target.y, -1, 1);
+    target.number("z", drive.target.z, -1, 1);
+    target.number("w", drive.target.w, -1, 1);
 }
 
 void WriteFields::limit(const char* name, const JointLimit& limit, double low, double high) {

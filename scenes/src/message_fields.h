@@ -34,6 +34,10 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3& value, double limit);
     void flag(const char* name, bool& value);
+    void later(const char* name, double& value, double low, double high) {
+        number(name, value, low, high);
+    }
+    void drive(const char* name, physics::RotationDrive& drive);
     void points(const char* name, std::vector<physics::Vec3>& points, std::size_t least,
                 std::size_t most, double limit);
     void limit(const char* name, physics::JointLimit& limit, double low, double high);
@@ -67,6 +71,10 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3 value, double limit);
     void flag(const char* name, bool value);
+    void later(const char* name, double value, double low, double high) {
+        number(name, value, low, high);
+    }
+    void drive(const char* name, const physics::RotationDrive& drive);
     void points(const char* name, const std::vector<physics::Vec3>& points, std::size_t least,
                 std::size_t most, double limit);
     void limit(const char* name, const physics::JointLimit& limit, double low, double high);

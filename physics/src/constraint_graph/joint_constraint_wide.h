@@ -31,6 +31,7 @@ struct alignas(32) JointAngularWide {
     float frame_a[4][8], frame_b[4][8];   // x y z w, in the world
     float angular[3][8], friction[3][8];  // impulses as `point`, N m s
     float torque[3][8];                   // N m s over the step so far, world axes
+    float drive[4][8], drive_most[8];     // x y z w, from the target to b; N m s in a sub-step
     float lower[8], upper[8], swing[8], spring[8], motor[8];  // impulses along the kind's own rows
     float lower_at[8], upper_at[8];                           // limits, rad or m
     float swing_at[8], spring_at[8];                          // rad; rad or m
@@ -95,7 +96,8 @@ enum JointUses : std::uint8_t {
     uses_limit = 1,
     uses_spring = 2,
     uses_motor = 4,
-    uses_friction = 8
+    uses_friction = 8,
+    uses_drive = 16
 };
 inline constexpr std::uint32_t uses_curve = 1u << 31;  // of axes: the first is a path
 

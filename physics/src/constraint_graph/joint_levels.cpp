@@ -27,7 +27,7 @@ constexpr std::array<bool, sizeof...(Kinds)> find_axes(std::type_identity<std::v
 }
 bool has_axes(std::uint32_t kind) {
     static constexpr auto axes = find_axes(std::type_identity<JointKind>{});
-    return axes[kind];
+    return kind != driven_ball && axes[kind];
 }
 template <class... Kinds>
 constexpr std::array<bool, sizeof...(Kinds)> find_couples(
@@ -36,7 +36,7 @@ constexpr std::array<bool, sizeof...(Kinds)> find_couples(
 }
 bool has_couple(std::uint32_t kind) {
     static constexpr auto couples = find_couples(std::type_identity<JointKind>{});
-    return couples[kind];
+    return kind != driven_ball && couples[kind];
 }
 bool has_angular(std::uint32_t kind) {
     return kind != JointKind(BallJoint{}).index() && !has_row(kind) && !has_axes(kind) &&
@@ -55,7 +55,7 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
         return levels.reached[static_cast<std::size_t>(std::max(hot, 0))];
     };
     for (LeveledJoint& joint : levels.joints) {
-        ASSERT(joint.kind < joint_kinds);
+        ASSERT(joint.kind < kernel_kinds);
         ASSERT(joint.a != joint.b);
         std::uint32_t level = std::max(reached(joint.a), reached(joint.b));
         if ((joint.carrier_a | joint.carrier_b) != 0) {
@@ -65,7 +65,7 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
         reached(joint.a) = reached(joint.b) = level + 1;
         levels.reached[0] = 0;  // what cannot be pushed makes nobody wait
         count = std::max(count, level + 1);
-        joint.run = level * joint_kinds + joint.kind;
+        joint.run = level * kernel_kinds + joint.kind;
     }
     return static_cast<int>(count);
 }
@@ -74,7 +74,7 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
 
 void assign_levels(JointLevels& levels, std::size_t bodies) {
     const int count = find_levels(levels, bodies);
-    levels.places.assign(static_cast<std::size_t>(count) * joint_kinds, 0);
+    levels.places.assign(static_cast<std::size_t>(count) * kernel_kinds, 0);
     for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
     levels.runs.clear();
     int blocks = 0, angular = 0, rows = 0, axes = 0, couples = 0;
@@ -82,7 +82,7 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
         const int joints = levels.places[key];
         levels.places[key] = blocks * 8;  // the next free lane
         if (joints == 0) continue;
-        const std::uint32_t kind = key % joint_kinds;
+        const std::uint32_t kind = key % kernel_kinds;
         const int size = (joints + 7) / 8;
         levels.runs.push_back({.kind = static_cast<std::uint8_t>(kind),
                                .begin = blocks,

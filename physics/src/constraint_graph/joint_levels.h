@@ -19,7 +19,7 @@ namespace jostle::physics {
 
 // Blocks of one kind that share no body: any order, any thread. Runs go one after the other.
 struct JointRun {
-    std::uint8_t kind = 0;   // index into JointKind
+    std::uint8_t kind = 0;   // index into JointKind, or driven_ball
     int begin = 0, end = 0;  // blocks
     int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
     int row = -1;            // VelocityRowWide likewise
@@ -29,7 +29,7 @@ struct JointRun {
 
 struct LeveledJoint {
     std::uint32_t joint = 0;
-    std::uint32_t kind = 0;                     // index into JointKind
+    std::uint32_t kind = 0;                     // index into JointKind, or driven_ball
     std::int32_t a = 0, b = 0;                  // as JointConstraintWideMeta's
     std::int32_t carrier_a = 0, carrier_b = 0;  // of couples, likewise
     std::uint32_t run = 0;                      // level * joint kinds + kind

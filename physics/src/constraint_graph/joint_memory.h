@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <variant>
 
@@ -41,6 +42,15 @@ inline constexpr bool is_couple =
     std::is_same_v<Kind, PulleyJoint>;
 template <class Kind>
 inline constexpr bool has_couple_memory = is_couple<Kind> && !std::is_same_v<Kind, PulleyJoint>;
+
+// Balls that are driven or rub have a kernel of their own, so that others have nothing to look at.
+inline constexpr std::uint32_t driven_ball = joint_kinds, kernel_kinds = joint_kinds + 1;
+inline std::uint32_t kernel_of(const JointKind& kind) {
+    const auto* ball = std::get_if<BallJoint>(&kind);
+    const bool driven =
+        ball != nullptr && (ball->drive.spring.hertz > 0 || ball->friction_torque > 0);
+    return driven ? driven_ball : static_cast<std::uint32_t>(kind.index());
+}
 
 inline bool joint_is_couple(const JointKind& kind) {
     return std::visit([]<class Kind>(const Kind&) { return is_couple<Kind>; }, kind);

@@ -226,6 +226,24 @@ struct JointFieldList {
         v.leave();
     }
     void flag(const char* name, bool& x) { v.field(name, x); }
+    void later(const char* name, double& x, double low, double high) {
+        v.optional(name, x, 12);
+        if constexpr (V::kLoading)
+            if (!(x >= low && x <= high)) v.fail(name, "is out of range");
+    }
+    // What is not driven is one number, a zero.
+    void drive(const char* name, RotationDrive& drive) {
+        v.enter(name);
+        later("hertz", drive.spring.hertz, 0, 1e4);
+        if (drive.spring.hertz > 0) {
+            number("damping_ratio", drive.spring.damping_ratio, 0, 1e4);
+            visit(v, "target", drive.target);
+            number("max_torque", drive.max_torque, 0, 1e12);
+            if constexpr (V::kLoading)
+                if (!(norm_squared(drive.target) > 1e-6)) v.fail("target", "is no rotation");
+        }
+        v.leave();
+    }
     void points(const char* name, std::vector<Vec3>& points, std::size_t least, std::size_t most,
                 double limit) {
         visit_all(v, name, points, [&](Vec3& x) { vector("", x, limit); });

@@ -34,6 +34,16 @@ void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::
     }
 }
 
+void JointCheck::drive(const char* name, const RotationDrive& drive) {
+    const std::string prefix = path_ + name;
+    JointCheck inside(prefix.c_str());
+    inside.spring("spring", drive.spring);
+    inside.number("max_torque", drive.max_torque, 0, 1e12);
+    if (inside.status_.ok())
+        inside.status_ = check_pose((prefix + ".target").c_str(), {{}, drive.target});
+    if (status_.ok()) status_ = inside.status_;
+}
+
 void JointCheck::limit(const char* name, const JointLimit& limit, double low, double high) {
     const std::string prefix = path_ + name;
     JointCheck inside(prefix.c_str());

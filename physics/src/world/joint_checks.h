@@ -24,6 +24,10 @@ public:
                  double low, double high);
     void vector(const char* name, Vec3 value, double limit);
     void flag(const char*, bool) {}
+    void later(const char* name, double value, double low, double high) {
+        number(name, value, low, high);
+    }
+    void drive(const char* name, const RotationDrive& drive);
     void points(const char* name, const std::vector<Vec3>& points, std::size_t least,
                 std::size_t most, double limit);
     void limit(const char* name, const JointLimit& limit, double low, double high);

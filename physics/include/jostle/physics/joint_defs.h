@@ -57,8 +57,20 @@ struct AxisMotor {
     bool operator==(const AxisMotor&) const = default;
 };
 
+// Turns b's frame against a's to an orientation, as muscles would.
+struct RotationDrive {
+    JointSpring spring = {};   // 0 hertz: no drive
+    Quat target = {};          // of b's frame in a's
+    double max_torque = 1e12;  // N m
+
+    bool operator==(const RotationDrive&) const = default;
+};
+
 // The origins of both frames stay together.
 struct BallJoint {
+    RotationDrive drive = {};
+    double friction_torque = 0;  // N m that resists all turning
+
     bool operator==(const BallJoint&) const = default;
 };
 
@@ -77,6 +89,7 @@ struct ConeTwistJoint {
     double swing = 0.5;            // rad, half angle of the cone, 0..pi
     JointLimit twist{true, 0, 0};  // rad, within -pi..pi
     double friction_torque = 0;    // N m that resists all turning
+    RotationDrive drive = {};
 
     bool operator==(const ConeTwistJoint&) const = default;
 };

@@ -12,12 +12,13 @@
 // A visitor v takes names as messages spell them, and ranges in the units of joint_defs.h:
 //     v.number(name, x, low, high)
 //     v.ordered(name, x, name, y, low, high)    two numbers, x <= y
-//     v.vector(name, x, limit)                  each component at most that in size
-//     v.flag(name, x)
-//     v.points(name, x, least, most, limit)     so many vectors, each unlike the one before
-//     v.limit(name, x, low, high)  v.spring(name, x)
-//     v.motor(name, x)                          a JointMotor, LinearMotor or AxisMotor
-//     v.axis(name, x, low, high)                a JointAxis; the range is that of its values
+//     v.later(name, x, low, high)               a number that saved worlds before version 12 lack,
+//     0 v.drive(name, x)                          a RotationDrive, likewise v.vector(name, x,
+//     limit)                  each component at most that in size v.flag(name, x) v.points(name, x,
+//     least, most, limit)     so many vectors, each unlike the one before v.limit(name, x, low,
+//     high)  v.spring(name, x) v.motor(name, x)                          a JointMotor, LinearMotor
+//     or AxisMotor v.axis(name, x, low, high)                a JointAxis; the range is that of its
+//     values
 #pragma once
 
 #include <type_traits>
@@ -65,7 +66,10 @@ struct JointFields;
 template <>
 struct JointFields<BallJoint> {
     static constexpr const char* name = "ball";
-    static void visit(auto&, auto&) {}
+    static void visit(auto& v, auto& ball) {
+        v.drive("drive", ball.drive);
+        v.later("friction_torque", ball.friction_torque, 0, 1e12);
+    }
 };
 
 template <>
@@ -86,6 +90,7 @@ struct JointFields<ConeTwistJoint> {
         v.number("swing", cone.swing, 0, pi);
         v.limit("twist", cone.twist, -pi, pi);
         v.number("friction_torque", cone.friction_torque, 0, 1e12);
+        v.drive("drive", cone.drive);
     }
 };
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "constraint_graph/joint_memory.h"
 #include "constraints/joints/joint_kinds.h"
 #include "constraints/kernels.h"
 
@@ -19,6 +20,7 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass, std::type_identity<std::varian
 }
 template <class Pass>
 JOSTLE_INLINE void with_kind(int kind, Pass pass) {
+    if (kind == static_cast<int>(driven_ball)) return pass(JointKernel<DrivenBall>{});
     with_kind(kind, pass, std::type_identity<JointKind>{});
 }
 

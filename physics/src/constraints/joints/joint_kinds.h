@@ -33,6 +33,63 @@ struct JointKernel<BallJoint> {
     }
 };
 
+// Friction against all turning.
+JOSTLE_INLINE void rub(JointPair& pair, JointAngularWide& t, Wide3& friction) {
+    const Wide3 stop = friction - solve3(pair.turn_matrix(), pair.spin());
+    const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
+    const WideMask slips = size > most;
+    const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
+    pair.apply_angular(stop * share - friction);
+    friction = stop * share;
+    pair.keep(t.friction, friction);
+}
+// A spring towards an orientation, of at most so much torque. The error is the turn from there to
+// where b is, the shorter way round.
+template <bool kRelax>
+JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impulse) {
+    const WideQuat q = pair.b.rotation * load4(t.drive) * conjugate(pair.a.rotation);
+    const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
+    const Wide3 axis = Wide3{q.x, q.y, q.z} * sign;
+    const Wide sine = root(dot(axis, axis));
+    const WideMask turned = sine > splat(1e-6f);
+    const Wide scale =
+        select(turned, splat(2) * arc_tangent(sine, q.w * sign) / select(turned, sine, splat(1)),
+               splat(2));
+    JointPair tried = pair;
+    Wide3 wanted = impulse;
+    hold_rotation(tried, spring_of<kRelax>(t.spring_soft), axis * scale, wanted);
+    const Wide size = root(dot(wanted, wanted)), most = load(t.drive_most);
+    const WideMask strong = size > most;
+    wanted = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
+    pair.apply_angular(wanted - impulse);
+    impulse = wanted;
+    pair.keep(t.angular, impulse);
+}
+
+// A ball that is driven or rubs: constraint_graph/joint_memory.h.
+struct DrivenBall {};
+template <>
+struct JointKernel<DrivenBall> {
+    using Own = JointAngularWide;
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t, unsigned) {
+        pair.push(pair.to_world(block.point));
+        pair.apply_angular(pair.to_world(t.angular) + pair.to_world(t.friction));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned uses) {
+        Wide3 driven = pair.to_world(t.angular), friction = pair.to_world(t.friction);
+        if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven);
+        if ((uses & uses_motor) != 0) rub(pair, t, friction);
+        Wide3 point = pair.to_world(block.point);
+        hold_points(pair, rigid<kRelax>(step), point);
+        pair.keep(block.point, point);
+        return {point, driven + friction};
+    }
+};
+
 template <>
 struct JointKernel<HingeJoint> {
     using Own = JointAngularWide;
@@ -97,10 +154,11 @@ struct JointKernel<ConeTwistJoint> {
         }
     };
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t, unsigned) {
+                                         JointAngularWide& t, unsigned uses) {
         const Axes axes(pair.a.rotation * load4(t.frame_a), pair.b.rotation * load4(t.frame_b));
         pair.push(pair.to_world(block.point));
-        pair.apply_angular(axes.total(t, pair.to_world(t.friction)));
+        const Wide3 total = axes.total(t, pair.to_world(t.friction));
+        pair.apply_angular((uses & uses_drive) != 0 ? total + pair.to_world(t.angular) : total);
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
@@ -110,16 +168,9 @@ struct JointKernel<ConeTwistJoint> {
         const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Axes axes(frame_a, frame_b);
         Wide3 friction = pair.to_world(t.friction), point = pair.to_world(block.point);
-        if ((uses & uses_motor) != 0) {
-            // Friction against all turning.
-            const Wide3 stop = friction - solve3(pair.turn_matrix(), pair.spin());
-            const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
-            const WideMask slips = size > most;
-            const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
-            pair.apply_angular(stop * share - friction);
-            friction = stop * share;
-            pair.keep(t.friction, friction);
-        }
+        Wide3 driven = pair.to_world(t.angular);
+        if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven);
+        if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_limit) != 0) {
             const WideQuat q = conjugate(frame_a) * frame_b;
             // Of q and of -q, which are the same turn, the one less than half.
@@ -134,7 +185,8 @@ struct JointKernel<ConeTwistJoint> {
                           t.swing);
         hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
-        return {point, axes.total(t, friction)};
+        const Wide3 total = axes.total(t, friction);
+        return {point, (uses & uses_drive) != 0 ? total + driven : total};
     }
 };
 

@@ -46,6 +46,19 @@ struct Parts {
     }
 
     void operator()(const auto&) {}  // writes what it has elsewhere
+    void drive(const RotationDrive& drive) {
+        const bool driven = drive.spring.hertz > 0;
+        lane.put(t.spring_soft, driven ? spring_or(drive.spring, h, {}) : switched_off);
+        lane.put(t.drive_most, driven ? minimum(drive.max_torque * h, 1e30) : 0);
+        if (!driven) return;
+        lane.put(t.drive, b.frame * conjugate(a.frame * unit(drive.target)));
+        uses |= uses_drive;
+    }
+
+    void operator()(const BallJoint& kind) {
+        motor(kind.friction_torque > 0, 0, kind.friction_torque);
+        drive(kind.drive);
+    }
     void operator()(const HingeJoint& kind) {
         frames();
         limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
@@ -58,6 +71,7 @@ struct Parts {
         motor(kind.friction_torque > 0, 0, kind.friction_torque);
         lane.put(t.swing_at, kind.swing);
         lane.put(t.swing, joint.swing);
+        drive(kind.drive);
     }
     void operator()(const FixedJoint& kind) {
         // Both frames in one turn, so that a small one keeps its digits.

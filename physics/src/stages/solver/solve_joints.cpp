@@ -79,7 +79,7 @@ void find_bodies(const WorldState& world, JointLevels& levels) {
     for (LeveledJoint& found : levels.joints) {
         ASSERT(store.ids.alive(found.joint));
         const Joint& joint = store.joints[found.joint];
-        found.kind = static_cast<std::uint32_t>(joint.kind.index());
+        found.kind = kernel_of(joint.kind);
         found.a = hot_of(world.bodies, joint.body_a);
         found.b = hot_of(world.bodies, joint.body_b);
         if (!joint_is_couple(joint.kind)) continue;

@@ -53,6 +53,17 @@ TEST(JointChecks, errors_name_the_field_by_its_path) {
         {SixDofJoint{SixDofAxes{.x = {.friction = 1}}}, "six_dof.x is locked"},
         {WheelJoint{.suspension = {.hertz = -1}}, "wheel.suspension.hertz"},
         {WheelJoint{.steering = 4}, "wheel.steering"},
+        {GrabJoint{.target = {nan, 0, 0}}, "grab.target"},
+        {GrabJoint{.max_force = -1}, "grab.max_force"},
+        {GearJoint{.ratio = nan}, "gear.ratio"},
+        {RackJoint{.radius = 1e7}, "rack.radius"},
+        {PulleyJoint{.ratio = 0}, "pulley.ratio"},
+        {PathJoint{.points = {{0, 0, 0}}}, "path.points are 1; give 2 to 1024"},
+        {PathJoint{.points = {{0, 0, 0}, {0, 0, 0}}}, "path.points[1] is where"},
+        {PathJoint{.points = {{0, 0, 0}, {nan, 0, 0}}}, "path.points[1]"},
+        {BallJoint{.drive = {.spring = {.hertz = -1}}}, "ball.drive.spring.hertz"},
+        {BallJoint{.drive = {.target = {0, 0, 0, 0}}}, "ball.drive.target"},
+        {ConeTwistJoint{.drive = {.max_torque = nan}}, "cone_twist.drive.max_torque"},
     };
     for (const auto& [kind, path] : faults)
         EXPECT_NE(error_of(kind).find(path), std::string::npos) << path << ": " << error_of(kind);

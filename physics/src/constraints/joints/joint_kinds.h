@@ -168,8 +168,11 @@ struct JointKernel<ConeTwistJoint> {
         const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Axes axes(frame_a, frame_b);
         Wide3 friction = pair.to_world(t.friction), point = pair.to_world(block.point);
-        Wide3 driven = pair.to_world(t.angular);
-        if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven);
+        Wide3 driven{splat(0), splat(0), splat(0)};
+        if ((uses & uses_drive) != 0) {
+            driven = pair.to_world(t.angular);
+            drive_turn<kRelax>(pair, t, driven);
+        }
         if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_limit) != 0) {
             const WideQuat q = conjugate(frame_a) * frame_b;

@@ -117,36 +117,40 @@ void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const 
 }  // namespace
 
 std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b) {
-    return turns_with_a(kind) || b <= 0 ? a : b;
+    // Most kinds stand before the first of those.
+    static constexpr std::size_t first = 6;
+    static_assert(std::is_same_v<std::variant_alternative_t<first, JointKind>, SliderJoint>);
+    if (b <= 0) return a;
+    return kind.index() >= first && turns_with_a(kind) ? a : b;
 }
 
-void write_joint(const Joint& joint, const JointEnd& end_a, const JointEnd& b, double h,
+void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane_index) {
     const JointLane lane{lane_index};
-    JointEnd a = end_a;
-    if (const auto* grab = std::get_if<GrabJoint>(&joint.kind))
-        a.arm += rotate(a.frame, grab->target);
+    Vec3 arm_a = a.arm;
     std::optional<PathPlace> place;
-    if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {
+    if (const auto* grab = std::get_if<GrabJoint>(&joint.kind)) {
+        arm_a += rotate(a.frame, grab->target);
+    } else if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {
         const Vec3 bead = inverse_rotate(a.frame, (b.center - a.center) + (b.arm - a.arm));
-        place = joint.memory[PathMemory::found] == 0
-                    ? nearest_place(*path, bead)
-                    : nearest_place(*path, bead, joint.memory[PathMemory::at]);
+        const std::vector<double>& memory = joint.memory;
+        place = memory[PathMemory::found] == 0 ? nearest_place(*path, bead)
+                                               : nearest_place(*path, bead, memory[PathMemory::at]);
         to.axes->at[lane.at] = place->at;
         // The circle that stands for the curve in this step touches it in the middle of b's way.
         if (path->smooth)
-            place = place_at(
-                *path, place->at + maximum(-0.5, minimum(joint.memory[PathMemory::step] / 2, 0.5)));
-        a.arm += rotate(a.frame, place->position);
+            place = place_at(*path,
+                             place->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));
+        arm_a += rotate(a.frame, place->position);
     }
     JointConstraintWide& block = to.block;
     const std::int32_t carrier = carrier_of(joint.kind, a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
     block.a[lane.at] = std::abs(a.hot);
     block.b[lane.at] = std::abs(b.hot);
-    lane.put(block.arm_a, a.arm);
+    lane.put(block.arm_a, arm_a);
     lane.put(block.arm_b, b.arm);
-    lane.put(block.apart, (b.center - a.center) + (b.arm - a.arm));
+    lane.put(block.apart, (b.center - a.center) + (b.arm - arm_a));
     lane.put(block.point, rotate(carried, joint.point));
     if (to.row != nullptr)
         write_row(std::get<VelocityRow>(joint.kind), joint.motor, a, b, h, *to.row, lane);

@@ -41,6 +41,20 @@ COVERED_BY = {
     "constraints/contact_kernel.h":
         (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "constraints/joints/axes_kernel.h":
+        (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
+    "constraints/joints/couple_ends.cpp":
+        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+    "constraints/joints/couple_kernel.h":
+        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+    "constraints/joints/joint_lane.h":
+        (["behaviour/joints_test.cpp", "behaviour/axis_joints_test.cpp"], "every number of a joint goes through it"),
+    "constraints/joints/path_curve.cpp":
+        (["behaviour/path_joints_test.cpp"], "circles, cycloids and polylines, whose lengths and periods are known"),
+    "constraints/joints/write_axes.cpp":
+        (["behaviour/axis_joints_test.cpp"], "limits, motors, springs and friction of every axis are written there"),
+    "constraint_graph/joint_memory.h":
+        (["behaviour/axis_joints_test.cpp"], "what joints keep is saved, loaded and goes on"),
     "constraints/joints/joint_kernel.h":
         (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
     "constraints/joints/joint_kinds.h":

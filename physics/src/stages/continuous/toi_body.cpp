@@ -69,6 +69,17 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
     return s;
 }
 
+Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt) {
+    if (cold.type != BodyType::dynamic) return {};
+    return scaled(world.def.gravity * (cold.gravity_scale * dt), free_directions(cold));
+}
+
+// x(t) - chord(t) = -a t (T - t) / 2.
+Vec3 off_the_chord(Vec3 gain, double flies_from, double fraction, Vec3 v, double late, double dt) {
+    const double share = -0.5 * (fraction - flies_from) * (1 - fraction);
+    return gain * (share * dt) + v * late + gain * (0.5 * late * late / dt);
+}
+
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt) {
     const BodyWarm& now = warm_of(world, t.body);
     const BodyCold& cold = world.bodies.cold[now.body];
@@ -79,9 +90,13 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, doub
     t.velocity = now.v;
     t.spin = now.w;
     t.spin_rotation = now.rotation;
-    const bool flies =
-        cold.type == BodyType::dynamic && cold.constraints == 0 && cold.first_joint == none;
-    if (!flies) return;
+    if (cold.type != BodyType::dynamic || cold.first_joint != none) return;
+    // Contacts that did nothing let it fly.
+    const Vec3 fall = gain_in_free_fall(world, cold, dt);
+    const double least = 1e-3;  // m/s
+    t.held = cold.constraints > 0 &&
+             length(now.v - before.v - fall) > least + 0.05 * length(fall);
+    if (t.held) return;
     t.velocity = before.v;
     t.gain = now.v - before.v;
     t.spin_at = 0;
@@ -112,7 +127,7 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
                                    : FreeSpin{from.rotation, from.w};
     t.end_rotation = free.rotation;
     t.end_spin = free.w;
-    t.spin_at = fraction;
+    t.spin_at = t.flies_from = fraction;
     t.spin = from.w;
     t.spin_rotation = from.rotation;
     t.velocity = from.v;

@@ -19,6 +19,8 @@ struct ToiBody {
     // where it really is to where it really will be.
     Sweep sweep;
     Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
+    double flies_from = 0;  // fraction: since when nothing but those forces acts on it
+    bool held = false;      // contacts bore it in this step, and still do: no gain
     // The spin and the attitude at one moment of the step; at others Euler's equations give it.
     double spin_at = 1;  // fraction
     Vec3 spin;           // rad/s
@@ -36,6 +38,8 @@ struct ToiBody {
     double fraction = Impact::never;  // of the step
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;
+    double closing = 0;     // m/s, then: of several impacts at one moment the hardest is the first
+    bool at_start = false;  // they touched already when its sweep began
     Aabb swept;                             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
 };
@@ -48,6 +52,14 @@ struct Speed {
 };
 // At a fraction of the step, from the sweep's beginning on.
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt);
+
+// What gravity adds to the velocity of a body in a step, m/s.
+Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt);
+
+// How far a body is at a fraction of the step from its sweep, which is even, and `late` seconds
+// after that, m: what accelerates evenly flies along a parabola, of which the sweep is a chord. The
+// chord is from `flies_from` to the end of the step.
+Vec3 off_the_chord(Vec3 gain, double flies_from, double fraction, Vec3 v, double late, double dt);
 
 // A fast body from the beginning of the step, where it was `before`: as the step took it.
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt);

@@ -83,7 +83,8 @@ double closing_speed(const WorldState& world, const Contact& c, const Manifold& 
 // contact solver's: the sweep would let go of the end that rests.
 bool will_bounce(const WorldState& world, const Contact& c, const Manifold& m, bool touching,
                  double dt) {
-    if (m.count == 0 || (touching && m.count > 1)) return false;
+    if (m.count == 0) return m.distance - closing_way(world, c, dt) < tuning::speculative_margin;
+    if (touching && m.count > 1) return false;
     return closing_speed(world, c, m) > tuning::restitution_speed &&
            expected_gap(world, c, m, dt) < tuning::speculative_margin;
 }
@@ -233,9 +234,10 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     c.queued = false;
     if (c.composite) return look_at_composite(step, check);
     Manifold manifold = manifold_ahead(step, c);
-    if (manifold.count > 0 && bounces(world, c.shape_a, c.shape_b)) {
+    if (bounces(world, c.shape_a, c.shape_b)) {
         check.bounces = will_bounce(world, c, manifold, c.touching, step.dt);
-        if (check.bounces || stays_apart(world, c, manifold, c.touching, step.dt)) {
+        if (manifold.count > 0 &&
+            (check.bounces || stays_apart(world, c, manifold, c.touching, step.dt))) {
             manifold.distance = smallest_gap(manifold);
             manifold.count = 0;
         }

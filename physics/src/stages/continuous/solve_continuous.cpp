@@ -55,6 +55,7 @@ public:
             else
                 begin_leg(first);
         }
+        report_bounces();
         // They are placed when whom they met is awake: place_toi_bodies().
         for (ToiBody& t : bodies_)
             if (t.changed) step_.scratch.continuous.changed.push_back(std::move(t));
@@ -549,6 +550,8 @@ private:
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at);
         const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
         report(own, other, hit);
+        if (answer.restitution > 0 && hit.approach > tuning::restitution_speed)
+            note_bounce(own, other, hit);
         // What stays does not go where its velocity points: nobody may follow it there.
         const std::uint32_t met = toi_body_of(body_b);
         if (hit.approach <= 0 && met != nobody && is_exhausted(bodies_[met]))
@@ -690,6 +693,45 @@ private:
                                       hit.point.position, hit.point.normal, hit.approach});
     }
 
+    // A bounce begins a contact, which ends with the next step, unless the two touch as it is.
+    // Shapes in the order of their contact (state/contact_graph.h).
+    void note_bounce(std::uint32_t own, std::uint32_t other, const HardestPoint& hit) {
+        const auto dynamic = [&](std::uint32_t shape) {
+            return is_dynamic(world_, world_.shapes.shapes[shape].body);
+        };
+        const bool as_met =
+            dynamic(own) != dynamic(other) ? dynamic(own) : own < other;
+        const std::uint32_t a = as_met ? own : other, b = as_met ? other : own;
+        bool touching = false;
+        for_each_contact(
+            world_.contacts, world_.bodies.cold[world_.shapes.shapes[a].body],
+            [&](std::uint32_t contact) {
+                const Contact& c = world_.contacts.contacts[contact];
+                touching |= c.touching && c.parent == none && c.shape_a == a && c.shape_b == b;
+            });
+        if (touching) return;
+        bounces_.push_back({shape_id(world_, a), shape_id(world_, b),
+                            body_id(world_, world_.shapes.shapes[a].body),
+                            body_id(world_, world_.shapes.shapes[b].body), hit.point.position,
+                            as_met ? hit.point.normal : -hit.point.normal, hit.approach});
+    }
+    // Of several bounces of two shapes in one step the first.
+    void report_bounces() {
+        std::stable_sort(bounces_.begin(), bounces_.end(),
+                         [](const ContactBegin& x, const ContactBegin& y) {
+                             return std::pair(x.shape_a, x.shape_b) <
+                                    std::pair(y.shape_a, y.shape_b);
+                         });
+        const ContactBegin* last = nullptr;
+        for (const ContactBegin& c : bounces_) {
+            if (last != nullptr && last->shape_a == c.shape_a && last->shape_b == c.shape_b)
+                continue;
+            world_.events.contacts_began.push_back(c);
+            world_.events.pending.ended.push_back({c.shape_a, c.shape_b, c.body_a, c.body_b});
+            last = &c;
+        }
+    }
+
     // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.
     bool continue_after(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at,
                         bool bounced) {
@@ -723,6 +765,7 @@ private:
     std::uint32_t round_ = 0;                            // of looking
     std::vector<Event> queue_;  // heap of TOI bodies by what comes next
     bool any_bounces_ = false;
+    std::vector<ContactBegin> bounces_;
     std::vector<std::uint64_t> passes_;  // pair_key() of shapes that do not hit each other; rising
     std::vector<std::uint32_t> where_;   // by body: its TOI body; empty before the first
 };

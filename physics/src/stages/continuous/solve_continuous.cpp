@@ -231,8 +231,7 @@ private:
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
             const bool bouncy = any_bounces_ && bounces(world_, c.shape_a, c.shape_b);
-            if (motions_.may_meet(world_, motion, cold, met, other, bouncy))
-                found.push_back(other);
+            if (motions_.may_meet(world_, motion, cold, met, other, bouncy)) found.push_back(other);
         }
     }
 
@@ -490,14 +489,14 @@ private:
     enum class ClosesBy : std::uint8_t { velocity_or_sweep, velocity, bouncing };
     // How fast they do, m/s; nothing if they do not.
     std::optional<double> closing_speed(std::uint32_t own, std::uint32_t other,
-                                        const std::vector<ImpactPoint>& points,
-                                        const Sweep& motion, const ToiBody& t, double fraction,
-                                        ClosesBy by) const {
+                                        const std::vector<ImpactPoint>& points, const Sweep& motion,
+                                        const ToiBody& t, double fraction, ClosesBy by) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
         const Vec3 ca = center_at(t.sweep, fraction), cb = center_at(motion, fraction);
         const Speed sa = speed_of(body_a, fraction), sb = speed_of(body_b, fraction);
-        const double least = by == ClosesBy::bouncing ? tuning::restitution_speed : 1e-3;  // m/s
+        const double least =
+            by == ClosesBy::bouncing ? tuning::touching_impact_speed : 1e-3;  // m/s
         bool closes = false;
         double most = 0;
         for (const ImpactPoint& p : points) {
@@ -507,8 +506,7 @@ private:
                                (t.sweep.translation + cross(t.sweep.rotation_vector, ra));
             most = maximum(most, -dot(u, p.normal));
             closes |= dot(u, p.normal) < -least;
-            closes |= by == ClosesBy::velocity_or_sweep &&
-                      dot(swept, p.normal) < -least * step_.dt;
+            closes |= by == ClosesBy::velocity_or_sweep && dot(swept, p.normal) < -least * step_.dt;
         }
         if (!closes) return std::nullopt;
         return most;
@@ -583,8 +581,8 @@ private:
         if (fall_a.gain == Vec3{} && fall_b.gain == Vec3{}) return;
         const double dt = step_.dt;
         const ImpactPoint& p = points.front();
-        const Vec3 u = (b.v + cross(b.w, p.position - b.center)) -
-                       (a.v + cross(a.w, p.position - a.center));
+        const Vec3 u =
+            (b.v + cross(b.w, p.position - b.center)) - (a.v + cross(a.w, p.position - a.center));
         const auto off = [&](const Fall& fall, Vec3 v, double late) {
             return off_the_chord(fall.gain, fall.from, at, v, late, dt);
         };
@@ -699,16 +697,15 @@ private:
         const auto dynamic = [&](std::uint32_t shape) {
             return is_dynamic(world_, world_.shapes.shapes[shape].body);
         };
-        const bool as_met =
-            dynamic(own) != dynamic(other) ? dynamic(own) : own < other;
+        const bool as_met = dynamic(own) != dynamic(other) ? dynamic(own) : own < other;
         const std::uint32_t a = as_met ? own : other, b = as_met ? other : own;
         bool touching = false;
-        for_each_contact(
-            world_.contacts, world_.bodies.cold[world_.shapes.shapes[a].body],
-            [&](std::uint32_t contact) {
-                const Contact& c = world_.contacts.contacts[contact];
-                touching |= c.touching && c.parent == none && c.shape_a == a && c.shape_b == b;
-            });
+        for_each_contact(world_.contacts, world_.bodies.cold[world_.shapes.shapes[a].body],
+                         [&](std::uint32_t contact) {
+                             const Contact& c = world_.contacts.contacts[contact];
+                             touching |=
+                                 c.touching && c.parent == none && c.shape_a == a && c.shape_b == b;
+                         });
         if (touching) return;
         bounces_.push_back({shape_id(world_, a), shape_id(world_, b),
                             body_id(world_, world_.shapes.shapes[a].body),
@@ -717,11 +714,10 @@ private:
     }
     // Of several bounces of two shapes in one step the first.
     void report_bounces() {
-        std::stable_sort(bounces_.begin(), bounces_.end(),
-                         [](const ContactBegin& x, const ContactBegin& y) {
-                             return std::pair(x.shape_a, x.shape_b) <
-                                    std::pair(y.shape_a, y.shape_b);
-                         });
+        std::stable_sort(
+            bounces_.begin(), bounces_.end(), [](const ContactBegin& x, const ContactBegin& y) {
+                return std::pair(x.shape_a, x.shape_b) < std::pair(y.shape_a, y.shape_b);
+            });
         const ContactBegin* last = nullptr;
         for (const ContactBegin& c : bounces_) {
             if (last != nullptr && last->shape_a == c.shape_a && last->shape_b == c.shape_b)
@@ -762,7 +758,7 @@ private:
     std::vector<ToiBody> bodies_;
     std::vector<double> next_;  // by TOI body: when something next happens to it
     std::vector<std::size_t> to_check_;
-    std::uint32_t round_ = 0;                            // of looking
+    std::uint32_t round_ = 0;   // of looking
     std::vector<Event> queue_;  // heap of TOI bodies by what comes next
     bool any_bounces_ = false;
     std::vector<ContactBegin> bounces_;

@@ -76,7 +76,7 @@ public:
         const double linear = length(motion.motion - met.motion);
         // A little less than foreseen, so that nothing falls between the two.
         if (!bounces && linear + motion.turning + met.turning <
-            tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius)
+                            tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius)
             return false;
         const BodyCold& cold_other = world.bodies.cold[other];
         if (cold_other.type != BodyType::dynamic)

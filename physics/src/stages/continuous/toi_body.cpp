@@ -6,7 +6,7 @@
 #include "constraints/free_motion.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
-
+#include "state/contact_constraints.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -94,8 +94,7 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, doub
     // Contacts that did nothing let it fly.
     const Vec3 fall = gain_in_free_fall(world, cold, dt);
     const double least = 1e-3;  // m/s
-    t.held = cold.constraints > 0 &&
-             length(now.v - before.v - fall) > least + 0.05 * length(fall);
+    t.held = cold.constraints > 0 && length(now.v - before.v - fall) > least + 0.05 * length(fall);
     if (t.held) return;
     t.velocity = before.v;
     t.gain = now.v - before.v;
@@ -166,6 +165,13 @@ void finish_toi(WorldState& world, const ToiBody& t, double dt) {
     warm.w = stayed ? t.spin : t.end_spin;
     warm.sleep_time = 0;
     update_motion_bound(world, t.body, dt);
+    // The solver moved their gaps along another way.
+    for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        if (c.colour < 0) return;
+        const ContactPlace place = place_of(world, c);
+        place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
+    });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         if (!fits_fat_aabb(world.shapes.shapes[s], warm, dt)) enlarge_proxy(world, s, warm, dt);
 }

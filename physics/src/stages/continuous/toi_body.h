@@ -18,7 +18,7 @@ struct ToiBody {
     // How it goes on. A gyroscopic body does not turn evenly: its way is cut into legs, each from
     // where it really is to where it really will be.
     Sweep sweep;
-    Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
+    Vec3 velocity, gain;    // m/s at the start of the sweep, and what forces add over a whole step
     double flies_from = 0;  // fraction: since when nothing but those forces acts on it
     bool held = false;      // contacts bore it in this step, and still do: no gain
     // The spin and the attitude at one moment of the step; at others Euler's equations give it.
@@ -40,7 +40,7 @@ struct ToiBody {
     std::vector<ImpactPoint> points;
     double closing = 0;     // m/s, then: of several impacts at one moment the hardest is the first
     bool at_start = false;  // they touched already when its sweep began
-    Aabb swept;                             // holds all that is left of its way
+    Aabb swept;             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
 };
 

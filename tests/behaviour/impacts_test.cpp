@@ -80,6 +80,46 @@ TEST(Cradle, of_unequal_masses_each_pair_counts) {
     expect_speeds({{-0.5, 1, 1000}, {0, 0, 2000}, {0.2, 0, 4000}}, {first, second, last});
 }
 
+// On threads of a metre, two to a ball as in the toy: the first comes down from 8 degrees and
+// strikes at the bottom. Its height is that of the other side afterwards, and the others hang
+// still.
+TEST(Cradle, on_threads_the_last_swings_as_high_as_the_first_did) {
+    for (const double hz : {60.0, 120.0, 240.0}) {
+        World world = make_world({.sleeping = false});
+        const BodyId frame =
+            add_static(world, {.geometry = Box{{1, 0.01, 1}}, .position = {0, 3, 0}});
+        std::vector<BodyId> balls;
+        const double angle = 8 * pi / 180;
+        for (int k = 0; k < 5; k++) {
+            const Vec3 hook{0.2 * k, 1, 0};
+            const SinCos a = sin_cos(k == 0 ? angle : 0);
+            const Vec3 place = hook + Vec3{-a.sin, -a.cos, 0};
+            balls.push_back(add(
+                world,
+                {.geometry = Sphere{radius}, .position = place, .friction = 0, .restitution = 1}));
+            for (const double side : {-0.5, 0.5}) {
+                const Vec3 end = hook + Vec3{0, 0, side};
+                const double thread = length(end - place);
+                must(world.create_joint(
+                    {.body_a = frame,
+                     .body_b = balls.back(),
+                     .frame_a = {end - Vec3{0, 3, 0}},
+                     .kind = DistanceJoint{.min_length = 0, .max_length = thread}}));
+            }
+        }
+        double highest = 0, others = 0;
+        for (int step = 0; step < 0.95 * hz; step++) {
+            must(world.step(1 / hz));
+            highest = maximum(highest, position_of(world, balls[4]).y);
+            for (int k = 0; k < 4; k++)
+                if (step > 0.6 * hz) others = maximum(others, length(velocity_of(world, balls[k])));
+        }
+        const double rise = 1 - sin_cos(angle).cos;
+        EXPECT_NEAR(highest / rise, 1, 0.1) << hz << " Hz";
+        EXPECT_LT(others, 0.05) << hz << " Hz";
+    }
+}
+
 // --- billiards ---
 
 // The normal is that of the moment when they meet: 30 degrees off the way of the first.

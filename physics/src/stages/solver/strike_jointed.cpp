@@ -23,46 +23,46 @@ struct Strike {
     double closing = 0;  // m/s
 };
 
-Vec3 velocity_at(const HotBody& body, Vec3 arm) {
+Vec3 hot_velocity_at(const HotBody& body, Vec3 arm) {
     return to_vec3(body.v) + cross(to_vec3(body.w), arm);
 }
 
 // A manifold in which two meet within the step: its points at that moment, from the centre of a.
-struct Meeting {
+struct StrikePoints {
     Vec3 center_b;  // from the centre of a
     std::vector<ImpactPoint> points;
     double closing = 0;  // m/s: of the point that closes fastest
 };
 
-Meeting meeting_of(const HotBodies& hot, const Strike& s, double dt) {
+StrikePoints strike_points(const HotBodies& hot, const Strike& s, double dt) {
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
     const HotBody &a = hot[static_cast<std::size_t>(block.a[k])],
                   &b = hot[static_cast<std::size_t>(block.b[k])];
     const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
     const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
-    Meeting meeting;
+    StrikePoints meeting;
     double first = dt;  // s until then
     for (int i = 0; i < 4; i++) {
         const double gap{block.gap[i][k]};
         if (gap > 0.5 * double{no_point}) continue;
         const Vec3 in_plane = t1 * double{block.x[i][k]} + t2 * double{block.y[i][k]};
         const double closing =
-            -dot(n, velocity_at(b, arm_b + in_plane) - velocity_at(a, arm_a + in_plane));
+            -dot(n, hot_velocity_at(b, arm_b + in_plane) - hot_velocity_at(a, arm_a + in_plane));
         if (closing <= tuning::restitution_speed || gap > closing * dt) continue;
         meeting.closing = maximum(meeting.closing, closing);
         meeting.points.push_back({in_plane, n});
         first = minimum(first, maximum(gap, 0) / closing);
     }
     // The arms follow, as in the solver (PairBodies::follow).
-    const Vec3 apart = (velocity_at(b, arm_b) - velocity_at(a, arm_a)) * first;
+    const Vec3 apart = (hot_velocity_at(b, arm_b) - hot_velocity_at(a, arm_a)) * first;
     const Vec3 meets_a = arm_a + apart * double{block.anchor_blend[k]};
     for (ImpactPoint& p : meeting.points) p.position += meets_a;
     meeting.center_b = arm_a - arm_b + apart;
     return meeting;
 }
 
-ImpactBody impact_body(const HotBody& hot, Vec3 center) {
+ImpactBody hot_impact_body(const HotBody& hot, Vec3 center) {
     const auto at = [&](int k) { return double{hot.inertia[k]}; };
     return {
         .center = center,
@@ -73,7 +73,7 @@ ImpactBody impact_body(const HotBody& hot, Vec3 center) {
         .w = to_vec3(hot.w)};
 }
 
-void set_velocity(HotBody& hot, const ImpactBody& body) {
+void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
     const Vec3 v = body.v, w = body.w;
     hot.v[0] = as_float(v.x), hot.v[1] = as_float(v.y), hot.v[2] = as_float(v.z);
     hot.w[0] = as_float(w.x), hot.w[1] = as_float(w.y), hot.w[2] = as_float(w.z);
@@ -81,20 +81,21 @@ void set_velocity(HotBody& hot, const ImpactBody& body) {
 
 // Whether it was one.
 bool strike(HotBodies& hot, const Strike& s, double dt) {
-    const Meeting meeting = meeting_of(hot, s, dt);
+    const StrikePoints meeting = strike_points(hot, s, dt);
     if (meeting.points.empty()) return false;
     HotBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
             &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
-    ImpactBody a = impact_body(hot_a, {}), b = impact_body(hot_b, meeting.center_b);
+    ImpactBody a = hot_impact_body(hot_a, {}), b = hot_impact_body(hot_b, meeting.center_b);
     resolve_impact(a, b, meeting.points, double{s.meta->restitution[s.lane]},
                    double{s.block->mu[s.lane]});
-    set_velocity(hot_a, a);
-    set_velocity(hot_b, b);
+    set_hot_velocity(hot_a, a);
+    set_hot_velocity(hot_b, b);
     return true;
 }
 
 // Pairs that bounce, with a body on joints.
-void find_pairs(const WorldState& world, const GraphColour& colour, std::vector<Strike>& found) {
+void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
+                         std::vector<Strike>& found) {
     const auto jointed = [&](std::uint32_t body) {
         return world.bodies.cold[body].first_joint != none;
     };
@@ -116,8 +117,8 @@ void strike_jointed(StepContext& step, std::span<const ColourRun> runs) {
     std::vector<Strike> pairs;
     for (const ColourRun& run : runs) {
         if (pair_kind_of(run.number) != PairKind::dynamic) continue;
-        find_pairs(step.world, *run.colour, pairs);
-        if (run.single != nullptr) find_pairs(step.world, *run.single, pairs);
+        find_bouncing_pairs(step.world, *run.colour, pairs);
+        if (run.single != nullptr) find_bouncing_pairs(step.world, *run.single, pairs);
     }
     if (pairs.empty()) return;
     HotBodies& hot = step.scratch.solver.hot;
@@ -125,7 +126,7 @@ void strike_jointed(StepContext& step, std::span<const ColourRun> runs) {
     for (int round = 0; round < most_rounds; round++) {
         closing.clear();
         for (Strike& s : pairs) {
-            s.closing = meeting_of(hot, s, step.dt).closing;
+            s.closing = strike_points(hot, s, step.dt).closing;
             if (s.closing > 0) closing.push_back(s);
         }
         // By contact where equally fast, not by place: which islands a task holds depends on the

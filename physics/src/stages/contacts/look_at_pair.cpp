@@ -90,10 +90,17 @@ bool will_bounce(const WorldState& world, const Contact& c, const Manifold& m, b
 }
 
 // Whether two that bounce cannot meet in this step but at a speed that bounces: then they need no
-// manifold, and fly as if they were alone.
+// manifold, and fly as if they were alone. So do those that just bounced and part.
 bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, bool touching,
                  double dt) {
-    return !touching && expected_gap(world, c, m, dt) > tuning::restitution_speed * dt;
+    if (touching) return false;
+    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+    for (int i = 0; i < m.count; i++) {
+        const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
+        const Vec3 vb = b.v + cross(b.w, m.point[i] - b.center);
+        if (m.gap[i] + dot(m.normal, vb - va) * dt <= tuning::restitution_speed * dt) return false;
+    }
+    return true;
 }
 
 // Finds for each part that exists the manifold that continues it: the same child, and of pieces of

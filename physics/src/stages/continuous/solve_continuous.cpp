@@ -13,8 +13,10 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/contacts/ask_listeners.h"
+#include "stages/continuous/bounce_events.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
+#include "stages/continuous/parabola.h"
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
 #include "stages/continuous/toi_dependents.h"
@@ -55,7 +57,7 @@ public:
             else
                 begin_leg(first);
         }
-        report_bounces();
+        report_bounces(world_.events, bounces_);
         // They are placed when whom they met is awake: place_toi_bodies().
         for (ToiBody& t : bodies_)
             if (t.changed) step_.scratch.continuous.changed.push_back(std::move(t));
@@ -429,7 +431,7 @@ private:
                 if (fraction == t.fraction && *closing <= t.closing) return true;
                 t.fraction = fraction;
                 t.closing = *closing;
-                t.at_start = by != ClosesBy::velocity_or_sweep;
+                t.at_start = fraction == from;
                 t.own_shape = own;
                 t.other_shape = other;
                 t.points = points;
@@ -545,11 +547,11 @@ private:
         }
         file_wake(body_a, body_b);
         if (answer.restitution > 0 && !bodies_[index].at_start)
-            put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at);
+            put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
         const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
         report(own, other, hit);
         if (answer.restitution > 0 && hit.approach > tuning::restitution_speed)
-            note_bounce(own, other, hit);
+            note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.
         const std::uint32_t met = toi_body_of(body_b);
         if (hit.approach <= 0 && met != nobody && is_exhausted(bodies_[met]))
@@ -562,47 +564,10 @@ private:
         if (continue_after(body_b, b, sweep_b, at, bounced)) update_dependents(where_[body_b]);
     }
 
-    // How a body flies: what a step adds to its velocity, m/s, and since which fraction.
-    struct Fall {
-        Vec3 gain;
-        double from = 0;
-    };
     Fall fall_of(std::uint32_t body) const {
         const std::uint32_t known = toi_body_of(body);
         if (known == nobody) return {gain_of(world_.bodies.cold[body]), 0};
         return {bodies_[known].gain, bodies_[known].flies_from};
-    }
-    // A sweep is a chord of the parabola on which a body flies, and meets things a little before or
-    // after it does. Both are put to where the parabolas meet, with their velocities there: so that
-    // what an impact does not take is kept. (Half of g dt^2 / 8 in each bounce would be lost.) What
-    // is left of the step is counted from the sweep's moment all the same.
-    void put_on_parabolas(ImpactBody& a, const Fall& fall_a, ImpactBody& b, const Fall& fall_b,
-                          std::vector<ImpactPoint>& points, double at) const {
-        if (fall_a.gain == Vec3{} && fall_b.gain == Vec3{}) return;
-        const double dt = step_.dt;
-        const ImpactPoint& p = points.front();
-        const Vec3 u =
-            (b.v + cross(b.w, p.position - b.center)) - (a.v + cross(a.w, p.position - a.center));
-        const auto off = [&](const Fall& fall, Vec3 v, double late) {
-            return off_the_chord(fall.gain, fall.from, at, v, late, dt);
-        };
-        // gap + u t + pull t^2 / 2 = 0, all along the normal.
-        const double gap = dot(p.normal, off(fall_b, {}, 0) - off(fall_a, {}, 0));
-        const double closing = -dot(u, p.normal),
-                     pull = dot(p.normal, fall_b.gain - fall_a.gain) / dt;
-        const double root = closing * closing - 2 * pull * gap;
-        if (!(closing > tuning::restitution_speed) || !(root > 0)) return;
-        const double late = 2 * gap / (closing + square_root(root));
-        if (absolute(late) > dt) return;
-        const Vec3 moved_a = off(fall_a, a.v, late), moved_b = off(fall_b, b.v, late);
-        a.center += moved_a;
-        b.center += moved_b;
-        a.v += fall_a.gain * (late / dt);
-        b.v += fall_b.gain * (late / dt);
-        const Vec3 moved = b.inverse_mass == Vec3{}   ? moved_a
-                           : a.inverse_mass == Vec3{} ? moved_b
-                                                      : (moved_a + moved_b) * 0.5;
-        for (ImpactPoint& point : points) point.position += moved;
     }
 
     // How two shapes touch that meet between sub-steps, and whether they do.
@@ -689,43 +654,6 @@ private:
                                       body_id(world_, world_.shapes.shapes[own].body),
                                       body_id(world_, world_.shapes.shapes[other].body),
                                       hit.point.position, hit.point.normal, hit.approach});
-    }
-
-    // A bounce begins a contact, which ends with the next step, unless the two touch as it is.
-    // Shapes in the order of their contact (state/contact_graph.h).
-    void note_bounce(std::uint32_t own, std::uint32_t other, const HardestPoint& hit) {
-        const auto dynamic = [&](std::uint32_t shape) {
-            return is_dynamic(world_, world_.shapes.shapes[shape].body);
-        };
-        const bool as_met = dynamic(own) != dynamic(other) ? dynamic(own) : own < other;
-        const std::uint32_t a = as_met ? own : other, b = as_met ? other : own;
-        bool touching = false;
-        for_each_contact(world_.contacts, world_.bodies.cold[world_.shapes.shapes[a].body],
-                         [&](std::uint32_t contact) {
-                             const Contact& c = world_.contacts.contacts[contact];
-                             touching |=
-                                 c.touching && c.parent == none && c.shape_a == a && c.shape_b == b;
-                         });
-        if (touching) return;
-        bounces_.push_back({shape_id(world_, a), shape_id(world_, b),
-                            body_id(world_, world_.shapes.shapes[a].body),
-                            body_id(world_, world_.shapes.shapes[b].body), hit.point.position,
-                            as_met ? hit.point.normal : -hit.point.normal, hit.approach});
-    }
-    // Of several bounces of two shapes in one step the first.
-    void report_bounces() {
-        std::stable_sort(
-            bounces_.begin(), bounces_.end(), [](const ContactBegin& x, const ContactBegin& y) {
-                return std::pair(x.shape_a, x.shape_b) < std::pair(y.shape_a, y.shape_b);
-            });
-        const ContactBegin* last = nullptr;
-        for (const ContactBegin& c : bounces_) {
-            if (last != nullptr && last->shape_a == c.shape_a && last->shape_b == c.shape_b)
-                continue;
-            world_.events.contacts_began.push_back(c);
-            world_.events.pending.ended.push_back({c.shape_a, c.shape_b, c.body_a, c.body_b});
-            last = &c;
-        }
     }
 
     // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.

@@ -74,12 +74,6 @@ Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt)
     return scaled(world.def.gravity * (cold.gravity_scale * dt), free_directions(cold));
 }
 
-// x(t) - chord(t) = -a t (T - t) / 2.
-Vec3 off_the_chord(Vec3 gain, double flies_from, double fraction, Vec3 v, double late, double dt) {
-    const double share = -0.5 * (fraction - flies_from) * (1 - fraction);
-    return gain * (share * dt) + v * late + gain * (0.5 * late * late / dt);
-}
-
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt) {
     const BodyWarm& now = warm_of(world, t.body);
     const BodyCold& cold = world.bodies.cold[now.body];

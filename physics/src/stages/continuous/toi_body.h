@@ -56,11 +56,6 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
 // What gravity adds to the velocity of a body in a step, m/s.
 Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt);
 
-// How far a body is at a fraction of the step from its sweep, which is even, and `late` seconds
-// after that, m: what accelerates evenly flies along a parabola, of which the sweep is a chord. The
-// chord is from `flies_from` to the end of the step.
-Vec3 off_the_chord(Vec3 gain, double flies_from, double fraction, Vec3 v, double late, double dt);
-
 // A fast body from the beginning of the step, where it was `before`: as the step took it.
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt);
 // From the end of a leg on.

@@ -33,19 +33,6 @@ struct Flight {
     const BodyWarm& now() const { return state.bodies.awake[0]; }
 };
 
-// In the middle of the step a falling body is g dt^2 / 8 above the chord of its way; at both ends
-// it is on it. A little later it has fallen on.
-TEST(ToiBody, a_parabola_is_off_its_chord) {
-    const Vec3 gain{0, -9.81 * dt, 0};
-    EXPECT_NEAR(off_the_chord(gain, 0, 0.5, {}, 0, dt).y, 9.81 * dt * dt / 8, 1e-15);
-    EXPECT_EQ(length(off_the_chord(gain, 0, 0, {}, 0, dt)), 0);
-    EXPECT_EQ(length(off_the_chord(gain, 0, 1, {}, 0, dt)), 0);
-    EXPECT_NEAR(off_the_chord(gain, 0.5, 0.75, {}, 0, dt).y, 9.81 * dt * dt / 32, 1e-15);
-    const double late = 0.001;
-    EXPECT_NEAR(off_the_chord(gain, 0, 0, {1, -2, 0}, late, dt).y,
-                -2 * late - 0.5 * 9.81 * late * late, 1e-15);
-}
-
 // Contacts that do nothing do not hold it: its velocity is that of the moment.
 TEST(ToiBody, what_falls_past_something_flies) {
     Flight flight(Sphere{0.1}, {0, -3, 0}, {});

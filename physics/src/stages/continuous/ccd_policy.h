@@ -36,6 +36,7 @@ inline double motion_without_sweep(const ContactScratch& scratch, const BodyCold
 // joints is the solver's all the same: see below.
 inline bool bounces(const WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
     const ShapeRecord &sa = world.shapes.shapes[shape_a], &sb = world.shapes.shapes[shape_b];
+    if (sa.material.restitution == 0 && sb.material.restitution == 0) return false;  // mostly
     if (!world.def.continuous || !(pair_restitution(sa.material, sb.material) > 0)) return false;
     const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
     const auto sweeps = [](const BodyCold& cold) {

@@ -79,14 +79,23 @@ double closing_speed(const WorldState& world, const Contact& c, const Manifold& 
 }
 
 // Whether two that bounce are to meet in this step, so that the sweep takes them
-// (stages/continuous/ccd_policy.h). A face of which one end rests while the other comes down is the
-// contact solver's: the sweep would let go of the end that rests.
-bool will_bounce(const WorldState& world, const Contact& c, const Manifold& m, bool touching,
-                 double dt) {
-    if (m.count == 0) return m.distance - closing_way(world, c, dt) < tuning::speculative_margin;
-    if (touching && m.count > 1) return false;
+// (stages/continuous/ccd_policy.h). Faces are the contact solver's when one end of them rests while
+// the other comes down, which a sweep would let go of, and when they have met already beside others
+// that they lean on: there one impact follows the other without end.
+bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, bool touching) {
+    const WorldState& world = step.world;
+    if (m.count == 0)
+        return m.distance - closing_way(world, c, step.dt) < tuning::speculative_margin;
+    const auto leans = [&](std::uint32_t body) {
+        const BodyCold& cold = world.bodies.cold[body];
+        return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
+    };
+    if (m.count > 1 && touching) return false;
+    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap &&
+        (leans(c.body_a) || leans(c.body_b)))
+        return false;
     return closing_speed(world, c, m) > tuning::restitution_speed &&
-           expected_gap(world, c, m, dt) < tuning::speculative_margin;
+           expected_gap(world, c, m, step.dt) < tuning::speculative_margin;
 }
 
 // Whether two that bounce cannot meet in this step but at a speed that bounces: then they need no
@@ -161,7 +170,7 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     for (const PartManifold& part : parts) {
         if (may_bounce) {
             const bool touches = is_touching(world, c, part.key);
-            const bool meets = will_bounce(world, c, part.manifold, touches, dt);
+            const bool meets = will_bounce(step, c, part.manifold, touches);
             check.bounces |= meets;
             if (meets || stays_apart(world, c, part.manifold, touches, dt)) {
                 check.near = minimum(check.near, 0);
@@ -242,7 +251,7 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     if (c.composite) return look_at_composite(step, check);
     Manifold manifold = manifold_ahead(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
-        check.bounces = will_bounce(world, c, manifold, c.touching, step.dt);
+        check.bounces = will_bounce(step, c, manifold, c.touching);
         if (manifold.count > 0 &&
             (check.bounces || stays_apart(world, c, manifold, c.touching, step.dt))) {
             manifold.distance = smallest_gap(manifold);

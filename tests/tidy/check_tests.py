@@ -136,6 +136,8 @@ COVERED_BY = {
          "stacks, slopes and lifts; batches side by side"),
     "stages/solver/solve_joints.cpp":
         (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
+    "stages/solver/strike_jointed.cpp":
+        (["behaviour/impacts_test.cpp"], "a cradle on threads at three rates: the last ball swings out, the others hang still"),
     "stages/solver/substep_hooks.cpp":
         (["behaviour/listeners_test.cpp"], "groups, order, pushes, springs of their own"),
     "stages/solver/solver_scratch.h":

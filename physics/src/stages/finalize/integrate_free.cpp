@@ -96,7 +96,7 @@ Skipped integrate_free(StepContext& step) {
     ASSERT(step.scratch.solver.free.size() + step.scratch.solver.bodies.all.size() +
                world.bodies.asleep_in_place ==
            world.bodies.awake.size());
-    begin_finalize(world.bodies, step.scratch.finalize);
+    begin_finalize(world.bodies, step.scratch.contacts.bouncing, step.scratch.finalize);
     std::vector<std::uint32_t> others;
     const bool by_substeps = has_substep_listeners(world.listeners) || !world.fields.empty();
     if (by_substeps) integrate_by_substeps(step, others);

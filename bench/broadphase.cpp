@@ -7,6 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "broadphase/kd_tree.h"
+#include "broadphase/loose_octree.h"
 #include "broadphase_workload.h"
 #include "collision/broadphase/broad_phase.h"
 #include "measure.h"
@@ -18,9 +20,20 @@ namespace {
 using physics::BroadPhase;
 using physics::BroadPhaseIndex;
 
-const std::map<std::string, BroadPhase> kind_names = {{"tree", BroadPhase::dynamic_tree},
-                                                      {"sweep", BroadPhase::sort_and_sweep},
-                                                      {"grid", BroadPhase::uniform_grid}};
+template <BroadPhase kind>
+std::unique_ptr<BroadPhaseIndex> of_world() {
+    return physics::make_broad_phase(kind);
+}
+template <class Index>
+std::unique_ptr<BroadPhaseIndex> of_bench() {
+    return std::make_unique<Index>();
+}
+const std::map<std::string, std::unique_ptr<BroadPhaseIndex> (*)()> kind_names = {
+    {"tree", of_world<BroadPhase::dynamic_tree>},
+    {"sweep", of_world<BroadPhase::sort_and_sweep>},
+    {"grid", of_world<BroadPhase::uniform_grid>},
+    {"octree", of_bench<LooseOctree>},
+    {"kdtree", of_bench<KdTree>}};
 const std::map<std::string, Arrangement> arrangement_names = {
     {"pile", Arrangement::pile}, {"flat", Arrangement::flat}, {"sizes", Arrangement::sizes}};
 const std::map<std::string, Moving> moving_names = {
@@ -36,7 +49,8 @@ Arrangements:  pile   a cube filled to 60 %, sides of 0.8 to 1.2 m
                flat   one layer along x and z, 2 m apart, sides of 0.8 to 1.2 m
                sizes  a cube filled to 60 %, sides of 0.1 to 10 m
 Moving:        all, few (one in a hundred), none (nothing to move or to ask: what an idle world pays)
-Kinds:         tree (dynamic tree, what worlds use unless told), sweep (sort and sweep along x), grid (uniform grid)
+Kinds:         tree (dynamic tree, what worlds use unless told), sweep (sort and sweep along x), grid (uniform grid);
+               octree (loose octree) and kdtree (k-d tree of space) are here to compare with: no world has them
 
 Columns: moves (fat boxes left per step), pairs (found per step), then microseconds of one core per step and thousands of
 rays per second for each kind: medians over the repetitions, in processor time of the thread. A ray looks for the
@@ -50,7 +64,7 @@ Exit status: 0 done, 1 the kinds found different pairs or hits, or the file coul
 
 struct Flags {
     std::vector<std::uint32_t> bodies = {100, 1000, 10000, 100000};
-    std::vector<std::string> kinds = {"tree", "sweep", "grid"};
+    std::vector<std::string> kinds = {"tree", "sweep", "grid", "octree", "kdtree"};
     std::vector<std::string> arrangements = {"pile", "flat", "sizes"};
     std::vector<std::string> moving = {"all", "few", "none"};
     int repetitions = 5;
@@ -90,7 +104,7 @@ struct Cell {
 
 void build(Candidate& candidate, const Workload& work) {
     const double began = cpu_seconds();
-    auto index = physics::make_broad_phase(kind_names.at(candidate.name));
+    auto index = kind_names.at(candidate.name)();
     candidate.handles.clear();
     for (std::uint32_t body = 0; body < work.fat.size(); body++)
         candidate.handles.push_back(index->insert(work.fat[body], body, 1));
@@ -267,7 +281,7 @@ CLI::IsMember one_of(const std::map<std::string, Value>& names) {
 
 void add_broadphase(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
-        "broadphase", "Compares the three broad phases: time per step and rays per second.");
+        "broadphase", "Compares broad phases: time per step and rays per second.");
     const auto flags = std::make_shared<Flags>();
     const auto list = [&](const char* name, auto& values, const char* meaning) {
         return command->add_option(name, values, meaning)->delimiter(',')->capture_default_str();

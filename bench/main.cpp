@@ -8,6 +8,8 @@
 #include "accuracy/stability.h"
 #include "broadphase.h"
 #include "feature_cost.h"
+#include "integrators/integrators.h"
+#include "roads/roads.h"
 #include "rollback.h"
 #include "speed/speed.h"
 #include "thread_scaling.h"
@@ -20,6 +22,8 @@ Examples:
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
   jostle-bench features --at-most 1
+  jostle-bench integrators --field kepler
+  jostle-bench roads --help
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2
@@ -38,6 +42,8 @@ int main(int argc, char** argv) {
     jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
     jostle::bench::add_features(app, status);
+    jostle::bench::add_integrators(app, status);
+    jostle::bench::add_roads(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
     jostle::bench::add_stability(app, status);

@@ -8,14 +8,10 @@
 #include <cstdio>
 #include <fstream>
 
+#include "jostle/convergence/thread_time.h"
+
 namespace jostle::bench {
 namespace {
-
-double seconds_of(clockid_t clock) {
-    timespec t{};
-    clock_gettime(clock, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // "VmRSS:    1234 kB" in the kernel's own words; proc(5).
 double status_bytes(const char* field) {
@@ -30,11 +26,13 @@ double status_bytes(const char* field) {
 }  // namespace
 
 double cpu_seconds() {
-    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
+    return convergence::thread_seconds();
 }
 
 double wall_seconds() {
-    return seconds_of(CLOCK_MONOTONIC);
+    timespec t{};
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 double memory_bytes() {

@@ -2,11 +2,15 @@
 //
 // jostle-sim: a scene, offline, as fast as it can.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 
+#include "converge.h"
+#include "convergence_report.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "progress.h"
@@ -23,10 +27,17 @@ Examples:
   jostle-sim pyramid --seconds 10
   jostle-sim my_scene.json --seconds 5 --hz 120 --substeps 4 --threads 2 --json report.json
   jostle-sim stack --trace stack.csv
+  jostle-sim my_scene.json --converge --seconds 3 --tolerance 0.01,0.001 --json converge.json
 
 The trace has a header and one row per body and tick: tick, body (its place in the scene), name, position px py pz (m),
 rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity wx wy wz (rad/s). Static bodies are left out.
 --save writes the world as it ends; --load goes on from such a file instead of the scene's start.
+
+--converge asks which rate and how many sub-steps the scene needs. It runs it at half the scene's rate, then at twice
+that, and so on, until two runs agree; takes the finest for the truth; and tells the error and the processor time of every
+rate with every number of sub-steps, how fast the error falls (order 2: to a quarter at twice the rate), and the cheapest
+setting that is good enough. A run that starts a little differently tells whether the scene is chaotic: then no rate
+gives the truth for long, and it says for how long.
 
 Exit status: 0 done, 1 the run failed, 2 wrong flags or scene.)";
 
@@ -36,16 +47,71 @@ struct Flags {
     std::optional<double> hz;
     std::optional<int> substeps;
     int threads = 1, trace_every = 1;
-    bool list = false;
+    bool list = false, converge = false;
+    std::vector<double> rates, tolerances = {0.01};
+    std::vector<int> substep_counts;
+    double finest_hz = 1920, scale = 0, budget = 120;
 };
+
+// CLI::Range lets through what is not a number.
+CLI::Validator between(double low, double high) {
+    return CLI::Validator(
+        [low, high](std::string& text) -> std::string {
+            char* end = nullptr;
+            const double value = std::strtod(text.c_str(), &end);
+            if (!text.empty() && *end == 0 && value >= low && value <= high) return "";
+            char words[160];
+            std::snprintf(words, sizeof words, "%.40s is not a number from %g to %g", text.c_str(),
+                          low, high);
+            return words;
+        },
+        "NUMBER");
+}
+
+void add_converge_flags(CLI::App& app, Flags& flags) {
+    CLI::Option* converge =
+        app.add_flag("--converge", flags.converge,
+                     "Runs the scene at more and more steps until two runs agree; see below");
+    const auto only_there = [&](CLI::Option* option) {
+        return option->needs(converge)->group("With --converge");
+    };
+    only_there(app.add_option("--tolerance", flags.tolerances,
+                              "Errors that would be good enough, relative to the scale")
+                   ->delimiter(',')
+                   ->capture_default_str()
+                   ->check(between(1e-9, 10)));
+    only_there(app.add_option("--rates", flags.rates,
+                              "Steps per second, each a multiple of the lowest; default: from half "
+                              "the scene's, doubled until two runs agree")
+                   ->delimiter(',')
+                   ->check(between(4, 10000)));
+    only_there(app.add_option("--substep-counts", flags.substep_counts,
+                              "Default: a quarter, half, all and twice the scene's")
+                   ->delimiter(',')
+                   ->check(CLI::Range(1, 64)));
+    only_there(app.add_option("--finest-hz", flags.finest_hz, "Doubles no further than this")
+                   ->capture_default_str()
+                   ->check(between(8, 10000)));
+    only_there(app.add_option("--scale", flags.scale,
+                              "Metres that distances are divided by; default: the diagonal of the "
+                              "box in which the bodies move")
+                   ->check(between(1e-6, 1e6)));
+    only_there(app.add_option("--budget", flags.budget,
+                              "Seconds of processor time; runs that would cost more are left out")
+                   ->capture_default_str()
+                   ->check(between(0.1, 1e6)));
+    for (const char* other :
+         {"--threads", "--trace", "--trace-every", "--save", "--load", "--write-scene"})
+        converge->excludes(app.get_option(other));
+}
 
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("scene", flags.scene, "A scene's name or the path of a scene file");
     app.add_option("--seconds", flags.seconds, "Simulated time")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(between(0, 1e6));
     app.add_option("--hz", flags.hz, "Steps per second; default: the scene's")
-        ->check(CLI::Range(4.0, 10000.0));
+        ->check(between(4, 10000));
     app.add_option("--substeps", flags.substeps, "Solver passes per step; default: the scene's")
         ->check(CLI::Range(1, 64));
     app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
@@ -62,6 +128,7 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--load", flags.load, "Goes on from a saved world of the same scene");
     app.add_option("--write-scene", flags.write_scene, "Writes the scene here as a scene file");
     app.add_flag("--list", flags.list, "Names every scene of the catalogue and exits");
+    add_converge_flags(app, flags);
     app.footer(footer);
 }
 
@@ -95,12 +162,41 @@ bool save_world(const World& world, const std::string& path) {
     return out.good();
 }
 
+bool can_write(const std::string& path) {
+    return path.empty() || std::ofstream(path, std::ios::app).good();
+}
+
+int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
+    if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
+    jostle::sim::ConvergenceQuestion question{.seconds = flags.seconds,
+                                              .rates = flags.rates,
+                                              .finest_hz = flags.finest_hz,
+                                              .substeps = flags.substep_counts,
+                                              .tolerances = flags.tolerances,
+                                              .scale = flags.scale,
+                                              .budget_seconds = flags.budget};
+    std::sort(question.rates.begin(), question.rates.end());
+    question.rates.erase(std::unique(question.rates.begin(), question.rates.end()),
+                         question.rates.end());
+    std::sort(question.tolerances.rbegin(), question.tolerances.rend());
+    const auto found = jostle::sim::converge(scene, question, jostle::sim::show_line);
+    jostle::sim::show_line("");
+    if (!found) return fail(2, found.error().message);
+    std::fputs(to_text(*found).c_str(), stdout);
+    if (flags.json.empty()) return 0;
+    std::ofstream out(flags.json);
+    out << to_json(*found);
+    out.close();
+    return out ? 0 : fail(1, "cannot write " + flags.json);
+}
+
 int run(const Flags& flags) {
     auto scene = jostle::scenes::load_scene(flags.scene);
     if (!scene.ok()) return fail(2, scene.error().message);
     if (flags.hz) scene->hz = *flags.hz;
     if (flags.substeps) scene->world.substeps = *flags.substeps;
     if (!flags.sleep.empty()) scene->world.sleeping = flags.sleep == "on";
+    if (flags.converge) return run_converge(*scene, flags);
     scene->world.threads = flags.threads;
     if (!flags.write_scene.empty()) {
         std::ofstream out(flags.write_scene);
@@ -158,7 +254,9 @@ int run(const Flags& flags) {
 
 int main(int argc, char** argv) {
     CLI::App app{
-        "Runs a scene offline as fast as it can and reports what it cost and how it ended."};
+        "Runs a scene offline as fast as it can and reports what it cost and how it ended; or, "
+        "with "
+        "--converge, which rate and sub-steps it needs."};
     Flags flags;
     add_flags(app, flags);
     try {

@@ -32,4 +32,8 @@ void Progress::at(std::uint64_t done, int awake) {
                  static_cast<unsigned long long>(total_), awake, left);
 }
 
+void show_line(const std::string& text) {
+    if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r%s\033[K", text.c_str());
+}
+
 }  // namespace jostle::sim

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A bar on a terminal; nothing when the output goes elsewhere.
+// A bar or a line on a terminal; nothing when the output goes elsewhere.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace jostle::sim {
 
@@ -19,5 +20,8 @@ private:
     const bool live_;
     std::chrono::steady_clock::time_point began_, last_{};
 };
+
+// Replaces the line on a terminal; empty: clears it.
+void show_line(const std::string& text);
 
 }  // namespace jostle::sim

@@ -13,8 +13,11 @@
 
 #include "accuracy/accuracy_plot.h"
 #include "accuracy/accuracy_report.h"
+#include "accuracy/accuracy_sheet.h"
 #include "accuracy/choices.h"
+#include "accuracy/doc_tables.h"
 #include "accuracy/run_row.h"
+#include "accuracy/short_form.h"
 #include "measure.h"
 #include "result_file.h"
 
@@ -34,16 +37,19 @@ Examples:
   jostle-bench accuracy --scene j1,j2 --peers none
   jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
+  jostle-bench accuracy --scene none --add accuracy.csv --sheet accuracy.svg
   jostle-bench accuracy --scene c9-r100 --add accuracy.json --json both.json
+  jostle-bench accuracy --short --against bench/results/accuracy_short.json
 
-Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
+Exit status: 0 done, 1 a file could not be written or --against found a fault, 2 wrong flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<std::string> rates = {"30", "60", "120", "240", "480"};
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"all"};
-    std::string json, csv, plot, add;
+    std::string json, csv, plot, sheet, tables, add, against;
+    bool short_form = false, update = false;
 };
 
 void print_row(const Row& row) {
@@ -73,15 +79,16 @@ void run_mode(const Experiment& experiment, const EngineKind& kind, const std::s
     }
 }
 
-// Of a file that --json wrote; says on stderr what is wrong with it.
+// Of a file that --json or --csv wrote; says on stderr what is wrong with it.
 std::optional<std::vector<Row>> earlier_rows(const std::string& path) {
     std::vector<Row> rows;
     if (path.empty()) return rows;
     std::ifstream in(path);
     try {
+        if (path.ends_with(".csv")) return rows_from_csv(in);
         const auto json = nlohmann::ordered_json::parse(in);
         for (const auto& row : json.at("rows")) rows.push_back(row_from(row));
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const std::exception& error) {
         std::fprintf(stderr, "jostle-bench: no rows in %s: %s\n", path.c_str(), error.what());
         return {};
     }
@@ -131,11 +138,16 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
             done = write_text(flags.plot + "/" + experiment->name + ".svg",
                               plot_accuracy(*experiment, rows, cpu_model() + ", " + compiler())) &&
                    done;
-    return done;
+    if (!flags.sheet.empty()) done = write_text(flags.sheet, accuracy_sheet(rows)) && done;
+    if (flags.tables.empty()) return done;
+    return replace_section(flags.tables, "jostle at 60 Hz", jostle_table(rows)) &&
+           replace_section(flags.tables, "score", score_table(score)) && done;
 }
 
 int run(const Flags& flags) {
-    for (const std::string& path : {flags.json, flags.csv})
+    if (flags.short_form)
+        return run_short_form(chosen_experiments(flags.scenes), flags.against, flags.update);
+    for (const std::string& path : {flags.json, flags.csv, flags.sheet, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
     if (!flags.plot.empty()) {
         std::error_code refused;
@@ -182,7 +194,24 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Writes rows, work and score here as JSON");
     command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
     command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
-    command->add_option("--add", flags->add, "Reports on the rows of this JSON of before as well");
+    command->add_option("--sheet", flags->sheet, "Draws all scenes, small, into this SVG");
+    command->add_option("--tables", flags->tables,
+                        "Writes the tables of docs/accuracy.md anew, in this copy of it");
+    command->add_option("--add", flags->add,
+                        "Reports on the rows of this JSON or CSV of before as well");
+    CLI::Option* short_form = command->add_flag(
+        "--short", flags->short_form,
+        "Jostle alone, errors without times, at 30, 60 and 120 Hz on the scenes that take seconds");
+    CLI::Option* against =
+        command
+            ->add_option("--against", flags->against,
+                         "Compares with this file; a figure worse by more than a third is a fault")
+            ->needs(short_form);
+    command->add_flag("--update", flags->update, "Keeps today's figures in that file")
+        ->needs(against);
+    for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
+                              "--sheet", "--tables", "--add"})
+        short_form->excludes(command->get_option(other));
     command->footer("\n" + lists_of_experiments() + "\n" + lists_of_engines() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "accuracy/analysis.h"
 #include "speed/log_axis.h"
 
 namespace jostle::bench::lab {
@@ -49,6 +50,23 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
         curves.back().points.push_back(at);
         const SeriesStyle style = series_style(engines, series_index(engines, row.engine));
         svg.mark(at, style.mark, style.color);
+    }
+    for (const Row& row : pareto_set(rows, experiment.name))
+        svg.ring({x.at(row.cpu_us_per_second), y.at(std::max(row.error, least_error))}, "#222");
+    for (const double tolerance : experiment.tolerances) {
+        const Row* best = nullptr;
+        for (const Row& row : rows)
+            if (row.error <= tolerance &&
+                (!best || row.cpu_us_per_second < best->cpu_us_per_second))
+                best = &row;
+        if (!best) continue;
+        const double height = y.at(tolerance);
+        const SeriesStyle style = series_style(engines, series_index(engines, best->engine));
+        svg.line({left, height}, {right, height}, style.color, 0.7);
+        svg.text({right, height - 4},
+                 "least work for " + short_number(tolerance) + ": " +
+                     short_number(best->cpu_us_per_second) + ", " + best->engine,
+                 {.size = 10, .anchor = TextAnchor::end, .color = style.color});
     }
     for (const Curve& curve : curves) {
         const SeriesStyle style = series_style(engines, series_index(engines, curve.engine));

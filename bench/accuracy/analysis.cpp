@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jostle/convergence/work_error.h"
+
 namespace jostle::bench::lab {
 namespace {
+
+using convergence::WorkError;
 
 constexpr double missing = 0.01;
 
@@ -19,16 +23,22 @@ std::vector<Row> by_rate(const std::vector<Row>& rows, const std::string& scene,
     return chosen;
 }
 
+std::vector<WorkError> work_errors(const std::vector<Row>& rows) {
+    std::vector<WorkError> all;
+    for (const Row& row : rows) all.push_back({row.cpu_us_per_second, row.error});
+    return all;
+}
+
 // Of several engines; `us` or all others.
 std::optional<Row> cheapest(const std::vector<Row>& rows, const std::string& scene,
                             double tolerance, const std::string& us, bool ours) {
-    std::optional<Row> best;
-    for (const Row& row : rows) {
-        if (row.scene != scene || (row.engine == us) != ours || !row.usable()) continue;
-        if (row.error > tolerance) continue;
-        if (!best || row.cpu_us_per_second < best->cpu_us_per_second) best = row;
-    }
-    return best;
+    std::vector<Row> candidates;
+    for (const Row& row : rows)
+        if (row.scene == scene && (row.engine == us) == ours && row.usable())
+            candidates.push_back(row);
+    const auto best = convergence::least_work(work_errors(candidates), tolerance);
+    if (!best) return {};
+    return candidates[*best];
 }
 
 bool has_peer(const std::vector<Row>& rows, const std::string& scene, const std::string& us) {
@@ -45,10 +55,10 @@ std::vector<Order> observed_orders(const std::vector<Row>& rows, const std::stri
     std::vector<Order> orders;
     for (std::size_t k = 1; k < chosen.size(); k++) {
         const Row &slow = chosen[k - 1], &fast = chosen[k];
-        if (!slow.usable() || !fast.usable() || slow.error <= 0 || fast.error <= 0) continue;
-        orders.push_back(
-            {slow.rate_hz, fast.rate_hz,
-             std::log(slow.error / fast.error) / std::log(fast.rate_hz / slow.rate_hz)});
+        if (!slow.usable() || !fast.usable()) continue;
+        const auto order =
+            convergence::observed_order(slow.error, fast.error, fast.rate_hz / slow.rate_hz);
+        if (order) orders.push_back({slow.rate_hz, fast.rate_hz, *order});
     }
     return orders;
 }
@@ -62,14 +72,9 @@ std::vector<Row> pareto_set(const std::vector<Row>& rows, const std::string& sce
     std::vector<Row> candidates;
     for (const Row& row : rows)
         if (row.scene == scene && row.usable()) candidates.push_back(row);
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Row& a, const Row& b) {
-        if (a.cpu_us_per_second != b.cpu_us_per_second)
-            return a.cpu_us_per_second < b.cpu_us_per_second;
-        return a.error < b.error;
-    });
     std::vector<Row> front;
-    for (const Row& row : candidates)
-        if (front.empty() || row.error < front.back().error) front.push_back(row);
+    for (const std::size_t k : convergence::pareto_set(work_errors(candidates)))
+        front.push_back(candidates[k]);
     return front;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "accuracy/bullet_lab_library.h"
+#include "accuracy/bullet_tree_engine.h"
 
 namespace jostle::bench::lab {
 namespace {
@@ -265,9 +266,29 @@ private:
     std::vector<std::size_t> driven_;
 };
 
+// Bodies of their own, or trees in joint coordinates: as the mode says.
+class EitherBulletEngine final : public Engine {
+public:
+    Status build(const Scene& scene, const std::string& mode) override {
+        if (mode.starts_with("mb"))
+            engine_ = make_bullet_tree_engine();
+        else
+            engine_ = std::make_unique<BulletLabEngine>();
+        return engine_->build(scene, mode);
+    }
+    void step(double dt) override { engine_->step(dt); }
+    BodyState state(int body) const override { return engine_->state(body); }
+    void set_damping(double rate) override { engine_->set_damping(rate); }
+    void set_velocity(int body, Vec3 velocity) override { engine_->set_velocity(body, velocity); }
+    std::string complaint() const override { return engine_->complaint(); }
+
+private:
+    std::unique_ptr<Engine> engine_;
+};
+
 }  // namespace
 }  // namespace jostle::bench::lab
 
 extern "C" jostle::bench::lab::Engine* make_bullet_lab_engine() {
-    return new jostle::bench::lab::BulletLabEngine;
+    return new jostle::bench::lab::EitherBulletEngine;
 }

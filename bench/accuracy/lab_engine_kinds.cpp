@@ -41,8 +41,9 @@ const std::vector<EngineKind>& kinds() {
         {"bullet",
          "double precision; sequential impulses or nonlinear conjugate gradients with so many "
          "iterations, or Dantzig's direct solver; thin: contacts begin when "
-         "shapes touch, and push apart without leaving velocity",
-         {"si10", "si4", "si50", "si10-thin", "nncg10", "nncg50", "dantzig"},
+         "shapes touch, and push apart without leaving velocity; mb: Featherstone's algorithm in "
+         "joint coordinates, with an Euler step or RK4, for jointed bodies that touch nothing",
+         {"si10", "si4", "si50", "si10-thin", "nncg10", "nncg50", "dantzig", "mb", "mb-rk4"},
          make_bullet},
         {"ode",
          "double precision; QuickStep with so many iterations, or the direct step; friction as a "
@@ -50,7 +51,8 @@ const std::vector<EngineKind>& kinds() {
          {"quick20", "quick50", "world"},
          make_ode},
         {"mujoco",
-         "double precision; Newton's method or conjugate gradients with an integrator; elliptic "
+         "double precision; joint coordinates; Newton's method or conjugate gradients with an "
+         "integrator; elliptic "
          "cones; hard: constraints as stiff as two steps; restitution is no parameter of it",
          {"newton-euler", "newton-implicit", "newton-rk4", "newton-euler-hard", "newton-rk4-hard",
           "cg-euler-hard"},

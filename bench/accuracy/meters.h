@@ -9,20 +9,11 @@
 #include <vector>
 
 #include "accuracy/experiment.h"
+#include "jostle/convergence/work_error.h"
 
 namespace jostle::bench::lab {
 
-// Root of the mean of squares.
-struct Rms {
-    double sum = 0;
-    int count = 0;
-
-    void add(double square) {
-        sum += square;
-        count++;
-    }
-    double value() const { return count == 0 ? 0 : std::sqrt(sum / count); }
-};
+using convergence::Rms;
 
 // How far the ends of joints are apart: at the anchors; of sliders and springs nothing is asked.
 class GapMeter {

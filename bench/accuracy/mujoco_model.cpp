@@ -197,25 +197,6 @@ std::string option_of(const Scene& scene, const std::string& mode) {
 
 }  // namespace
 
-// Sliders first: a slider's body hangs on its rail rather than at the end of a loop.
-BodyTree tree_of(const Scene& scene) {
-    BodyTree tree;
-    tree.nodes.resize(scene.bodies.size());
-    const auto hang = [&](const Joint& joint) {
-        BodyTree::Node& node = tree.nodes[static_cast<std::size_t>(joint.b)];
-        if (node.joint) {
-            tree.loops.push_back(joint);
-            return;
-        }
-        node = {joint.a, joint};
-    };
-    for (const Joint& joint : scene.joints)
-        if (joint.kind == JointKind::slider) hang(joint);
-    for (const Joint& joint : scene.joints)
-        if (joint.kind != JointKind::slider && joint.kind != JointKind::spring) hang(joint);
-    return tree;
-}
-
 Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const std::string& mode) {
     if (scene.swept) return Error{.message = "mujoco does not sweep"};
     if (scene.restitution > 0) return Error{.message = "restitution is no parameter of mujoco"};

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <istream>
+#include <stdexcept>
 #include <utility>
 
 #include "measure.h"
@@ -100,7 +102,7 @@ Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string&
 }
 
 Row run_row(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-            double rate_hz) {
+            double rate_hz, Timing timing) {
     Row row{.scene = experiment.name, .engine = kind.name, .mode = mode, .rate_hz = rate_hz};
     double primary = 0, second = 0;
     for (int phase = 0; phase < experiment.phases; phase++) {
@@ -120,6 +122,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
         row.error = distance_from_finest(experiment, kind, mode, rate_hz, row.blown);
         if (!row.usable()) return row;
     }
+    if (timing == Timing::none) return row;
     const Start start = experiment.start(0);
     row.cpu_us_per_second = 1e6 * least_time(start, kind, mode, rate_hz) / start.seconds;
     return row;
@@ -127,12 +130,12 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
 
 // One step may take minutes in a direct solver: the system ends the process then.
 Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-                     double rate_hz) {
+                     double rate_hz, Timing timing) {
     const ChildAnswer answer = run_in_child([&] {
         const auto most = static_cast<rlim_t>(longest * (experiment.phases + 3));
         const rlimit limit{most, most + 1};
         setrlimit(RLIMIT_CPU, &limit);
-        return to_json(run_row(experiment, kind, mode, rate_hz)).dump();
+        return to_json(run_row(experiment, kind, mode, rate_hz, timing)).dump();
     });
     if (answer.failure.empty()) return row_from(nlohmann::ordered_json::parse(answer.text));
     const bool late = answer.failure.find("signal " + std::to_string(SIGXCPU)) != std::string::npos;
@@ -157,8 +160,8 @@ nlohmann::ordered_json to_json(const Row& row) {
 
 Row row_from(const nlohmann::ordered_json& json) {
     return {.scene = json.at("scene"),
-            .engine = json.at("engine"),
-            .mode = json.at("mode"),
+            .engine = json.value("engine", ""),
+            .mode = json.value("mode", ""),
             .rate_hz = json.at("rate_hz"),
             .error = json.value("error", 0.0),
             .second_error = json.value("second_error", 0.0),
@@ -180,6 +183,28 @@ std::string csv_line(const Row& row) {
         std::snprintf(text, sizeof text, "%s,%g,%.4g,%.4g,%.4g", head.c_str(), row.rate_hz,
                       row.error, row.second_error, row.cpu_us_per_second);
     return text;
+}
+
+std::vector<Row> rows_from_csv(std::istream& in) {
+    std::vector<Row> rows;
+    std::string line;
+    std::getline(in, line);
+    if (line != csv_heading()) throw std::runtime_error("the first line is not " + csv_heading());
+    while (std::getline(in, line)) {
+        char scene[32], engine[32], mode[32], first[32];
+        Row row;
+        const int read =
+            std::sscanf(line.c_str(), "%31[^,],%31[^,],%31[^,],%lf,%31[^,],%lf,%lf", scene, engine,
+                        mode, &row.rate_hz, first, &row.second_error, &row.cpu_us_per_second);
+        if (read < 5) throw std::runtime_error("this is no row: " + line);
+        row.scene = scene, row.engine = engine, row.mode = mode;
+        if (std::string(first) == "blown")
+            row.blown = first;
+        else
+            row.error = std::stod(first);
+        rows.push_back(std::move(row));
+    }
+    return rows;
 }
 
 }  // namespace jostle::bench::lab

@@ -3,6 +3,7 @@
 // One row of the laboratory: an experiment in one engine, one mode, at one rate.
 #pragma once
 
+#include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -24,12 +25,15 @@ struct Row {
 
 inline constexpr const char* takes_too_long = "takes too long";  // of blown rows
 
+// Whether processor time is taken, which needs runs of its own.
+enum class Timing { taken, none };
+
 // All starts, and the time of the first.
 Row run_row(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-            double rate_hz);
+            double rate_hz, Timing timing = Timing::taken);
 // In a process of its own: an engine that crashes leaves a row that says so.
 Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
-                     double rate_hz);
+                     double rate_hz, Timing timing = Timing::taken);
 
 // One start, without taking its time.
 struct Outcome {
@@ -44,5 +48,6 @@ nlohmann::ordered_json to_json(const Row& row);
 Row row_from(const nlohmann::ordered_json& json);
 std::string csv_heading();
 std::string csv_line(const Row& row);
+std::vector<Row> rows_from_csv(std::istream& in);  // throws std::runtime_error: the line
 
 }  // namespace jostle::bench::lab

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "accuracy/choices.h"
+#include "accuracy/doc_tables.h"
 #include "accuracy/stress_test.h"
 #include "measure.h"
 #include "result_file.h"
@@ -34,7 +35,7 @@ struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"default"};
-    std::string json;
+    std::string json, tables;
 };
 
 std::string check_test(const std::string& id) {
@@ -74,7 +75,8 @@ void print_row(const nlohmann::ordered_json& row) {
 }
 
 int run(const Flags& flags) {
-    if (!flags.json.empty() && !can_write(flags.json)) return 1;
+    for (const std::string& path : {flags.json, flags.tables})
+        if (!path.empty() && !can_write(path)) return 1;
     if (names(flags.peers, "all")) say_which_are_absent();
     std::printf("%-8s %-8s %-18s %-4s %11s  %s\n", "test", "engine", "mode", "", "figure", "limit");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -89,8 +91,10 @@ int run(const Flags& flags) {
                 rows.push_back(row);
             }
     }
-    if (flags.json.empty()) return 0;
-    return write_result(flags.json, file_head("stability"), rows) ? 0 : 1;
+    bool done = flags.json.empty() || write_result(flags.json, file_head("stability"), rows);
+    if (!flags.tables.empty())
+        done = replace_section(flags.tables, "stability", stability_table(rows)) && done;
+    return done ? 0 : 1;
 }
 
 std::string lists_of_tests() {
@@ -119,6 +123,8 @@ void add_stability(CLI::App& app, int& status) {
         ->capture_default_str()
         ->check(CLI::Validator(check_mode, "MODE"));
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
+    command->add_option("--tables", flags->tables,
+                        "Writes the table of docs/accuracy.md anew, in this copy of it");
     command->footer("\n" + lists_of_tests() + "\n" + lists_of_engines() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

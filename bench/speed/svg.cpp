@@ -85,6 +85,11 @@ void Svg::mark(SvgPoint at, int shape, const char* color) {
              attribute("fill", color) + "/>\n";
 }
 
+void Svg::ring(SvgPoint at, const char* color) {
+    body_ += "<circle" + attribute("cx", number(at.x)) + attribute("cy", number(at.y)) +
+             attribute("r", "8") + attribute("fill", "none") + attribute("stroke", color) + "/>\n";
+}
+
 void Svg::text(SvgPoint at, const std::string& words, const TextStyle& style) {
     const std::string x = number(at.x), y = number(at.y);
     body_ += "<text" + attribute("x", x) + attribute("y", y) +

@@ -32,6 +32,7 @@ public:
     void polyline(std::span<const SvgPoint> points, const char* color);
     // Shapes repeat after the fourth: disc, square, triangle, diamond.
     void mark(SvgPoint at, int shape, const char* color);
+    void ring(SvgPoint at, const char* color);  // around a mark
     void text(SvgPoint at, const std::string& words, const TextStyle& style = {});
 
     std::string str() const;  // the whole file

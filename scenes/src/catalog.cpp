@@ -37,6 +37,9 @@ constexpr Listed listed[] = {
     {{"workshop",
       "A mixer on a motor, doors with limits and springs, weights on ropes, rods and springs."},
      workshop},
+    {{"machines",
+      "A car on wheels, gears and a rack, a pulley, a bead on a wire, a lift, a gimbal, a hand."},
+     machines},
     {{"conveyor", "Four belts in a ring carry crates, drums and balls round."}, conveyor},
     {{"gates",
       "Balls fall through triggers; red and blue pass each other's sieve; a turning cross sweeps "

@@ -6,8 +6,6 @@
 
 #include <stdexcept>
 
-#include "jostle/physics/joint_fields.h"
-
 namespace jostle::scenes {
 
 using namespace physics;
@@ -72,6 +70,38 @@ void ReadFields::flag(const char* name, bool& value) {
     if (!lacks(name)) value = from_.GetReflection()->GetBool(from_, field);
 }
 
+void ReadFields::points(const char* name, std::vector<Vec3>& points, std::size_t least,
+                        std::size_t most, double limit) {
+    const FieldDescriptor* field = find_field(from_, prefix_ + name);
+    const auto* reflection = from_.GetReflection();
+    const auto count = static_cast<std::size_t>(reflection->FieldSize(from_, field));
+    if (count < least || count > most)
+        return in_.note(path_of(name), "has " + std::to_string(count) + " points; give " +
+                                           std::to_string(least) + " to " + std::to_string(most));
+    points.assign(count, {});
+    for (std::size_t k = 0; k < count; k++) {
+        ReadFields point(in_, path_of(name) + "[" + std::to_string(k) + "]",
+                         reflection->GetRepeatedMessage(from_, field, static_cast<int>(k)));
+        point.number("x", points[k].x, -limit, limit);
+        point.number("y", points[k].y, -limit, limit);
+        point.number("z", points[k].z, -limit, limit);
+    }
+}
+
+void ReadFields::drive(const char* name, RotationDrive& drive) {
+    ReadFields fields = inside(name);
+    if (lacks(name)) return;
+    fields.spring("spring", drive.spring);
+    fields.number("max_torque", drive.max_torque, 0, 1e12);
+    ReadFields target = fields.inside("target");
+    if (fields.lacks("target")) return;
+    target.number("x", drive.target.x, -1, 1);
+    target.number("y", drive.target.y, -1, 1);
+    target.number("z", drive.target.z, -1, 1);
+    target.number("w", drive.target.w, -1, 1);
+    if (norm_squared(drive.target) < 1e-6) in_.note(fields.path_of("target"), "is no rotation");
+}
+
 void ReadFields::limit(const char* name, JointLimit& limit, double low, double high) {
     limit = {};
     ReadFields fields = inside(name);
@@ -81,17 +111,15 @@ void ReadFields::limit(const char* name, JointLimit& limit, double low, double h
     if (limit.lower > limit.upper) in_.note(fields.path_of("lower"), "is above the upper limit");
 }
 
-void ReadFields::motor(const char* name, JointMotor& motor) {
-    motor = {};
-    ReadFields fields(in_, path_, from_);
-    fields.prefix_ = prefix_ + name + "_";
-    motor.enabled = !fields.lacks("speed");
-    if (motor.enabled) visit_motor(fields, motor);
-}
-
 void ReadFields::spring(const char* name, JointSpring& spring) {
     ReadFields fields = inside(name);
     if (!lacks(name)) visit_spring(fields, spring);
+}
+
+void ReadFields::axis(const char* name, JointAxis& axis, double low, double high) {
+    axis = {};
+    ReadFields fields = inside(name);
+    if (!lacks(name)) visit_axis(fields, axis, low, high);
 }
 
 WriteFields WriteFields::inside(const char* name) const {
@@ -120,23 +148,45 @@ void WriteFields::flag(const char* name, bool value) {
     to_.GetReflection()->SetBool(&to_, find_field(to_, prefix_ + name, flag_type), value);
 }
 
+void WriteFields::points(const char* name, const std::vector<Vec3>& points, std::size_t,
+                         std::size_t, double limit) {
+    const FieldDescriptor* field = find_field(to_, prefix_ + name);
+    for (const Vec3 point : points) {
+        WriteFields to(*to_.GetReflection()->AddMessage(&to_, field));
+        to.number("x", point.x, -limit, limit);
+        to.number("y", point.y, -limit, limit);
+        to.number("z", point.z, -limit, limit);
+    }
+}
+
+void WriteFields::drive(const char* name, const RotationDrive& drive) {
+    if (!(drive.spring.hertz > 0)) return;
+    WriteFields fields = inside(name);
+    fields.spring("spring", drive.spring);
+    fields.number("max_torque", drive.max_torque, 0, 1e12);
+    WriteFields target = fields.inside("target");
+    target.number("x", drive.target.x, -1, 1);
+    target.number("y", drive.target.y, -1, 1);
+    target.number("z", drive.target.z, -1, 1);
+    target.number("w", drive.target.w, -1, 1);
+}
+
 void WriteFields::limit(const char* name, const JointLimit& limit, double low, double high) {
     if (!limit.enabled) return;
     WriteFields fields = inside(name);
     visit_limit(fields, limit, low, high);
 }
 
-void WriteFields::motor(const char* name, const JointMotor& motor) {
-    if (!motor.enabled) return;
-    WriteFields fields(to_);
-    fields.prefix_ = prefix_ + name + "_";
-    visit_motor(fields, motor);
-}
-
 void WriteFields::spring(const char* name, const JointSpring& spring) {
     if (!(spring.hertz > 0)) return;
     WriteFields fields = inside(name);
     visit_spring(fields, spring);
+}
+
+void WriteFields::axis(const char* name, const JointAxis& axis, double low, double high) {
+    if (!axis.free) return;
+    WriteFields fields = inside(name);
+    visit_axis(fields, axis, low, high);
 }
 
 }  // namespace jostle::scenes

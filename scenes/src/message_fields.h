@@ -7,13 +7,14 @@
 // What a message lacks keeps its value, where the message can tell (messages and what is
 // `optional`); else it is 0. A limit is on when it is there. A motor lies flat (motor_speed,
 // motor_max_torque) and is on when its speed is there. What is off is not written, nor is a spring
-// of 0 hertz.
+// of 0 hertz that a message without one would lack, nor an axis that is locked.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "field_reader.h"
-#include "jostle/physics/joint_defs.h"
+#include "jostle/physics/joint_fields.h"
 
 namespace google::protobuf {
 class Message;
@@ -33,9 +34,22 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3& value, double limit);
     void flag(const char* name, bool& value);
+    void later(const char* name, double& value, double low, double high) {
+        number(name, value, low, high);
+    }
+    void drive(const char* name, physics::RotationDrive& drive);
+    void points(const char* name, std::vector<physics::Vec3>& points, std::size_t least,
+                std::size_t most, double limit);
     void limit(const char* name, physics::JointLimit& limit, double low, double high);
-    void motor(const char* name, physics::JointMotor& motor);
+    void motor(const char* name, auto& motor) {
+        motor = {};
+        ReadFields fields(in_, path_, from_);
+        fields.prefix_ = prefix_ + name + "_";
+        motor.enabled = !fields.lacks("speed");
+        if (motor.enabled) physics::visit_motor(fields, motor);
+    }
     void spring(const char* name, physics::JointSpring& spring);
+    void axis(const char* name, physics::JointAxis& axis, double low, double high);
 
 private:
     bool lacks(const char* name) const;
@@ -57,9 +71,21 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3 value, double limit);
     void flag(const char* name, bool value);
+    void later(const char* name, double value, double low, double high) {
+        number(name, value, low, high);
+    }
+    void drive(const char* name, const physics::RotationDrive& drive);
+    void points(const char* name, const std::vector<physics::Vec3>& points, std::size_t least,
+                std::size_t most, double limit);
     void limit(const char* name, const physics::JointLimit& limit, double low, double high);
-    void motor(const char* name, const physics::JointMotor& motor);
+    void motor(const char* name, const auto& motor) {
+        if (!motor.enabled) return;
+        WriteFields fields(to_);
+        fields.prefix_ = prefix_ + name + "_";
+        physics::visit_motor(fields, motor);
+    }
     void spring(const char* name, const physics::JointSpring& spring);
+    void axis(const char* name, const physics::JointAxis& axis, double low, double high);
 
 private:
     google::protobuf::Message& to_;

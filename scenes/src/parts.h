@@ -51,6 +51,7 @@ SceneDescription terrain();
 SceneDescription ragdolls();
 SceneDescription bridge();
 SceneDescription workshop();
+SceneDescription machines();
 SceneDescription conveyor();
 SceneDescription gates();
 SceneDescription bullets();

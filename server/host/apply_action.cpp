@@ -71,19 +71,19 @@ struct Apply {
         about = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
-        state.grabs.grab(client, *state.world.body((*entity)->body), c.point);
-        return {};
+        return from_solver(
+            state.grabs.grab(state.world, client, *state.world.body((*entity)->body), c.point));
     }
 
     Status operator()(const DragCommand& c) const {
-        const std::optional<BodyId> body = state.grabs.drag(client, c.target);
+        const std::optional<BodyId> body = state.grabs.drag(state.world, client, c.target);
         if (!body) return refused(ErrorCode::not_found, "you hold nothing; grab an entity first");
         about = state.entities.entity_of(*body);
         return {};
     }
 
     Status operator()(const ReleaseCommand&) const {
-        state.grabs.release(client);
+        state.grabs.release(state.world, client);
         return {};
     }
 
@@ -118,7 +118,7 @@ struct Apply {
         if (!c.keep_bodies)
             for (const EntityId id : state.ownership.owned_by(client)) remove(id);
         state.ownership.forget(client);
-        state.grabs.release(client);
+        state.grabs.release(state.world, client);
         return {};
     }
 
@@ -143,7 +143,7 @@ private:
 }  // namespace
 
 void forget_entity(HostedState& state, EntityId id) {
-    state.grabs.release_body(state.entities.find(id)->body);
+    state.grabs.release_body(state.world, state.entities.find(id)->body);
     state.ownership.remove(id);
     state.entities.remove(id);
 }

@@ -3,23 +3,57 @@
 
 namespace jostle::server {
 
-void Grabs::grab(ClientId client, const physics::BodyState& body, physics::Vec3 point) {
-    springs_.insert_or_assign(client, DragSpring{body.id, apply_inverse(body.pose, point), point});
+using namespace physics;
+
+namespace {
+
+constexpr JointSpring hand{.hertz = 5, .damping_ratio = 1};  // follows, does not shake
+constexpr double acceleration_max = 200;  // m/s^2: a hand may be strong, not endless
+constexpr double turn_damping = 4;        // 1/s: a held body stops spinning about the hand
+
+}  // namespace
+
+Status Grabs::grab(World& world, ClientId client, const BodyState& body, Vec3 point) {
+    release(world, client);
+    const Result<JointId> joint =
+        world.create_joint({.body_b = body.id,
+                            .frame_b = {.position = apply_inverse(body.pose, point)},
+                            .kind = GrabJoint{.target = point,
+                                              .spring = hand,
+                                              .max_force = body.mass * acceleration_max,
+                                              .turn_damping = turn_damping}});
+    if (!joint.ok()) return joint.error();
+    held_[client] = {body.id, *joint};
+    return {};
 }
 
-std::optional<physics::BodyId> Grabs::drag(ClientId client, physics::Vec3 target) {
-    const auto at = springs_.find(client);
-    if (at == springs_.end()) return std::nullopt;
-    at->second.target = target;
+std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
+    const auto at = held_.find(client);
+    if (at == held_.end()) return std::nullopt;
+    const Result<JointState> joint = world.joint(at->second.joint);
+    if (!joint.ok()) {  // it went with its body
+        held_.erase(at);
+        return std::nullopt;
+    }
+    GrabJoint kind = std::get<GrabJoint>(joint->def.kind);
+    kind.target = target;
+    if (!world.set_joint(at->second.joint, kind).ok()) return std::nullopt;
     return at->second.body;
 }
 
-void Grabs::release_body(physics::BodyId body) {
-    std::erase_if(springs_, [&](const auto& entry) { return entry.second.body == body; });
+void Grabs::release(World& world, ClientId client) {
+    const auto at = held_.find(client);
+    if (at == held_.end()) return;
+    static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may have gone already
+    held_.erase(at);
 }
 
-void Grabs::pull_all(physics::World& world, double dt) {
-    std::erase_if(springs_, [&](const auto& entry) { return !pull(world, entry.second, dt).ok(); });
+void Grabs::release_body(World& world, BodyId body) {
+    std::erase_if(held_, [&](const auto& entry) {
+        if (entry.second.body != body) return false;
+        static_cast<void>(world.destroy_joint(entry.second.joint).ok());
+        return true;
+    });
 }
 
 }  // namespace jostle::server

@@ -55,7 +55,6 @@ InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
 }
 
 Status HostedWorld::step(double dt) {
-    state_.grabs.pull_all(state_.world, dt);
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
     follow_modules(state_, bodies_);

@@ -49,6 +49,7 @@ void add_bounds(QueryFrame& frame, const World& world) {
 
 Vec3 anchor_of(const World& world, BodyId body, const Transform& frame) {
     const auto state = world.body(body);
+    if (is_null(body)) return frame.position;  // in the world
     return state.ok() ? apply(state->pose, frame.position) : Vec3{};
 }
 
@@ -59,8 +60,8 @@ void add_joints(QueryFrame& frame, const World& world,
         if (!joint.ok()) continue;
         const JointDef& def = joint->def;
         add(frame.joints,
-            DebugJoint{entity_of_body[def.body_a.index], entity_of_body[def.body_b.index],
-                       anchor_of(world, def.body_a, def.frame_a),
+            DebugJoint{is_null(def.body_a) ? EntityId{} : entity_of_body[def.body_a.index],
+                       entity_of_body[def.body_b.index], anchor_of(world, def.body_a, def.frame_a),
                        anchor_of(world, def.body_b, def.frame_b), kind_name(def.kind)},
             frame, copy_joints);
     }

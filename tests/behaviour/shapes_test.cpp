@@ -102,6 +102,31 @@ TEST(Shapes, five_cylinders_stand_on_each_other) {
                          {0, 0.3 + 0.6 * i, 0}, 5e-3));
 }
 
+// A thin disc rolls round on its rim, its centre at rest, with a rate of Om^2 = 4 g / (R sin tilt),
+// as a coin does before it comes to rest. What it loses is of first order in the step: at 960 Hz it
+// sinks from 20 to 18.1 degrees in half a second. When friction held the middle of the disc and its
+// lever braked the turn it sank to 16.4.
+TEST(Shapes, a_disc_that_rolls_on_its_rim_goes_on) {
+    World world = make_world();
+    add_floor(world, 1);
+    constexpr double radius = 0.1, half = 0.005, tilt = 20 * pi / 180;
+    const SinCos lean = sin_cos(tilt);
+    const double rate = square_root(4 * 9.81 / (radius * lean.sin));
+    const BodyId disc = add(world, {.geometry = Cylinder{radius, half},
+                                    .position = {0, radius * lean.sin + half * lean.cos, 0},
+                                    .rotation = from_axis_angle({0, 0, 1}, -tilt),
+                                    .spin = Vec3{lean.cos, -lean.sin, 0} * (rate * lean.sin),
+                                    .friction = 1});
+    run(world, 0.5, 960);
+    const BodyState now = state_of(world, disc);
+    const Vec3 axis = rotate(now.pose.rotation, {0, 1, 0});
+    const double degrees =
+        arc_tangent(square_root(axis.x * axis.x + axis.z * axis.z), axis.y) * 180 / pi;
+    EXPECT_GT(degrees, 17.5);
+    EXPECT_LT(degrees, 20.5);
+    EXPECT_LT(length(now.pose.position - Vec3{0, now.pose.position.y, 0}), 0.01);
+}
+
 // A solid cylinder rolls down a slope with 2/3 of g sin: rolling without slipping.
 TEST(Shapes, cylinder_rolls_down_a_slope_as_the_book_says) {
     const double slope = 0.2;

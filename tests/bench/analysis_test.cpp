@@ -6,9 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
 
 #include "accuracy/accuracy_plot.h"
 #include "accuracy/accuracy_report.h"
+#include "accuracy/accuracy_sheet.h"
+#include "accuracy/doc_tables.h"
 
 namespace {
 
@@ -105,13 +110,94 @@ TEST(Rows, go_through_json_unchanged) {
     EXPECT_EQ(csv_line(made_up().back()), "j1,other,m,30,blown,,");
 }
 
+std::size_t times_in(const std::string& text, const std::string& part) {
+    std::size_t times = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        times++;
+    return times;
+}
+
+TEST(Rows, go_through_csv_unchanged) {
+    std::string text = csv_heading() + "\n";
+    for (const Row& row : made_up()) text += csv_line(row) + "\n";
+    std::istringstream in(text);
+    const std::vector<Row> read = rows_from_csv(in);
+    ASSERT_EQ(read.size(), made_up().size());
+    for (std::size_t k = 0; k < read.size(); k++)
+        EXPECT_EQ(csv_line(read[k]), csv_line(made_up()[k]));
+    std::istringstream wrong(csv_heading() + "\nj1,jostle\n"), other("scene;engine\n");
+    EXPECT_THROW(rows_from_csv(wrong), std::runtime_error);
+    EXPECT_THROW(rows_from_csv(other), std::runtime_error);
+}
+
+TEST(Sheet, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_least_work) {
+    std::vector<Row> rows = made_up();
+    rows.push_back(row_of("f1", "jostle", 60, 0, 10));
+    const std::string svg = accuracy_sheet(rows);
+    EXPECT_NE(svg.find(">j1<"), std::string::npos);
+    EXPECT_NE(svg.find(">f1<"), std::string::npos);
+    EXPECT_EQ(svg.find(">j2<"), std::string::npos);
+    EXPECT_EQ(times_in(svg, "r=\"8\""), 5u);         // four of j1, one of f1
+    EXPECT_NE(svg.find(">40<"), std::string::npos);  // us/s for 0.01
+    EXPECT_NE(accuracy_sheet({}).find("</svg>"), std::string::npos);
+}
+
+TEST(DocTables, stand_between_their_marks) {
+    const std::string path = testing::TempDir() + "doc_tables_test.md";
+    std::ofstream(path) << "a\n<!-- begin score -->\nold\n<!-- end score -->\nb\n";
+    EXPECT_TRUE(replace_section(path, "score", "new\n"));
+    std::ifstream in(path);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}),
+              "a\n<!-- begin score -->\nnew\n<!-- end score -->\nb\n");
+    EXPECT_FALSE(replace_section(path, "other", "new\n"));
+    EXPECT_FALSE(replace_section("/nowhere/a.md", "score", "new\n"));
+}
+
+TEST(DocTables, hold_the_figures) {
+    Row row = row_of("j1", "jostle", 60, 0.0015, 294.4);
+    row.mode = "sub8";
+    EXPECT_NE(jostle_table({row}).find("| j1 | RMS distance, m; widest joint gap, m | 0.0015 | 0 | "
+                                       "294 |"),
+              std::string::npos)
+        << jostle_table({row});
+    EXPECT_NE(score_table(score_of(made_up(), "jostle")).find("| j1 | 0.01 | 0.4 | peer |"),
+              std::string::npos);
+    const nlohmann::ordered_json verdicts = {{{"id", "s1"},
+                                              {"engine", "jostle"},
+                                              {"mode", "sub8"},
+                                              {"pass", true},
+                                              {"figure", 0.0035},
+                                              {"limit", 0.1}},
+                                             {{"id", "s1"},
+                                              {"engine", "bullet"},
+                                              {"mode", "si10"},
+                                              {"pass", false},
+                                              {"figure", 0.11},
+                                              {"limit", 0.1}},
+                                             {{"id", "s1"},
+                                              {"engine", "ode"},
+                                              {"mode", "quick20"},
+                                              {"pass", false},
+                                              {"why", "9 m/s"},
+                                              {"figure", 0.05},
+                                              {"limit", 0.1}},
+                                             {{"id", "s1"},
+                                              {"engine", "mujoco"},
+                                              {"mode", "newton-euler"},
+                                              {"pass", false},
+                                              {"why", "a body is lost"},
+                                              {"limit", 0.1}}};
+    EXPECT_NE(stability_table(verdicts).find(
+                  "| s1 | 0.1 | 0.0035 | **0.11** | **0.05 *** | **lost** | - |"),
+              std::string::npos)
+        << stability_table(verdicts);
+}
+
 TEST(Plot, draws_a_mark_a_row_and_a_curve_a_mode) {
     const std::string svg = plot_accuracy(*find_experiment("j1"), made_up(), "a machine");
-    std::size_t curves = 0;
-    for (std::size_t at = svg.find("<polyline"); at != std::string::npos;
-         at = svg.find("<polyline", at + 1))
-        curves++;
-    EXPECT_EQ(curves, 3u);
+    EXPECT_EQ(times_in(svg, "<polyline"), 3u);
+    EXPECT_EQ(times_in(svg, "r=\"8\""), 4u);  // the Pareto set
+    EXPECT_NE(svg.find("least work for 0.01: 40, peer"), std::string::npos);
     EXPECT_NE(svg.find("CPU time, us per simulated second"), std::string::npos);
 }
 

@@ -75,6 +75,43 @@ TEST_F(LabFlags, accuracy_adds_the_rows_of_before) {
     EXPECT_THAT(output(), HasSubstr("none.json"));
 }
 
+TEST_F(LabFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
+    const std::string against = " --against " + file("short.json");
+    EXPECT_EQ(run("accuracy --short --scene f1,j1" + against), 1);
+    EXPECT_THAT(output(), HasSubstr("no rows in"));
+    EXPECT_THAT(output(), HasSubstr("--update"));
+    std::ofstream(file("short.json")) << R"({"rows": []})";
+    ASSERT_EQ(run("accuracy --short --scene f1,j1" + against + " --update"), 0) << output();
+    const auto json = nlohmann::json::parse(read("short.json"));
+    ASSERT_EQ(json["rows"].size(), 6u);  // two scenes, three rates
+    EXPECT_FALSE(json["rows"][0].contains("cpu_us_per_second"));
+    EXPECT_EQ(run("accuracy --short --scene f1,j1" + against), 0) << output();
+    EXPECT_THAT(output(), HasSubstr("0 figures worse"));
+
+    auto forged = json;  // as if j1 had been a hundred times better at 60 Hz
+    forged["rows"][4]["error"] = json["rows"][4]["error"].get<double>() / 100;
+    std::ofstream(file("short.json")) << forged;
+    EXPECT_EQ(run("accuracy --short --scene j1" + against), 1);
+    EXPECT_THAT(output(), HasSubstr("WORSE: j1 at 60 Hz: error"));
+    EXPECT_THAT(output(), HasSubstr("(100.00 times)"));
+    EXPECT_THAT(output(),
+                HasSubstr("accuracy --short --against " + file("short.json") + " --update"));
+    // A part of the scenes leaves the other rows as they are.
+    ASSERT_EQ(run("accuracy --short --scene j1" + against + " --update"), 0) << output();
+    EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
+}
+
+TEST_F(LabFlags, the_short_form_goes_with_no_other_form) {
+    EXPECT_EQ(run("accuracy --against short.json"), 2);
+    EXPECT_THAT(output(), HasSubstr("--short"));
+    EXPECT_EQ(run("accuracy --short --update"), 2);
+    EXPECT_THAT(output(), HasSubstr("--against"));
+    EXPECT_EQ(run("accuracy --short --rates 60"), 2);
+    EXPECT_THAT(output(), HasSubstr("--rates"));
+    EXPECT_EQ(run("accuracy --short --against /nowhere/short.json --update"), 1);
+    EXPECT_THAT(output(), HasSubstr("cannot write /nowhere/short.json"));
+}
+
 TEST_F(LabFlags, stability_writes_verdicts) {
     ASSERT_EQ(run("stability --scene s1,s22 --peers none --json " + file("s.json")), 0) << output();
     const auto json = nlohmann::json::parse(read("s.json"));
@@ -85,6 +122,40 @@ TEST_F(LabFlags, stability_writes_verdicts) {
     EXPECT_EQ(json["rows"][0]["pass"], true);
     EXPECT_EQ(json["rows"][0]["limit"], 0.1);
     EXPECT_LT(json["rows"][0]["figure"], 0.1);
+}
+
+TEST_F(LabFlags, integrators_and_roads_write_rows) {
+    ASSERT_EQ(run("integrators --field kepler --method verlet,rk4 --rates 240,480 --json " +
+                  file("i.json") + " --csv " + file("i.csv")),
+              0)
+        << output();
+    const auto json = nlohmann::json::parse(read("i.json"));
+    ASSERT_EQ(json["rows"].size(), 4u);
+    EXPECT_EQ(json["rows"][1]["method"], "verlet");
+    EXPECT_NEAR(json["rows"][1]["order"].get<double>(), 2, 0.1);
+    EXPECT_THAT(read("i.csv"), HasSubstr("kepler,rk4,480,"));
+    ASSERT_EQ(run("roads --road xpbd,penalty --rates 60 --json " + file("r.json") + " --csv " +
+                  file("r.csv")),
+              0)
+        << output();
+    const auto roads = nlohmann::json::parse(read("r.json"));
+    ASSERT_EQ(roads["rows"].size(), 2u);
+    EXPECT_EQ(roads["rows"][0]["blown"], true);
+    EXPECT_LT(roads["rows"][1]["slide_error"], 0.01);
+    EXPECT_THAT(read("r.csv"), HasSubstr("penalty,60,blown"));
+    const std::pair<const char*, const char*> wrong[] = {
+        {"integrators --field moon", "there is no field moon; there are all, oscillator"},
+        {"integrators --method euler", "there is no method euler; there are all, explicit"},
+        {"integrators --rates nan", "nan is no rate"},
+        {"integrators --rates 2.5", "2.5 is no rate"},
+        {"roads --road fast", "there is no road fast; there are all, penalty"},
+        {"roads --rates 0", "0 is no rate"}};
+    for (const auto& [flags, why] : wrong) {
+        EXPECT_EQ(run(flags), 2) << flags;
+        EXPECT_THAT(output(), HasSubstr(why));
+    }
+    EXPECT_EQ(run("roads --csv /nowhere/r.csv"), 1);
+    EXPECT_EQ(run("integrators --json /nowhere/i.json"), 1);
 }
 
 TEST_F(LabFlags, what_does_not_exist_is_named_with_what_there_is) {

@@ -180,7 +180,8 @@ TEST(SceneFaults, a_joint_names_bodies_that_are_there) {
 TEST(SceneFaults, a_joint_has_one_kind_and_one_way_to_say_where) {
     expect_refused(links(neighbours + "\"collide_connected\": true"),
                    "line 5: joints[0]: has no kind; give one of ball, hinge, cone_twist, fixed, "
-                   "distance, velocity_row");
+                   "distance, velocity_row, slider, six_dof, wheel, grab, gear, "
+                   "rack, pulley, path");
     expect_refused(links(neighbours + "\"ball\": {},\n\"hinge\": {}"),
                    "line 6: joints[0].hinge: is one kind too many; give one only");
     expect_refused(links(neighbours + "\"ball\": {}, \"frame_a\": {},\n\"frame\": {}"),

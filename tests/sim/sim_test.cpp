@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -85,6 +86,113 @@ TEST_F(Sim, goes_on_from_a_saved_world_as_if_it_had_never_stopped) {
     ASSERT_EQ(run("wall --seconds 1 --save " + file("w.world")), 0);
     ASSERT_EQ(run("wall --seconds 1 --load " + file("w.world") + " --json " + file("r.json")), 0);
     EXPECT_EQ(report()["state_hash"], straight);
+}
+
+// The midpoint rule turns what is free: second order, whatever the sub-steps.
+TEST_F(Sim, converges_a_tumbling_plank_with_the_second_order_of_the_midpoint_rule) {
+    std::ofstream(file("plank.json")) << R"({ "name": "plank", "world": { "gravity": { "y": 0 } },
+      "bodies": [ { "name": "plank", "angular_velocity": { "x": 3, "y": 0.1, "z": 0.1 },
+          "may_sleep": false,
+          "shapes": [ { "box": { "half_extents": { "x": 0.3, "y": 0.2, "z": 0.1 } } } ] } ] })";
+    ASSERT_EQ(run(file("plank.json") +
+                  " --converge --seconds 2 --rates 30,60,120,960,1920 --substep-counts 4,8 "
+                  "--tolerance 0.01,0.1 --json " +
+                  file("r.json")),
+              0)
+        << output();
+    const auto json = report();
+    EXPECT_EQ(json["verdict"], "agreed");
+    EXPECT_EQ(json["bodies"], 1);
+    EXPECT_EQ(json["scale_m"], 1);  // its centre stays
+    ASSERT_EQ(json["rows"].size(), 10u);
+    for (const std::size_t k : {1u, 2u, 6u, 7u})
+        EXPECT_NEAR(json["rows"][k]["order"].get<double>(), 2, 0.1) << output();
+    EXPECT_TRUE(json["rows"][0]["order"].is_null());
+    // The coarse tolerance stands first and is no dearer.
+    const auto& cheapest = json["cheapest"];
+    EXPECT_EQ(cheapest[0]["tolerance"], 0.1);
+    EXPECT_LE(cheapest[0]["cpu_us_per_second"], cheapest[1]["cpu_us_per_second"]);
+    EXPECT_NE(output().find("The two finest runs agree"), std::string::npos);
+    EXPECT_NE(output().find("--hz 30"), std::string::npos) << output();
+}
+
+// A rod of 1 m on a hinge, released horizontal.
+TEST_F(Sim, converges_a_pendulum) {
+    std::ofstream(file("pendulum.json")) << R"({ "name": "pendulum", "bodies": [
+        { "name": "pivot", "type": "BODY_TYPE_STATIC",
+          "shapes": [ { "sphere": { "radius": 0.05 }, "filter": { "mask": 0 } } ] },
+        { "name": "rod", "position": { "x": 0.5 }, "may_sleep": false,
+          "shapes": [ { "box": { "half_extents": { "x": 0.5, "y": 0.05, "z": 0.05 } } } ] } ],
+      "joints": [ { "name": "hinge", "body_a": "pivot", "body_b": "rod", "hinge": {},
+                    "frame": { "position": { "x": 0 } } } ] })";
+    ASSERT_EQ(
+        run(file("pendulum.json") +
+            " --converge --seconds 2 --rates 30,60,120,960,1920 --substep-counts 4,8 --json " +
+            file("r.json")),
+        0)
+        << output();
+    const auto json = report();
+    EXPECT_EQ(json["verdict"], "agreed");
+    // Its centre swings through half a circle of 0.5 m radius.
+    EXPECT_NEAR(json["scale_m"].get<double>(), std::hypot(1, 0.5), 0.02);
+    for (std::size_t k = 1; k < 3; k++) {
+        const auto& finer = json["rows"][k];
+        EXPECT_LT(finer["error"], json["rows"][k - 1]["error"]) << output();
+        EXPECT_GT(finer["cpu_us_per_second"], json["rows"][k - 1]["cpu_us_per_second"]);
+    }
+    EXPECT_LT(json["rows"][1]["error"], 0.02);
+    // First order at least: joints of a maximal-coordinate solver.
+    EXPECT_GT(json["rows"][1]["order"].get<double>(), 0.7) << output();
+}
+
+TEST_F(Sim, says_that_a_break_of_billiards_is_chaotic_and_for_how_long_runs_agree) {
+    ASSERT_EQ(run("billiards --converge --seconds 4 --finest-hz 240 --substep-counts 4,8 --json " +
+                  file("r.json")),
+              0)
+        << output();
+    const auto json = report();
+    EXPECT_EQ(json["verdict"], "chaotic");
+    EXPECT_GT(json["nudge_growth"].get<double>(), 1000);
+    EXPECT_GT(json["doubt"].get<double>(), 0.1);
+    // The cue ball needs that long to reach the others; after that nobody knows.
+    EXPECT_GT(json["agree_until_s"].get<double>(), 0.1);
+    EXPECT_LT(json["agree_until_s"].get<double>(), 2);
+    EXPECT_TRUE(json["cheapest"][0]["hz"].is_null());
+    EXPECT_NE(output().find("The scene is chaotic"), std::string::npos);
+}
+
+TEST_F(Sim, leaves_out_what_the_budget_does_not_pay_and_says_so) {
+    ASSERT_EQ(run("billiards --converge --seconds 4 --budget 0.1"), 0) << output();
+    EXPECT_NE(output().find("Left out, for they would cost more than --budget"), std::string::npos)
+        << output();
+}
+
+TEST_F(Sim, refuses_questions_about_convergence_that_have_no_answer) {
+    const auto refused = [&](const std::string& flags, const char* why) {
+        EXPECT_EQ(run("stack " + flags), 2) << flags;
+        EXPECT_NE(output().find(why), std::string::npos) << flags << ": " << output();
+    };
+    refused("--seconds nan", "nan is not a number from 0");
+    refused("--converge --tolerance nan", "nan is not a number from");
+    refused("--converge --tolerance 0", "0 is not a number from");
+    refused("--converge --tolerance x", "x is not a number from");
+    refused("--converge --scale -1", "-1 is not a number from");
+    refused("--converge --budget inf", "inf is not a number from");
+    refused("--converge --rates 60", "one rate cannot be compared");
+    refused("--converge --rates 60,90", "90 Hz is no multiple of 60 Hz");
+    refused("--converge --rates 60,1e9", "1e9 is not a number from 4 to 10000");
+    refused("--converge --substep-counts 0", "not in range");
+    refused("--converge --seconds 0.001", "less than one step at 30 Hz");
+    refused("--converge --finest-hz 40", "raise --finest-hz");
+    refused("--converge --trace t.csv", "--trace");
+    refused("--converge --threads 2", "--threads");
+    refused("--tolerance 0.1", "--converge");
+    std::ofstream(file("still.json"))
+        << R"({"name": "still", "bodies": [{"name": "a", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]}]})";
+    EXPECT_EQ(run(file("still.json") + " --converge"), 2);
+    EXPECT_NE(output().find("still has no dynamic body"), std::string::npos) << output();
+    EXPECT_EQ(run("stack --converge --json /nowhere/r.json"), 1);
+    EXPECT_NE(output().find("cannot write /nowhere/r.json"), std::string::npos);
 }
 
 TEST_F(Sim, says_what_is_wrong_and_exits_with_2) {

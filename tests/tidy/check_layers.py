@@ -31,7 +31,8 @@ FLOORS = {
     "proto/status": [],
     "scenes/include": [PUBLIC],
     "scenes/src": [PUBLIC, "physics/examples", "scenes/include", "generated"],
-    "sim": [PUBLIC, "scenes/include"],
+    "convergence": [],
+    "sim": [PUBLIC, "convergence", "scenes/include"],
     "server/base": [],
     "server/config": ["server/base"],
     "server/host": ["server/base", "server/config", PUBLIC, "scenes/include"],
@@ -54,7 +55,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
                        "scenes/src/module_message.cpp")
 
-SEARCH = [BASE, "physics/include", "physics/src", "physics/examples/hovercraft", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+SEARCH = [BASE, "physics/include", "physics/src", "physics/examples/hovercraft", "convergence/include", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 

@@ -20,9 +20,9 @@ COVERED_BY = {
     "collision/broadphase/fat_box.h":
         (["physics/state/shape_proxy_test.cpp"], "one function: the boxes of a slow and of two fast balls, in numbers"),
     "collision/broadphase/sort_and_sweep.cpp":
-        (["physics/collision/broadphase/broad_phase_test.cpp"], "EveryBroadPhase: as a loop over all boxes answers"),
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "of_every_kind: as a loop over all boxes answers"),
     "collision/broadphase/uniform_grid.cpp":
-        (["physics/collision/broadphase/broad_phase_test.cpp"], "EveryBroadPhase: as a loop over all boxes answers"),
+        (["physics/collision/broadphase/broad_phase_test.cpp"], "of_every_kind: as a loop over all boxes answers"),
     "collision/narrowphase/collide_boxes.cpp":
         (["physics/collision/narrowphase/collide_test.cpp"], "boxes against a search over all directions; four points at rest"),
     "collision/narrowphase/collide_plane.cpp":
@@ -41,6 +41,20 @@ COVERED_BY = {
     "constraints/contact_kernel.h":
         (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "constraints/joints/axes_kernel.h":
+        (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
+    "constraints/joints/couple_ends.cpp":
+        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+    "constraints/joints/couple_kernel.h":
+        (["behaviour/couple_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
+    "constraints/joints/joint_lane.h":
+        (["behaviour/joints_test.cpp", "behaviour/axis_joints_test.cpp"], "every number of a joint goes through it"),
+    "constraints/joints/path_curve.cpp":
+        (["behaviour/path_joints_test.cpp"], "circles, cycloids and polylines, whose lengths and periods are known"),
+    "constraints/joints/write_axes.cpp":
+        (["behaviour/axis_joints_test.cpp"], "limits, motors, springs and friction of every axis are written there"),
+    "constraint_graph/joint_memory.h":
+        (["behaviour/axis_joints_test.cpp"], "what joints keep is saved, loaded and goes on"),
     "constraints/joints/joint_kernel.h":
         (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
     "constraints/joints/joint_kinds.h":
@@ -122,6 +136,8 @@ COVERED_BY = {
          "stacks, slopes and lifts; batches side by side"),
     "stages/solver/solve_joints.cpp":
         (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
+    "stages/solver/strike_jointed.cpp":
+        (["behaviour/impacts_test.cpp"], "a cradle on threads at three rates: the last ball swings out, the others hang still"),
     "stages/solver/substep_hooks.cpp":
         (["behaviour/listeners_test.cpp"], "groups, order, pushes, springs of their own"),
     "stages/solver/solver_scratch.h":

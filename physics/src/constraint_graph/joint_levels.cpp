@@ -2,7 +2,11 @@
 #include "constraint_graph/joint_levels.h"
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
+#include <variant>
 
+#include "constraint_graph/joint_memory.h"
 #include "foundation/check.h"
 #include "jostle/physics/joint_defs.h"
 
@@ -12,8 +16,31 @@ namespace {
 bool has_row(std::uint32_t kind) {
     return kind == JointKind(VelocityRow{}).index();
 }
+template <class Kind>
+constexpr bool is_of_axes = requires(Kind kind) {
+    axes_of(kind);
+};
+// By index into JointKind.
+template <class... Kinds>
+constexpr std::array<bool, sizeof...(Kinds)> find_axes(std::type_identity<std::variant<Kinds...>>) {
+    return {is_of_axes<Kinds>...};
+}
+bool has_axes(std::uint32_t kind) {
+    static constexpr auto axes = find_axes(std::type_identity<JointKind>{});
+    return kind != driven_ball && axes[kind];
+}
+template <class... Kinds>
+constexpr std::array<bool, sizeof...(Kinds)> find_couples(
+    std::type_identity<std::variant<Kinds...>>) {
+    return {is_couple<Kinds>...};
+}
+bool has_couple(std::uint32_t kind) {
+    static constexpr auto couples = find_couples(std::type_identity<JointKind>{});
+    return kind != driven_ball && couples[kind];
+}
 bool has_angular(std::uint32_t kind) {
-    return kind != JointKind(BallJoint{}).index() && !has_row(kind);
+    return kind != JointKind(BallJoint{}).index() && !has_row(kind) && !has_axes(kind) &&
+           !has_couple(kind);
 }
 
 // Returns how many there are.
@@ -28,13 +55,17 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
         return levels.reached[static_cast<std::size_t>(std::max(hot, 0))];
     };
     for (LeveledJoint& joint : levels.joints) {
-        ASSERT(joint.kind < joint_kinds);
+        ASSERT(joint.kind < kernel_kinds);
         ASSERT(joint.a != joint.b);
-        const std::uint32_t level = std::max(reached(joint.a), reached(joint.b));
+        std::uint32_t level = std::max(reached(joint.a), reached(joint.b));
+        if ((joint.carrier_a | joint.carrier_b) != 0) {
+            level = std::max({level, reached(joint.carrier_a), reached(joint.carrier_b)});
+            reached(joint.carrier_a) = reached(joint.carrier_b) = level + 1;
+        }
         reached(joint.a) = reached(joint.b) = level + 1;
         levels.reached[0] = 0;  // what cannot be pushed makes nobody wait
         count = std::max(count, level + 1);
-        joint.run = level * joint_kinds + joint.kind;
+        joint.run = level * kernel_kinds + joint.kind;
     }
     return static_cast<int>(count);
 }
@@ -43,24 +74,28 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
 
 void assign_levels(JointLevels& levels, std::size_t bodies) {
     const int count = find_levels(levels, bodies);
-    levels.places.assign(static_cast<std::size_t>(count) * joint_kinds, 0);
+    levels.places.assign(static_cast<std::size_t>(count) * kernel_kinds, 0);
     for (const LeveledJoint& joint : levels.joints) levels.places[joint.run]++;
     levels.runs.clear();
-    int blocks = 0, angular = 0, rows = 0;
+    int blocks = 0, angular = 0, rows = 0, axes = 0, couples = 0;
     for (std::uint32_t key = 0; key < levels.places.size(); key++) {
         const int joints = levels.places[key];
         levels.places[key] = blocks * 8;  // the next free lane
         if (joints == 0) continue;
-        const std::uint32_t kind = key % joint_kinds;
+        const std::uint32_t kind = key % kernel_kinds;
         const int size = (joints + 7) / 8;
         levels.runs.push_back({.kind = static_cast<std::uint8_t>(kind),
                                .begin = blocks,
                                .end = blocks + size,
                                .angular = has_angular(kind) ? angular : -1,
-                               .row = has_row(kind) ? rows : -1});
+                               .row = has_row(kind) ? rows : -1,
+                               .axes = has_axes(kind) ? axes : -1,
+                               .couple = has_couple(kind) ? couples : -1});
         blocks += size;
         if (has_angular(kind)) angular += size;
         if (has_row(kind)) rows += size;
+        if (has_axes(kind)) axes += size;
+        if (has_couple(kind)) couples += size;
     }
     levels.metas.assign(static_cast<std::size_t>(blocks), {});
     for (const JointRun& run : levels.runs)
@@ -68,6 +103,8 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
             JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(k)];
             meta.angular = run.angular < 0 ? -1 : run.angular + k - run.begin;
             meta.row = run.row < 0 ? -1 : run.row + k - run.begin;
+            meta.axes = run.axes < 0 ? -1 : run.axes + k - run.begin;
+            meta.couple = run.couple < 0 ? -1 : run.couple + k - run.begin;
         }
     for (const LeveledJoint& joint : levels.joints) {
         const int lane = levels.places[joint.run]++;
@@ -81,6 +118,8 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
     levels.blocks.assign(static_cast<std::size_t>(blocks), JointConstraintWide{});
     levels.angular.assign(static_cast<std::size_t>(angular), JointAngularWide{});
     levels.rows.assign(static_cast<std::size_t>(rows), VelocityRowWide{});
+    levels.axes.assign(static_cast<std::size_t>(axes), JointAxesWide{});
+    levels.couples.assign(static_cast<std::size_t>(couples), JointCoupleWide{});
 }
 
 }  // namespace jostle::physics

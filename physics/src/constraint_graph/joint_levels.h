@@ -19,17 +19,20 @@ namespace jostle::physics {
 
 // Blocks of one kind that share no body: any order, any thread. Runs go one after the other.
 struct JointRun {
-    std::uint8_t kind = 0;   // index into JointKind
+    std::uint8_t kind = 0;   // index into JointKind, or driven_ball
     int begin = 0, end = 0;  // blocks
     int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
     int row = -1;            // VelocityRowWide likewise
+    int axes = -1;           // JointAxesWide likewise
+    int couple = -1;         // JointCoupleWide likewise
 };
 
 struct LeveledJoint {
     std::uint32_t joint = 0;
-    std::uint32_t kind = 0;     // index into JointKind
-    std::int32_t a = 0, b = 0;  // as JointConstraintWideMeta's
-    std::uint32_t run = 0;      // level * joint kinds + kind
+    std::uint32_t kind = 0;                     // index into JointKind, or driven_ball
+    std::int32_t a = 0, b = 0;                  // as JointConstraintWideMeta's
+    std::int32_t carrier_a = 0, carrier_b = 0;  // of couples, likewise
+    std::uint32_t run = 0;                      // level * joint kinds + kind
 };
 
 struct JointLevels {
@@ -38,6 +41,8 @@ struct JointLevels {
     std::vector<JointConstraintWide> blocks;
     std::vector<JointAngularWide> angular;
     std::vector<VelocityRowWide> rows;
+    std::vector<JointAxesWide> axes;
+    std::vector<JointCoupleWide> couples;
     std::vector<JointConstraintWideMeta> metas;  // by block
 
     // Scratch.
@@ -59,6 +64,16 @@ inline JointAngularWide* angular_of(JointLevels& levels, int first) {
 inline VelocityRowWide* row_of(JointLevels& levels, int first) {
     ASSERT(first < static_cast<int>(levels.rows.size()));
     return first < 0 ? nullptr : &levels.rows[static_cast<std::size_t>(first)];
+}
+
+inline JointAxesWide* axes_of(JointLevels& levels, int first) {
+    ASSERT(first < static_cast<int>(levels.axes.size()));
+    return first < 0 ? nullptr : &levels.axes[static_cast<std::size_t>(first)];
+}
+
+inline JointCoupleWide* couple_of(JointLevels& levels, int first) {
+    ASSERT(first < static_cast<int>(levels.couples.size()));
+    return first < 0 ? nullptr : &levels.couples[static_cast<std::size_t>(first)];
 }
 
 }  // namespace jostle::physics

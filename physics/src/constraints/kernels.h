@@ -41,6 +41,8 @@ struct JointRange {
     JointConstraintWide* blocks;
     JointAngularWide* angular;  // of the run's first block; null for kinds that have none
     VelocityRowWide* rows;      // likewise
+    JointAxesWide* axes;        // likewise
+    JointCoupleWide* couples;   // likewise
     const JointConstraintWideMeta* metas;
     int kind;   // index into JointKind
     int first;  // block of the run

@@ -28,4 +28,9 @@ Softness spring(double hertz, double damping_ratio, double h) {
     return {left * turn * turn / h, 1 - left, left, true};
 }
 
+Softness damper(double rate, double h) {
+    const double share = rate * h / (1 + rate * h);
+    return {0, share, 1 - share, true};
+}
+
 }  // namespace jostle::physics

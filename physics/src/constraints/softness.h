@@ -23,4 +23,7 @@ Softness soft(double hertz, double damping_ratio, double h);
 // soft(), in both passes: of stiff springs in a row one pass is too few.
 Softness spring(double hertz, double damping_ratio, double h);
 
+// Takes away speed at `rate` per second, implicitly: a share of rate h / (1 + rate h) in h.
+Softness damper(double rate, double h);
+
 }  // namespace jostle::physics

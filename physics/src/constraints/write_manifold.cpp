@@ -82,6 +82,38 @@ Loads handed_on(const Carried& old, const Manifold& m, Vec3 center, double reach
     return loads;
 }
 
+// Where friction acts: amid the points. Of a rim amid those that touch, or may before the manifold
+// is rebuilt; the others stand for the rest of it, in case the body comes down. With all of them a
+// disc that rolls round on its rim would be held in its middle and braked by the lever of a whole
+// face.
+struct Footing {
+    Vec3 centre;
+    bool bears[4] = {};
+    int count = 0;
+};
+
+Footing footing_of(const Manifold& m, bool rim) {
+    double reach = m.gap[0];
+    for (int i = 1; i < m.count; i++) reach = minimum(reach, m.gap[i]);
+    reach = maximum(reach, 0) + tuning::reuse_distance;
+    Footing f;
+    for (int i = 0; i < m.count; i++) {
+        f.bears[i] = !rim || m.gap[i] <= reach;
+        f.count += f.bears[i] ? 1 : 0;
+    }
+    for (int i = 0; i < m.count; i++)
+        if (f.bears[i]) f.centre += m.point[i] * (1.0 / f.count);
+    return f;
+}
+
+bool has_rim(const WorldState& world, const Contact& contact) {
+    const auto rim = [&](std::uint32_t shape) {
+        const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
+        return kind == ShapeKind::cylinder || kind == ShapeKind::cone;
+    };
+    return rim(contact.shape_a) || rim(contact.shape_b);
+}
+
 // The lever of the small disc in which round bodies touch in truth.
 double patch_of(const ShapeStore& store, const Contact& contact) {
     const auto rounding = [&](std::uint32_t shape) {
@@ -158,8 +190,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 
-    Vec3 centre;
-    for (int i = 0; i < m.count; i++) centre += m.point[i] * (1.0 / m.count);
+    const Footing footing = footing_of(m, has_rim(world, contact));
+    const Vec3 centre = footing.centre;
     const Vec3 n = m.normal;
     const Vec3 t1 = world.def.planar
                         ? Vec3{-n.y, n.x, 0}
@@ -185,7 +217,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
         block.lambda[i][lane] = as_float(loads.lambda[i]);
         block.mean_impulse[i][lane] = as_float(loads.mean_impulse[i]);
-        if (used) friction_radius += square_root(x * x + y * y) / m.count;
+        if (footing.bears[i]) friction_radius += square_root(x * x + y * y) / footing.count;
     }
     block.friction_radius[lane] =
         as_float(maximum(friction_radius, patch_of(world.shapes, contact)));

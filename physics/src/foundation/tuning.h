@@ -184,6 +184,11 @@ inline constexpr double joint_push_spin = 8;    // rad/s
 inline constexpr double sweep_fraction = 0.5;
 // A sweep stops this far before the surfaces meet.
 inline constexpr double sweep_gap = 1e-4;  // m
+// Two that touch and go into each other faster than this, when an impact has just sent one of them
+// that way, meet at once; what is slower is left to the contact solver.
+inline constexpr double touching_impact_speed = 0.05;  // m/s
+// Bodies that touch hand an impact on until this share of its speed is left.
+inline constexpr double handed_on_least = 0.1;
 // The box of a swept body is this much larger on each side.
 inline constexpr double swept_margin = 0.01;  // m
 // Of what a pair may move without a sweep the sweep looks at a little more, so that nothing falls

@@ -226,13 +226,42 @@ struct JointFieldList {
         v.leave();
     }
     void flag(const char* name, bool& x) { v.field(name, x); }
+    void later(const char* name, double& x, double low, double high) {
+        v.optional(name, x, 12);
+        if constexpr (V::kLoading)
+            if (!(x >= low && x <= high)) v.fail(name, "is out of range");
+    }
+    // What is not driven is one number, a zero.
+    void drive(const char* name, RotationDrive& drive) {
+        v.enter(name);
+        later("hertz", drive.spring.hertz, 0, 1e4);
+        if (drive.spring.hertz > 0) {
+            number("damping_ratio", drive.spring.damping_ratio, 0, 1e4);
+            visit(v, "target", drive.target);
+            number("max_torque", drive.max_torque, 0, 1e12);
+            if constexpr (V::kLoading)
+                if (!(norm_squared(drive.target) > 1e-6)) v.fail("target", "is no rotation");
+        }
+        v.leave();
+    }
+    void points(const char* name, std::vector<Vec3>& points, std::size_t least, std::size_t most,
+                double limit) {
+        visit_all(v, name, points, [&](Vec3& x) { vector("", x, limit); });
+        if constexpr (V::kLoading) {
+            if (points.size() < least || points.size() > most)
+                return v.fail(name, "are too few or too many");
+            for (std::size_t k = 1; k < points.size(); k++)
+                if (!(length(points[k] - points[k - 1]) >= 1e-6))
+                    return v.fail(name, "has the same point twice");
+        }
+    }
     void limit(const char* name, JointLimit& limit, double low, double high) {
         v.enter(name);
         v.field("enabled", limit.enabled);
         visit_limit(*this, limit, low, high);
         v.leave();
     }
-    void motor(const char* name, JointMotor& motor) {
+    void motor(const char* name, auto& motor) {
         v.enter(name);
         v.field("enabled", motor.enabled);
         visit_motor(*this, motor);
@@ -241,6 +270,11 @@ struct JointFieldList {
     void spring(const char* name, JointSpring& spring) {
         v.enter(name);
         visit_spring(*this, spring);
+        v.leave();
+    }
+    void axis(const char* name, JointAxis& axis, double low, double high) {
+        v.enter(name);
+        visit_axis(*this, axis, low, high);
         v.leave();
     }
 };
@@ -284,6 +318,16 @@ void visit_fields(V& v, Joint& j) {
     visit(v, "friction", j.friction);
     visit(v, "force", j.force);
     visit(v, "torque", j.torque);
+    if (const std::size_t numbers = memory_of(j.kind); numbers > 0) {
+        if constexpr (V::kLoading) j.memory.resize(numbers);
+        v.enter("memory");
+        for (std::size_t i = 0; i < numbers; i++) {
+            v.enter(i);
+            v.field("", j.memory[i]);
+            v.leave();
+        }
+        v.leave();
+    }
     for (int side = 0; side < 2; side++) {
         v.field("next", j.next[side]);
         v.field("prev", j.prev[side]);

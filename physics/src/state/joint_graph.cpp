@@ -35,7 +35,7 @@ void link_joint(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
     ASSERT(j.body_a != j.body_b);
     ASSERT(is_dynamic(world, j.body_a) || is_dynamic(world, j.body_b));
-    link_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
+    if (j.body_a != none) link_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
     link_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
     if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
         join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
@@ -45,14 +45,14 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
     Joint& j = world.joints.joints[joint];
     ASSERT(world.joints.ids.alive(joint));
     const std::uint32_t a = j.body_a, b = j.body_b;
-    unlink_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
+    if (a != none) unlink_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
     unlink_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
     if (is_dynamic(world, a) && is_dynamic(world, b))
         world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
     const bool collided = j.collide_connected;
     j = Joint{};
     world.joints.ids.give_back(joint);
-    if (collided) return;
+    if (collided || a == none) return;
     // Their shapes may meet from now on.
     for (const std::uint32_t body : {a, b})
         for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
@@ -71,6 +71,30 @@ bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint3
     return joined;
 }
 
+std::uint32_t find_carrier(const WorldState& world, const Joint& couple, int end) {
+    if (std::holds_alternative<PulleyJoint>(couple.kind)) return none;
+    const bool slides = end == 1 && std::holds_alternative<RackJoint>(couple.kind);
+    const std::uint32_t body = end == 0 ? couple.body_a : couple.body_b;
+    if (body == none) return none;
+    const Vec3 z{0, 0, 1};
+    const Vec3 axis =
+        rotate(end == 0 ? couple.frame_a.rotation : couple.frame_b.rotation, z);  // in the body
+    std::uint32_t first = none, carrier = none;
+    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
+        const Joint& j = world.joints.joints[index];
+        const bool is_b = j.body_b == body;
+        const bool holds = slides ? std::holds_alternative<SliderJoint>(j.kind)
+                                  : std::holds_alternative<HingeJoint>(j.kind) ||
+                                        (is_b && std::holds_alternative<WheelJoint>(j.kind));
+        if (!holds || index > first) return;
+        const Vec3 other = rotate(is_b ? j.frame_b.rotation : j.frame_a.rotation, z);
+        if (absolute(dot(axis, other)) < 0.999) return;  // 2.6 degrees
+        first = index;
+        carrier = is_b ? j.body_a : j.body_b;
+    });
+    return carrier;
+}
+
 JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t>& found = world.scratch.jointed;
     found.assign(1, body);
@@ -83,6 +107,7 @@ JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
         for_each_joint(world.joints, world.bodies.cold[found[k]], [&](std::uint32_t joint) {
             const Joint& j = world.joints.joints[joint];
             const std::uint32_t other = j.body_a == found[k] ? j.body_b : j.body_a;
+            if (other == none) return;
             const BodyType type = world.bodies.cold[other].type;
             to_kinematic = to_kinematic || type == BodyType::kinematic;
             if (type != BodyType::dynamic || seen[other] != 0) return;

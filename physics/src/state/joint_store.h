@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "constraint_graph/joint_memory.h"
 #include "foundation/check.h"
 #include "foundation/id_pool.h"
 #include "jostle/physics/joint_defs.h"
@@ -16,7 +17,7 @@ namespace jostle::physics {
 struct Joint {
     std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
 
-    // What the user set. Bodies by index.
+    // What the user set. Bodies by index; body_a may be none, the world.
     std::uint32_t body_a = none, body_b = none;
     Transform frame_a, frame_b;
     JointKind kind;
@@ -34,6 +35,9 @@ struct Joint {
     double spring = 0;
     double motor = 0;  // about the axis; of a velocity row
     Vec3 friction;
+    // What else a kind keeps from step to step, memory_of(kind) numbers
+    // (constraint_graph/joint_memory.h).
+    std::vector<double> memory;
     // What acted during the last step, for reports and for breaking.
     Vec3 force, torque;  // N, N m
 };

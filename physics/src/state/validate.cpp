@@ -160,15 +160,22 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
     return {};
 }
 
-// Joint lists: every joint is on the lists of both its bodies, one of which is dynamic.
+// Joint lists: every joint is on the lists of its bodies, one of which is dynamic. The first may be
+// none.
 Fault check_joints(const WorldState& world) {
     const auto& joints = world.joints.joints;
-    std::size_t edges = 0;
+    std::size_t edges = 0, expected_edges = 0;
     for (std::uint32_t i = 0; i < joints.size(); i++) {
         if (!world.joints.ids.alive(i)) continue;
         const Joint& j = joints[i];
-        if (!body_alive(world, j.body_a) || !body_alive(world, j.body_b) || j.body_a == j.body_b)
+        const bool to_world = j.body_a == none;
+        if (!(to_world || body_alive(world, j.body_a)) || !body_alive(world, j.body_b) ||
+            j.body_a == j.body_b)
             return at("joints", i, "names bodies that do not exist");
+        expected_edges += to_world ? 1 : 2;
+        if (to_world && !is_dynamic(world, j.body_b))
+            return at("joints", i, "joins no dynamic body");
+        if (to_world) continue;
         const BodyCold &a = world.bodies.cold[j.body_a], &b = world.bodies.cold[j.body_b];
         if (a.type != BodyType::dynamic && b.type != BodyType::dynamic)
             return at("joints", i, "joins no dynamic body");
@@ -196,8 +203,7 @@ Fault check_joints(const WorldState& world) {
         }
         edges += steps;
     }
-    if (edges != 2 * world.joints.ids.alive_count_slow())
-        return "joints: some are on no body's list";
+    if (edges != expected_edges) return "joints: some are on no body's list";
     return {};
 }
 

@@ -57,7 +57,8 @@ void wake_neighbours(WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t> others;
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t joint) {
         const Joint& j = world.joints.joints[joint];
-        others.push_back(j.body_a == body ? j.body_b : j.body_a);
+        const std::uint32_t other = j.body_a == body ? j.body_b : j.body_a;
+        if (other != none) others.push_back(other);
     });
     for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
         const Contact& c = world.contacts.contacts[contact];

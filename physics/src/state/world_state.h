@@ -84,10 +84,11 @@ inline const BodyWarm& warm_of(const WorldState& world, std::uint32_t body) {
 }
 
 inline bool is_dynamic(const WorldState& world, std::uint32_t body) {
-    return world.bodies.cold[body].type == BodyType::dynamic;
+    return body != none && world.bodies.cold[body].type == BodyType::dynamic;
 }
 
 inline BodyId body_id(const WorldState& world, std::uint32_t body) {
+    if (body == none) return {};
     return {body, world.bodies.ids.generation(body)};
 }
 inline JointId joint_id(const WorldState& world, std::uint32_t joint) {

@@ -2,7 +2,6 @@
 #include "world/joint_checks.h"
 
 #include "foundation/messages.h"
-#include "jostle/physics/joint_fields.h"
 #include "world/checks.h"
 
 namespace jostle::physics {
@@ -21,6 +20,30 @@ void JointCheck::vector(const char* name, Vec3 value, double limit) {
     if (status_.ok()) status_ = check_vector((path_ + name).c_str(), value, limit);
 }
 
+void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::size_t least,
+                        std::size_t most, double limit) {
+    const std::string path = path_ + name;
+    if (status_.ok() && (points.size() < least || points.size() > most))
+        status_ = invalid(path + " are " + std::to_string(points.size()) + "; give " +
+                          std::to_string(least) + " to " + std::to_string(most));
+    for (std::size_t k = 0; k < points.size() && status_.ok(); k++) {
+        const std::string which = "[" + std::to_string(k) + "]";
+        vector((name + which).c_str(), points[k], limit);
+        if (status_.ok() && k > 0 && length(points[k] - points[k - 1]) < 1e-6)
+            status_ = invalid(path + which + " is where the one before it is; leave one out");
+    }
+}
+
+void JointCheck::drive(const char* name, const RotationDrive& drive) {
+    const std::string prefix = path_ + name;
+    JointCheck inside(prefix.c_str());
+    inside.spring("spring", drive.spring);
+    inside.number("max_torque", drive.max_torque, 0, 1e12);
+    if (inside.status_.ok())
+        inside.status_ = check_pose((prefix + ".target").c_str(), {{}, drive.target});
+    if (status_.ok()) status_ = inside.status_;
+}
+
 void JointCheck::limit(const char* name, const JointLimit& limit, double low, double high) {
     const std::string prefix = path_ + name;
     JointCheck inside(prefix.c_str());
@@ -31,15 +54,21 @@ void JointCheck::limit(const char* name, const JointLimit& limit, double low, do
     if (status_.ok()) status_ = inside.status_;
 }
 
-void JointCheck::motor(const char* name, const JointMotor& motor) {
-    JointCheck inside((path_ + name).c_str());
-    visit_motor(inside, motor);
-    if (status_.ok()) status_ = inside.status_;
-}
-
 void JointCheck::spring(const char* name, const JointSpring& spring) {
     JointCheck inside((path_ + name).c_str());
     visit_spring(inside, spring);
+    if (status_.ok()) status_ = inside.status_;
+}
+
+void JointCheck::axis(const char* name, const JointAxis& axis, double low, double high) {
+    const std::string prefix = path_ + name;
+    JointCheck inside(prefix.c_str());
+    visit_axis(inside, axis, low, high);
+    const bool moves = axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled;
+    if (inside.status_.ok() && !axis.free && (moves || axis.friction > 0))
+        inside.status_ = invalid(prefix +
+                                 " is locked and has a limit, spring, motor or friction; make it "
+                                 "free, or take those away");
     if (status_.ok()) status_ = inside.status_;
 }
 

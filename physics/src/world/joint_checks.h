@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "jostle/physics/joint_defs.h"
+#include "jostle/physics/joint_fields.h"
 #include "jostle/physics/result.h"
 
 namespace jostle::physics {
@@ -24,9 +24,21 @@ public:
                  double low, double high);
     void vector(const char* name, Vec3 value, double limit);
     void flag(const char*, bool) {}
+    void later(const char* name, double value, double low, double high) {
+        number(name, value, low, high);
+    }
+    void drive(const char* name, const RotationDrive& drive);
+    void points(const char* name, const std::vector<Vec3>& points, std::size_t least,
+                std::size_t most, double limit);
     void limit(const char* name, const JointLimit& limit, double low, double high);
-    void motor(const char* name, const JointMotor& motor);
+    template <class Motor>
+    void motor(const char* name, const Motor& motor) {
+        JointCheck inside((path_ + name).c_str());
+        visit_motor(inside, motor);
+        if (status_.ok()) status_ = inside.status_;
+    }
     void spring(const char* name, const JointSpring& spring);
+    void axis(const char* name, const JointAxis& axis, double low, double high);
 
 private:
     std::string path_;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "constraints/joints/angles.h"
+#include "constraints/joints/axes_layout.h"
 #include "foundation/messages.h"
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
@@ -19,13 +20,13 @@ namespace jostle::physics {
 namespace {
 
 Status check_joint(const WorldState& world, const JointDef& def) {
-    if (Status s = check_id(world, def.body_a); !s.ok()) return s;
+    const bool to_world = is_null(def.body_a);
+    if (!to_world)
+        if (Status s = check_id(world, def.body_a); !s.ok()) return s;
     if (Status s = check_id(world, def.body_b); !s.ok()) return s;
     if (def.body_a == def.body_b)
         return invalid("body_a and body_b are the same body; a joint joins two");
-    const BodyType a = world.bodies.cold[def.body_a.index].type,
-                   b = world.bodies.cold[def.body_b.index].type;
-    if (a != BodyType::dynamic && b != BodyType::dynamic)
+    if (!is_dynamic(world, def.body_a.index) && !is_dynamic(world, def.body_b.index))
         return Error{ErrorCode::failed_precondition,
                      "neither body_a nor body_b is dynamic; a joint moves at least one of them"};
     if (Status s = check_pose("frame_a", def.frame_a); !s.ok()) return s;
@@ -57,6 +58,7 @@ constexpr auto spoken_name = [] {
 }();
 
 Transform frame_in_world(const WorldState& world, std::uint32_t body, const Transform& frame) {
+    if (body == none) return frame;
     return compose(pose_of(warm_of(world, body), world.bodies.cold[body]), frame);
 }
 
@@ -70,9 +72,9 @@ Result<JointId> World::create_joint(const JointDef& def) {
     WorldState& world = *state_;
     if (Status s = check_joint(world, def); !s.ok()) return s.error();
     const std::uint32_t a = def.body_a.index, b = def.body_b.index;
-    wake_body(world, a);
+    if (a != none) wake_body(world, a);
     wake_body(world, b);
-    if (!def.collide_connected)
+    if (!def.collide_connected && a != none)
         destroy_contacts_between(world, world.bodies.cold[a].type == BodyType::dynamic ? a : b,
                                  world.bodies.cold[a].type == BodyType::dynamic ? b : a,
                                  world.events.pending.ended);
@@ -85,6 +87,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.frame_a = {def.frame_a.position, unit(def.frame_a.rotation)};
     j.frame_b = {def.frame_b.position, unit(def.frame_b.rotation)};
     j.kind = def.kind;
+    j.memory.assign(memory_of(def.kind), 0);
     j.collide_connected = def.collide_connected;
     j.break_force = def.break_force;
     j.break_torque = def.break_torque;
@@ -97,7 +100,7 @@ Status World::destroy_joint(JointId id) {
     WorldState& world = *state_;
     if (Status s = check_id(world, id); !s.ok()) return s;
     const Joint& j = world.joints.joints[id.index];
-    wake_body(world, j.body_a);
+    if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     physics::destroy_joint(world, id.index);
     return {};
@@ -114,7 +117,7 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     if (Status s = check_kind(kind); !s.ok()) return s;
     if (j.kind == kind) return {};
     j.kind = kind;
-    wake_body(world, j.body_a);
+    if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     return {};
 }
@@ -139,6 +142,33 @@ Result<JointState> World::joint(JointId id) const {
     if (std::holds_alternative<ConeTwistJoint>(j.kind)) {
         state.angle = twist_angle(a.rotation, b.rotation);
         state.swing = swing_angle(a.rotation, b.rotation);
+    }
+    state.offset = inverse_rotate(a.rotation, b.position - a.position);
+    if (const auto* pulley = std::get_if<PulleyJoint>(&j.kind))
+        state.travel = length(a.position - pulley->point_a) +
+                       pulley->ratio * length(b.position - pulley->point_b);
+    if (const auto* path = std::get_if<PathJoint>(&j.kind)) {
+        const PathPlace place = j.memory[PathMemory::found] == 0
+                                    ? nearest_place(*path, state.offset)
+                                    : nearest_place(*path, state.offset, j.memory[PathMemory::at]);
+        state.travel = place.travel;
+        state.separation = length(state.offset - place.position);
+    }
+    if (std::holds_alternative<SliderJoint>(j.kind)) state.travel = state.offset.z;
+    if (const auto* six = std::get_if<SixDofJoint>(&j.kind)) {
+        const GimbalAngles turns = pose_of(layout_of(*six), a, b).turns;
+        const double angles[] = {turns.first, turns.middle, turns.last};
+        const int first = middle_turn(*six->axes) + 2;
+        state.angles = {angles[(3 - first % 3) % 3], angles[(4 - first % 3) % 3],
+                        angles[(5 - first % 3) % 3]};
+    }
+    if (const auto* wheel = std::get_if<WheelJoint>(&j.kind)) {
+        WheelJoint straight = *wheel;
+        straight.steering = 0;
+        const GimbalAngles turns = pose_of(layout_of(straight), a, b).turns;
+        state.travel = state.offset.y;
+        state.angle = turns.last;
+        state.angles = {0, turns.first, turns.last};
     }
     return state;
 }

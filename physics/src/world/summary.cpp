@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "constraint_graph/joint_memory.h"
+#include "constraints/joints/axes_layout.h"
 #include "jostle/physics/world.h"
 #include "state/world_state.h"
 
@@ -28,6 +30,25 @@ void add_body(WorldSummary& sum, Vec3 gravity, const BodyCold& cold, const BodyW
     sum.angular_momentum += spin_momentum + cross(warm.center, warm.v * cold.mass);
 }
 
+// How far a joint's ends are from where they may be, m.
+double error_of(const JointState& j) {
+    if (const auto* d = std::get_if<DistanceJoint>(&j.def.kind))
+        return maximum(d->min_length - j.separation, j.separation - d->max_length);
+    if (const auto* pulley = std::get_if<PulleyJoint>(&j.def.kind))
+        return j.travel - pulley->length;
+    if (std::holds_alternative<GrabJoint>(j.def.kind) || joint_is_couple(j.def.kind)) return 0;
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { layout_of(kind); }) {
+                const AxesLayout layout = layout_of(kind);
+                return locked_error(layout, {inverse_rotate(layout.turn_a, j.offset), {}});
+            } else {
+                return j.separation;
+            }
+        },
+        j.def.kind);
+}
+
 }  // namespace
 
 WorldSummary World::summary() const {
@@ -49,14 +70,7 @@ WorldSummary World::summary() const {
     for (const JointId id : joints()) {
         sum.joints++;
         const JointState j = *joint(id);
-        // A distance joint's anchors are meant to be apart.
-        if (!std::holds_alternative<DistanceJoint>(j.def.kind)) {
-            sum.max_joint_error = maximum(sum.max_joint_error, j.separation);
-            continue;
-        }
-        const auto& d = std::get<DistanceJoint>(j.def.kind);
-        sum.max_joint_error = maximum(
-            sum.max_joint_error, maximum(d.min_length - j.separation, j.separation - d.max_length));
+        sum.max_joint_error = maximum(sum.max_joint_error, error_of(j));
     }
     return sum;
 }

@@ -82,5 +82,48 @@ TEST(WriteManifold, keeps_the_load_of_a_point_that_moves_a_little) {
     EXPECT_EQ(boxes.place().block->lambda[3][boxes.place().lane], before);
 }
 
+// Four points of which one touches: what a body has for feet.
+struct Foot {
+    Vec3 arm;  // from its centre of mass
+    double lever = 0;
+};
+Foot foot_of(const Geometry& geometry, double other_gaps) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId body = add(world, {.geometry = geometry, .position = {0, 0.1, 0}});
+    run(world, 1.0 / 60);
+    WorldState& state = state_of(world);
+    std::uint32_t contact = 0;
+    for_each_contact(state.contacts, state.bodies.cold[body.index],
+                     [&](std::uint32_t index) { contact = index; });
+    const Contact& c = state.contacts.contacts[contact];
+    const ContactPlace place = place_of(state, c);
+    const Vec3 center = warm_of(state, c.body_a).center;
+    Manifold m{.normal = normal_of(place)};
+    m.count = 4;
+    const Vec3 points[] = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
+    for (int k = 0; k < 4; k++) {
+        m.point[k] = {points[k].x, 0, points[k].z};
+        m.gap[k] = k == 0 ? 0 : other_gaps;
+    }
+    write_manifold(state, c, m, false);
+    const auto arm = [&](int k) { return double{place.block->arm_a[k][place.lane]}; };
+    return {Vec3{arm(0), arm(1), arm(2)} + center,
+            double{place.block->friction_radius[place.lane]}};
+}
+
+// A disc that stands on its rim is held there, without a lever about the normal; one that lies, or
+// that comes down in a moment, by all points. A box is held in the middle of its face in any case.
+TEST(WriteManifold, holds_a_rim_where_it_touches) {
+    const Foot rim = foot_of(Cylinder{1, 0.1}, 0.01), flat = foot_of(Cylinder{1, 0.1}, 0.003),
+               box = foot_of(Box{{1, 0.1, 1}}, 0.01);
+    EXPECT_NEAR(length(Vec3{rim.arm.x, 0, rim.arm.z} - Vec3{1, 0, 0}), 0, 1e-5);
+    EXPECT_NEAR(rim.lever, 0, 1e-6);
+    for (const Foot& foot : {flat, box}) {
+        EXPECT_NEAR(length(Vec3{foot.arm.x, 0, foot.arm.z}), 0, 1e-5);
+        EXPECT_NEAR(foot.lever, 1, 1e-6);
+    }
+}
+
 }  // namespace
 }  // namespace jostle::test

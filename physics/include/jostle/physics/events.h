@@ -12,13 +12,13 @@
 
 namespace jostle::physics {
 
-// Two shapes began to press on each other.
+// Two shapes began to press on each other, or bounced: then they part with the next step.
 struct ContactBegin {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
     Vec3 point;           // m, world: the middle of the contact points
     Vec3 normal;          // unit, from a to b
-    double approach = 0;  // m/s at the start of the step, >= 0
+    double approach = 0;  // m/s at the start of the step, or at a bounce within it; >= 0
 };
 
 // They parted, or a call moved, changed or destroyed one of them. The id of what was destroyed is

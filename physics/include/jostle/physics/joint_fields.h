@@ -12,9 +12,13 @@
 // A visitor v takes names as messages spell them, and ranges in the units of joint_defs.h:
 //     v.number(name, x, low, high)
 //     v.ordered(name, x, name, y, low, high)    two numbers, x <= y
-//     v.vector(name, x, limit)                  each component at most that in size
-//     v.flag(name, x)
-//     v.limit(name, x, low, high)  v.motor(name, x)  v.spring(name, x)
+//     v.later(name, x, low, high)               a number that saved worlds before version 12 lack,
+//     0 v.drive(name, x)                          a RotationDrive, likewise v.vector(name, x,
+//     limit)                  each component at most that in size v.flag(name, x) v.points(name, x,
+//     least, most, limit)     so many vectors, each unlike the one before v.limit(name, x, low,
+//     high)  v.spring(name, x) v.motor(name, x)                          a JointMotor, LinearMotor
+//     or AxisMotor v.axis(name, x, low, high)                a JointAxis; the range is that of its
+//     values
 #pragma once
 
 #include <type_traits>
@@ -34,11 +38,25 @@ void visit_limit(auto& v, auto& limit, double low, double high) {
 }
 void visit_motor(auto& v, auto& motor) {
     v.number("speed", motor.speed, -limits::max_speed, limits::max_speed);
-    v.number("max_torque", motor.max_torque, 0, 1e12);
+    if constexpr (requires { motor.max_torque; })
+        v.number("max_torque", motor.max_torque, 0, 1e12);
+    else if constexpr (requires { motor.max_force; })
+        v.number("max_force", motor.max_force, 0, 1e12);
+    else
+        v.number("most", motor.most, 0, 1e12);
 }
 void visit_spring(auto& v, auto& spring) {
     v.number("hertz", spring.hertz, 0, 1e4);
     v.number("damping_ratio", spring.damping_ratio, 0, 1e4);
+}
+
+void visit_axis(auto& v, auto& axis, double low, double high) {
+    v.flag("free", axis.free);
+    v.limit("limit", axis.limit, low, high);
+    v.spring("spring", axis.spring);
+    v.number("spring_at", axis.spring_at, low, high);
+    v.motor("motor", axis.motor);
+    v.number("friction", axis.friction, 0, 1e12);
 }
 
 // The order of fields is that of saved worlds: docs/format_changes.md has a line for each change.
@@ -48,7 +66,10 @@ struct JointFields;
 template <>
 struct JointFields<BallJoint> {
     static constexpr const char* name = "ball";
-    static void visit(auto&, auto&) {}
+    static void visit(auto& v, auto& ball) {
+        v.drive("drive", ball.drive);
+        v.later("friction_torque", ball.friction_torque, 0, 1e12);
+    }
 };
 
 template <>
@@ -69,6 +90,7 @@ struct JointFields<ConeTwistJoint> {
         v.number("swing", cone.swing, 0, pi);
         v.limit("twist", cone.twist, -pi, pi);
         v.number("friction_torque", cone.friction_torque, 0, 1e12);
+        v.drive("drive", cone.drive);
     }
 };
 
@@ -104,6 +126,95 @@ struct JointFields<VelocityRow> {
         v.number("bias", row.bias, -1e9, 1e9);
         v.number("softness", row.softness, 0, 1e9);
         v.ordered("lower", row.lower, "upper", row.upper, -1e15, 1e15);
+    }
+};
+
+template <>
+struct JointFields<SliderJoint> {
+    static constexpr const char* name = "slider";
+    static void visit(auto& v, auto& slider) {
+        v.limit("limit", slider.limit, -1e6, 1e6);
+        v.motor("motor", slider.motor);
+        v.spring("spring", slider.spring);
+        v.number("spring_travel", slider.spring_travel, -1e6, 1e6);
+        v.number("friction_force", slider.friction_force, 0, 1e12);
+    }
+};
+
+template <>
+struct JointFields<SixDofJoint> {
+    static constexpr const char* name = "six_dof";
+    static void visit(auto& v, auto& six) {
+        v.axis("x", six.axes->x, -1e6, 1e6);
+        v.axis("y", six.axes->y, -1e6, 1e6);
+        v.axis("z", six.axes->z, -1e6, 1e6);
+        v.axis("turn_x", six.axes->turn_x, -pi, pi);
+        v.axis("turn_y", six.axes->turn_y, -pi, pi);
+        v.axis("turn_z", six.axes->turn_z, -pi, pi);
+    }
+};
+
+template <>
+struct JointFields<WheelJoint> {
+    static constexpr const char* name = "wheel";
+    static void visit(auto& v, auto& wheel) {
+        v.spring("suspension", wheel.suspension);
+        v.number("ride", wheel.ride, -1e6, 1e6);
+        v.limit("travel", wheel.travel, -1e6, 1e6);
+        v.number("steering", wheel.steering, -pi, pi);
+        v.flag("free_steering", wheel.free_steering);
+        v.limit("steering_limit", wheel.steering_limit, -pi, pi);
+        v.motor("motor", wheel.motor);
+        v.number("friction_torque", wheel.friction_torque, 0, 1e12);
+    }
+};
+
+template <>
+struct JointFields<GrabJoint> {
+    static constexpr const char* name = "grab";
+    static void visit(auto& v, auto& grab) {
+        v.vector("target", grab.target, 1e6);
+        v.spring("spring", grab.spring);
+        v.number("max_force", grab.max_force, 0, 1e15);
+        v.number("turn_damping", grab.turn_damping, 0, 1e6);
+    }
+};
+
+template <>
+struct JointFields<GearJoint> {
+    static constexpr const char* name = "gear";
+    static void visit(auto& v, auto& gear) { v.number("ratio", gear.ratio, -1e6, 1e6); }
+};
+
+template <>
+struct JointFields<RackJoint> {
+    static constexpr const char* name = "rack";
+    static void visit(auto& v, auto& rack) { v.number("radius", rack.radius, -1e6, 1e6); }
+};
+
+template <>
+struct JointFields<PulleyJoint> {
+    static constexpr const char* name = "pulley";
+    static void visit(auto& v, auto& pulley) {
+        v.vector("point_a", pulley.point_a, 1e6);
+        v.vector("point_b", pulley.point_b, 1e6);
+        v.number("length", pulley.length, 0, 1e6);
+        v.number("ratio", pulley.ratio, 1e-3, 1e3);
+    }
+};
+
+template <>
+struct JointFields<PathJoint> {
+    static constexpr const char* name = "path";
+    static void visit(auto& v, auto& path) {
+        v.points("points", path.points, 2, 1024, 1e6);
+        v.flag("smooth", path.smooth);
+        v.flag("closed", path.closed);
+        v.limit("limit", path.limit, 0, 1e9);
+        v.motor("motor", path.motor);
+        v.spring("spring", path.spring);
+        v.number("spring_travel", path.spring_travel, 0, 1e9);
+        v.number("friction_force", path.friction_force, 0, 1e12);
     }
 };
 

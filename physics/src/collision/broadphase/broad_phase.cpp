@@ -30,7 +30,6 @@ public:
                   const RayVisit& visit) const override {
         tree_.cast_ray(origin, motion, mask, visit);
     }
-    BroadPhase kind() const override { return BroadPhase::dynamic_tree; }
     std::unique_ptr<BroadPhaseIndex> clone() const override {
         return std::make_unique<TreeIndex>(*this);
     }

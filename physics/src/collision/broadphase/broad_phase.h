@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <typeinfo>
 #include <utility>
 
 #include "collision/broadphase/broad_phase_index.h"
@@ -22,7 +23,7 @@ public:
     OwnedBroadPhase(OwnedBroadPhase&&) noexcept = default;
     OwnedBroadPhase& operator=(const OwnedBroadPhase& other) {
         if (this == &other) return *this;
-        if (index_ && index_->kind() == other->kind())
+        if (index_ && of_one_kind(*index_, *other))
             index_->assign(*other);
         else
             index_ = other->clone();
@@ -37,6 +38,10 @@ public:
     const BroadPhaseIndex* operator->() const { return index_.get(); }
 
 private:
+    static bool of_one_kind(const BroadPhaseIndex& a, const BroadPhaseIndex& b) {
+        return typeid(a) == typeid(b);
+    }
+
     std::unique_ptr<BroadPhaseIndex> index_;
 };
 

@@ -45,7 +45,6 @@ public:
     // Brings the index up to date after moves; queries in between are right but may be slow.
     virtual void flush() {}
 
-    virtual BroadPhase kind() const = 0;
     virtual std::unique_ptr<BroadPhaseIndex> clone() const = 0;
     // Becomes a copy, in its own memory. The other is of the same kind.
     virtual void assign(const BroadPhaseIndex& other) = 0;

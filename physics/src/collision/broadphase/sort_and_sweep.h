@@ -18,7 +18,6 @@ public:
     void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
                   const RayVisit& visit) const override;
     void flush() override;
-    BroadPhase kind() const override { return BroadPhase::sort_and_sweep; }
     std::unique_ptr<BroadPhaseIndex> clone() const override;
     void assign(const BroadPhaseIndex& other) override;
     void cells(std::vector<Aabb>& out) const override;

@@ -124,7 +124,8 @@ double trial_angle(const DirectJoint& j, const DirectBody& a, const DirectBody& 
 // ---- kinds ----
 
 bool supported(const JointKind& kind) {
-    if (std::holds_alternative<BallJoint>(kind)) return true;
+    if (const auto* ball = std::get_if<BallJoint>(&kind))
+        return ball->drive.spring.hertz == 0 && ball->friction_torque == 0;
     if (const auto* hinge = std::get_if<HingeJoint>(&kind)) return hinge->spring.hertz == 0;
     if (const auto* fixed = std::get_if<FixedJoint>(&kind))
         return fixed->linear.hertz == 0 && fixed->angular.hertz == 0;

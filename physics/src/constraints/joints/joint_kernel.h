@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "constraint_graph/joint_memory.h"
 #include "constraints/joints/joint_kinds.h"
 #include "constraints/kernels.h"
 
@@ -19,6 +20,7 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass, std::type_identity<std::varian
 }
 template <class Pass>
 JOSTLE_INLINE void with_kind(int kind, Pass pass) {
+    if (kind == static_cast<int>(driven_ball)) return pass(JointKernel<DrivenBall>{});
     with_kind(kind, pass, std::type_identity<JointKind>{});
 }
 
@@ -30,14 +32,24 @@ JOSTLE_INLINE JointAngularWide& own_of(const JointRange& range, int block,
 JOSTLE_INLINE VelocityRowWide& own_of(const JointRange& range, int block, VelocityRowWide&) {
     return range.rows[block - range.first];
 }
+JOSTLE_INLINE JointAxesWide& own_of(const JointRange& range, int block, JointAxesWide&) {
+    return range.axes[block - range.first];
+}
 
 inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, const JointStep&) {
     with_kind(range.kind, [&](auto kernel) {
-        typename decltype(kernel)::Own nothing;
-        for (int k = range.begin; k < range.end; k++) {
-            JointPair pair(range.blocks[k], bodies);
-            kernel.warm_start(pair, range.blocks[k], own_of(range, k, nothing));
-            pair.store();
+        using Own = typename decltype(kernel)::Own;
+        if constexpr (std::is_same_v<Own, JointCoupleWide>) {
+            for (int k = range.begin; k < range.end; k++)
+                CoupleKernel::warm_start(range.couples[k - range.first], bodies);
+        } else {
+            Own nothing;
+            for (int k = range.begin; k < range.end; k++) {
+                JointPair pair(range.blocks[k], bodies);
+                kernel.warm_start(pair, range.blocks[k], own_of(range, k, nothing),
+                                  range.metas[k].uses);
+                pair.store();
+            }
         }
     });
 }
@@ -45,17 +57,30 @@ inline void warm_start_joint_range(const JointRange& range, HotBody* bodies, con
 template <bool kRelax>
 void solve_joint_range(const JointRange& range, HotBody* bodies, const JointStep& step) {
     with_kind(range.kind, [&](auto kernel) {
-        typename decltype(kernel)::Own nothing;
-        for (int k = range.begin; k < range.end; k++) {
-            JointConstraintWide& block = range.blocks[k];
-            auto& own = own_of(range, k, nothing);
-            JointPair pair(block, bodies);
-            const JointLoad load =
-                kernel.template solve<kRelax>(pair, step, block, own, range.metas[k].uses);
-            pair.store();
-            if constexpr (kRelax) {
-                store3(block.force, load3(block.force) + load.impulse);
-                if (&own != &nothing) store3(own.torque, load3(own.torque) + load.angular);
+        using Own = typename decltype(kernel)::Own;
+        if constexpr (std::is_same_v<Own, JointCoupleWide>) {
+            for (int k = range.begin; k < range.end; k++) {
+                JointCoupleWide& own = range.couples[k - range.first];
+                const JointLoad load = CoupleKernel::solve<kRelax>(step, own, bodies);
+                if constexpr (kRelax) {
+                    JointConstraintWide& block = range.blocks[k];
+                    store3(block.force, load3(block.force) + load.impulse);
+                    store3(own.torque, load3(own.torque) + load.angular);
+                }
+            }
+        } else {
+            Own nothing;
+            for (int k = range.begin; k < range.end; k++) {
+                JointConstraintWide& block = range.blocks[k];
+                auto& own = own_of(range, k, nothing);
+                JointPair pair(block, bodies);
+                const JointLoad load =
+                    kernel.template solve<kRelax>(pair, step, block, own, range.metas[k].uses);
+                pair.store();
+                if constexpr (kRelax) {
+                    store3(block.force, load3(block.force) + load.impulse);
+                    if (&own != &nothing) store3(own.torque, load3(own.torque) + load.angular);
+                }
             }
         }
     });

@@ -5,15 +5,13 @@
 // the joint exerted on b, in world axes. Own: what the kind has beside the block.
 #pragma once
 
+#include "constraints/joints/axes_kernel.h"
+#include "constraints/joints/couple_kernel.h"
+#include "constraints/joints/joint_load.h"
 #include "constraints/joints/joint_pair.h"
 #include "jostle/physics/joint_defs.h"
 
 namespace jostle::physics::JOSTLE_ISA {
-
-struct JointLoad {
-    Wide3 impulse;  // N s
-    Wide3 angular;  // N m s
-};
 
 template <class Kind>
 struct JointKernel;
@@ -22,7 +20,7 @@ template <>
 struct JointKernel<BallJoint> {
     using Own = JointAngularWide;
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide&) {
+                                         JointAngularWide&, unsigned) {
         pair.push(pair.to_world(block.point));
     }
     template <bool kRelax>
@@ -35,6 +33,63 @@ struct JointKernel<BallJoint> {
     }
 };
 
+// Friction against all turning.
+JOSTLE_INLINE void rub(JointPair& pair, JointAngularWide& t, Wide3& friction) {
+    const Wide3 stop = friction - solve3(pair.turn_matrix(), pair.spin());
+    const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
+    const WideMask slips = size > most;
+    const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
+    pair.apply_angular(stop * share - friction);
+    friction = stop * share;
+    pair.keep(t.friction, friction);
+}
+// A spring towards an orientation, of at most so much torque. The error is the turn from there to
+// where b is, the shorter way round.
+template <bool kRelax>
+JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impulse) {
+    const WideQuat q = pair.b.rotation * load4(t.drive) * conjugate(pair.a.rotation);
+    const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
+    const Wide3 axis = Wide3{q.x, q.y, q.z} * sign;
+    const Wide sine = root(dot(axis, axis));
+    const WideMask turned = sine > splat(1e-6f);
+    const Wide scale =
+        select(turned, splat(2) * arc_tangent(sine, q.w * sign) / select(turned, sine, splat(1)),
+               splat(2));
+    JointPair tried = pair;
+    Wide3 wanted = impulse;
+    hold_rotation(tried, spring_of<kRelax>(t.spring_soft), axis * scale, wanted);
+    const Wide size = root(dot(wanted, wanted)), most = load(t.drive_most);
+    const WideMask strong = size > most;
+    wanted = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
+    pair.apply_angular(wanted - impulse);
+    impulse = wanted;
+    pair.keep(t.angular, impulse);
+}
+
+// A ball that is driven or rubs: constraint_graph/joint_memory.h.
+struct DrivenBall {};
+template <>
+struct JointKernel<DrivenBall> {
+    using Own = JointAngularWide;
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t, unsigned) {
+        pair.push(pair.to_world(block.point));
+        pair.apply_angular(pair.to_world(t.angular) + pair.to_world(t.friction));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned uses) {
+        Wide3 driven = pair.to_world(t.angular), friction = pair.to_world(t.friction);
+        if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven);
+        if ((uses & uses_motor) != 0) rub(pair, t, friction);
+        Wide3 point = pair.to_world(block.point);
+        hold_points(pair, rigid<kRelax>(step), point);
+        pair.keep(block.point, point);
+        return {point, driven + friction};
+    }
+};
+
 template <>
 struct JointKernel<HingeJoint> {
     using Own = JointAngularWide;
@@ -42,7 +97,7 @@ struct JointKernel<HingeJoint> {
         return load(t.lower) - load(t.upper) + load(t.spring) + load(t.motor);
     }
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t) {
+                                         JointAngularWide& t, unsigned) {
         const Wide3 axis = z_axis(pair.a.rotation * load4(t.frame_a));
         pair.push(pair.to_world(block.point));
         pair.apply_angular(pair.to_world(t.angular) + axis * along_axis(t));
@@ -99,10 +154,11 @@ struct JointKernel<ConeTwistJoint> {
         }
     };
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t) {
+                                         JointAngularWide& t, unsigned uses) {
         const Axes axes(pair.a.rotation * load4(t.frame_a), pair.b.rotation * load4(t.frame_b));
         pair.push(pair.to_world(block.point));
-        pair.apply_angular(axes.total(t, pair.to_world(t.friction)));
+        const Wide3 total = axes.total(t, pair.to_world(t.friction));
+        pair.apply_angular((uses & uses_drive) != 0 ? total + pair.to_world(t.angular) : total);
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
@@ -112,16 +168,12 @@ struct JointKernel<ConeTwistJoint> {
         const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Axes axes(frame_a, frame_b);
         Wide3 friction = pair.to_world(t.friction), point = pair.to_world(block.point);
-        if ((uses & uses_motor) != 0) {
-            // Friction against all turning.
-            const Wide3 stop = friction - solve3(pair.turn_matrix(), pair.spin());
-            const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
-            const WideMask slips = size > most;
-            const Wide share = select(slips, most / select(slips, size, splat(1)), splat(1));
-            pair.apply_angular(stop * share - friction);
-            friction = stop * share;
-            pair.keep(t.friction, friction);
+        Wide3 driven{splat(0), splat(0), splat(0)};
+        if ((uses & uses_drive) != 0) {
+            driven = pair.to_world(t.angular);
+            drive_turn<kRelax>(pair, t, driven);
         }
+        if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_limit) != 0) {
             const WideQuat q = conjugate(frame_a) * frame_b;
             // Of q and of -q, which are the same turn, the one less than half.
@@ -136,7 +188,8 @@ struct JointKernel<ConeTwistJoint> {
                           t.swing);
         hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
-        return {point, axes.total(t, friction)};
+        const Wide3 total = axes.total(t, friction);
+        return {point, (uses & uses_drive) != 0 ? total + driven : total};
     }
 };
 
@@ -155,7 +208,7 @@ template <>
 struct JointKernel<FixedJoint> {
     using Own = JointAngularWide;
     JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
-                                         JointAngularWide& t) {
+                                         JointAngularWide& t, unsigned) {
         pair.push(pair.to_world(block.point));
         pair.apply_angular(pair.to_world(t.angular));
     }
@@ -187,8 +240,8 @@ struct JointKernel<DistanceJoint> {
     JOSTLE_INLINE static Wide along(const JointAngularWide& t) {
         return load(t.spring) + load(t.lower) - load(t.upper);
     }
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&,
-                                         JointAngularWide& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&, JointAngularWide& t,
+                                         unsigned) {
         pair.push(line_of(pair) * along(t));
     }
     template <bool kRelax>
@@ -245,8 +298,8 @@ struct JointKernel<VelocityRow> {
             pair.b.w = pair.b.w + pair.b.inverse_inertia * angular_b * impulse;
         }
     };
-    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&,
-                                         VelocityRowWide& t) {
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide&, VelocityRowWide& t,
+                                         unsigned) {
         Jacobian(pair, t).apply(pair, load(t.impulse));
     }
     template <bool kRelax>
@@ -264,5 +317,53 @@ struct JointKernel<VelocityRow> {
                 (jacobian.angular_b - cross(pair.b.arm, jacobian.linear_b)) * now};
     }
 };
+
+// Uses of a JointAngularWide: point_soft, motor_most (of the point), spring_soft (of the spin).
+template <>
+struct JointKernel<GrabJoint> {
+    using Own = JointAngularWide;
+    JOSTLE_INLINE static void warm_start(JointPair& pair, JointConstraintWide& block,
+                                         JointAngularWide& t, unsigned) {
+        pair.push(pair.to_world(block.point));
+        pair.apply_angular(pair.to_world(t.angular));
+    }
+    template <bool kRelax>
+    JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep&,
+                                         JointConstraintWide& block, JointAngularWide& t,
+                                         unsigned uses) {
+        Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
+        if ((uses & uses_spring) != 0) {
+            const Wide zero = splat(0);
+            hold_rotation(pair, spring_of<kRelax>(t.spring_soft), {zero, zero, zero}, angular);
+            pair.keep(t.angular, angular);
+        }
+        const Wide3 before = point;
+        Wide3 wanted = point;
+        JointPair tried = pair;
+        hold_points(tried, spring_of<kRelax>(t.point_soft), wanted);
+        const Wide size = root(dot(wanted, wanted)), most = load(t.motor_most);
+        const WideMask strong = size > most;
+        point = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
+        pair.push(point - before);
+        pair.keep(block.point, point);
+        return {point, angular};
+    }
+};
+
+template <>
+struct JointKernel<GearJoint> : CoupleTag {};
+template <>
+struct JointKernel<RackJoint> : CoupleTag {};
+template <>
+struct JointKernel<PulleyJoint> : CoupleTag {};
+
+template <>
+struct JointKernel<SliderJoint> : AxesKernel {};
+template <>
+struct JointKernel<SixDofJoint> : AxesKernel {};
+template <>
+struct JointKernel<WheelJoint> : AxesKernel {};
+template <>
+struct JointKernel<PathJoint> : AxesKernel {};
 
 }  // namespace jostle::physics::JOSTLE_ISA

@@ -67,6 +67,7 @@ struct JointSide {
     Wide3 inverse_mass;  // per axis of the world
     WideSymmetric inverse_inertia;
     WideQuat rotation;  // since the start of the step
+    Wide3 turned;       // the same as a rotation vector
     Wide3 arm;          // of the anchor, now
     Wide3 swept;        // how the anchor moved by that turn
 
@@ -82,7 +83,8 @@ struct JointSide {
         dp = {motion[0], motion[1], motion[2]};
         inverse_mass = {state[6] * inertia[6], state[6] * inertia[7], state[6] * motion[6]};
         inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
-        rotation = from_rotation_vector({motion[3], motion[4], motion[5]});
+        turned = {motion[3], motion[4], motion[5]};
+        rotation = from_rotation_vector(turned);
         const Wide3 start = load3(start_arm);
         swept = rotated_by(rotation, start);
         arm = start + swept;
@@ -119,6 +121,9 @@ struct JointPair {
         a.store_to();
         b.store_to();
     }
+    // From now on a is pushed, and its anchor's velocity is that of it, where b's anchor is. So
+    // rows along a's axes are rates of where that is in a's frame.
+    JOSTLE_INLINE void meet_at_b() { a.arm = a.arm + apart; }
     JOSTLE_INLINE Wide3 to_world(const float (*impulse)[8]) const {
         return rotate(carried, load3(impulse));
     }
@@ -297,7 +302,8 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
 }
 
 // Drives the row's speed to the target with at most `most` per sub-step.
-JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<true>& row, Wide speed, Wide most,
+template <bool kAngular>
+JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<kAngular>& row, Wide speed, Wide most,
                              float* kept) {
     const Wide before = load(kept);
     const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);

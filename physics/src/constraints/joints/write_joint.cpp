@@ -2,60 +2,23 @@
 #include "constraints/joints/write_joint.h"
 
 #include <cstdlib>
+#include <optional>
 
-#include "constraint_graph/wide_rows.h"
-#include "constraints/softness.h"
+#include "constraint_graph/joint_memory.h"
+#include "constraints/joints/axes_layout.h"
+#include "constraints/joints/couple_ends.h"
+#include "constraints/joints/joint_lane.h"
+#include "constraints/joints/write_axes.h"
 #include "foundation/tuning.h"
 
 namespace jostle::physics {
 namespace {
 
-constexpr float never = 1e30f;  // a limit that nothing reaches
-
-struct Lane {
-    int at;
-
-    void put(float (&row)[8], double x) const { row[at] = as_float(x); }
-    void put(float (*rows)[8], Vec3 v) const {
-        put(rows[0], v.x), put(rows[1], v.y), put(rows[2], v.z);
-    }
-    void put(float (*rows)[8], Quat q) const {
-        put(rows[0], q.x), put(rows[1], q.y), put(rows[2], q.z), put(rows[3], q.w);
-    }
-    void put(SoftRow& row, const Softness& s) const {
-        put(row.position_rate, s.position_rate);
-        put(row.velocity_scale, s.velocity_scale);
-        put(row.impulse_scale, s.impulse_scale);
-        put(row.once, s.once ? 1 : 0);
-    }
-    double get(const float (&row)[8]) const { return double{row[at]}; }
-    Vec3 get3(const float (*rows)[8]) const { return {get(rows[0]), get(rows[1]), get(rows[2])}; }
-
-    void put_limit(JointAngularWide& t, double lower, double upper) const {
-        put(t.lower_at, lower);
-        put(t.upper_at, upper);
-    }
-};
-
-// Takes away what was left of an impulse and adds none.
-constexpr Softness switched_off{0, 1e-30, 1};
-// Where kernels read this they put what the sub-step can carry.
-constexpr Softness as_stiff_as_can_be{0, 0, 0};
-
-Softness spring_or(const JointSpring& spring, double h, const Softness& other) {
-    return spring.hertz > 0 ? physics::spring(spring.hertz, spring.damping_ratio, h) : other;
-}
-
-// What is switched off keeps no impulse.
-double kept(bool enabled, double impulse) {
-    return enabled ? impulse : 0;
-}
-
 struct Parts {
     const Joint& joint;
     const JointEnd &a, &b;
     double h;
-    const Lane& lane;
+    const JointLane& lane;
     JointAngularWide& t;
     std::uint8_t uses = 0;
 
@@ -82,8 +45,20 @@ struct Parts {
         lane.put(t.frame_b, b.frame);
     }
 
-    void operator()(const BallJoint&) {}
-    void operator()(const VelocityRow&) {}
+    void operator()(const auto&) {}  // writes what it has elsewhere
+    void drive(const RotationDrive& drive) {
+        const bool driven = drive.spring.hertz > 0;
+        lane.put(t.spring_soft, driven ? spring_or(drive.spring, h, {}) : switched_off);
+        lane.put(t.drive_most, driven ? minimum(drive.max_torque * h, 1e30) : 0);
+        if (!driven) return;
+        lane.put(t.drive, b.frame * conjugate(a.frame * unit(drive.target)));
+        uses |= uses_drive;
+    }
+
+    void operator()(const BallJoint& kind) {
+        motor(kind.friction_torque > 0, 0, kind.friction_torque);
+        drive(kind.drive);
+    }
     void operator()(const HingeJoint& kind) {
         frames();
         limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
@@ -96,12 +71,20 @@ struct Parts {
         motor(kind.friction_torque > 0, 0, kind.friction_torque);
         lane.put(t.swing_at, kind.swing);
         lane.put(t.swing, joint.swing);
+        drive(kind.drive);
     }
     void operator()(const FixedJoint& kind) {
         // Both frames in one turn, so that a small one keeps its digits.
         lane.put(t.frame_b, b.frame * conjugate(a.frame));
         lane.put(t.spring_soft, spring_or(kind.angular, h, as_stiff_as_can_be));
         lane.put(t.point_soft, spring_or(kind.linear, h, as_stiff_as_can_be));
+    }
+    void operator()(const GrabJoint& kind) {
+        lane.put(t.point_soft, spring_or(kind.spring, h, switched_off));
+        lane.put(t.motor_most, minimum(kind.max_force * h, 1e30));
+        const bool damped = kind.turn_damping > 0;
+        lane.put(t.spring_soft, damped ? damper(kind.turn_damping, h) : switched_off);
+        if (damped) uses |= uses_spring;
     }
     void operator()(const DistanceJoint& kind) {
         const bool rod = kind.min_length == kind.max_length;
@@ -114,7 +97,7 @@ struct Parts {
 };
 
 void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const JointEnd& b,
-               double h, VelocityRowWide& to, const Lane& lane) {
+               double h, VelocityRowWide& to, const JointLane& lane) {
     const auto put = [&](float(*rows)[8], Vec3 v, const JointEnd& end) {
         lane.put(rows, row.world_axes ? v : rotate(end.frame, v));
     };
@@ -133,20 +116,46 @@ void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const 
 
 }  // namespace
 
+std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b) {
+    // Most kinds stand before the first of those.
+    static constexpr std::size_t first = 6;
+    static_assert(std::is_same_v<std::variant_alternative_t<first, JointKind>, SliderJoint>);
+    if (b <= 0) return a;
+    return kind.index() >= first && turns_with_a(kind) ? a : b;
+}
+
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane_index) {
-    const Lane lane{lane_index};
+    const JointLane lane{lane_index};
+    Vec3 arm_a = a.arm;
+    std::optional<PathPlace> place;
+    if (const auto* grab = std::get_if<GrabJoint>(&joint.kind)) {
+        arm_a += rotate(a.frame, grab->target);
+    } else if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {
+        const Vec3 bead = inverse_rotate(a.frame, (b.center - a.center) + (b.arm - a.arm));
+        const std::vector<double>& memory = joint.memory;
+        place = memory[PathMemory::found] == 0 ? nearest_place(*path, bead)
+                                               : nearest_place(*path, bead, memory[PathMemory::at]);
+        to.axes->at[lane.at] = place->at;
+        // The circle that stands for the curve in this step touches it in the middle of b's way.
+        if (path->smooth)
+            place = place_at(*path,
+                             place->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));
+        arm_a += rotate(a.frame, place->position);
+    }
     JointConstraintWide& block = to.block;
-    const std::int32_t carrier = carrier_of(a.hot, b.hot);
+    const std::int32_t carrier = carrier_of(joint.kind, a.hot, b.hot);
     const Quat carried = carrier <= 0 ? Quat{} : (carrier == b.hot ? b.rotation : a.rotation);
     block.a[lane.at] = std::abs(a.hot);
     block.b[lane.at] = std::abs(b.hot);
-    lane.put(block.arm_a, a.arm);
+    lane.put(block.arm_a, arm_a);
     lane.put(block.arm_b, b.arm);
-    lane.put(block.apart, (b.center - a.center) + (b.arm - a.arm));
+    lane.put(block.apart, (b.center - a.center) + (b.arm - arm_a));
     lane.put(block.point, rotate(carried, joint.point));
     if (to.row != nullptr)
         write_row(std::get<VelocityRow>(joint.kind), joint.motor, a, b, h, *to.row, lane);
+    if (to.axes != nullptr)
+        to.meta.uses |= write_axes(joint, a, b, h, place ? &*place : nullptr, *to.axes, lane);
     if (to.angular == nullptr) return;
     JointAngularWide& angular = *to.angular;
     lane.put(angular.angular, rotate(carried, joint.angular));
@@ -157,7 +166,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
 }
 
 bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, int lane_index) {
-    const Lane lane{lane_index};
+    const JointLane lane{lane_index};
     const JointConstraintWide& block = from.block;
     joint.point = inverse_rotate(carried, lane.get3(block.point));
     joint.force = lane.get3(block.force) * (1 / dt);
@@ -165,6 +174,8 @@ bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, i
         joint.motor = lane.get(from.row->impulse);
         joint.torque = lane.get3(from.row->torque) * (1 / dt);
     }
+    if (from.couple != nullptr) read_couple(joint, *from.couple, dt, lane);
+    if (from.axes != nullptr) read_axes(joint, *from.axes, dt, lane);
     if (const JointAngularWide* angular = from.angular; angular != nullptr) {
         joint.angular = inverse_rotate(carried, lane.get3(angular->angular));
         joint.friction = inverse_rotate(carried, lane.get3(angular->friction));

@@ -4,33 +4,28 @@
 #pragma once
 
 #include "constraint_graph/joint_constraint_wide.h"
+#include "constraints/joints/joint_end.h"
 #include "constraints/joints/joint_step.h"
 #include "state/joint_store.h"
 
 namespace jostle::physics {
 
-// One body of a joint at the start of the step.
-struct JointEnd {
-    std::int32_t hot = 0;  // as JointConstraintWideMeta's
-    Vec3 center, arm;      // of mass; of the frame's origin from it
-    Quat rotation, frame;  // of the body; of the frame in the world
-};
-
-// The hot index of the body with which a joint's impulses turn; 0 or less when nothing can move
-// either: bodies without shapes have no mass.
-inline std::int32_t carrier_of(std::int32_t a, std::int32_t b) {
-    return b > 0 ? b : a;
-}
+// The hot index of the body with which the impulse at a joint's point turns; 0 or less when nothing
+// can move either: bodies without shapes have no mass. Where a point is free to slide along axes of
+// a, that is a, whatever b does.
+std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b);
 
 // Where a joint's lane is: a block, and what its kind has besides, or null.
 struct JointBlock {
     JointConstraintWide& block;
     JointAngularWide* angular;
     VelocityRowWide* row;
+    JointAxesWide* axes;
+    JointCoupleWide* couple;
     JointConstraintWideMeta& meta;
 };
 
-// h: sub-step, s.
+// h: sub-step, s. Of gears, racks and pulleys write_couple() (couple_ends.h) writes the rest.
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane);
 // Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation

@@ -120,6 +120,7 @@ void choose_checks(StepContext& step) {
     scratch.checks.clear();
     scratch.part_lists = 0;
     note_contacts(world.bodies, scratch.had_contacts);
+    scratch.bouncing.clear();
     drop_dormant_pairs(world.contacts);
     take_due_pairs(step);
     take_manifolds_to_rebuild(world.contacts, world.graph, scratch);

@@ -21,6 +21,7 @@ struct ContactCheck {
     std::int32_t list = -1;
     bool goes_on = false;     // has points, and a lane that they were written to ...
     bool done = false;        // ... and stays in: nothing is left to decide
+    bool bounces = false;     // its bodies are to be swept, however slow: ccd_policy.h
     float direction[3] = {};  // along which they are apart by `near`; zero: not known
     double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
                               // move now
@@ -54,6 +55,8 @@ struct ContactScratch {
     std::vector<NewContact> begins;
     // By awake body: whether it had contacts in the constraint graph when the step began.
     std::vector<std::uint8_t> had_contacts;
+    // Bodies that may bounce off something in this step: awake, in any order, some more than once.
+    std::vector<std::uint32_t> bouncing;
 };
 
 }  // namespace jostle::physics

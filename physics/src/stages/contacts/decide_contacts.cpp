@@ -114,11 +114,20 @@ void decide_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
     add_separation_bound(world, check.contact, clear);
 }
 
+void note_bouncing(const BodyStore& bodies, const Contact& c,
+                   std::vector<std::uint32_t>& bouncing) {
+    for (const std::uint32_t body : {c.body_a, c.body_b}) {
+        const BodyCold& cold = bodies.cold[body];
+        if (cold.type == BodyType::dynamic && !is_asleep(cold)) bouncing.push_back(body);
+    }
+}
+
 void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const ContactCheck& check = scratch.checks[k];
     ASSERT(world.contacts.ids.alive(check.contact));
     const Contact& c = world.contacts.contacts[check.contact];
     ASSERT(!c.queued);
+    if (check.bounces) note_bouncing(world.bodies, c, scratch.bouncing);
     if (c.composite) return decide_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.

@@ -66,6 +66,52 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
     return smallest;
 }
 
+// How fast any point closes at the start of the step, m/s.
+double closing_speed(const WorldState& world, const Contact& c, const Manifold& m) {
+    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+    double fastest = 0;
+    for (int i = 0; i < m.count; i++) {
+        const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
+        const Vec3 vb = b.v + cross(b.w, m.point[i] - b.center);
+        fastest = maximum(fastest, -dot(m.normal, vb - va));
+    }
+    return fastest;
+}
+
+// Whether two that bounce are to meet in this step, so that the sweep takes them
+// (stages/continuous/ccd_policy.h). Faces are the contact solver's when one end of them rests while
+// the other comes down, which a sweep would let go of, and when they have met already beside others
+// that they lean on: there one impact follows the other without end.
+bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, bool touching) {
+    const WorldState& world = step.world;
+    if (m.count == 0)
+        return m.distance - closing_way(world, c, step.dt) < tuning::speculative_margin;
+    const auto leans = [&](std::uint32_t body) {
+        const BodyCold& cold = world.bodies.cold[body];
+        return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
+    };
+    if (m.count > 1 && touching) return false;
+    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap &&
+        (leans(c.body_a) || leans(c.body_b)))
+        return false;
+    return closing_speed(world, c, m) > tuning::restitution_speed &&
+           expected_gap(world, c, m, step.dt) < tuning::speculative_margin;
+}
+
+// Whether two that bounce cannot meet in this step but at a speed that bounces: then they need no
+// manifold, and fly as if they were alone. So do those that just bounced and part.
+bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, bool touching,
+                 double dt) {
+    if (touching) return false;
+    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+    for (int i = 0; i < m.count; i++) {
+        const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
+        const Vec3 vb = b.v + cross(b.w, m.point[i] - b.center);
+        if (m.gap[i] + dot(m.normal, vb - va) * dt <= tuning::restitution_speed * dt) return false;
+    }
+    return true;
+}
+
 // Finds for each part that exists the manifold that continues it: the same child, and of pieces of
 // a surface the one with the nearest normal.
 void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>& found) {
@@ -87,6 +133,14 @@ void match_parts(WorldState& world, const Contact& pair, std::vector<FoundPart>&
         best->contact = p;
         write_manifold(world, part, best->part.manifold, false);
     }
+}
+
+// Whether a part of a composite pair touches.
+bool is_touching(const WorldState& world, const Contact& pair, std::uint64_t key) {
+    for (std::uint32_t p = pair.first_part; p != none; p = world.contacts.contacts[p].next_part)
+        if (world.contacts.contacts[p].key == key && world.contacts.contacts[p].touching)
+            return true;
+    return false;
 }
 
 void look_at_composite(StepContext& step, ContactCheck& check) {
@@ -112,7 +166,17 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
     check.gap_ahead = 1e300;
+    const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
     for (const PartManifold& part : parts) {
+        if (may_bounce) {
+            const bool touches = is_touching(world, c, part.key);
+            const bool meets = will_bounce(step, c, part.manifold, touches);
+            check.bounces |= meets;
+            if (meets || stays_apart(world, c, part.manifold, touches, dt)) {
+                check.near = minimum(check.near, 0);
+                continue;
+            }
+        }
         if (swept && !meeting && part.manifold.distance > tuning::touch_gap) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
         check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
@@ -185,7 +249,15 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     ASSERT(c.queued);
     c.queued = false;
     if (c.composite) return look_at_composite(step, check);
-    const Manifold manifold = manifold_ahead(step, c);
+    Manifold manifold = manifold_ahead(step, c);
+    if (bounces(world, c.shape_a, c.shape_b)) {
+        check.bounces = will_bounce(step, c, manifold, c.touching);
+        if (manifold.count > 0 &&
+            (check.bounces || stays_apart(world, c, manifold, c.touching, step.dt))) {
+            manifold.distance = smallest_gap(manifold);
+            manifold.count = 0;
+        }
+    }
     if (manifold.count == 0)
         for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
     check.near = smallest_gap(manifold);

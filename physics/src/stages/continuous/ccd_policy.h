@@ -30,6 +30,21 @@ inline double motion_without_sweep(const ContactScratch& scratch, const BodyCold
     return tuning::sweep_fraction * size;
 }
 
+// Whether two shapes bounce off each other at the moment when they meet, which the sweep alone
+// finds: it sweeps them however little they move. What a bounce gives back, and in which direction,
+// depends on that moment; the contact solver knows nothing finer than its step. What hangs on
+// joints is the solver's all the same: see below.
+inline bool bounces(const WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
+    const ShapeRecord &sa = world.shapes.shapes[shape_a], &sb = world.shapes.shapes[shape_b];
+    if (sa.material.restitution == 0 && sb.material.restitution == 0) return false;  // mostly
+    if (!world.def.continuous || !(pair_restitution(sa.material, sb.material) > 0)) return false;
+    const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
+    const auto sweeps = [](const BodyCold& cold) {
+        return cold.type == BodyType::dynamic && cold.continuous;
+    };
+    return (sweeps(a) || sweeps(b)) && a.first_joint == none && b.first_joint == none;
+}
+
 // Whether the contact solver resolves the impact of two shapes that are swept, along with what
 // holds their bodies. A sweep would let them go on without that: what hangs on joints would leave
 // them, and what leans on others would hit them in turn. Of bodies without joints it resolves only

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,13 +13,16 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/contacts/ask_listeners.h"
+#include "stages/continuous/bounce_events.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
+#include "stages/continuous/parabola.h"
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
 #include "stages/continuous/toi_dependents.h"
 #include "stages/step_scratch.h"
 #include "state/contact_answers.h"
+#include "state/contact_constraints.h"
 #include "state/joint_graph.h"
 #include "state/shape_proxy.h"
 
@@ -37,6 +41,7 @@ public:
             if (is_fast(i)) fast_.push_back(i);
             if (is_fast(i) || finalize_.thrown[i] != 0) known.push_back(i);
         }
+        any_bounces_ = !step_.scratch.contacts.bouncing.empty();
         motions_.note(step_, known, [&](std::uint32_t awake) { return known_sweep(awake); });
         note_passes();
         start_toi_bodies();
@@ -52,6 +57,7 @@ public:
             else
                 begin_leg(first);
         }
+        report_bounces(world_.events, bounces_);
         // They are placed when whom they met is awake: place_toi_bodies().
         for (ToiBody& t : bodies_)
             if (t.changed) step_.scratch.continuous.changed.push_back(std::move(t));
@@ -59,6 +65,18 @@ public:
 
 private:
     static constexpr std::uint32_t nobody = 0xffffffff;
+
+    // What next happens to a TOI body. Impacts of one moment go on through what touches, the
+    // hardest first: so a row of balls hands a push on from one to the next.
+    struct Event {
+        double at = 0, closing = 0;  // fraction of the step, m/s
+        std::size_t who = 0;
+        friend bool operator>(const Event& x, const Event& y) {
+            if (x.at != y.at) return x.at > y.at;
+            if (x.closing != y.closing) return x.closing < y.closing;
+            return x.who > y.who;
+        }
+    };
 
     // Index of the TOI body that a body is, or nobody.
     std::uint32_t toi_body_of(std::uint32_t body) const {
@@ -71,10 +89,46 @@ private:
         ToiBody t;
         t.body = body;
         t.fast = fast;
+        if (!fast && any_bounces_) {
+            const BodyCold& cold = world_.bodies.cold[body];
+            t.held = is_borne(cold);
+            if (!t.held) t.gain = gain_in_free_fall(world_, cold, step_.dt);
+        }
         bodies_.push_back(std::move(t));
         next_.push_back(Impact::never);
         enqueue_check(bodies_.size() - 1);
         return bodies_.size() - 1;
+    }
+
+    // Whether contacts or joints hold a body, or sleep does.
+    bool is_borne(const BodyCold& cold) const {
+        if (cold.set != BodySet::awake || cold.asleep_in_place || cold.first_joint != none)
+            return true;
+        if (cold.constraints == 0) return false;
+        bool borne = false;
+        for_each_contact(world_.contacts, cold, [&](std::uint32_t contact) {
+            const Contact& c = world_.contacts.contacts[contact];
+            borne = borne || (c.colour >= 0 && c.touching);
+        });
+        return borne;
+    }
+    // What a step adds to the velocity of a body that nobody follows, m/s.
+    Vec3 gain_of(const BodyCold& cold) const {
+        return any_bounces_ && !is_borne(cold) ? gain_in_free_fall(world_, cold, step_.dt) : Vec3{};
+    }
+    // Whether a velocity takes a body away from all that bore it.
+    bool leaves_its_support(std::uint32_t body, Vec3 v, double at) const {
+        const double least = 0.05;  // m/s
+        bool leaves = true;
+        for_each_contact(world_.contacts, world_.bodies.cold[body], [&](std::uint32_t contact) {
+            const Contact& c = world_.contacts.contacts[contact];
+            if (!leaves || c.colour < 0 || !c.touching) return;
+            const bool is_a = c.body_a == body;
+            const Vec3 u = speed_of(is_a ? c.body_b : c.body_a, at).v - v;
+            const ContactPlace place = place_of(world_, c);
+            leaves = dot(normal_of(place), u) * (is_a ? 1 : -1) > least;
+        });
+        return leaves;
     }
 
     void note_next(std::size_t k) {
@@ -87,16 +141,16 @@ private:
     void queue(std::size_t k) {
         const ToiBody& t = bodies_[k];
         if (t.fraction <= 1) dependents_.add(world_.shapes.shapes[t.other_shape].body, k);
-        queue_.emplace_back(next_[k], k);
+        queue_.push_back({next_[k], t.fraction <= t.sweep.until ? t.closing : 0, k});
         std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
     // The TOI body to which something happens first; of several the first.
     std::size_t next_to_come() {
-        while (!queue_.empty() && queue_.front().first != next_[queue_.front().second]) {
+        while (!queue_.empty() && queue_.front().at != next_[queue_.front().who]) {
             std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
             queue_.pop_back();
         }
-        return queue_.empty() ? 0 : queue_.front().second;
+        return queue_.empty() ? 0 : queue_.front().who;
     }
     // Whether it is a body that a TOI body meets next, as far as is known.
     bool meets_next(std::size_t k, std::uint32_t body) const {
@@ -178,7 +232,8 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            if (motions_.may_meet(world_, motion, cold, met, other)) found.push_back(other);
+            const bool bouncy = any_bounces_ && bounces(world_, c.shape_a, c.shape_b);
+            if (motions_.may_meet(world_, motion, cold, met, other, bouncy)) found.push_back(other);
         }
     }
 
@@ -215,7 +270,7 @@ private:
         const std::uint32_t known = toi_body_of(body);
         if (known != nobody) return speed_at(world_, bodies_[known], fraction, step_.dt);
         const BodyWarm& warm = warm_of(world_, body);
-        return {warm.v, warm.w};
+        return {warm.v - gain_of(world_.bodies.cold[body]) * (1 - fraction), warm.w};
     }
     Sweep sweep_of(std::uint32_t body) const {
         const std::uint32_t known = toi_body_of(body);
@@ -229,7 +284,7 @@ private:
         if (cold.set != BodySet::awake || (warm.v == Vec3{} && warm.w == Vec3{}))
             return {0, warm.center, warm.rotation, {}, {}};
         if (motions_.knows(cold.at)) return motions_.sweep_of(cold.at);
-        const Vec3 motion = warm.v * step_.dt, turn = warm.w * step_.dt;
+        const Vec3 motion = (warm.v - gain_of(cold) * 0.5) * step_.dt, turn = warm.w * step_.dt;
         return {0, warm.center - motion, normalized(from_rotation_vector(-turn) * warm.rotation),
                 motion, turn};
     }
@@ -344,10 +399,24 @@ private:
         return way * (1 - t.sweep.from) > least;
     }
 
+    // Whether two that touch still hand on what an impact gives them: until a tenth of its speed is
+    // left. Of more impacts, which in a crowd that does not bounce well would never end, the
+    // contact solver sees the sum.
+    bool hands_on(const ToiBody& t, std::uint32_t known, std::uint32_t own,
+                  std::uint32_t other) const {
+        const double restitution = pair_restitution(world_.shapes.shapes[own].material,
+                                                    world_.shapes.shapes[other].material);
+        const int had = std::max(t.handed_on, known == nobody ? 0 : bodies_[known].handed_on);
+        double left = 1;
+        for (int k = 0; k < had; k++) left *= restitution;
+        return left > tuning::handed_on_least;
+    }
+
     // Whether one shape is met before all that are known.
     void find_impact_with(ToiBody& t, std::uint32_t other) {
         const std::uint32_t body = world_.shapes.shapes[other].body;
-        if (!moves_enough(t, body)) return;
+        const bool far = moves_enough(t, body);
+        if (!far && !any_bounces_) return;
         const Sweep motion = sweep_of(body);
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[body];
         const std::uint32_t known = toi_body_of(body);
@@ -357,16 +426,25 @@ private:
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
+            const bool bouncy = any_bounces_ && bounces(world_, own, other);
+            // Two that move little and have a manifold the contact solver has taken care of, unless
+            // an impact has turned one of them since.
+            if (!far && (!bouncy || (!turned && has_manifold(own, other)))) continue;
             const double from = std::max(t.sweep.from, motion.from);
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
             const bool held = !turned && is_held(own, other);
             const Impact hit = held ? Impact{.at_start = true}
                                     : time_of_impact(a, b, from, tuning::sweep_gap, t.fraction);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
-                                  bool at_start = false) {
-                if (fraction >= t.fraction) return true;
-                if (!closes_in(own, other, points, motion, t, fraction, at_start)) return false;
+                                  ClosesBy by = ClosesBy::velocity_or_sweep) {
+                if (fraction > t.fraction) return true;
+                const std::optional<double> closing =
+                    closing_speed(own, other, points, motion, t, fraction, by);
+                if (!closing) return false;
+                if (fraction == t.fraction && *closing <= t.closing) return true;
                 t.fraction = fraction;
+                t.closing = *closing;
+                t.at_start = fraction == from;
                 t.own_shape = own;
                 t.other_shape = other;
                 t.points = points;
@@ -374,7 +452,15 @@ private:
             };
             bool touches = hit.at_start;
             if (hit.fraction < t.fraction)
-                touches |= !meet(hit.fraction, points_touching(a, b, hit.fraction));
+                touches |= !meet(hit.fraction, points_touching(a, b, hit.fraction),
+                                 far ? ClosesBy::velocity_or_sweep : ClosesBy::velocity);
+            // What touches and bounces does so at once.
+            if (hit.at_start && bouncy && !held && hands_on(t, known, own, other)) {
+                const std::vector<ImpactPoint> points = points_touching(a, b, from);
+                if ((points.size() == 1 || !turned) && meet(from, points, ClosesBy::bouncing))
+                    touches = false;
+            }
+            if (!far) continue;
             // What touches without going in is the contact solver's, or was resolved just now. But
             // one end may rest while the other comes down, or solver and impact have left it going
             // inwards: then smaller and smaller parts of the shape, about its middle, stop where
@@ -391,15 +477,18 @@ private:
                 if (later.fraction < t.fraction)
                     touches |= !meet(later.fraction, points_along(a, b, later));
             }
-            if (touches) meet(from, points_touching(a, b, from), true);
+            if (touches) meet(from, points_touching(a, b, from), ClosesBy::velocity);
         }
     }
 
     // Whether the contact solver has resolved the impact of two shapes, which update_contacts
     // foresaw.
     bool is_held(std::uint32_t own, std::uint32_t other) const {
+        return uses_speculative_contact(step_, own, other) && has_manifold(own, other);
+    }
+    bool has_manifold(std::uint32_t own, std::uint32_t other) const {
         const BodyCold& cold = world_.bodies.cold[world_.shapes.shapes[own].body];
-        if (cold.constraints == 0 || !uses_speculative_contact(step_, own, other)) return false;
+        if (cold.constraints == 0) return false;
         for (std::uint32_t edge = cold.first_edge; edge != none;) {
             const Contact& c = world_.contacts.contacts[edge / 2];
             const bool is_a = edge % 2 == 0;
@@ -411,26 +500,33 @@ private:
         return false;
     }
 
-    // Whether they go on inwards there: by their velocities or, after the start, by their sweeps.
-    // (A gyroscopic body is where its sweep is, not where its velocities point: then there may be
-    // no impulse, but a new sweep from there.)
-    bool closes_in(std::uint32_t own, std::uint32_t other, const std::vector<ImpactPoint>& points,
-                   const Sweep& motion, const ToiBody& t, double fraction, bool at_start) const {
+    // How two may go on inwards: by their velocities alone, or by those at a speed that bounces.
+    // After the start their sweeps may do so as well: a gyroscopic body is where its sweep is, not
+    // where its velocities point. Then there may be no impulse, but a new sweep from there.
+    enum class ClosesBy : std::uint8_t { velocity_or_sweep, velocity, bouncing };
+    // How fast they do, m/s; nothing if they do not.
+    std::optional<double> closing_speed(std::uint32_t own, std::uint32_t other,
+                                        const std::vector<ImpactPoint>& points, const Sweep& motion,
+                                        const ToiBody& t, double fraction, ClosesBy by) const {
         const std::uint32_t body_a = world_.shapes.shapes[own].body,
                             body_b = world_.shapes.shapes[other].body;
         const Vec3 ca = center_at(t.sweep, fraction), cb = center_at(motion, fraction);
         const Speed sa = speed_of(body_a, fraction), sb = speed_of(body_b, fraction);
-        const double least = 1e-3;  // m/s
+        const double least =
+            by == ClosesBy::bouncing ? tuning::touching_impact_speed : 1e-3;  // m/s
+        bool closes = false;
+        double most = 0;
         for (const ImpactPoint& p : points) {
             const Vec3 ra = p.position - ca, rb = p.position - cb;
             const Vec3 u = (sb.v + cross(sb.w, rb)) - (sa.v + cross(sa.w, ra));
             const Vec3 swept = (motion.translation + cross(motion.rotation_vector, rb)) -
                                (t.sweep.translation + cross(t.sweep.rotation_vector, ra));
-            if (dot(u, p.normal) < -least ||
-                (!at_start && dot(swept, p.normal) < -least * step_.dt))
-                return true;
+            most = maximum(most, -dot(u, p.normal));
+            closes |= dot(u, p.normal) < -least;
+            closes |= by == ClosesBy::velocity_or_sweep && dot(swept, p.normal) < -least * step_.dt;
         }
-        return false;
+        if (!closes) return std::nullopt;
+        return most;
     }
 
     // A body at the moment of an impact, with its masses as they stand there.
@@ -455,7 +551,7 @@ private:
         const std::uint32_t own = bodies_[index].own_shape, other = bodies_[index].other_shape;
         const std::uint32_t body_a = bodies_[index].body, body_b = world_.shapes.shapes[other].body;
         const Sweep sweep_a = bodies_[index].sweep, sweep_b = sweep_of(body_b);
-        const std::vector<ImpactPoint> points = std::move(bodies_[index].points);
+        std::vector<ImpactPoint> points = std::move(bodies_[index].points);
         ASSERT(!points.empty());
         ImpactBody a = end_of(body_a, sweep_a, at), b = end_of(body_b, sweep_b, at);
         const ContactAnswer answer = answer_for(own, other, a, b, points);
@@ -465,8 +561,12 @@ private:
             return recheck(index);
         }
         file_wake(body_a, body_b);
+        if (answer.restitution > 0 && !bodies_[index].at_start)
+            put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
         const HardestPoint hit = resolve_impact(a, b, points, answer.restitution, answer.friction);
         report(own, other, hit);
+        if (answer.restitution > 0 && hit.approach > tuning::restitution_speed)
+            note_bounce(world_, own, other, hit, bounces_);
         // What stays does not go where its velocity points: nobody may follow it there.
         const std::uint32_t met = toi_body_of(body_b);
         if (hit.approach <= 0 && met != nobody && is_exhausted(bodies_[met]))
@@ -474,8 +574,15 @@ private:
         else
             bodies_[index].impacts++;
         recheck(index);
-        if (continue_after(body_a, a, sweep_a, at)) update_dependents(where_[body_a]);
-        if (continue_after(body_b, b, sweep_b, at)) update_dependents(where_[body_b]);
+        const bool bounced = answer.restitution > 0;
+        if (continue_after(body_a, a, sweep_a, at, bounced)) update_dependents(where_[body_a]);
+        if (continue_after(body_b, b, sweep_b, at, bounced)) update_dependents(where_[body_b]);
+    }
+
+    Fall fall_of(std::uint32_t body) const {
+        const std::uint32_t known = toi_body_of(body);
+        if (known == nobody) return {gain_of(world_.bodies.cold[body]), 0};
+        return {bodies_[known].gain, bodies_[known].flies_from};
     }
 
     // How two shapes touch that meet between sub-steps, and whether they do.
@@ -565,10 +672,21 @@ private:
     }
 
     // The rest of the step with the new velocity. What impulses cannot move keeps its way: false.
-    bool continue_after(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at) {
+    bool continue_after(std::uint32_t body, const ImpactBody& end, const Sweep& old, double at,
+                        bool bounced) {
         if (end.inverse_mass == Vec3{} && end.inverse_inertia == diagonal({0, 0, 0})) return false;
         const std::uint32_t known = toi_body_of(body);
         ToiBody& t = bodies_[known == nobody ? add(body, false) : known];
+        const BodyCold& cold = world_.bodies.cold[body];
+        if (bounced) {
+            // It may bounce off the next as well.
+            t.fast |= cold.continuous;
+            t.handed_on++;
+            if (t.held && cold.first_joint == none && leaves_its_support(body, end.v, at)) {
+                t.held = false;
+                t.gain = gain_in_free_fall(world_, cold, step_.dt);
+            }
+        }
         depart(world_, t, at, {end.center, rotation_at(old, at), end.v, end.w}, step_.dt);
         return true;
     }
@@ -584,8 +702,10 @@ private:
     std::vector<ToiBody> bodies_;
     std::vector<double> next_;  // by TOI body: when something next happens to it
     std::vector<std::size_t> to_check_;
-    std::uint32_t round_ = 0;                            // of looking
-    std::vector<std::pair<double, std::size_t>> queue_;  // heap of TOI bodies by what comes next
+    std::uint32_t round_ = 0;   // of looking
+    std::vector<Event> queue_;  // heap of TOI bodies by what comes next
+    bool any_bounces_ = false;
+    std::vector<ContactBegin> bounces_;
     std::vector<std::uint64_t> passes_;  // pair_key() of shapes that do not hit each other; rising
     std::vector<std::uint32_t> where_;   // by body: its TOI body; empty before the first
 };

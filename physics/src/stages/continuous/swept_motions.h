@@ -69,14 +69,14 @@ public:
 
     // Whether the motions of a body and another, one of whose shapes is given, are large enough
     // against each other for a sweep and may bring them together. What moves less is the contact
-    // solver's (stages/contacts/update_contacts.cpp).
+    // solver's (stages/contacts/update_contacts.cpp), unless it `bounces` (ccd_policy.h).
     bool may_meet(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
-                  std::uint32_t other, std::uint32_t other_shape) const {
+                  std::uint32_t other, std::uint32_t other_shape, bool bounces) const {
         const SweptMotion met = of(world, other);
         const double linear = length(motion.motion - met.motion);
         // A little less than foreseen, so that nothing falls between the two.
-        if (linear + motion.turning + met.turning <
-            tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius)
+        if (!bounces && linear + motion.turning + met.turning <
+                            tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius)
             return false;
         const BodyCold& cold_other = world.bodies.cold[other];
         if (cold_other.type != BodyType::dynamic)

@@ -6,7 +6,7 @@
 #include "constraints/free_motion.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
-
+#include "state/contact_constraints.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -69,6 +69,11 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
     return s;
 }
 
+Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt) {
+    if (cold.type != BodyType::dynamic) return {};
+    return scaled(world.def.gravity * (cold.gravity_scale * dt), free_directions(cold));
+}
+
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt) {
     const BodyWarm& now = warm_of(world, t.body);
     const BodyCold& cold = world.bodies.cold[now.body];
@@ -79,9 +84,12 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, doub
     t.velocity = now.v;
     t.spin = now.w;
     t.spin_rotation = now.rotation;
-    const bool flies =
-        cold.type == BodyType::dynamic && cold.constraints == 0 && cold.first_joint == none;
-    if (!flies) return;
+    if (cold.type != BodyType::dynamic || cold.first_joint != none) return;
+    // Contacts that did nothing let it fly.
+    const Vec3 fall = gain_in_free_fall(world, cold, dt);
+    const double least = 1e-3;  // m/s
+    t.held = cold.constraints > 0 && length(now.v - before.v - fall) > least + 0.05 * length(fall);
+    if (t.held) return;
     t.velocity = before.v;
     t.gain = now.v - before.v;
     t.spin_at = 0;
@@ -112,7 +120,7 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
                                    : FreeSpin{from.rotation, from.w};
     t.end_rotation = free.rotation;
     t.end_spin = free.w;
-    t.spin_at = fraction;
+    t.spin_at = t.flies_from = fraction;
     t.spin = from.w;
     t.spin_rotation = from.rotation;
     t.velocity = from.v;
@@ -151,6 +159,13 @@ void finish_toi(WorldState& world, const ToiBody& t, double dt) {
     warm.w = stayed ? t.spin : t.end_spin;
     warm.sleep_time = 0;
     update_motion_bound(world, t.body, dt);
+    // The solver moved their gaps along another way.
+    for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        if (c.colour < 0) return;
+        const ContactPlace place = place_of(world, c);
+        place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
+    });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         if (!fits_fat_aabb(world.shapes.shapes[s], warm, dt)) enlarge_proxy(world, s, warm, dt);
 }

@@ -18,7 +18,9 @@ struct ToiBody {
     // How it goes on. A gyroscopic body does not turn evenly: its way is cut into legs, each from
     // where it really is to where it really will be.
     Sweep sweep;
-    Vec3 velocity, gain;  // m/s at the start of the sweep, and what forces add over a whole step
+    Vec3 velocity, gain;    // m/s at the start of the sweep, and what forces add over a whole step
+    double flies_from = 0;  // fraction: since when nothing but those forces acts on it
+    bool held = false;      // contacts bore it in this step, and still do: no gain
     // The spin and the attitude at one moment of the step; at others Euler's equations give it.
     double spin_at = 1;  // fraction
     Vec3 spin;           // rad/s
@@ -28,6 +30,7 @@ struct ToiBody {
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
+    int handed_on = 0;                    // impacts that it had, found by itself or another
     bool checked = false;                 // the impact below is the first on its way
     bool queued = false;                  // on the list of those that are to look
     std::uint32_t anew_in = 0;            // the round in which it last looked at everything
@@ -36,7 +39,9 @@ struct ToiBody {
     double fraction = Impact::never;  // of the step
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;
-    Aabb swept;                             // holds all that is left of its way
+    double closing = 0;     // m/s, then: of several impacts at one moment the hardest is the first
+    bool at_start = false;  // they touched already when its sweep began
+    Aabb swept;             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
 };
 
@@ -48,6 +53,9 @@ struct Speed {
 };
 // At a fraction of the step, from the sweep's beginning on.
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt);
+
+// What gravity adds to the velocity of a body in a step, m/s.
+Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt);
 
 // A fast body from the beginning of the step, where it was `before`: as the step took it.
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, double dt);

@@ -75,12 +75,19 @@ bool was_thrown(const FreeMotion& motion, Quat turn, const BodyCold& cold, doubl
 
 }  // namespace
 
-void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch) {
+void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
+                    FinalizeScratch& scratch) {
     scratch.left_fat_aabb.assign(bodies.awake.size(), 0);
     scratch.not_finite.assign(bodies.awake.size(), 0);
     scratch.fast.assign(bodies.awake.size(), 0);
     scratch.thrown.assign(bodies.awake.size(), 0);
     scratch.strayed.assign(bodies.awake.size(), 0);
+    scratch.bouncing.assign(bodies.awake.size(), 0);
+    for (const std::uint32_t body : bouncing) {
+        const BodyCold& cold = bodies.cold[body];
+        ASSERT(cold.set == BodySet::awake && cold.at < bodies.awake.size());
+        scratch.bouncing[cold.at] = 1;
+    }
     scratch.any_fast = 0;
     if (scratch.before.size() < bodies.awake.size()) scratch.before.resize(bodies.awake.size());
 }
@@ -111,11 +118,12 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const double angle = 2.2 * square_root(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
     const double turned = maximum(angle, length(motion.w) * step.dt) * cold.radius;
     const double way = length(motion.displacement) + turned;
-    if (way > tuning::sweep_fraction * cold.inner_radius && cold.continuous) {
+    const bool bounces = scratch.bouncing[awake_index] != 0;
+    if (cold.continuous && (bounces || way > tuning::sweep_fraction * cold.inner_radius)) {
         scratch.before[awake_index] = warm;
         scratch.fast[awake_index] = 1;
         scratch.any_fast = 1;
-    } else if (was_thrown(motion, turn, cold, step.dt)) {
+    } else if (bounces || was_thrown(motion, turn, cold, step.dt)) {
         scratch.before[awake_index] = warm;
         scratch.thrown[awake_index] = 1;
     }

@@ -15,7 +15,9 @@
 namespace jostle::physics {
 
 // Makes space for the flags of each awake body; serially, before the first finalize_body of a step.
-void begin_finalize(const BodyStore& bodies, FinalizeScratch& scratch);
+// `bouncing`: ContactScratch::bouncing.
+void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
+                    FinalizeScratch& scratch);
 
 // A state that is not finite, or is faster or further away than is sound (tuning.h), is not taken
 // over: the body stays where it was, at rest, and is flagged for quarantine.

@@ -20,7 +20,7 @@ void keep_towed_awake(WorldState& world, const std::vector<std::uint32_t>& joint
         for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
             const Joint& j = world.joints.joints[joint];
             const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
-            if (world.bodies.cold[other].type != BodyType::kinematic) return;
+            if (other == none || world.bodies.cold[other].type != BodyType::kinematic) return;
             const BodyWarm& driver = warm_of(world, other);
             if (driver.v != Vec3{} || driver.w != Vec3{}) warm.sleep_time = 0;
         });

@@ -6,6 +6,7 @@
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/substep_hooks.h"
 #include "stages/step_context.h"
 #include "stages/step_scratch.h"
 #include "state/force_fields.h"
@@ -21,9 +22,13 @@ bool may_be_grouped(const WorldState& world, const BodyCold& cold) {
            !world.def.planar && cold.mass > 0;
 }
 
+bool is_pushed(const WorldState& world, std::uint32_t body) {
+    return body != none && is_dynamic(world, body);
+}
+
 bool is_known(const WorldState& world, const Joint& joint) {
-    return supported(joint.kind) && joint.body_a != joint.body_b &&
-           (is_dynamic(world, joint.body_a) || is_dynamic(world, joint.body_b));
+    return supported(joint.kind) &&
+           (is_pushed(world, joint.body_a) || is_pushed(world, joint.body_b));
 }
 
 // Islands with a body or a joint of which groups know nothing are refused.
@@ -68,14 +73,15 @@ void list_joints(const WorldState& world, const Island& island, JointGroup& grou
     group.joints.erase(std::unique(group.joints.begin(), group.joints.end()), group.joints.end());
 }
 
-// In the order in which joints name them.
+// In the order in which joints name them. The world is the last of number_of.
 void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::int32_t>& number_of) {
     group.bodies.clear();
     for (const std::uint32_t index : group.joints) {
         const Joint& joint = world.joints.joints[index];
         for (const std::uint32_t body : {joint.body_a, joint.body_b}) {
-            if (number_of[body] >= 0) continue;
-            number_of[body] = static_cast<std::int32_t>(group.bodies.size());
+            std::int32_t& number = body == none ? number_of.back() : number_of[body];
+            if (number >= 0) continue;
+            number = static_cast<std::int32_t>(group.bodies.size());
             group.bodies.push_back(body);
         }
     }
@@ -84,10 +90,15 @@ void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::in
 void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     const WorldState& world = step.world;
     const std::uint32_t index = group.bodies[k];
-    const BodyCold& cold = world.bodies.cold[index];
-    const BodyWarm& warm = warm_of(world, index);
     DirectBody& body = group.solver.bodies[k];
     body = {};
+    if (index == none) {
+        group.axes[k] = {};
+        refresh(body);
+        return;
+    }
+    const BodyCold& cold = world.bodies.cold[index];
+    const BodyWarm& warm = warm_of(world, index);
     body.x = warm.center;
     if (cold.type != BodyType::dynamic) {
         group.axes[k] = {};
@@ -120,7 +131,9 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
 DirectEnd end_of(const WorldState& world, const JointGroup& group, std::size_t k,
                  const Transform& frame) {
     const Quat axes = group.axes[k].frame;
-    const Vec3 arm = frame.position - world.bodies.cold[group.bodies[k]].local_center;
+    const std::uint32_t body = group.bodies[k];
+    const Vec3 center = body == none ? Vec3{} : world.bodies.cold[body].local_center;
+    const Vec3 arm = frame.position - center;
     return {inverse_rotate(axes, arm), conjugate(axes) * frame.rotation};
 }
 
@@ -130,7 +143,7 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
     joint = {};
-    joint.a = number_of[from.body_a];
+    joint.a = from.body_a == none ? number_of.back() : number_of[from.body_a];
     joint.b = number_of[from.body_b];
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
     set_up(joint, from.kind, end_of(world, group, a, from.frame_a),
@@ -160,7 +173,8 @@ void gather(StepContext& step, std::uint32_t island) {
     for (std::size_t k = 0; k < group.bodies.size(); k++) gather_body(step, group, k);
     for (std::size_t k = 0; k < group.joints.size(); k++)
         gather_joint(step, group, k, step.dt / group.substeps);
-    for (const std::uint32_t body : group.bodies) scratch.number_of[body] = -1;
+    for (const std::uint32_t body : group.bodies)
+        (body == none ? scratch.number_of.back() : scratch.number_of[body]) = -1;
     group.solver.prepare();
 }
 
@@ -220,14 +234,14 @@ void find_joint_groups(StepContext& step) {
         return;
     look_at_islands(step);
     if (scratch.active.empty()) return;
-    scratch.number_of.resize(world.bodies.cold.size(), -1);
+    scratch.number_of.assign(world.bodies.cold.size() + 1, -1);
     scratch.grouped.assign(world.bodies.awake.size(), 0);
     std::erase_if(scratch.active, [&](std::uint32_t island) {
         gather(step, island);
         const JointGroup& group = *scratch.of_island[island];
         if (is_too_dense(group)) return true;
         for (const std::uint32_t body : group.bodies) {
-            if (!is_dynamic(world, body)) continue;
+            if (!is_pushed(world, body)) continue;
             scratch.awake.push_back(world.bodies.cold[body].at);
             scratch.grouped[world.bodies.cold[body].at] = 1;
         }

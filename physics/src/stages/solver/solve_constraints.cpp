@@ -12,6 +12,7 @@
 #include "foundation/tuning.h"
 #include "stages/solver/joint_groups.h"
 #include "stages/solver/solve_joints.h"
+#include "stages/solver/strike_jointed.h"
 #include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
 
@@ -268,6 +269,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
     const double h = step.dt / set.substeps;
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
     const Kernels& kernel = kernels();
+    if (!scratch.jointed.of(task.first, task.last).empty()) strike_jointed(step, contacts.runs);
     const bool bounces = begin_restitution(contacts);
     const bool listened = has_substep_listeners(step.world.listeners);
     const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];

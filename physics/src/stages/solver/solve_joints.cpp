@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdlib>
 
+#include "constraints/joints/couple_ends.h"
 #include "constraints/joints/write_joint.h"
 #include "constraints/kernels.h"
 #include "foundation/check.h"
@@ -18,6 +19,8 @@ namespace {
 
 JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& frame,
                 std::int32_t hot) {
+    if (body == none)  // the world
+        return {.center = {}, .arm = frame.position, .rotation = {}, .frame = frame.rotation};
     const BodyWarm& warm = hot != 0
                                ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
                                : warm_of(world, body);
@@ -53,19 +56,35 @@ void find_joints(const JointStore& store, const BodyStore& all, const JointTask&
 }
 
 // Their bodies by hot index: negative for what moves but cannot be pushed, 0 for what stands still.
-void find_bodies(const JointStore& store, const BodyStore& bodies, JointLevels& levels) {
-    const auto hot_of = [&](std::uint32_t body) -> std::int32_t {
-        const BodyCold& cold = bodies.cold[body];
-        if (cold.set != BodySet::awake) return 0;
-        const auto hot = static_cast<std::int32_t>(cold.at + 1);
-        return cold.inverse_mass != 0 && !cold.asleep_in_place ? hot : -hot;
-    };
+std::int32_t hot_of(const BodyStore& bodies, std::uint32_t body) {
+    if (body == none) return 0;
+    const BodyCold& cold = bodies.cold[body];
+    if (cold.set != BodySet::awake) return 0;
+    const auto hot = static_cast<std::int32_t>(cold.at + 1);
+    return cold.inverse_mass != 0 && !cold.asleep_in_place ? hot : -hot;
+}
+
+Carrier carrier_at(const WorldState& world, std::uint32_t body) {
+    if (body == none) return {};
+    const BodyWarm& warm = warm_of(world, body);
+    return {.body = body,
+            .hot = hot_of(world.bodies, body),
+            .center = warm.center,
+            .origin = pose_of(warm, world.bodies.cold[body]).position,
+            .rotation = warm.rotation};
+}
+
+void find_bodies(const WorldState& world, JointLevels& levels) {
+    const JointStore& store = world.joints;
     for (LeveledJoint& found : levels.joints) {
         ASSERT(store.ids.alive(found.joint));
         const Joint& joint = store.joints[found.joint];
-        found.kind = static_cast<std::uint32_t>(joint.kind.index());
-        found.a = hot_of(joint.body_a);
-        found.b = hot_of(joint.body_b);
+        found.kind = kernel_of(joint.kind);
+        found.a = hot_of(world.bodies, joint.body_a);
+        found.b = hot_of(world.bodies, joint.body_b);
+        if (!joint_is_couple(joint.kind)) continue;
+        found.carrier_a = hot_of(world.bodies, find_carrier(world, joint, 0));
+        found.carrier_b = hot_of(world.bodies, find_carrier(world, joint, 1));
     }
 }
 
@@ -102,6 +121,8 @@ void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const Join
             pass({.blocks = levels.blocks.data(),
                   .angular = angular_of(levels, run.angular),
                   .rows = row_of(levels, run.row),
+                  .axes = axes_of(levels, run.axes),
+                  .couples = couple_of(levels, run.couple),
                   .metas = levels.metas.data(),
                   .kind = run.kind,
                   .first = run.begin,
@@ -134,16 +155,26 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
     levels.metas.clear();
     if (task.bodies.empty()) return;
     find_joints(world.joints, world.bodies, task);
-    find_bodies(world.joints, world.bodies, levels);
+    find_bodies(world, levels);
     assign_levels(levels, step.scratch.solver.hot.size());
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {
         for (int lane = 0; lane < meta.count; lane++) {
             const Joint& joint = world.joints.joints[meta.joint[lane]];
-            write_joint(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
-                        end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), h,
-                        {levels.blocks[block], angular_of(levels, meta.angular),
-                         row_of(levels, meta.row), meta},
-                        lane);
+            write_joint(
+                joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
+                end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), h,
+                {levels.blocks[block], angular_of(levels, meta.angular), row_of(levels, meta.row),
+                 axes_of(levels, meta.axes), couple_of(levels, meta.couple), meta},
+                lane);
+            if (meta.couple >= 0) {
+                const std::uint32_t bodies[] = {find_carrier(world, joint, 0),
+                                                find_carrier(world, joint, 1)};
+                const Carrier carriers[] = {carrier_at(world, bodies[0]),
+                                            carrier_at(world, bodies[1])};
+                write_couple(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
+                             end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), carriers,
+                             *couple_of(levels, meta.couple), JointLane{lane});
+            }
         }
     });
 }
@@ -178,13 +209,15 @@ void finish_joints(StepContext& step, const JointTask& task) {
     if (levels.runs.empty()) return;
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {
         for (int lane = 0; lane < meta.count; lane++) {
-            const std::int32_t carrier = carrier_of(meta.a[lane], meta.b[lane]);
+            const std::int32_t carrier =
+                carrier_of(world.joints.joints[meta.joint[lane]].kind, meta.a[lane], meta.b[lane]);
             const Quat carried =
                 carrier > 0 ? world.bodies.awake[static_cast<std::size_t>(carrier) - 1].rotation
                             : Quat{};
             if (read_joint(world.joints.joints[meta.joint[lane]], carried, step.dt,
                            {levels.blocks[block], angular_of(levels, meta.angular),
-                            row_of(levels, meta.row), meta},
+                            row_of(levels, meta.row), axes_of(levels, meta.axes),
+                            couple_of(levels, meta.couple), meta},
                            lane))
                 meta.overloaded |= static_cast<std::uint8_t>(1u << lane);
         }

@@ -25,6 +25,9 @@ struct SceneBody {
     std::optional<std::uint32_t> color;  // 0xRRGGBB
 };
 
+// In place of SceneJoint::body_a: the joint joins body_b to the world.
+inline constexpr std::size_t the_world = static_cast<std::size_t>(-1);
+
 struct SceneJoint {
     std::string name;
     std::size_t body_a = 0, body_b = 0;  // index in SceneDescription::bodies

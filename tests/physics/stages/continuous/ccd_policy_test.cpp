@@ -56,6 +56,25 @@ TEST(CcdPolicy, what_leans_and_does_not_bounce_is_the_contact_solvers) {
     EXPECT_FALSE(uses_speculative_contact(scene.step, b, bouncy)) << "it has to go back";
 }
 
+// What a bounce gives back depends on its moment, which only a sweep finds.
+TEST(CcdPolicy, what_has_restitution_bounces_unless_joints_hold_it) {
+    Scene scene;
+    const std::uint32_t dull = scene.ball(), a = scene.ball(0.5), b = scene.ball(0.5),
+                        c = scene.ball(0.5);
+    EXPECT_TRUE(bounces(scene.state, a, b));
+    EXPECT_TRUE(bounces(scene.state, a, dull)) << "the larger restitution counts";
+    EXPECT_FALSE(bounces(scene.state, dull, dull));
+    must(scene.world.create_joint(
+        {.body_a = body_id(scene.state, b), .body_b = body_id(scene.state, c)}));
+    EXPECT_FALSE(bounces(scene.state, a, b)) << "from a sweep it would leave its joint";
+    scene.state.bodies.cold[a].continuous = false;
+    EXPECT_TRUE(bounces(scene.state, a, dull)) << "one of the two looks, for both";
+    scene.state.bodies.cold[dull].continuous = false;
+    EXPECT_FALSE(bounces(scene.state, a, dull));
+    scene.state.def.continuous = false;
+    EXPECT_FALSE(bounces(scene.state, b, dull));
+}
+
 // From a sweep it would leave its joints.
 TEST(CcdPolicy, what_hangs_on_joints_is_the_contact_solvers) {
     Scene scene;

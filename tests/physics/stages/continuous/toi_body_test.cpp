@@ -33,6 +33,15 @@ struct Flight {
     const BodyWarm& now() const { return state.bodies.awake[0]; }
 };
 
+// Contacts that do nothing do not hold it: its velocity is that of the moment.
+TEST(ToiBody, what_falls_past_something_flies) {
+    Flight flight(Sphere{0.1}, {0, -3, 0}, {});
+    EXPECT_FALSE(flight.toi.held);
+    EXPECT_NEAR(flight.toi.velocity.y, -3, 1e-12);
+    EXPECT_NEAR(flight.toi.gain.y, -9.81 * dt, 1e-12);
+    EXPECT_NEAR(speed_at(flight.state, flight.toi, 0.5, dt).v.y, -3 - 0.5 * 9.81 * dt, 1e-12);
+}
+
 // However often it went round: of all even turns that end there the one most like its spin.
 TEST(ToiBody, an_even_sweep_ends_where_the_body_does) {
     for (const double turns : {0.1, 0.9, 1.4, 5.3}) {

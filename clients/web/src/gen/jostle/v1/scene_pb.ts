@@ -15,7 +15,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/scene.proto.
  */
 export const file_jostle_v1_scene: GenFile = /*@__PURE__*/
-  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSK6AQoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludBIiCgdtb2R1bGVzGAYgAygLMhEuam9zdGxlLnYxLk1vZHVsZSKbAgoNV29ybGRTZXR0aW5ncxIgCgdncmF2aXR5GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSFQoIc3Vic3RlcHMYAiABKA1IAIgBARIPCgJoehgDIAEoAUgBiAEBEhUKCHNsZWVwaW5nGAQgASgISAKIAQESDgoGcGxhbmFyGAUgASgIEhcKCmNvbnRpbnVvdXMYBiABKAhIA4gBARIqCgticm9hZF9waGFzZRgHIAEoDjIVLmpvc3RsZS52MS5Ccm9hZFBoYXNlEhYKCWhpdF9zcGVlZBgIIAEoAUgEiAEBQgsKCV9zdWJzdGVwc0IFCgNfaHpCCwoJX3NsZWVwaW5nQg0KC19jb250aW51b3VzQgwKCl9oaXRfc3BlZWQi0AQKBEJvZHkSDAoEbmFtZRgBIAEoCRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiEKCHBvc2l0aW9uGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YBCABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAYgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoObGluZWFyX2RhbXBpbmcYByABKAFIAIgBARIcCg9hbmd1bGFyX2RhbXBpbmcYCCABKAFIAYgBARIaCg1ncmF2aXR5X3NjYWxlGAkgASgBSAKIAQESFgoJbWF5X3NsZWVwGAogASgISAOIAQESIAoGc2hhcGVzGAsgAygLMhAuam9zdGxlLnYxLlNoYXBlEhIKBWNvbG9yGAwgASgHSASIAQESIQoGcmVwZWF0GA0gAygLMhEuam9zdGxlLnYxLlJlcGVhdBIfCgVsb2NrcxgOIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIXCgpjb250aW51b3VzGA8gASgISAWIAQESEQoEbWFzcxgQIAEoAUgGiAEBQhEKD19saW5lYXJfZGFtcGluZ0ISChBfYW5ndWxhcl9kYW1waW5nQhAKDl9ncmF2aXR5X3NjYWxlQgwKCl9tYXlfc2xlZXBCCAoGX2NvbG9yQg0KC19jb250aW51b3VzQgcKBV9tYXNzIlgKBUxvY2tzEgkKAXgYASABKAgSCQoBeRgCIAEoCBIJCgF6GAMgASgIEg4KBnR1cm5feBgEIAEoCBIOCgZ0dXJuX3kYBSABKAgSDgoGdHVybl96GAYgASgIIjgKBlJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyKOBwoFU2hhcGUSIwoGc3BoZXJlGAEgASgLMhEuam9zdGxlLnYxLlNwaGVyZUgAEiUKB2NhcHN1bGUYAiABKAsyEi5qb3N0bGUudjEuQ2Fwc3VsZUgAEh0KA2JveBgDIAEoCzIOLmpvc3RsZS52MS5Cb3hIABIhCgVwbGFuZRgEIAEoCzIQLmpvc3RsZS52MS5QbGFuZUgAEicKCGN5bGluZGVyGAogASgLMhMuam9zdGxlLnYxLkN5bGluZGVySAASHwoEY29uZRgLIAEoCzIPLmpvc3RsZS52MS5Db25lSAASHwoEaHVsbBgMIAEoCzIPLmpvc3RsZS52MS5IdWxsSAASHwoEbWVzaBgNIAEoCzIPLmpvc3RsZS52MS5NZXNoSAASLgoMaGVpZ2h0X2ZpZWxkGA4gASgLMhYuam9zdGxlLnYxLkhlaWdodEZpZWxkSAASJwoIY29tcG91bmQYDyABKAsyEy5qb3N0bGUudjEuQ29tcG91bmRIABIhCghwb3NpdGlvbhgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAYgASgLMg8uam9zdGxlLnYxLlF1YXQSFAoHZGVuc2l0eRgHIAEoAUgBiAEBEhUKCGZyaWN0aW9uGAggASgBSAKIAQESGAoLcmVzdGl0dXRpb24YCSABKAFIA4gBARIRCgRtYXNzGBAgASgBSASIAQESHQoQcm9sbGluZ19mcmljdGlvbhgRIAEoAUgFiAEBEh8KEnRvcnNpb25hbF9mcmljdGlvbhgSIAEoAUgGiAEBEikKEHN1cmZhY2VfdmVsb2NpdHkYEyABKAsyDy5qb3N0bGUudjEuVmVjMxIpCg1mcmljdGlvbl9ydWxlGBQgASgOMhIuam9zdGxlLnYxLkNvbWJpbmUSLAoQcmVzdGl0dXRpb25fcnVsZRgVIAEoDjISLmpvc3RsZS52MS5Db21iaW5lEiEKBmZpbHRlchgWIAEoCzIRLmpvc3RsZS52MS5GaWx0ZXISDwoHdHJpZ2dlchgXIAEoCBIUCgxyZXBvcnRfc3RheXMYGCABKAhCBgoEa2luZEIKCghfZGVuc2l0eUILCglfZnJpY3Rpb25CDgoMX3Jlc3RpdHV0aW9uQgcKBV9tYXNzQhMKEV9yb2xsaW5nX2ZyaWN0aW9uQhUKE190b3JzaW9uYWxfZnJpY3Rpb24iVwoGRmlsdGVyEhUKCGNhdGVnb3J5GAEgASgNSACIAQESEQoEbWFzaxgCIAEoDUgBiAEBEg0KBWdyb3VwGAMgASgRQgsKCV9jYXRlZ29yeUIHCgVfbWFzayIYCgZTcGhlcmUSDgoGcmFkaXVzGAEgASgBIi4KB0NhcHN1bGUSDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIiwKA0JveBIlCgxoYWxmX2V4dGVudHMYASABKAsyDy5qb3N0bGUudjEuVmVjMyIoCgVQbGFuZRIfCgZub3JtYWwYASABKAsyDy5qb3N0bGUudjEuVmVjMyIvCghDeWxpbmRlchIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiKwoEQ29uZRIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiJwoESHVsbBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMyI6CgRNZXNoEiEKCHZlcnRpY2VzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMSDwoHaW5kaWNlcxgCIAMoDSJyCgtIZWlnaHRGaWVsZBIPCgdjb2x1bW5zGAEgASgNEgwKBHJvd3MYAiABKA0SEQoJc3BhY2luZ194GAMgASgBEhEKCXNwYWNpbmdfehgEIAEoARIPCgdoZWlnaHRzGAUgAygBEg0KBWhvbGVzGAYgAygNIi4KCENvbXBvdW5kEiIKCGNoaWxkcmVuGAEgAygLMhAuam9zdGxlLnYxLlNoYXBlIpcECgVKb2ludBIMCgRuYW1lGAEgASgJEg4KBmJvZHlfYRgCIAEoCRIOCgZib2R5X2IYAyABKAkSHwoFZnJhbWUYBCABKAsyEC5qb3N0bGUudjEuRnJhbWUSIQoHZnJhbWVfYRgFIAEoCzIQLmpvc3RsZS52MS5GcmFtZRIhCgdmcmFtZV9iGAYgASgLMhAuam9zdGxlLnYxLkZyYW1lEiQKBGJhbGwYByABKAsyFC5qb3N0bGUudjEuQmFsbEpvaW50SAASJgoFaGluZ2UYCCABKAsyFS5qb3N0bGUudjEuSGluZ2VKb2ludEgAEi8KCmNvbmVfdHdpc3QYCSABKAsyGS5qb3N0bGUudjEuQ29uZVR3aXN0Sm9pbnRIABImCgVmaXhlZBgKIAEoCzIVLmpvc3RsZS52MS5GaXhlZEpvaW50SAASLAoIZGlzdGFuY2UYCyABKAsyGC5qb3N0bGUudjEuRGlzdGFuY2VKb2ludEgAEi4KDHZlbG9jaXR5X3JvdxgQIAEoCzIWLmpvc3RsZS52MS5WZWxvY2l0eVJvd0gAEhkKEWNvbGxpZGVfY29ubmVjdGVkGAwgASgIEhMKC2JyZWFrX2ZvcmNlGA0gASgBEhQKDGJyZWFrX3RvcnF1ZRgOIAEoARImCgZyZXBlYXQYDyABKAsyFi5qb3N0bGUudjEuSm9pbnRSZXBlYXRCBgoEa2luZCI9CgtKb2ludFJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyJNCgVGcmFtZRIhCghwb3NpdGlvbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAIgASgLMg8uam9zdGxlLnYxLlF1YXQiCwoJQmFsbEpvaW50IrkBCgpIaW5nZUpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIYChBtb3Rvcl9tYXhfdG9ycXVlGAMgASgBEiEKBnNwcmluZxgEIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFAoMc3ByaW5nX2FuZ2xlGAUgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQiaAoOQ29uZVR3aXN0Sm9pbnQSDQoFc3dpbmcYASABKAESJAoFdHdpc3QYAiABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIXCg9mcmljdGlvbl90b3JxdWUYAyABKAFCCAoGX3R3aXN0IlMKCkZpeGVkSm9pbnQSIQoGbGluZWFyGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIiCgdhbmd1bGFyGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZyJvCg1EaXN0YW5jZUpvaW50EhIKCm1pbl9sZW5ndGgYASABKAESEgoKbWF4X2xlbmd0aBgCIAEoARIhCgZzcHJpbmcYAyABKAsyES5qb3N0bGUudjEuU3ByaW5nEhMKC3Jlc3RfbGVuZ3RoGAQgASgBIpoCCgtWZWxvY2l0eVJvdxIhCghsaW5lYXJfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWFuZ3VsYXJfYRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCGxpbmVhcl9iGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIgoJYW5ndWxhcl9iGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoKd29ybGRfYXhlcxgFIAEoCBINCgVzcGVlZBgGIAEoARIMCgRiaWFzGAcgASgBEhAKCHNvZnRuZXNzGAggASgBEhIKBWxvd2VyGAkgASgBSACIAQESEgoFdXBwZXIYCiABKAFIAYgBAUIICgZfbG93ZXJCCAoGX3VwcGVyIiUKBUxpbWl0Eg0KBWxvd2VyGAEgASgBEg0KBXVwcGVyGAIgASgBIkUKBlNwcmluZxINCgVoZXJ0ehgBIAEoARIaCg1kYW1waW5nX3JhdGlvGAIgASgBSACIAQFCEAoOX2RhbXBpbmdfcmF0aW8i5gEKBk1vZHVsZRILCgN0YWcYASABKAkSMQoIc2V0dGluZ3MYAiADKAsyHy5qb3N0bGUudjEuTW9kdWxlLlNldHRpbmdzRW50cnkSLQoGYm9kaWVzGAMgAygLMh0uam9zdGxlLnYxLk1vZHVsZS5Cb2RpZXNFbnRyeRINCgVzdGF0ZRgEIAEoDBovCg1TZXR0aW5nc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEaLQoLQm9kaWVzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4ASqFAQoKQnJvYWRQaGFzZRIbChdCUk9BRF9QSEFTRV9VTlNQRUNJRklFRBAAEhwKGEJST0FEX1BIQVNFX0RZTkFNSUNfVFJFRRABEh4KGkJST0FEX1BIQVNFX1NPUlRfQU5EX1NXRUVQEAISHAoYQlJPQURfUEhBU0VfVU5JRk9STV9HUklEEAMqhAEKCEJvZHlUeXBlEhkKFUJPRFlfVFlQRV9VTlNQRUNJRklFRBAAEhQKEEJPRFlfVFlQRV9TVEFUSUMQARITCg9CT0RZX1RZUEVfRklYRUQQARIXChNCT0RZX1RZUEVfS0lORU1BVElDEAISFQoRQk9EWV9UWVBFX0RZTkFNSUMQAxoCEAEqkwEKB0NvbWJpbmUSFwoTQ09NQklORV9VTlNQRUNJRklFRBAAEhMKD0NPTUJJTkVfQVZFUkFHRRABEhoKFkNPTUJJTkVfR0VPTUVUUklDX01FQU4QAhITCg9DT01CSU5FX01JTklNVU0QAxIUChBDT01CSU5FX01VTFRJUExZEAQSEwoPQ09NQklORV9NQVhJTVVNEAViBnByb3RvMw", [file_jostle_v1_common]);
+  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSK6AQoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludBIiCgdtb2R1bGVzGAYgAygLMhEuam9zdGxlLnYxLk1vZHVsZSKbAgoNV29ybGRTZXR0aW5ncxIgCgdncmF2aXR5GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSFQoIc3Vic3RlcHMYAiABKA1IAIgBARIPCgJoehgDIAEoAUgBiAEBEhUKCHNsZWVwaW5nGAQgASgISAKIAQESDgoGcGxhbmFyGAUgASgIEhcKCmNvbnRpbnVvdXMYBiABKAhIA4gBARIqCgticm9hZF9waGFzZRgHIAEoDjIVLmpvc3RsZS52MS5Ccm9hZFBoYXNlEhYKCWhpdF9zcGVlZBgIIAEoAUgEiAEBQgsKCV9zdWJzdGVwc0IFCgNfaHpCCwoJX3NsZWVwaW5nQg0KC19jb250aW51b3VzQgwKCl9oaXRfc3BlZWQi0AQKBEJvZHkSDAoEbmFtZRgBIAEoCRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiEKCHBvc2l0aW9uGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YBCABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAYgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoObGluZWFyX2RhbXBpbmcYByABKAFIAIgBARIcCg9hbmd1bGFyX2RhbXBpbmcYCCABKAFIAYgBARIaCg1ncmF2aXR5X3NjYWxlGAkgASgBSAKIAQESFgoJbWF5X3NsZWVwGAogASgISAOIAQESIAoGc2hhcGVzGAsgAygLMhAuam9zdGxlLnYxLlNoYXBlEhIKBWNvbG9yGAwgASgHSASIAQESIQoGcmVwZWF0GA0gAygLMhEuam9zdGxlLnYxLlJlcGVhdBIfCgVsb2NrcxgOIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIXCgpjb250aW51b3VzGA8gASgISAWIAQESEQoEbWFzcxgQIAEoAUgGiAEBQhEKD19saW5lYXJfZGFtcGluZ0ISChBfYW5ndWxhcl9kYW1waW5nQhAKDl9ncmF2aXR5X3NjYWxlQgwKCl9tYXlfc2xlZXBCCAoGX2NvbG9yQg0KC19jb250aW51b3VzQgcKBV9tYXNzIlgKBUxvY2tzEgkKAXgYASABKAgSCQoBeRgCIAEoCBIJCgF6GAMgASgIEg4KBnR1cm5feBgEIAEoCBIOCgZ0dXJuX3kYBSABKAgSDgoGdHVybl96GAYgASgIIjgKBlJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyKOBwoFU2hhcGUSIwoGc3BoZXJlGAEgASgLMhEuam9zdGxlLnYxLlNwaGVyZUgAEiUKB2NhcHN1bGUYAiABKAsyEi5qb3N0bGUudjEuQ2Fwc3VsZUgAEh0KA2JveBgDIAEoCzIOLmpvc3RsZS52MS5Cb3hIABIhCgVwbGFuZRgEIAEoCzIQLmpvc3RsZS52MS5QbGFuZUgAEicKCGN5bGluZGVyGAogASgLMhMuam9zdGxlLnYxLkN5bGluZGVySAASHwoEY29uZRgLIAEoCzIPLmpvc3RsZS52MS5Db25lSAASHwoEaHVsbBgMIAEoCzIPLmpvc3RsZS52MS5IdWxsSAASHwoEbWVzaBgNIAEoCzIPLmpvc3RsZS52MS5NZXNoSAASLgoMaGVpZ2h0X2ZpZWxkGA4gASgLMhYuam9zdGxlLnYxLkhlaWdodEZpZWxkSAASJwoIY29tcG91bmQYDyABKAsyEy5qb3N0bGUudjEuQ29tcG91bmRIABIhCghwb3NpdGlvbhgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAYgASgLMg8uam9zdGxlLnYxLlF1YXQSFAoHZGVuc2l0eRgHIAEoAUgBiAEBEhUKCGZyaWN0aW9uGAggASgBSAKIAQESGAoLcmVzdGl0dXRpb24YCSABKAFIA4gBARIRCgRtYXNzGBAgASgBSASIAQESHQoQcm9sbGluZ19mcmljdGlvbhgRIAEoAUgFiAEBEh8KEnRvcnNpb25hbF9mcmljdGlvbhgSIAEoAUgGiAEBEikKEHN1cmZhY2VfdmVsb2NpdHkYEyABKAsyDy5qb3N0bGUudjEuVmVjMxIpCg1mcmljdGlvbl9ydWxlGBQgASgOMhIuam9zdGxlLnYxLkNvbWJpbmUSLAoQcmVzdGl0dXRpb25fcnVsZRgVIAEoDjISLmpvc3RsZS52MS5Db21iaW5lEiEKBmZpbHRlchgWIAEoCzIRLmpvc3RsZS52MS5GaWx0ZXISDwoHdHJpZ2dlchgXIAEoCBIUCgxyZXBvcnRfc3RheXMYGCABKAhCBgoEa2luZEIKCghfZGVuc2l0eUILCglfZnJpY3Rpb25CDgoMX3Jlc3RpdHV0aW9uQgcKBV9tYXNzQhMKEV9yb2xsaW5nX2ZyaWN0aW9uQhUKE190b3JzaW9uYWxfZnJpY3Rpb24iVwoGRmlsdGVyEhUKCGNhdGVnb3J5GAEgASgNSACIAQESEQoEbWFzaxgCIAEoDUgBiAEBEg0KBWdyb3VwGAMgASgRQgsKCV9jYXRlZ29yeUIHCgVfbWFzayIYCgZTcGhlcmUSDgoGcmFkaXVzGAEgASgBIi4KB0NhcHN1bGUSDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIiwKA0JveBIlCgxoYWxmX2V4dGVudHMYASABKAsyDy5qb3N0bGUudjEuVmVjMyIoCgVQbGFuZRIfCgZub3JtYWwYASABKAsyDy5qb3N0bGUudjEuVmVjMyIvCghDeWxpbmRlchIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiKwoEQ29uZRIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiJwoESHVsbBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMyI6CgRNZXNoEiEKCHZlcnRpY2VzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMSDwoHaW5kaWNlcxgCIAMoDSJyCgtIZWlnaHRGaWVsZBIPCgdjb2x1bW5zGAEgASgNEgwKBHJvd3MYAiABKA0SEQoJc3BhY2luZ194GAMgASgBEhEKCXNwYWNpbmdfehgEIAEoARIPCgdoZWlnaHRzGAUgAygBEg0KBWhvbGVzGAYgAygNIi4KCENvbXBvdW5kEiIKCGNoaWxkcmVuGAEgAygLMhAuam9zdGxlLnYxLlNoYXBlItYGCgVKb2ludBIMCgRuYW1lGAEgASgJEg4KBmJvZHlfYRgCIAEoCRIOCgZib2R5X2IYAyABKAkSHwoFZnJhbWUYBCABKAsyEC5qb3N0bGUudjEuRnJhbWUSIQoHZnJhbWVfYRgFIAEoCzIQLmpvc3RsZS52MS5GcmFtZRIhCgdmcmFtZV9iGAYgASgLMhAuam9zdGxlLnYxLkZyYW1lEiQKBGJhbGwYByABKAsyFC5qb3N0bGUudjEuQmFsbEpvaW50SAASJgoFaGluZ2UYCCABKAsyFS5qb3N0bGUudjEuSGluZ2VKb2ludEgAEi8KCmNvbmVfdHdpc3QYCSABKAsyGS5qb3N0bGUudjEuQ29uZVR3aXN0Sm9pbnRIABImCgVmaXhlZBgKIAEoCzIVLmpvc3RsZS52MS5GaXhlZEpvaW50SAASLAoIZGlzdGFuY2UYCyABKAsyGC5qb3N0bGUudjEuRGlzdGFuY2VKb2ludEgAEi4KDHZlbG9jaXR5X3JvdxgQIAEoCzIWLmpvc3RsZS52MS5WZWxvY2l0eVJvd0gAEigKBnNsaWRlchgRIAEoCzIWLmpvc3RsZS52MS5TbGlkZXJKb2ludEgAEikKB3NpeF9kb2YYEiABKAsyFi5qb3N0bGUudjEuU2l4RG9mSm9pbnRIABImCgV3aGVlbBgTIAEoCzIVLmpvc3RsZS52MS5XaGVlbEpvaW50SAASJAoEZ3JhYhgUIAEoCzIULmpvc3RsZS52MS5HcmFiSm9pbnRIABIkCgRnZWFyGBUgASgLMhQuam9zdGxlLnYxLkdlYXJKb2ludEgAEiQKBHJhY2sYFiABKAsyFC5qb3N0bGUudjEuUmFja0pvaW50SAASKAoGcHVsbGV5GBcgASgLMhYuam9zdGxlLnYxLlB1bGxleUpvaW50SAASJAoEcGF0aBgYIAEoCzIULmpvc3RsZS52MS5QYXRoSm9pbnRIABIZChFjb2xsaWRlX2Nvbm5lY3RlZBgMIAEoCBITCgticmVha19mb3JjZRgNIAEoARIUCgxicmVha190b3JxdWUYDiABKAESJgoGcmVwZWF0GA8gASgLMhYuam9zdGxlLnYxLkpvaW50UmVwZWF0QgYKBGtpbmQiPQoLSm9pbnRSZXBlYXQSDQoFY291bnQYASABKA0SHwoGb2Zmc2V0GAIgASgLMg8uam9zdGxlLnYxLlZlYzMiTQoFRnJhbWUSIQoIcG9zaXRpb24YASABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5RdWF0Ik0KCUJhbGxKb2ludBInCgVkcml2ZRgBIAEoCzIYLmpvc3RsZS52MS5Sb3RhdGlvbkRyaXZlEhcKD2ZyaWN0aW9uX3RvcnF1ZRgCIAEoASJ7Cg1Sb3RhdGlvbkRyaXZlEiEKBnNwcmluZxgBIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSHwoGdGFyZ2V0GAIgASgLMg8uam9zdGxlLnYxLlF1YXQSFwoKbWF4X3RvcnF1ZRgDIAEoAUgAiAEBQg0KC19tYXhfdG9ycXVlIrkBCgpIaW5nZUpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIYChBtb3Rvcl9tYXhfdG9ycXVlGAMgASgBEiEKBnNwcmluZxgEIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFAoMc3ByaW5nX2FuZ2xlGAUgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQikQEKDkNvbmVUd2lzdEpvaW50Eg0KBXN3aW5nGAEgASgBEiQKBXR3aXN0GAIgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESFwoPZnJpY3Rpb25fdG9ycXVlGAMgASgBEicKBWRyaXZlGAQgASgLMhguam9zdGxlLnYxLlJvdGF0aW9uRHJpdmVCCAoGX3R3aXN0IlMKCkZpeGVkSm9pbnQSIQoGbGluZWFyGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIiCgdhbmd1bGFyGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZyJvCg1EaXN0YW5jZUpvaW50EhIKCm1pbl9sZW5ndGgYASABKAESEgoKbWF4X2xlbmd0aBgCIAEoARIhCgZzcHJpbmcYAyABKAsyES5qb3N0bGUudjEuU3ByaW5nEhMKC3Jlc3RfbGVuZ3RoGAQgASgBItIBCgtTbGlkZXJKb2ludBIkCgVsaW1pdBgBIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgAiAEBEhgKC21vdG9yX3NwZWVkGAIgASgBSAGIAQESFwoPbW90b3JfbWF4X2ZvcmNlGAMgASgBEiEKBnNwcmluZxgEIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFQoNc3ByaW5nX3RyYXZlbBgFIAEoARIWCg5mcmljdGlvbl9mb3JjZRgGIAEoAUIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIuIBCgtTaXhEb2ZKb2ludBIfCgF4GAEgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIfCgF5GAIgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIfCgF6GAMgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIkCgZ0dXJuX3gYBCABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEiQKBnR1cm5feRgFIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSJAoGdHVybl96GAYgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcyLPAQoJSm9pbnRBeGlzEgwKBGZyZWUYASABKAgSJAoFbGltaXQYAiABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIhCgZzcHJpbmcYAyABKAsyES5qb3N0bGUudjEuU3ByaW5nEhEKCXNwcmluZ19hdBgEIAEoARIYCgttb3Rvcl9zcGVlZBgFIAEoAUgBiAEBEhIKCm1vdG9yX21vc3QYBiABKAESEAoIZnJpY3Rpb24YByABKAFCCAoGX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCK7AgoKV2hlZWxKb2ludBIlCgpzdXNwZW5zaW9uGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIMCgRyaWRlGAIgASgBEiUKBnRyYXZlbBgDIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgAiAEBEhAKCHN0ZWVyaW5nGAQgASgBEhUKDWZyZWVfc3RlZXJpbmcYBSABKAgSLQoOc3RlZXJpbmdfbGltaXQYBiABKAsyEC5qb3N0bGUudjEuTGltaXRIAYgBARIYCgttb3Rvcl9zcGVlZBgHIAEoAUgCiAEBEhgKEG1vdG9yX21heF90b3JxdWUYCCABKAESFwoPZnJpY3Rpb25fdG9ycXVlGAkgASgBQgkKB190cmF2ZWxCEQoPX3N0ZWVyaW5nX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCKLAQoJR3JhYkpvaW50Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKBnNwcmluZxgCIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFgoJbWF4X2ZvcmNlGAMgASgBSACIAQESFAoMdHVybl9kYW1waW5nGAQgASgBQgwKCl9tYXhfZm9yY2UiKQoJR2VhckpvaW50EhIKBXJhdGlvGAEgASgBSACIAQFCCAoGX3JhdGlvIisKCVJhY2tKb2ludBITCgZyYWRpdXMYASABKAFIAIgBAUIJCgdfcmFkaXVzIn8KC1B1bGxleUpvaW50EiAKB3BvaW50X2EYASABKAsyDy5qb3N0bGUudjEuVmVjMxIgCgdwb2ludF9iGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGbGVuZ3RoGAMgASgBEhIKBXJhdGlvGAQgASgBSACIAQFCCAoGX3JhdGlvIqECCglQYXRoSm9pbnQSHwoGcG9pbnRzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMSEwoGc21vb3RoGAIgASgISACIAQESDgoGY2xvc2VkGAMgASgIEiQKBWxpbWl0GAQgASgLMhAuam9zdGxlLnYxLkxpbWl0SAGIAQESGAoLbW90b3Jfc3BlZWQYBSABKAFIAogBARIXCg9tb3Rvcl9tYXhfZm9yY2UYBiABKAESIQoGc3ByaW5nGAcgASgLMhEuam9zdGxlLnYxLlNwcmluZxIVCg1zcHJpbmdfdHJhdmVsGAggASgBEhYKDmZyaWN0aW9uX2ZvcmNlGAkgASgBQgkKB19zbW9vdGhCCAoGX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCKaAgoLVmVsb2NpdHlSb3cSIQoIbGluZWFyX2EYASABKAsyDy5qb3N0bGUudjEuVmVjMxIiCglhbmd1bGFyX2EYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghsaW5lYXJfYhgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWFuZ3VsYXJfYhgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKCndvcmxkX2F4ZXMYBSABKAgSDQoFc3BlZWQYBiABKAESDAoEYmlhcxgHIAEoARIQCghzb2Z0bmVzcxgIIAEoARISCgVsb3dlchgJIAEoAUgAiAEBEhIKBXVwcGVyGAogASgBSAGIAQFCCAoGX2xvd2VyQggKBl91cHBlciIlCgVMaW1pdBINCgVsb3dlchgBIAEoARINCgV1cHBlchgCIAEoASJFCgZTcHJpbmcSDQoFaGVydHoYASABKAESGgoNZGFtcGluZ19yYXRpbxgCIAEoAUgAiAEBQhAKDl9kYW1waW5nX3JhdGlvIuYBCgZNb2R1bGUSCwoDdGFnGAEgASgJEjEKCHNldHRpbmdzGAIgAygLMh8uam9zdGxlLnYxLk1vZHVsZS5TZXR0aW5nc0VudHJ5Ei0KBmJvZGllcxgDIAMoCzIdLmpvc3RsZS52MS5Nb2R1bGUuQm9kaWVzRW50cnkSDQoFc3RhdGUYBCABKAwaLwoNU2V0dGluZ3NFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAE6AjgBGi0KC0JvZGllc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoCToCOAEqhQEKCkJyb2FkUGhhc2USGwoXQlJPQURfUEhBU0VfVU5TUEVDSUZJRUQQABIcChhCUk9BRF9QSEFTRV9EWU5BTUlDX1RSRUUQARIeChpCUk9BRF9QSEFTRV9TT1JUX0FORF9TV0VFUBACEhwKGEJST0FEX1BIQVNFX1VOSUZPUk1fR1JJRBADKoQBCghCb2R5VHlwZRIZChVCT0RZX1RZUEVfVU5TUEVDSUZJRUQQABIUChBCT0RZX1RZUEVfU1RBVElDEAESEwoPQk9EWV9UWVBFX0ZJWEVEEAESFwoTQk9EWV9UWVBFX0tJTkVNQVRJQxACEhUKEUJPRFlfVFlQRV9EWU5BTUlDEAMaAhABKpMBCgdDb21iaW5lEhcKE0NPTUJJTkVfVU5TUEVDSUZJRUQQABITCg9DT01CSU5FX0FWRVJBR0UQARIaChZDT01CSU5FX0dFT01FVFJJQ19NRUFOEAISEwoPQ09NQklORV9NSU5JTVVNEAMSFAoQQ09NQklORV9NVUxUSVBMWRAEEhMKD0NPTUJJTkVfTUFYSU1VTRAFYgZwcm90bzM", [file_jostle_v1_common]);
 
 /**
  * @generated from message jostle.v1.Scene
@@ -806,6 +806,8 @@ export type Joint = Message<"jostle.v1.Joint"> & {
    * Bodies by name. "link[3]" is the fourth of the bodies called link, in their order in the file, copies included;
    * "link" alone is the first.
    *
+   * absent: the world
+   *
    * @generated from field: string body_a = 2;
    */
   bodyA: string;
@@ -871,6 +873,54 @@ export type Joint = Message<"jostle.v1.Joint"> & {
      */
     value: VelocityRow;
     case: "velocityRow";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SliderJoint slider = 17;
+     */
+    value: SliderJoint;
+    case: "slider";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SixDofJoint six_dof = 18;
+     */
+    value: SixDofJoint;
+    case: "sixDof";
+  } | {
+    /**
+     * @generated from field: jostle.v1.WheelJoint wheel = 19;
+     */
+    value: WheelJoint;
+    case: "wheel";
+  } | {
+    /**
+     * @generated from field: jostle.v1.GrabJoint grab = 20;
+     */
+    value: GrabJoint;
+    case: "grab";
+  } | {
+    /**
+     * @generated from field: jostle.v1.GearJoint gear = 21;
+     */
+    value: GearJoint;
+    case: "gear";
+  } | {
+    /**
+     * @generated from field: jostle.v1.RackJoint rack = 22;
+     */
+    value: RackJoint;
+    case: "rack";
+  } | {
+    /**
+     * @generated from field: jostle.v1.PulleyJoint pulley = 23;
+     */
+    value: PulleyJoint;
+    case: "pulley";
+  } | {
+    /**
+     * @generated from field: jostle.v1.PathJoint path = 24;
+     */
+    value: PathJoint;
+    case: "path";
   } | { case: undefined; value?: undefined };
 
   /**
@@ -965,6 +1015,19 @@ export const FrameSchema: GenMessage<Frame> = /*@__PURE__*/
  * @generated from message jostle.v1.BallJoint
  */
 export type BallJoint = Message<"jostle.v1.BallJoint"> & {
+  /**
+   * absent: turns freely
+   *
+   * @generated from field: jostle.v1.RotationDrive drive = 1;
+   */
+  drive?: RotationDrive | undefined;
+
+  /**
+   * N m
+   *
+   * @generated from field: double friction_torque = 2;
+   */
+  frictionTorque: number;
 };
 
 /**
@@ -973,6 +1036,39 @@ export type BallJoint = Message<"jostle.v1.BallJoint"> & {
  */
 export const BallJointSchema: GenMessage<BallJoint> = /*@__PURE__*/
   messageDesc(file_jostle_v1_scene, 20);
+
+/**
+ * Turns b's frame against a's to an orientation.
+ *
+ * @generated from message jostle.v1.RotationDrive
+ */
+export type RotationDrive = Message<"jostle.v1.RotationDrive"> & {
+  /**
+   * @generated from field: jostle.v1.Spring spring = 1;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * of b's frame in a's, each component -1 to 1; absent: as a's
+   *
+   * @generated from field: jostle.v1.Quat target = 2;
+   */
+  target?: Quat | undefined;
+
+  /**
+   * N m; absent: 1e12
+   *
+   * @generated from field: optional double max_torque = 3;
+   */
+  maxTorque?: number | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.RotationDrive.
+ * Use `create(RotationDriveSchema)` to create a new message.
+ */
+export const RotationDriveSchema: GenMessage<RotationDrive> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 21);
 
 /**
  * Turns about the frames' common z axis.
@@ -1021,7 +1117,7 @@ export type HingeJoint = Message<"jostle.v1.HingeJoint"> & {
  * Use `create(HingeJointSchema)` to create a new message.
  */
 export const HingeJointSchema: GenMessage<HingeJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 21);
+  messageDesc(file_jostle_v1_scene, 22);
 
 /**
  * b's x axis stays in a cone about a's x axis, and b turns about it within limits.
@@ -1049,6 +1145,11 @@ export type ConeTwistJoint = Message<"jostle.v1.ConeTwistJoint"> & {
    * @generated from field: double friction_torque = 3;
    */
   frictionTorque: number;
+
+  /**
+   * @generated from field: jostle.v1.RotationDrive drive = 4;
+   */
+  drive?: RotationDrive | undefined;
 };
 
 /**
@@ -1056,7 +1157,7 @@ export type ConeTwistJoint = Message<"jostle.v1.ConeTwistJoint"> & {
  * Use `create(ConeTwistJointSchema)` to create a new message.
  */
 export const ConeTwistJointSchema: GenMessage<ConeTwistJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 22);
+  messageDesc(file_jostle_v1_scene, 23);
 
 /**
  * The frames stay together in full.
@@ -1084,7 +1185,7 @@ export type FixedJoint = Message<"jostle.v1.FixedJoint"> & {
  * Use `create(FixedJointSchema)` to create a new message.
  */
 export const FixedJointSchema: GenMessage<FixedJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 23);
+  messageDesc(file_jostle_v1_scene, 24);
 
 /**
  * Rod: min == max. Rope: min 0. Spring: hertz above 0, towards rest_length between the two limits.
@@ -1124,7 +1225,457 @@ export type DistanceJoint = Message<"jostle.v1.DistanceJoint"> & {
  * Use `create(DistanceJointSchema)` to create a new message.
  */
 export const DistanceJointSchema: GenMessage<DistanceJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 24);
+  messageDesc(file_jostle_v1_scene, 25);
+
+/**
+ * b slides along the z axis of a's frame and does not turn against it.
+ *
+ * @generated from message jostle.v1.SliderJoint
+ */
+export type SliderJoint = Message<"jostle.v1.SliderJoint"> & {
+  /**
+   * m
+   *
+   * @generated from field: optional jostle.v1.Limit limit = 1;
+   */
+  limit?: Limit | undefined;
+
+  /**
+   * m/s of b against a; absent: no motor
+   *
+   * @generated from field: optional double motor_speed = 2;
+   */
+  motorSpeed?: number | undefined;
+
+  /**
+   * N
+   *
+   * @generated from field: double motor_max_force = 3;
+   */
+  motorMaxForce: number;
+
+  /**
+   * pulls the travel towards spring_travel
+   *
+   * @generated from field: jostle.v1.Spring spring = 4;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * m
+   *
+   * @generated from field: double spring_travel = 5;
+   */
+  springTravel: number;
+
+  /**
+   * N
+   *
+   * @generated from field: double friction_force = 6;
+   */
+  frictionForce: number;
+};
+
+/**
+ * Describes the message jostle.v1.SliderJoint.
+ * Use `create(SliderJointSchema)` to create a new message.
+ */
+export const SliderJointSchema: GenMessage<SliderJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 26);
+
+/**
+ * Three translations of b's origin along the axes of a's frame, and three turns. What is absent is locked. The turns are
+ * angles one after the other, as of a gimbal: the middle one is the first locked among y, z, x (or y), the one before it in the order
+ * x y z x y is about an axis of a's frame, the one after it about one of b's.
+ *
+ * @generated from message jostle.v1.SixDofJoint
+ */
+export type SixDofJoint = Message<"jostle.v1.SixDofJoint"> & {
+  /**
+   * m
+   *
+   * @generated from field: jostle.v1.JointAxis x = 1;
+   */
+  x?: JointAxis | undefined;
+
+  /**
+   * @generated from field: jostle.v1.JointAxis y = 2;
+   */
+  y?: JointAxis | undefined;
+
+  /**
+   * @generated from field: jostle.v1.JointAxis z = 3;
+   */
+  z?: JointAxis | undefined;
+
+  /**
+   * rad
+   *
+   * @generated from field: jostle.v1.JointAxis turn_x = 4;
+   */
+  turnX?: JointAxis | undefined;
+
+  /**
+   * @generated from field: jostle.v1.JointAxis turn_y = 5;
+   */
+  turnY?: JointAxis | undefined;
+
+  /**
+   * @generated from field: jostle.v1.JointAxis turn_z = 6;
+   */
+  turnZ?: JointAxis | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.SixDofJoint.
+ * Use `create(SixDofJointSchema)` to create a new message.
+ */
+export const SixDofJointSchema: GenMessage<SixDofJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 27);
+
+/**
+ * @generated from message jostle.v1.JointAxis
+ */
+export type JointAxis = Message<"jostle.v1.JointAxis"> & {
+  /**
+   * else locked, and nothing below may be given
+   *
+   * @generated from field: bool free = 1;
+   */
+  free: boolean;
+
+  /**
+   * m or rad
+   *
+   * @generated from field: optional jostle.v1.Limit limit = 2;
+   */
+  limit?: Limit | undefined;
+
+  /**
+   * pulls towards spring_at
+   *
+   * @generated from field: jostle.v1.Spring spring = 3;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * m or rad
+   *
+   * @generated from field: double spring_at = 4;
+   */
+  springAt: number;
+
+  /**
+   * m/s or rad/s of b against a; absent: no motor
+   *
+   * @generated from field: optional double motor_speed = 5;
+   */
+  motorSpeed?: number | undefined;
+
+  /**
+   * N or N m
+   *
+   * @generated from field: double motor_most = 6;
+   */
+  motorMost: number;
+
+  /**
+   * N or N m
+   *
+   * @generated from field: double friction = 7;
+   */
+  friction: number;
+};
+
+/**
+ * Describes the message jostle.v1.JointAxis.
+ * Use `create(JointAxisSchema)` to create a new message.
+ */
+export const JointAxisSchema: GenMessage<JointAxis> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 28);
+
+/**
+ * The wheel b on the chassis a: up and down along the y axis of a's frame, steered about it, spinning about the z axis of b's
+ * frame.
+ *
+ * @generated from message jostle.v1.WheelJoint
+ */
+export type WheelJoint = Message<"jostle.v1.WheelJoint"> & {
+  /**
+   * @generated from field: jostle.v1.Spring suspension = 1;
+   */
+  suspension?: Spring | undefined;
+
+  /**
+   * m along the suspension, where its spring is at rest
+   *
+   * @generated from field: double ride = 2;
+   */
+  ride: number;
+
+  /**
+   * m along the suspension
+   *
+   * @generated from field: optional jostle.v1.Limit travel = 3;
+   */
+  travel?: Limit | undefined;
+
+  /**
+   * rad: the wheel is held there
+   *
+   * @generated from field: double steering = 4;
+   */
+  steering: number;
+
+  /**
+   * as a castor; steering is not used
+   *
+   * @generated from field: bool free_steering = 5;
+   */
+  freeSteering: boolean;
+
+  /**
+   * rad, of a castor
+   *
+   * @generated from field: optional jostle.v1.Limit steering_limit = 6;
+   */
+  steeringLimit?: Limit | undefined;
+
+  /**
+   * rad/s; absent: no motor
+   *
+   * @generated from field: optional double motor_speed = 7;
+   */
+  motorSpeed?: number | undefined;
+
+  /**
+   * N m
+   *
+   * @generated from field: double motor_max_torque = 8;
+   */
+  motorMaxTorque: number;
+
+  /**
+   * N m: bearings, brakes
+   *
+   * @generated from field: double friction_torque = 9;
+   */
+  frictionTorque: number;
+};
+
+/**
+ * Describes the message jostle.v1.WheelJoint.
+ * Use `create(WheelJointSchema)` to create a new message.
+ */
+export const WheelJointSchema: GenMessage<WheelJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 29);
+
+/**
+ * Pulls the origin of b's frame to a target in a's frame.
+ *
+ * @generated from message jostle.v1.GrabJoint
+ */
+export type GrabJoint = Message<"jostle.v1.GrabJoint"> & {
+  /**
+   * m
+   *
+   * @generated from field: jostle.v1.Vec3 target = 1;
+   */
+  target?: Vec3 | undefined;
+
+  /**
+   * absent: does not pull
+   *
+   * @generated from field: jostle.v1.Spring spring = 2;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * N; absent: 1e15
+   *
+   * @generated from field: optional double max_force = 3;
+   */
+  maxForce?: number | undefined;
+
+  /**
+   * 1/s: b loses that share of its spin against a
+   *
+   * @generated from field: double turn_damping = 4;
+   */
+  turnDamping: number;
+};
+
+/**
+ * Describes the message jostle.v1.GrabJoint.
+ * Use `create(GrabJointSchema)` to create a new message.
+ */
+export const GrabJointSchema: GenMessage<GrabJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 30);
+
+/**
+ * turn_a + ratio * turn_b stays what it is when the scene starts. Each turns about the z axis of its frame, against what a hinge
+ * or a wheel along that axis holds it to.
+ *
+ * @generated from message jostle.v1.GearJoint
+ */
+export type GearJoint = Message<"jostle.v1.GearJoint"> & {
+  /**
+   * absent: 1
+   *
+   * @generated from field: optional double ratio = 1;
+   */
+  ratio?: number | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.GearJoint.
+ * Use `create(GearJointSchema)` to create a new message.
+ */
+export const GearJointSchema: GenMessage<GearJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 31);
+
+/**
+ * The pinion a turns about the z axis of its frame, the rack b moves along the z axis of its frame, against what a slider
+ * holds it to: travel_b - radius * turn_a stays.
+ *
+ * @generated from message jostle.v1.RackJoint
+ */
+export type RackJoint = Message<"jostle.v1.RackJoint"> & {
+  /**
+   * m; absent: 1
+   *
+   * @generated from field: optional double radius = 1;
+   */
+  radius?: number | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.RackJoint.
+ * Use `create(RackJointSchema)` to create a new message.
+ */
+export const RackJointSchema: GenMessage<RackJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 32);
+
+/**
+ * A rope from a's frame to a point of the world, over to another, and to b's frame: length_a + ratio * length_b is at most
+ * the length.
+ *
+ * @generated from message jostle.v1.PulleyJoint
+ */
+export type PulleyJoint = Message<"jostle.v1.PulleyJoint"> & {
+  /**
+   * m, world
+   *
+   * @generated from field: jostle.v1.Vec3 point_a = 1;
+   */
+  pointA?: Vec3 | undefined;
+
+  /**
+   * m, world
+   *
+   * @generated from field: jostle.v1.Vec3 point_b = 2;
+   */
+  pointB?: Vec3 | undefined;
+
+  /**
+   * m
+   *
+   * @generated from field: double length = 3;
+   */
+  length: number;
+
+  /**
+   * absent: 1
+   *
+   * @generated from field: optional double ratio = 4;
+   */
+  ratio?: number | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.PulleyJoint.
+ * Use `create(PulleyJointSchema)` to create a new message.
+ */
+export const PulleyJointSchema: GenMessage<PulleyJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 33);
+
+/**
+ * A bead on a wire: the origin of b's frame stays on a curve through points in a's frame, and b turns freely. Its travel is
+ * the length of the curve up to it.
+ *
+ * @generated from message jostle.v1.PathJoint
+ */
+export type PathJoint = Message<"jostle.v1.PathJoint"> & {
+  /**
+   * m, 2 to 1024
+   *
+   * @generated from field: repeated jostle.v1.Vec3 points = 1;
+   */
+  points: Vec3[];
+
+  /**
+   * Catmull-Rom, else straight from point to point; absent: true
+   *
+   * @generated from field: optional bool smooth = 2;
+   */
+  smooth?: boolean | undefined;
+
+  /**
+   * from the last point back to the first
+   *
+   * @generated from field: bool closed = 3;
+   */
+  closed: boolean;
+
+  /**
+   * m of travel, of an open path
+   *
+   * @generated from field: optional jostle.v1.Limit limit = 4;
+   */
+  limit?: Limit | undefined;
+
+  /**
+   * m/s; absent: no motor
+   *
+   * @generated from field: optional double motor_speed = 5;
+   */
+  motorSpeed?: number | undefined;
+
+  /**
+   * N
+   *
+   * @generated from field: double motor_max_force = 6;
+   */
+  motorMaxForce: number;
+
+  /**
+   * pulls the travel towards spring_travel
+   *
+   * @generated from field: jostle.v1.Spring spring = 7;
+   */
+  spring?: Spring | undefined;
+
+  /**
+   * m
+   *
+   * @generated from field: double spring_travel = 8;
+   */
+  springTravel: number;
+
+  /**
+   * N
+   *
+   * @generated from field: double friction_force = 9;
+   */
+  frictionForce: number;
+};
+
+/**
+ * Describes the message jostle.v1.PathJoint.
+ * Use `create(PathJointSchema)` to create a new message.
+ */
+export const PathJointSchema: GenMessage<PathJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 34);
 
 /**
  * One row of the velocity solver: a gear, a rack, a motor along a line, a damper. Its rate is
@@ -1203,7 +1754,7 @@ export type VelocityRow = Message<"jostle.v1.VelocityRow"> & {
  * Use `create(VelocityRowSchema)` to create a new message.
  */
 export const VelocityRowSchema: GenMessage<VelocityRow> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 25);
+  messageDesc(file_jostle_v1_scene, 35);
 
 /**
  * @generated from message jostle.v1.Limit
@@ -1225,7 +1776,7 @@ export type Limit = Message<"jostle.v1.Limit"> & {
  * Use `create(LimitSchema)` to create a new message.
  */
 export const LimitSchema: GenMessage<Limit> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 26);
+  messageDesc(file_jostle_v1_scene, 36);
 
 /**
  * @generated from message jostle.v1.Spring
@@ -1249,7 +1800,7 @@ export type Spring = Message<"jostle.v1.Spring"> & {
  * Use `create(SpringSchema)` to create a new message.
  */
 export const SpringSchema: GenMessage<Spring> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 27);
+  messageDesc(file_jostle_v1_scene, 37);
 
 /**
  * A part of the program that takes part in each step, with settings and a state of its own. Which there are is up to the
@@ -1295,7 +1846,7 @@ export type Module = Message<"jostle.v1.Module"> & {
  * Use `create(ModuleSchema)` to create a new message.
  */
 export const ModuleSchema: GenMessage<Module> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 28);
+  messageDesc(file_jostle_v1_scene, 38);
 
 /**
  * How pairs are found; the result is the same.

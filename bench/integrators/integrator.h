@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "integrators/particle_field.h"
+
+namespace jostle::bench::integrators {
+
+// A way to step a particle through a field.
+class Integrator {
+public:
+    virtual ~Integrator() = default;
+    virtual void step(ParticleState& state, double t, double dt) = 0;  // from t to t + dt
+};
+
+}  // namespace jostle::bench::integrators

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// The ways to step a particle: five of the textbooks, and Jostle's own.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "integrators/integrator.h"
+
+namespace jostle::bench::integrators {
+
+struct IntegratorKind {
+    const char* name;
+    const char* about;
+    double order;  // of its global error in smooth fields
+    std::unique_ptr<Integrator> (*make)(const ParticleField& field);
+};
+
+std::span<const IntegratorKind> integrator_kinds();
+const IntegratorKind* find_integrator(std::string_view name);  // null: none
+
+}  // namespace jostle::bench::integrators

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Velocity constraints by sequential impulses (Catto, GDC 2006): projected Gauss-Seidel. For each
+// contact find the impulse that stops its approach, and go round until all agree:
+//     v along the normal >= target,   impulse >= 0,   |friction impulse| <= mu * normal impulse.
+// The impulses of the last step are the first guess of this one: without them ten rounds do not
+// carry ten boxes. Positions are not seen by the velocities, so a share of the overlap is added to
+// the target each step (Baumgarte).
+#include <algorithm>
+#include <cmath>
+
+#include "roads/road.h"
+
+namespace jostle::bench::roads {
+namespace {
+
+constexpr int rounds = 10;
+constexpr double correction = 0.2;    // share of the overlap undone in a step
+constexpr double allowed = 5e-4;      // m of overlap that is left, so that contacts do not flicker
+constexpr double margin = 0.05;       // m: contacts that may close within the step
+constexpr double least_bounce = 0.5;  // m/s: slower approaches do not bounce
+
+struct Row {
+    Contact contact;
+    double target = 0;  // m/s along the normal
+    double friction = 0;
+    double normal_impulse = 0;  // N s, summed over the rounds
+    Vec3 friction_impulse;
+};
+
+class ImpulseRoad final : public Road {
+public:
+    void step(std::vector<Ball>& balls, double dt) override {
+        std::vector<Row> rows = prepare(balls, dt);
+        for (Ball& ball : balls) ball.velocity.z -= gravity * dt;
+        for (const Row& row : rows)
+            push(balls, row.contact,
+                 row.contact.normal * row.normal_impulse + row.friction_impulse);
+        for (int round = 0; round < rounds; round++)
+            for (Row& row : rows) {
+                solve_friction(balls, row);
+                solve_normal(balls, row);
+            }
+        for (Ball& ball : balls) ball.position += ball.velocity * dt;
+        last_ = std::move(rows);
+    }
+
+private:
+    std::vector<Row> prepare(const std::vector<Ball>& balls, double dt) const {
+        std::vector<Row> rows;
+        for (const Contact& contact : find_contacts(balls, margin)) {
+            Row row{.contact = contact, .friction = friction_of(balls, contact)};
+            const double approach = -dot(relative_velocity(balls, contact), contact.normal);
+            // A gap may close but not more; of an overlap a share is undone.
+            row.target = contact.gap > 0 ? -contact.gap / dt
+                                         : correction / dt * std::max(0.0, -contact.gap - allowed);
+            const bool meets = contact.gap < approach * dt;
+            if (meets && approach > least_bounce)
+                row.target = std::max(row.target, restitution_of(balls, contact) * approach);
+            if (const Row* before = row_of_last_step(contact)) {
+                row.normal_impulse = before->normal_impulse;
+                row.friction_impulse = before->friction_impulse;
+            }
+            rows.push_back(row);
+        }
+        return rows;
+    }
+
+    const Row* row_of_last_step(const Contact& contact) const {
+        for (const Row& row : last_)
+            if (row.contact.a == contact.a && row.contact.b == contact.b) return &row;
+        return nullptr;
+    }
+
+    // What is clamped is the sum, not the addition: a later round may take back.
+    static void solve_normal(std::vector<Ball>& balls, Row& row) {
+        const double speed = dot(relative_velocity(balls, row.contact), row.contact.normal);
+        const double wanted = (row.target - speed) / inverse_masses(row.contact);
+        const double sum = std::max(0.0, row.normal_impulse + wanted);
+        push(balls, row.contact, row.contact.normal * (sum - row.normal_impulse));
+        row.normal_impulse = sum;
+    }
+
+    // The cone: the whole tangential vector is cut to its limit, so no direction is preferred.
+    static void solve_friction(std::vector<Ball>& balls, Row& row) {
+        const Vec3 sliding = along_surface(relative_velocity(balls, row.contact), row.contact);
+        Vec3 sum = row.friction_impulse - sliding * (1 / inverse_masses(row.contact));
+        const double most = row.friction * row.normal_impulse, size = length(sum);
+        if (size > most) sum = sum * (size > 0 ? most / size : 0);
+        push(balls, row.contact, sum - row.friction_impulse);
+        row.friction_impulse = sum;
+    }
+
+    std::vector<Row> last_;
+};
+
+}  // namespace
+
+std::unique_ptr<Road> make_impulse_road() {
+    return std::make_unique<ImpulseRoad>();
+}
+
+}  // namespace jostle::bench::roads

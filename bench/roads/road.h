@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// The three roads to contact. Each is one file that can be read alone:
+//   penalty_road.cpp   springs: a force that grows with the overlap
+//   impulse_road.cpp   velocity constraints: impulses that forbid approach (sequential impulses)
+//   xpbd_road.cpp      positions: move things apart, and take the velocity from where they came
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "roads/contact_scene.h"
+
+namespace jostle::bench::roads {
+
+class Road {
+public:
+    virtual ~Road() = default;
+    virtual void step(std::vector<Ball>& balls, double dt) = 0;
+};
+
+struct RoadKind {
+    const char* name;
+    const char* about;
+    std::unique_ptr<Road> (*make)();
+};
+std::span<const RoadKind> road_kinds();
+const RoadKind* find_road(std::string_view name);  // null: none
+
+std::unique_ptr<Road> make_penalty_road();
+std::unique_ptr<Road> make_impulse_road();
+std::unique_ptr<Road> make_xpbd_road();
+
+}  // namespace jostle::bench::roads

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "roads/roads.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "measure.h"
+#include "result_file.h"
+
+namespace jostle::bench {
+namespace roads {
+namespace {
+
+constexpr std::array kinds = {
+    RoadKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step", make_penalty_road},
+    RoadKind{"impulses", "velocity constraints: ten rounds of sequential impulses, warm started",
+             make_impulse_road},
+    RoadKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_road},
+};
+constexpr double long_enough = 0.01;  // s of processor time: a run is repeated until then
+
+constexpr const char* footer = R"(
+Sixteen balls drop 0.5 m on a plane and bounce (0.8), ten stand in a stack, one slides until
+friction (0.4) stops it: 2 s. Balls do not turn. All roads find the same contacts.
+  overlap  deepest in the stack over the second second, mm
+  energy   error of the dropped balls' energy after the bounce over what it should be; RMS, each ball
+           a sixteenth of a step later than the one before
+  slide    error of the stopping distance over the distance
+  blown    a ball is faster than 25 m/s, or no number
+
+Examples:
+  jostle-bench roads
+  jostle-bench roads --road penalty --rates 240,480,960,1920 --json roads.json
+
+Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
+
+struct Flags {
+    std::vector<std::string> roads = {"all"};
+    std::vector<double> rates = {30, 60, 120, 240, 480, 960, 1920};
+    std::string json, csv;
+};
+
+std::string check_road(const std::string& name) {
+    std::string known = "all";
+    if (name == "all" || find_road(name)) return "";
+    for (const RoadKind& kind : kinds) known += std::string(", ") + kind.name;
+    return "there is no road " + name + "; there are " + known;
+}
+
+std::string check_rate_of_road(const std::string& text) {
+    char* end = nullptr;
+    const double rate = std::strtod(text.c_str(), &end);
+    if (!text.empty() && *end == 0 && rate >= 4 && rate <= 100000) return "";
+    return text + " is no rate: steps a second from 4 to 100000";
+}
+
+double time_of_run(const RoadKind& kind, double rate_hz) {
+    const long steps = std::lround(scene_seconds * rate_hz);
+    double least = 0, spent = 0;
+    for (int run = 0; run == 0 || spent < long_enough; run++) {
+        ContactScene scene(1 / rate_hz);
+        const auto road = kind.make();
+        const double before = cpu_seconds();
+        for (long k = 0; k < steps; k++) road->step(scene.balls, 1 / rate_hz);
+        const double took = cpu_seconds() - before;
+        least = run == 0 ? took : std::min(least, took);
+        spent += took;
+    }
+    return least;
+}
+
+void print_row(const RoadRow& row) {
+    if (row.errors.blown)
+        std::printf("%-9s %6g  blown\n", row.road.c_str(), row.rate_hz);
+    else
+        std::printf("%-9s %6g %12.4g %11.4g %11.4g %11.4g\n", row.road.c_str(), row.rate_hz,
+                    1000 * row.errors.overlap, row.errors.energy, row.errors.slide,
+                    row.cpu_us_per_second);
+}
+
+std::string csv_of(const std::vector<RoadRow>& rows) {
+    std::string text = "road,rate_hz,overlap_m,energy_error,slide_error,cpu_us_per_second\n";
+    for (const RoadRow& row : rows) {
+        char line[160];
+        const SceneErrors& errors = row.errors;
+        if (errors.blown)
+            std::snprintf(line, sizeof line, "%s,%g,blown,,,\n", row.road.c_str(), row.rate_hz);
+        else
+            std::snprintf(line, sizeof line, "%s,%g,%.4g,%.4g,%.4g,%.4g\n", row.road.c_str(),
+                          row.rate_hz, errors.overlap, errors.energy, errors.slide,
+                          row.cpu_us_per_second);
+        text += line;
+    }
+    return text;
+}
+
+int run(Flags flags) {
+    for (const std::string& path : {flags.json, flags.csv})
+        if (!path.empty() && !can_write(path)) return 1;
+    std::sort(flags.rates.begin(), flags.rates.end());
+    std::vector<RoadRow> rows;
+    std::printf("%-9s %6s %12s %11s %11s %11s\n", "road", "hz", "overlap, mm", "energy", "slide",
+                "cpu us/s");
+    for (const RoadKind& kind : kinds) {
+        const auto& chosen = flags.roads;
+        if (std::find(chosen.begin(), chosen.end(), "all") == chosen.end() &&
+            std::find(chosen.begin(), chosen.end(), kind.name) == chosen.end())
+            continue;
+        for (const double rate : flags.rates) {
+            rows.push_back(road_row(kind, rate));
+            print_row(rows.back());
+        }
+    }
+    bool done = flags.csv.empty() || write_text(flags.csv, csv_of(rows));
+    if (flags.json.empty()) return done ? 0 : 1;
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const RoadRow& row : rows) json.push_back(to_json(row));
+    const nlohmann::ordered_json head = {
+        {"benchmark", "roads"}, {"cpu", cpu_model()}, {"compiler", compiler()}};
+    done = write_result(flags.json, head, json) && done;
+    return done ? 0 : 1;
+}
+
+}  // namespace
+
+std::span<const RoadKind> road_kinds() {
+    return kinds;
+}
+
+const RoadKind* find_road(std::string_view name) {
+    for (const RoadKind& kind : kinds)
+        if (name == kind.name) return &kind;
+    return nullptr;
+}
+
+RoadRow road_row(const RoadKind& kind, double rate_hz) {
+    ContactScene scene(1 / rate_hz);
+    const auto road = kind.make();
+    for (long k = 0; k < std::lround(scene_seconds * rate_hz); k++) {
+        road->step(scene.balls, 1 / rate_hz);
+        scene.sample();
+    }
+    return {kind.name, rate_hz, scene.errors(), 1e6 * time_of_run(kind, rate_hz) / scene_seconds};
+}
+
+nlohmann::ordered_json to_json(const RoadRow& row) {
+    nlohmann::ordered_json json = {{"road", row.road}, {"rate_hz", row.rate_hz}};
+    if (row.errors.blown) {
+        json["blown"] = true;
+        return json;
+    }
+    json["overlap_m"] = rounded(row.errors.overlap);
+    json["energy_error"] = rounded(row.errors.energy);
+    json["slide_error"] = rounded(row.errors.slide);
+    json["cpu_us_per_second"] = rounded(row.cpu_us_per_second);
+    return json;
+}
+
+}  // namespace roads
+
+void add_roads(CLI::App& app, int& status) {
+    using namespace roads;
+    CLI::App* command = app.add_subcommand(
+        "roads", "Penalty forces, velocity constraints and positions on one contact scene.");
+    const auto flags = std::make_shared<Flags>();
+    command->add_option("--road", flags->roads, "By name, or all")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_road, "ROAD"));
+    command->add_option("--rates", flags->rates, "Steps a second")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(CLI::Validator(check_rate_of_road, "HZ"));
+    command->add_option("--json", flags->json, "Writes the rows here as JSON");
+    command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
+    std::string list = "\nRoads:\n";
+    for (const RoadKind& kind : kinds)
+        list += std::string("  ") + kind.name + ": " + kind.about + "\n";
+    command->footer(list + footer);
+    command->callback([flags, &status] { status = run(*flags); });
+}
+
+}  // namespace jostle::bench

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-bench roads: penalty forces, velocity constraints and positions on one contact scene.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "roads/road.h"
+
+namespace CLI {
+class App;
+}
+
+namespace jostle::bench {
+
+namespace roads {
+
+struct RoadRow {
+    std::string road;
+    double rate_hz = 0;
+    SceneErrors errors;
+    double cpu_us_per_second = 0;  // per simulated second
+};
+RoadRow road_row(const RoadKind& kind, double rate_hz);
+nlohmann::ordered_json to_json(const RoadRow& row);
+
+}  // namespace roads
+
+void add_roads(CLI::App& app, int& status);  // the exit status is left in `status`
+
+}  // namespace jostle::bench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Vec2: two doubles in metres, for the tools of the plane (planar.h, polygon.h).
+#pragma once
+
+#include "jostle/physics/scalar.h"
+
+namespace jostle::physics {
+
+struct Vec2 {
+    double x = 0, y = 0;
+
+    bool operator==(const Vec2&) const = default;
+};
+
+inline Vec2 operator+(Vec2 a, Vec2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+inline Vec2 operator-(Vec2 a, Vec2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+inline Vec2 operator-(Vec2 a) {
+    return {-a.x, -a.y};
+}
+inline Vec2 operator*(Vec2 a, double s) {
+    return {a.x * s, a.y * s};
+}
+inline double dot(Vec2 a, Vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+// Positive when b is to the left of a.
+inline double cross(Vec2 a, Vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+inline double length_squared(Vec2 a) {
+    return dot(a, a);
+}
+inline double length(Vec2 a) {
+    return square_root(dot(a, a));
+}
+inline bool is_finite(Vec2 a) {
+    return is_finite(a.x) && is_finite(a.y);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// What joints of some kinds keep beside what all have: numbers in Joint::memory, as many as the
+// kind says. Saved and hashed with the joint.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "jostle/physics/joint_defs.h"
+
+namespace jostle::physics {
+
+// Impulses of one sub-step along a free axis of a slider, a six-dof or a wheel, N s or N m s.
+struct AxisImpulses {
+    enum At : std::size_t { lower, upper, spring, motor, friction, count };
+};
+
+// By kind: how many axes have such impulses, one after the other.
+constexpr std::size_t axes_of(const SliderJoint&) {
+    return 1;
+}
+constexpr std::size_t axes_of(const SixDofJoint&) {
+    return 6;
+}
+constexpr std::size_t axes_of(const WheelJoint&) {
+    return 3;
+}
+
+// What gears and racks keep: what their ends were measured against, and how far they have turned or
+// travelled in all.
+struct CoupleMemory {
+    enum At : std::size_t { measured, carrier_a, carrier_b, way_a, way_b, sum, count };
+};
+
+// Whether a joint is one row that couples the ways of two ends, each against a carrier.
+template <class Kind>
+inline constexpr bool is_couple =
+    std::is_same_v<Kind, GearJoint> || std::is_same_v<Kind, RackJoint> ||
+    std::is_same_v<Kind, PulleyJoint>;
+template <class Kind>
+inline constexpr bool has_couple_memory = is_couple<Kind> && !std::is_same_v<Kind, PulleyJoint>;
+
+// Balls that are driven or rub have a kernel of their own, so that others have nothing to look at.
+inline constexpr std::uint32_t driven_ball = joint_kinds, kernel_kinds = joint_kinds + 1;
+inline std::uint32_t kernel_of(const JointKind& kind) {
+    const auto* ball = std::get_if<BallJoint>(&kind);
+    const bool driven =
+        ball != nullptr && (ball->drive.spring.hertz > 0 || ball->friction_torque > 0);
+    return driven ? driven_ball : static_cast<std::uint32_t>(kind.index());
+}
+
+inline bool joint_is_couple(const JointKind& kind) {
+    return std::visit([]<class Kind>(const Kind&) { return is_couple<Kind>; }, kind);
+}
+
+// What a path keeps after its axis' impulses: where b was on the curve, once it was found, and how
+// far that was from where it was the step before.
+struct PathMemory {
+    enum At : std::size_t { found = AxisImpulses::count, at, step, count };
+};
+constexpr std::size_t axes_of(const PathJoint&) {
+    return 1;
+}
+
+inline std::size_t memory_of(const JointKind& kind) {
+    return std::visit(
+        []<class Kind>(const Kind& joint) -> std::size_t {
+            if constexpr (std::is_same_v<Kind, PathJoint>)
+                return PathMemory::count;
+            else if constexpr (requires { axes_of(joint); })
+                return axes_of(joint) * AxisImpulses::count;
+            else if constexpr (has_couple_memory<Kind>)
+                return CoupleMemory::count;
+            else
+                return 0;
+        },
+        kind);
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/joints/couple_ends.h"
+
+#include <cmath>
+
+#include "constraint_graph/joint_memory.h"
+
+namespace jostle::physics {
+namespace {
+
+// Across a direction, and continuous in it but for -z (Frisvad, "Building an orthonormal basis from
+// a 3d unit vector without normalization", 2012).
+Vec3 across(Vec3 n) {
+    if (n.z < -0.9999) return {0, -1, 0};
+    return {1 - n.x * n.x / (1 + n.z), -n.x * n.y / (1 + n.z), -n.x};
+}
+
+// Of all angles that are `angle` but for whole turns, that nearest to what was expected.
+double unwrapped(double angle, double expected) {
+    return angle + 2 * pi * std::floor((expected - angle) / (2 * pi) + 0.5);
+}
+
+struct End {
+    bool turns = false;
+    double scale = 1;
+    Vec3 axis;          // world
+    double way = 0;     // as it is measured
+    double length = 0;  // of a rope
+};
+
+Vec3 place_of(const JointEnd& end) {
+    return end.center + end.arm;
+}
+
+End turning(const JointEnd& end, const Carrier& carrier, double scale) {
+    return {true, scale, rotate(end.frame, {0, 0, 1}), turn_against(end.frame, carrier.rotation)};
+}
+
+End sliding(const JointEnd& end, const Carrier& carrier, double scale) {
+    const Vec3 axis = rotate(end.frame, {0, 0, 1});
+    return {false, scale, axis, travel_against(place_of(end), axis, carrier)};
+}
+
+End hanging(const JointEnd& end, Vec3 from, double scale) {
+    const Vec3 apart = place_of(end) - from;
+    const double long_is = length(apart);
+    return {false, scale, long_is > 1e-9 ? apart * (1 / long_is) : Vec3{0, -1, 0}, long_is,
+            long_is};
+}
+
+}  // namespace
+
+double turn_against(Quat frame, Quat carrier) {
+    const Vec3 axis = inverse_rotate(carrier, rotate(frame, {0, 0, 1}));
+    const Vec3 x = inverse_rotate(carrier, rotate(frame, {1, 0, 0}));
+    const Vec3 first = across(axis);
+    return arc_tangent(dot(x, cross(axis, first)), dot(x, first));
+}
+
+double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier) {
+    return dot(axis, point - carrier.origin);
+}
+
+void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
+                  JointCoupleWide& to, const JointLane& lane) {
+    const JointEnd* ends[] = {&a, &b};
+    End rows[2];
+    double wanted = 0;
+    const auto* pulley = std::get_if<PulleyJoint>(&joint.kind);
+    if (const auto* gear = std::get_if<GearJoint>(&joint.kind)) {
+        rows[0] = turning(a, carriers[0], 1);
+        rows[1] = turning(b, carriers[1], gear->ratio);
+    } else if (const auto* rack = std::get_if<RackJoint>(&joint.kind)) {
+        rows[0] = turning(a, carriers[0], -rack->radius);
+        rows[1] = sliding(b, carriers[1], 1);
+    } else {
+        rows[0] = hanging(a, pulley->point_a, 1);
+        rows[1] = hanging(b, pulley->point_b, pulley->ratio);
+        wanted = pulley->length;
+    }
+    // A carrier that is the other end, or the other's carrier, takes part once.
+    const std::uint32_t bodies[] = {joint.body_a, joint.body_b, carriers[0].body, carriers[1].body};
+    int slots[4];
+    for (int k = 0; k < 4; k++) {
+        slots[k] = k;
+        for (int other = k - 1; other >= 0; other--)
+            if (bodies[other] == bodies[k]) slots[k] = other;
+        if (bodies[k] == none) slots[k] = k;
+    }
+    const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};
+    const Vec3 centers[] = {a.center, b.center, carriers[0].center, carriers[1].center};
+    double sum = 0;
+    for (int end = 0; end < 2; end++) {
+        for (int k = 0; k < 4; k++) {
+            if (slots[k] != k) continue;
+            if (end == 0) to.body[k][lane.at] = hot[k] < 0 ? -hot[k] : hot[k];
+            double part = k == end ? 1 : 0;
+            if (pulley == nullptr && slots[end + 2] == k) part -= 1;
+            lane.put(to.part[end][k], part);
+            lane.put(to.arm[end][k], place_of(*ends[end]) - centers[k]);
+        }
+        const End& row = rows[end];
+        lane.put(to.axis[end], row.axis);
+        lane.put(to.way[end], row.length);
+        lane.put(to.scale[end], row.scale);
+        lane.put(to.turns[end], row.turns ? 1 : 0);
+        double way = row.way;
+        if (pulley == nullptr) {
+            const std::vector<double>& memory = joint.memory;
+            const double before = memory[static_cast<std::size_t>(CoupleMemory::way_a + end)];
+            if (memory[CoupleMemory::measured] != 0 && row.turns) way = unwrapped(way, before);
+            to.carriers[end][lane.at] = static_cast<double>(carriers[end].body);
+        }
+        to.ways[end][lane.at] = way;
+        sum += row.scale * way;
+    }
+    lane.put(to.rope, pulley != nullptr ? 1 : 0);
+    lane.put(to.impulse, joint.motor);
+    if (pulley == nullptr) {
+        const std::vector<double>& memory = joint.memory;
+        wanted = memory[CoupleMemory::sum];
+        // Made just now, or carried by another body since.
+        if (memory[CoupleMemory::measured] == 0 ||
+            memory[CoupleMemory::carrier_a] != to.carriers[0][lane.at] ||
+            memory[CoupleMemory::carrier_b] != to.carriers[1][lane.at])
+            wanted = sum;
+    }
+    to.sum[lane.at] = wanted;
+    lane.put(to.error, sum - wanted);
+}
+
+void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane) {
+    joint.motor = lane.get(from.impulse);
+    joint.torque = lane.get3(from.torque) * (1 / dt);
+    if (joint.memory.empty()) return;
+    joint.memory[CoupleMemory::measured] = 1;
+    joint.memory[CoupleMemory::carrier_a] = from.carriers[0][lane.at];
+    joint.memory[CoupleMemory::carrier_b] = from.carriers[1][lane.at];
+    joint.memory[CoupleMemory::way_a] = from.ways[0][lane.at] + lane.get(from.moved[0]);
+    joint.memory[CoupleMemory::way_b] = from.ways[1][lane.at] + lane.get(from.moved[1]);
+    joint.memory[CoupleMemory::sum] = from.sum[lane.at];
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Gears, racks and pulleys as what they have in common: two ends with a way each, a turn or a
+// length, against a carrier, and one number that says how far both ways are from where they should
+// be together. In double; the kernel for eight at a time is couple_kernel.h.
+#pragma once
+
+#include "constraints/joints/joint_end.h"
+#include "constraints/joints/joint_lane.h"
+#include "state/joint_store.h"
+
+namespace jostle::physics {
+
+// What carries an end of a couple: a body, or the world.
+struct Carrier {
+    std::uint32_t body = 0xffffffff;  // index; none: the world
+    std::int32_t hot = 0;             // as JointEnd's
+    Vec3 center, origin;              // of mass; of the body, m
+    Quat rotation;
+};
+
+// How far a body has turned about its frame's z axis against the carrier, rad, -pi..pi, from some
+// angle that does not change as long as the axis keeps its place in the carrier.
+double turn_against(Quat frame, Quat carrier);
+// How far a point has gone along the axis against the carrier, from some point on it, m.
+double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier);
+
+// h: sub-step, s.
+void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
+                  JointCoupleWide& to, const JointLane& lane);
+void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane);
+
+}  // namespace jostle::physics

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// What eight joints exerted on their b in one pass, world axes.
+#pragma once
+
+#include "constraints/contact_kernel.h"
+
+namespace jostle::physics::JOSTLE_ISA {
+
+struct JointLoad {
+    Wide3 impulse;  // N s
+    Wide3 angular;  // N m s
+};
+
+}  // namespace jostle::physics::JOSTLE_ISA

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/joints/path_curve.h"
+
+#include <cmath>
+
+#include "jostle/physics/quat.h"
+
+namespace jostle::physics {
+namespace {
+
+struct Jet {
+    Vec3 position, first, second;  // derivatives by the parameter
+};
+
+int pieces_of(const PathJoint& path) {
+    return static_cast<int>(path.points.size()) - (path.closed ? 0 : 1);
+}
+
+// Before the first and after the last point of an open path the curve is mirrored.
+Vec3 point_of(const PathJoint& path, int k) {
+    const int count = static_cast<int>(path.points.size());
+    const auto at = [&](int i) { return path.points[static_cast<std::size_t>(i)]; };
+    if (path.closed) return at((k % count + count) % count);
+    if (k < 0) return at(0) * 2 - at(1);
+    if (k >= count) return at(count - 1) * 2 - at(count - 2);
+    return at(k);
+}
+
+Jet jet_of(const PathJoint& path, int piece, double t) {
+    const Vec3 p1 = point_of(path, piece), p2 = point_of(path, piece + 1);
+    if (!path.smooth) return {p1 + (p2 - p1) * t, p2 - p1, {}};
+    const Vec3 p0 = point_of(path, piece - 1), p3 = point_of(path, piece + 2);
+    const Vec3 c1 = (p2 - p0) * 0.5, c2 = p0 - p1 * 2.5 + p2 * 2 - p3 * 0.5,
+               c3 = (p1 - p2) * 1.5 + (p3 - p0) * 0.5;
+    return {p1 + (c1 + (c2 + c3 * t) * t) * t, c1 + (c2 * 2 + c3 * (3 * t)) * t,
+            c2 * 2 + c3 * (6 * t)};
+}
+
+struct Parameter {
+    int piece;
+    double t;
+};
+Parameter split(const PathJoint& path, double at) {
+    const int pieces = pieces_of(path);
+    if (path.closed) at -= pieces * std::floor(at / pieces);
+    const double whole = std::floor(at);
+    int piece = static_cast<int>(maximum(0, minimum(whole, pieces - 1)));
+    return {piece, maximum(0, minimum(at - piece, 1))};
+}
+double within(const PathJoint& path, double at) {
+    const int pieces = pieces_of(path);
+    if (path.closed) return at - pieces * std::floor(at / pieces);
+    return maximum(0, minimum(at, pieces));
+}
+
+// Of a piece up to t, by Gauss and Legendre with five points in each quarter.
+double length_up_to(const PathJoint& path, int piece, double t) {
+    if (!path.smooth) return t * length(point_of(path, piece + 1) - point_of(path, piece));
+    constexpr double nodes[] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
+                                -0.9061798459386640};
+    constexpr double weights[] = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
+                                  0.2369268850561891, 0.2369268850561891};
+    double sum = 0;
+    const double half = t / 8;
+    for (int quarter = 0; quarter < 4; quarter++)
+        for (int k = 0; k < 5; k++)
+            sum += weights[k] *
+                   length(jet_of(path, piece, half * (2 * quarter + 1 + nodes[k])).first) * half;
+    return sum;
+}
+
+// The direction of a curve that stands still at a parameter, as one may with points in odd places:
+// along its chord.
+Vec3 tangent_of(const PathJoint& path, int piece, const Jet& jet) {
+    const double speed = length(jet.first);
+    if (speed > 1e-9) return jet.first * (1 / speed);
+    return normalized(point_of(path, piece + 1) - point_of(path, piece));
+}
+
+Quat facing(Vec3 x, Vec3 toward) {
+    Vec3 y = toward - x * dot(x, toward);
+    if (length(y) < 1e-9) y = cross(x, absolute(x.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+    y = normalized(y);
+    const Vec3 z = cross(x, y);
+    // Of a matrix of columns x, y, z (Shepperd, 1978): the largest of four comes first.
+    const double trace = x.x + y.y + z.z;
+    const double sizes[] = {trace, x.x, y.y, z.z};
+    int largest = 0;
+    for (int k = 1; k < 4; k++)
+        if (sizes[k] > sizes[largest]) largest = k;
+    const Quat q = largest == 0   ? Quat{y.z - z.y, z.x - x.z, x.y - y.x, 1 + trace}
+                   : largest == 1 ? Quat{1 + x.x - y.y - z.z, x.y + y.x, z.x + x.z, y.z - z.y}
+                   : largest == 2 ? Quat{x.y + y.x, 1 + y.y - x.x - z.z, y.z + z.y, z.x - x.z}
+                                  : Quat{z.x + x.z, y.z + z.y, 1 + z.z - x.x - y.y, x.y - y.x};
+    return normalized(q);
+}
+
+double distance2_at(const PathJoint& path, double at, Vec3 point) {
+    const Parameter p = split(path, at);
+    return length_squared(jet_of(path, p.piece, p.t).position - point);
+}
+
+}  // namespace
+
+PathPlace place_at(const PathJoint& path, double at) {
+    const Parameter p = split(path, at);
+    const Jet jet = jet_of(path, p.piece, p.t);
+    const Vec3 tangent = tangent_of(path, p.piece, jet);
+    const double speed = length(jet.first);
+    PathPlace place{.at = p.piece + p.t, .position = jet.position, .rotation = {}};
+    place.rotation = facing(tangent, jet.second);
+    if (speed > 1e-9)
+        place.curvature = length(cross(jet.first, jet.second)) / (speed * speed * speed);
+    for (int piece = 0; piece < p.piece; piece++) place.travel += length_up_to(path, piece, 1);
+    place.travel += length_up_to(path, p.piece, p.t);
+    return place;
+}
+
+// Newton's steps on the derivative of the squared distance, halved while they lead away.
+PathPlace nearest_place(const PathJoint& path, Vec3 point, double guess) {
+    double at = within(path, guess);
+    double best = distance2_at(path, at, point);
+    for (int round = 0; round < 32; round++) {
+        const Parameter p = split(path, at);
+        const Jet jet = jet_of(path, p.piece, p.t);
+        const Vec3 apart = jet.position - point;
+        const double slope = dot(apart, jet.first), speed2 = length_squared(jet.first);
+        const double bend = speed2 + dot(apart, jet.second);
+        double step = -slope / (bend > 0.25 * speed2 ? bend : maximum(speed2, 1e-12));
+        step = maximum(-1, minimum(step, 1));
+        bool better = false;
+        for (int halving = 0; halving < 20 && !better; halving++, step *= 0.5) {
+            const double next = within(path, at + step);
+            const double distance = distance2_at(path, next, point);
+            if (distance < best) {
+                better = true;
+                best = distance;
+                at = next;
+                break;
+            }
+        }
+        if (!better || absolute(step) < 1e-12) break;
+    }
+    return place_at(path, at);
+}
+
+PathPlace nearest_place(const PathJoint& path, Vec3 point) {
+    double best = 0, nearest = distance2_at(path, 0, point);
+    for (int k = 1; k <= pieces_of(path) * 8; k++) {
+        const double at = k / 8.0, distance = distance2_at(path, at, point);
+        if (distance < nearest) nearest = distance, best = at;
+    }
+    return nearest_place(path, point, best);
+}
+
+double parameter_step(const PathJoint& path, double before, double at) {
+    const double pieces = pieces_of(path), step = at - before;
+    return path.closed ? step - pieces * std::floor(step / pieces + 0.5) : step;
+}
+
+double length_of(const PathJoint& path) {
+    double sum = 0;
+    for (int piece = 0; piece < pieces_of(path); piece++) sum += length_up_to(path, piece, 1);
+    return sum;
+}
+
+}  // namespace jostle::physics

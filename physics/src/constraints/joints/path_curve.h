@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// The curve of a path joint, in a's frame. Between two points a cubic (Catmull-Rom, uniform) or a
+// straight line; parameter k + t is between points k and k + 1.
+#pragma once
+
+#include "jostle/physics/joint_defs.h"
+
+namespace jostle::physics {
+
+struct PathPlace {
+    double at = 0;         // parameter
+    Vec3 position;         // m
+    Quat rotation;         // x along the curve, y to the centre of its curvature
+    double curvature = 0;  // 1/m
+    double travel = 0;     // m, from the first point on
+};
+
+// Where the curve is nearest to a point: near the parameter `guess`, or wherever on it.
+PathPlace nearest_place(const PathJoint& path, Vec3 point, double guess);
+PathPlace nearest_place(const PathJoint& path, Vec3 point);
+PathPlace place_at(const PathJoint& path, double at);
+// How far `at` is from `before`, the shorter way round a closed path.
+double parameter_step(const PathJoint& path, double before, double at);
+double length_of(const PathJoint& path);  // m
+
+}  // namespace jostle::physics

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solver/strike_jointed.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "constraint_graph/wide_rows.h"
+#include "constraints/impact.h"
+#include "foundation/tuning.h"
+#include "stages/step_scratch.h"
+
+namespace jostle::physics {
+namespace {
+
+// A push runs along a row of so many pairs in a step, and the rest of it in the next.
+constexpr int most_rounds = 64;
+
+struct Strike {
+    const ContactConstraintWide* block;
+    const ContactConstraintWideMeta* meta;
+    int lane;
+    double closing = 0;  // m/s
+};
+
+Vec3 hot_velocity_at(const HotBody& body, Vec3 arm) {
+    return to_vec3(body.v) + cross(to_vec3(body.w), arm);
+}
+
+// A manifold in which two meet within the step: its points at that moment, from the centre of a.
+struct StrikePoints {
+    Vec3 center_b;  // from the centre of a
+    std::vector<ImpactPoint> points;
+    double closing = 0;  // m/s: of the point that closes fastest
+};
+
+StrikePoints strike_points(const HotBodies& hot, const Strike& s, double dt) {
+    const ContactConstraintWide& block = *s.block;
+    const int k = s.lane;
+    const HotBody &a = hot[static_cast<std::size_t>(block.a[k])],
+                  &b = hot[static_cast<std::size_t>(block.b[k])];
+    const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
+    const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
+    StrikePoints meeting;
+    double first = dt;  // s until then
+    for (int i = 0; i < 4; i++) {
+        const double gap{block.gap[i][k]};
+        if (gap > 0.5 * double{no_point}) continue;
+        const Vec3 in_plane = t1 * double{block.x[i][k]} + t2 * double{block.y[i][k]};
+        const double closing =
+            -dot(n, hot_velocity_at(b, arm_b + in_plane) - hot_velocity_at(a, arm_a + in_plane));
+        if (closing <= tuning::restitution_speed || gap > closing * dt) continue;
+        meeting.closing = maximum(meeting.closing, closing);
+        meeting.points.push_back({in_plane, n});
+        first = minimum(first, maximum(gap, 0) / closing);
+    }
+    // The arms follow, as in the solver (PairBodies::follow).
+    const Vec3 apart = (hot_velocity_at(b, arm_b) - hot_velocity_at(a, arm_a)) * first;
+    const Vec3 meets_a = arm_a + apart * double{block.anchor_blend[k]};
+    for (ImpactPoint& p : meeting.points) p.position += meets_a;
+    meeting.center_b = arm_a - arm_b + apart;
+    return meeting;
+}
+
+ImpactBody hot_impact_body(const HotBody& hot, Vec3 center) {
+    const auto at = [&](int k) { return double{hot.inertia[k]}; };
+    return {
+        .center = center,
+        .inverse_mass = Vec3{double{hot.free_x}, double{hot.free_y}, double{hot.free_z}} *
+                        double{hot.inverse_mass},
+        .inverse_inertia = {{at(0), at(3), at(4)}, {at(3), at(1), at(5)}, {at(4), at(5), at(2)}},
+        .v = to_vec3(hot.v),
+        .w = to_vec3(hot.w)};
+}
+
+void set_hot_velocity(HotBody& hot, const ImpactBody& body) {
+    const Vec3 v = body.v, w = body.w;
+    hot.v[0] = as_float(v.x), hot.v[1] = as_float(v.y), hot.v[2] = as_float(v.z);
+    hot.w[0] = as_float(w.x), hot.w[1] = as_float(w.y), hot.w[2] = as_float(w.z);
+}
+
+// Whether it was one.
+bool strike(HotBodies& hot, const Strike& s, double dt) {
+    const StrikePoints meeting = strike_points(hot, s, dt);
+    if (meeting.points.empty()) return false;
+    HotBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
+            &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
+    ImpactBody a = hot_impact_body(hot_a, {}), b = hot_impact_body(hot_b, meeting.center_b);
+    resolve_impact(a, b, meeting.points, double{s.meta->restitution[s.lane]},
+                   double{s.block->mu[s.lane]});
+    set_hot_velocity(hot_a, a);
+    set_hot_velocity(hot_b, b);
+    return true;
+}
+
+// Pairs that bounce, with a body on joints.
+void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
+                         std::vector<Strike>& found) {
+    const auto jointed = [&](std::uint32_t body) {
+        return world.bodies.cold[body].first_joint != none;
+    };
+    for (std::size_t k = 0; k < colour.metas.size(); k++) {
+        const ContactConstraintWideMeta& meta = colour.metas[k];
+        if (meta.bits(LaneFlag::bounces) == 0) continue;
+        for (int lane = 0; lane < 8; lane++) {
+            if (!meta.has(LaneFlag::bounces, lane) || meta.contact[lane] == no_contact) continue;
+            const Contact& c = world.contacts.contacts[meta.contact[lane]];
+            if (jointed(c.body_a) || jointed(c.body_b))
+                found.push_back({&colour.blocks[k], &meta, lane});
+        }
+    }
+}
+
+}  // namespace
+
+void strike_jointed(StepContext& step, std::span<const ColourRun> runs) {
+    std::vector<Strike> pairs;
+    for (const ColourRun& run : runs) {
+        if (pair_kind_of(run.number) != PairKind::dynamic) continue;
+        find_bouncing_pairs(step.world, *run.colour, pairs);
+        if (run.single != nullptr) find_bouncing_pairs(step.world, *run.single, pairs);
+    }
+    if (pairs.empty()) return;
+    HotBodies& hot = step.scratch.solver.hot;
+    std::vector<Strike> closing;
+    for (int round = 0; round < most_rounds; round++) {
+        closing.clear();
+        for (Strike& s : pairs) {
+            s.closing = strike_points(hot, s, step.dt).closing;
+            if (s.closing > 0) closing.push_back(s);
+        }
+        // By contact where equally fast, not by place: which islands a task holds depends on the
+        // threads.
+        std::sort(closing.begin(), closing.end(), [](const Strike& x, const Strike& y) {
+            return std::tuple(-x.closing, x.meta->contact[x.lane]) <
+                   std::tuple(-y.closing, y.meta->contact[y.lane]);
+        });
+        bool any = false;
+        for (const Strike& s : closing) any |= strike(hot, s, step.dt);
+        if (!any) return;
+    }
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// How the bodies of a scene move in one run, at times that runs of any rate share, and how far two
+// runs are apart.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "jostle/scenes/scene.h"
+
+namespace jostle::sim {
+
+// How a run steps.
+struct Setting {
+    double hz = 60;
+    int substeps = 8;
+    bool operator==(const Setting&) const = default;
+};
+
+// Which times are looked at: every 1 / hz seconds, `count` times.
+struct Samples {
+    double hz = 60;
+    std::size_t count = 0;
+};
+
+struct Motion {
+    std::size_t bodies = 0;           // the scene's dynamic ones
+    std::vector<physics::Vec3> at;    // centres of mass: all bodies of the first sample, and so on
+    std::vector<physics::Quat> turn;  // likewise
+    double cpu_seconds = 0;           // of the steps alone
+    std::string blown;                // why the run ended early; empty: it did not
+
+    std::size_t samples() const { return bodies == 0 ? 0 : at.size() / bodies; }
+};
+
+// The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
+physics::Result<Motion> run_motion(scenes::SceneDescription scene, const Setting& setting,
+                                   const Samples& samples);
+
+// The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
+scenes::SceneDescription nudged(scenes::SceneDescription scene, double speed);
+
+// Diagonal of the box around all places of all bodies, m.
+double extent_of(const Motion& motion);
+
+// Root of the mean of squares over all bodies.
+struct Distance {
+    double position = 0;  // m
+    double angle = 0;     // rad
+};
+// Over all samples of both runs, and at one sample.
+Distance distance_between(const Motion& a, const Motion& b);
+Distance distance_at(const Motion& a, const Motion& b, std::size_t sample);
+
+}  // namespace jostle::sim

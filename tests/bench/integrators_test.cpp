@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// The orders that textbooks promise, in every field, and what becomes of the energy.
+#include <gtest/gtest.h>
+
+#include "integrators/integrator_row.h"
+
+namespace {
+
+using namespace jostle::bench::integrators;
+
+class Orders : public testing::TestWithParam<const char*> {};
+
+// An ellipse is rough near its focus: Euler's methods need shorter steps to show their order.
+TEST_P(Orders, are_1_1_1_2_4_and_2_in_every_field) {
+    const IntegratorKind& kind = *find_integrator(GetParam());
+    for (const ParticleField& field : all_fields()) {
+        const bool rough = kind.order == 1 && field.name == "kepler";
+        const double rate = rough ? 51200 : kind.order < 4 ? 1600 : 400;
+        const auto rows = integrator_rows(field, kind, {rate, 2 * rate});
+        ASSERT_TRUE(rows[1].order) << field.name;
+        EXPECT_NEAR(*rows[1].order, kind.order, 0.2) << field.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Orders,
+                         testing::Values("explicit", "semi-implicit", "implicit", "verlet", "rk4",
+                                         "jostle"),
+                         [](const auto& test) {
+                             std::string name = test.param;
+                             for (char& c : name)
+                                 if (c == '-') c = '_';
+                             return name;
+                         });
+
+IntegratorRow of_oscillator(const char* method) {
+    return integrator_rows(*find_field("oscillator"), *find_integrator(method), {240}).front();
+}
+
+// Ten thousand turns would tell the same: symplectic methods keep it, explicit Euler gains.
+TEST(Energy, is_kept_by_symplectic_methods) {
+    EXPECT_GT(*of_oscillator("explicit").energy_drift, 0.3);
+    EXPECT_GT(*of_oscillator("implicit").energy_drift, 0.2);
+    EXPECT_LT(*of_oscillator("semi-implicit").energy_drift, 0.03);
+    EXPECT_LT(*of_oscillator("verlet").energy_drift, 2e-4);
+    EXPECT_LT(*of_oscillator("rk4").energy_drift, 1e-7);
+    EXPECT_FALSE(
+        integrator_rows(*find_field("drag"), *find_integrator("rk4"), {240}).front().energy_drift);
+}
+
+// Position Verlet in each sub-step, with all the machinery of a world around.
+TEST(Jostle, steps_a_free_body_as_verlet_does_at_eight_times_the_rate) {
+    for (const ParticleField& field : all_fields()) {
+        const auto ours = integrator_rows(field, *find_integrator("jostle"), {120});
+        const auto verlet = integrator_rows(field, *find_integrator("verlet"), {960});
+        EXPECT_NEAR(ours[0].error, verlet[0].error, 0.01 * verlet[0].error) << field.name;
+    }
+}
+
+}  // namespace

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// What each road to contact is known for, in numbers.
+#include "roads/roads.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace jostle::bench::roads;
+
+SceneErrors errors_of(const char* road, double rate_hz) {
+    return road_row(*find_road(road), rate_hz).errors;
+}
+
+TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {
+    EXPECT_TRUE(errors_of("penalty", 60).blown);
+    const SceneErrors fine = errors_of("penalty", 3840);
+    ASSERT_FALSE(fine.blown);
+    EXPECT_NEAR(fine.overlap, 10 * mass * gravity / 1e5, 5e-6);  // m g / k of ten balls
+    EXPECT_LT(fine.slide, 0.005);
+}
+
+// 0.5 mm are allowed. At 30 Hz ten rounds are too few for ten balls.
+TEST(Impulses, leave_the_overlap_that_is_allowed) {
+    for (const double rate : {60.0, 120.0, 480.0}) {
+        const SceneErrors errors = errors_of("impulses", rate);
+        ASSERT_FALSE(errors.blown);
+        EXPECT_LT(errors.overlap, 0.0006) << rate;
+    }
+    EXPECT_LT(errors_of("impulses", 960).energy, 0.02);
+}
+
+TEST(Xpbd, is_stable_at_any_step_and_converges_at_first_order) {
+    EXPECT_FALSE(errors_of("xpbd", 30).blown);
+    const SceneErrors coarse = errors_of("xpbd", 120), fine = errors_of("xpbd", 480);
+    EXPECT_LT(fine.slide, 0.5 * coarse.slide);
+    EXPECT_LT(fine.energy, 0.5 * coarse.energy);
+    EXPECT_LT(fine.overlap, 1e-4);
+}
+
+TEST(Roads, all_stop_what_slides_after_coulombs_way) {
+    for (const RoadKind& kind : road_kinds())
+        EXPECT_LT(road_row(kind, 1920).errors.slide, 0.01) << kind.name;
+}
+
+}  // namespace

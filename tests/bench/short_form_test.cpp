@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// What the short form of the laboratory takes for a fault, on rows that are made up.
+#include "accuracy/short_form.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace jostle::bench::lab;
+
+Row row_of(const char* scene, double error, double second = 0, double rate_hz = 60) {
+    return {.scene = scene, .rate_hz = rate_hz, .error = error, .second_error = second};
+}
+
+Row blown_row(const char* scene) {
+    Row row = row_of(scene, 0);
+    row.blown = "a body is lost";
+    return row;
+}
+
+int faults_in(const std::vector<Change>& changes) {
+    int faults = 0;
+    for (const Change& change : changes) faults += change.fault;
+    return faults;
+}
+
+TEST(ShortForm, a_figure_worse_by_more_than_a_third_is_a_fault_with_both_figures) {
+    const auto changes = changes_between({row_of("j1", 0.001)}, {row_of("j1", 0.002)}, true);
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_TRUE(changes[0].fault);
+    EXPECT_EQ(changes[0].scene, "j1");
+    EXPECT_EQ(changes[0].rate_hz, 60);
+    EXPECT_EQ(changes[0].words, "error 0.001 -> 0.002 (2.00 times)");
+}
+
+TEST(ShortForm, within_a_third_nothing_is_said) {
+    EXPECT_TRUE(changes_between({row_of("j1", 3, 3)}, {row_of("j1", 3.9, 2.4)}, true).empty());
+}
+
+TEST(ShortForm, what_is_better_is_told_and_no_fault) {
+    const auto changes = changes_between({row_of("j1", 0.01)}, {row_of("j1", 0.001)}, true);
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_FALSE(changes[0].fault);
+}
+
+TEST(ShortForm, rounding_is_no_fault) {
+    EXPECT_TRUE(changes_between({row_of("f1", 2e-14)}, {row_of("f1", 9e-13)}, true).empty());
+    EXPECT_EQ(faults_in(changes_between({row_of("f1", 2e-14)}, {row_of("f1", 1e-6)}, true)), 1);
+}
+
+TEST(ShortForm, second_errors_count_but_not_of_what_must_fall) {
+    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1, 1)}, {row_of("j1", 1, 2)}, true)), 1);
+    EXPECT_TRUE(
+        changes_between({row_of("c10-mu0.17", 0, 1)}, {row_of("c10-mu0.17", 0, 2)}, true).empty());
+}
+
+TEST(ShortForm, blown_where_it_was_not_is_a_fault) {
+    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1)}, {blown_row("j1")}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({blown_row("j1")}, {row_of("j1", 1)}, true)), 0);
+    EXPECT_TRUE(changes_between({blown_row("j1")}, {blown_row("j1")}, true).empty());
+}
+
+TEST(ShortForm, rows_on_one_side_alone_are_faults) {
+    EXPECT_EQ(faults_in(changes_between({}, {row_of("j1", 1)}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1)}, {}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1)}, {}, false)), 0);
+    const std::vector<Row> two = {row_of("j1", 1), row_of("j1", 1, 0, 120)};
+    EXPECT_EQ(faults_in(changes_between(two, {row_of("j1", 1)}, false)), 1);
+}
+
+TEST(ShortForm, leaves_out_what_takes_minutes) {
+    EXPECT_TRUE(in_short_form(*find_experiment("j1")));
+    EXPECT_FALSE(in_short_form(*find_experiment("c17-cloth")));
+}
+
+}  // namespace

@@ -176,5 +176,26 @@ TEST(WorldJoints, any_kind_may_hang_on_the_world) {
     EXPECT_FALSE(world.create_joint({.body_a = ball}).ok()) << "the world is a, never b";
 }
 
+// A lamp that hangs on the world rests against a crate. The crate is taken away and the lamp
+// swings: the crate sleeps for itself. A step of another length does not kick the lamp.
+TEST(WorldJoints, an_island_with_one_is_cut_and_its_steps_may_change) {
+    World world = make_world();
+    add_floor(world);
+    const BodyId crate = add(world, {.geometry = Box{{0.5, 0.5, 0.5}}, .position = {0, 0.5, 0}});
+    const BodyId lamp = add(world, {.geometry = Sphere{0.5}, .position = {0, 1.5, 0}});
+    must(world.create_joint({.body_b = lamp,
+                             .frame_a = {.position = {0, 4, 0}},
+                             .kind = DistanceJoint{.min_length = 2.5, .max_length = 2.5}}));
+    run(world, 0.2);
+    run(world, 0.1, 90);
+    EXPECT_LT(length(velocity_of(world, lamp)), 1e-3);
+    must(world.set_pose(crate, {.position = {5, 0.5, 0}}));
+    must(world.set_linear_velocity(lamp, {0, 0, 1}));
+    run(world, 4);
+    EXPECT_FALSE(state_of(world, crate).awake);
+    EXPECT_TRUE(state_of(world, lamp).awake);
+    EXPECT_NEAR(length(position_of(world, lamp) - Vec3{0, 4, 0}), 2.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -15,7 +15,7 @@ namespace jostle::physics {
 
 // Impulses of one sub-step along a free axis of a slider, a six-dof or a wheel, N s or N m s.
 struct AxisImpulses {
-    enum At : std::size_t { lower, upper, spring, motor, friction, count };
+    enum At : std::size_t { lower, upper, spring_impulse, motor, friction, count };
 };
 
 // By kind: how many axes have such impulses, one after the other.

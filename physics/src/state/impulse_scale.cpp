@@ -55,7 +55,7 @@ void scale_joints(WorldState& world, std::uint32_t body, double scale) {
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
         Joint& j = world.joints.joints[index];
         // Once each: at its first dynamic body.
-        const bool first = world.bodies.cold[j.body_a].type == BodyType::dynamic;
+        const bool first = is_dynamic(world, j.body_a);
         if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
     });
 }

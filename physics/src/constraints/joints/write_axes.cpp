@@ -34,7 +34,7 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
     lane.put(to.upper, kept(limited, impulses[AxisImpulses::upper]));
     lane.put(to.soft, sprung ? spring_or(axis.spring, h, {}) : switched_off);
     lane.put(to.spring_at, axis.spring_at);
-    lane.put(to.spring, kept(sprung, impulses[AxisImpulses::spring]));
+    lane.put(to.spring, kept(sprung, impulses[AxisImpulses::spring_impulse]));
     lane.put(to.motor_speed, axis.motor.speed);
     lane.put(to.motor_most, driven ? axis.motor.most * h : 0);
     lane.put(to.motor, kept(driven, impulses[AxisImpulses::motor]));
@@ -101,7 +101,7 @@ void read_axes(Joint& joint, const JointAxesWide& from, double dt, const JointLa
         const JointAxisWide& axis = from.axes[k];
         impulses[AxisImpulses::lower] = lane.get(axis.lower);
         impulses[AxisImpulses::upper] = lane.get(axis.upper);
-        impulses[AxisImpulses::spring] = lane.get(axis.spring);
+        impulses[AxisImpulses::spring_impulse] = lane.get(axis.spring);
         impulses[AxisImpulses::motor] = lane.get(axis.motor);
         impulses[AxisImpulses::friction] = lane.get(axis.friction);
     }

@@ -41,6 +41,18 @@ COVERED_BY = {
     "constraints/contact_kernel.h":
         (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "constraints/direct/direct_body.h":
+        (["physics/constraints/direct/principal_axes_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
+         "its tensor in any axes; its momenta, kept to rounding"),
+    "constraints/direct/direct_joint.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp", "behaviour/joints_test.cpp"],
+         "balls, hinges, motors and limits against closed forms; every kind that it knows"),
+    "constraints/direct/direct_system.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp"], "loops, motors, limits, ends that are apart"),
+    "constraints/direct/energy_step.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp"], "a whip of a thousand times the mass is too stiff for any other step"),
+    "constraints/direct/rattle_step.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp"], "a pendulum comes back in the period of the elliptic integral"),
     "constraints/joints/axes_kernel.h":
         (["behaviour/axis_joints_test.cpp"], "sliders, six-dofs and wheels against closed forms"),
     "constraints/joints/couple_ends.cpp":

@@ -171,8 +171,8 @@ inline constexpr double joint_stiffness = 0.25;
 inline constexpr double joint_damping_ratio = 2;
 // A spring that turns by more of its period in a sub-step is not resolved by it.
 inline constexpr double resolved_spring_turn = 1;  // rad
-// A group of joints whose factorisation takes more multiplications a joint is solved sweep by sweep:
-// a loose net of 1700 joints has so many, a chain 60.
+// A group of joints whose factorisation takes more multiplications a joint is solved sweep by
+// sweep: a loose net of 1700 joints has so many, a chain 60.
 inline constexpr int direct_work = 20000;
 // Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
 // part of that speed, the more the further it turns in a sub-step.

@@ -256,8 +256,7 @@ int BlockLdl::factor_columns() {
 int BlockLdl::factor() {
     for (int k = 0; k < nodes(); k++)
         for (int i = 0; i < rows_[at(k)]; i++)
-            kept_[at(begin_[at(k)] + i)] =
-                values_[at(diagonal_[at(k)] + i * rows_[at(k)] + i)];
+            kept_[at(begin_[at(k)] + i)] = values_[at(diagonal_[at(k)] + i * rows_[at(k)] + i)];
     return same_rows_ == 3   ? factor_columns<3>()
            : same_rows_ == 5 ? factor_columns<5>()
                              : factor_columns<0>();

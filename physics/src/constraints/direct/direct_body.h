@@ -17,8 +17,8 @@ struct DirectBody {
     bool pushed = false;  // joints can push it; else it moves at v and w, whatever they do
 
     // State.
-    Vec3 x;  // m, of the centre of mass
-    Quat q;  // of the principal axes
+    Vec3 x;     // m, of the centre of mass
+    Quat q;     // of the principal axes
     Vec3 p, l;  // kg m/s, kg m^2/s about the centre, world
     Vec3 v, w;  // of what is not pushed; of others scratch
     // Of that state.
@@ -29,13 +29,13 @@ struct DirectBody {
     Vec3 x1;
     Quat q1;
     Mat3 axes1;
-    Vec3 v0, w0;           // as the step began
-    Vec3 mean_w;           // rad/s: the unknown
-    Vec3 sum, twist;       // impulse, N s; angular impulse, N m s
-    Vec3 miss, answer;     // of the turn's equation, N m s; what that does to the spin, rad/s
-    Mat3 inertia;          // world, as the step began
-    Mat3 stiffness;        // of the joints' forces, as the body turns: N m / rad
-    Mat3 response;         // inverse of the step's matrix of the body
+    Vec3 v0, w0;        // as the step began
+    Vec3 mean_w;        // rad/s: the unknown
+    Vec3 sum, twist;    // impulse, N s; angular impulse, N m s
+    Vec3 miss, answer;  // of the turn's equation, N m s; what that does to the spin, rad/s
+    Mat3 inertia;       // world, as the step began
+    Mat3 stiffness;     // of the joints' forces, as the body turns: N m / rad
+    Mat3 response;      // inverse of the step's matrix of the body
 };
 
 // m diag(d) m^T.

@@ -10,7 +10,9 @@ namespace {
 
 // RATTLE's corrections stop to converge at about one radian.
 constexpr double followed = 0.7;  // rad
-constexpr int most_halvings = 6;
+// ... and where a body turns further in a step, as the way an impulse takes is then bent.
+constexpr double turned = 1;  // rad
+constexpr int most_halvings = 6, most_steps = 1024;
 // Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
 constexpr double suzuki = 0.41449077179437573714;
 constexpr double stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
@@ -25,7 +27,8 @@ double DirectGroup::tolerance(double h) const {
 }
 
 void DirectGroup::save(int depth) {
-    if (saved_.size() <= static_cast<std::size_t>(depth)) saved_.resize(static_cast<std::size_t>(depth) + 1);
+    if (saved_.size() <= static_cast<std::size_t>(depth))
+        saved_.resize(static_cast<std::size_t>(depth) + 1);
     Saved& to = saved_[static_cast<std::size_t>(depth)];
     to.bodies.clear();
     to.joints.clear();
@@ -84,8 +87,25 @@ void DirectGroup::step(double h, int depth) {
     step(0.5 * h, depth + 1);
 }
 
+// Of a body, freely: about its axes and with them (free_turn.h).
+double DirectGroup::fastest_turn() const {
+    double most = 0;
+    for (const DirectBody& body : bodies)
+        most = maximum(
+            most, body.pushed ? maximum(length(spin(body)), turn_rate(body.l, body.inverse_moments))
+                              : length(body.w));
+    return most;
+}
+
 void DirectGroup::advance(double dt, int substeps) {
-    const int parts = smooth_ ? substeps / 5 : 0;  // a composition is five steps
+    const double turn = fastest_turn() * dt;
+    if (turn > turned * substeps)
+        substeps = static_cast<int>(minimum(turn / turned, most_steps - 1)) + 1;
+    // A composition is five steps.
+    int parts = smooth_ ? substeps / 5 : 0;
+    if (turn * longest_stage > turned * parts) parts = 0;
+    // Ends that are far apart come together step by step, forward in time.
+    if (parts > 0 && set_targets(dt / substeps)) parts = 0;
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
         save(0);

@@ -64,6 +64,7 @@ private:
     // ---- direct_group.cpp ----
     void step(double h, int depth);
     bool compose(double h);
+    double fastest_turn() const;  // rad/s
     double tolerance(double h) const;
     void save(int depth);
     void restore(int depth);
@@ -73,7 +74,7 @@ private:
     void kick(double h);  // forces, motors at their most and damping, for half a step of h
     void damp(double time);
     void write_all_vectors();
-    void assemble(double linear, const Mat3 DirectBody::* response);
+    void assemble(double linear, const Mat3 DirectBody::*response);
     void factor_here();  // at the state, unless it is there
     void push(const DirectJoint& joint, const double* impulse);
     void act(DirectJoint& joint, const double* impulse);
@@ -82,9 +83,10 @@ private:
     void switch_off(DirectJoint& joint, int row, bool off);
     void set_bounds(double h);
     bool keep_bounds(DirectJoint& joint, double* value, double most);
-    bool reach_limits();
+    bool reach_limits(double motor_time);
+    void choose_motor_or_limit(DirectJoint& joint);
     double measure_all(double h);
-    void set_targets(double h);
+    bool set_targets(double h);  // true if something is left for later steps
     void commit();
     // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers
     // over h are kept as the joints' forces if `keep_forces`.

@@ -62,8 +62,7 @@ void measure_at(DirectJoint& j, Vec3 xa, const Mat3& a, Vec3 xb, const Mat3& b, 
         error[0] = apart.x, error[1] = apart.y, error[2] = apart.z;
     else if (j.points == 1)
         error[0] = length(apart) - j.distance;
-    for (int k = 0; k < j.turns; k++)
-        error[j.points + k] = dot(a * j.turn_a[k], b * j.turn_b[k]);
+    for (int k = 0; k < j.turns; k++) error[j.points + k] = dot(a * j.turn_a[k], b * j.turn_b[k]);
 }
 
 }  // namespace
@@ -109,12 +108,10 @@ void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h)
     if (!j.has_limit && !j.has_motor) return;
     const double angle = angle_of(j, a.axes1, b.axes1);
     if (j.has_limit)
-        j.error[j.limit_row()] = j.at_limit == 0 ? 0
-                                                 : angle - (j.at_limit > 0 ? j.lower : j.upper);
+        j.error[j.limit_row()] = j.at_limit == 0 ? 0 : angle - (j.at_limit > 0 ? j.lower : j.upper);
     if (j.has_motor)
-        j.error[j.motor_row()] = j.at_most != 0
-                                     ? 0
-                                     : wrapped(wrapped(angle - j.start[j.motor_row()]) - j.speed * h);
+        j.error[j.motor_row()] =
+            j.at_most != 0 ? 0 : wrapped(wrapped(angle - j.start[j.motor_row()]) - j.speed * h);
 }
 
 double trial_angle(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
@@ -123,7 +120,35 @@ double trial_angle(const DirectJoint& j, const DirectBody& a, const DirectBody& 
 
 // ---- kinds ----
 
+namespace {
+
+bool turns_freely(const JointAxis& axis) {
+    return axis.free && !axis.limit.enabled && axis.spring.hertz == 0 && !axis.motor.enabled &&
+           axis.friction == 0;
+}
+
+// A six-dof that is a fixed joint, or a ball.
+bool all_locked(const SixDofAxes& a) {
+    return !a.turn_x.free && !a.turn_y.free && !a.turn_z.free;
+}
+bool all_turn(const SixDofAxes& a) {
+    return turns_freely(a.turn_x) && turns_freely(a.turn_y) && turns_freely(a.turn_z);
+}
+
+void set_up_fixed(DirectJoint& j, const Mat3& fa, const Mat3& fb) {
+    j.turns = 3;
+    j.turn_a[0] = fa.x, j.turn_b[0] = fb.y;
+    j.turn_a[1] = fa.y, j.turn_b[1] = fb.z;
+    j.turn_a[2] = fa.z, j.turn_b[2] = fb.x;
+}
+
+}  // namespace
+
 bool supported(const JointKind& kind) {
+    if (const auto* six = std::get_if<SixDofJoint>(&kind)) {
+        const SixDofAxes& a = *six->axes;
+        return !a.x.free && !a.y.free && !a.z.free && (all_locked(a) || all_turn(a));
+    }
     if (const auto* ball = std::get_if<BallJoint>(&kind))
         return ball->drive.spring.hertz == 0 && ball->friction_torque == 0;
     if (const auto* hinge = std::get_if<HingeJoint>(&kind)) return hinge->spring.hertz == 0;
@@ -158,11 +183,10 @@ void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const Dir
         j.has_motor = hinge->motor.enabled;
         j.speed = hinge->motor.speed;
         j.most_torque = hinge->motor.max_torque;
+    } else if (const auto* six = std::get_if<SixDofJoint>(&kind)) {
+        if (all_locked(*six->axes)) set_up_fixed(j, fa, fb);
     } else if (std::holds_alternative<FixedJoint>(kind)) {
-        j.turns = 3;
-        j.turn_a[0] = fa.x, j.turn_b[0] = fb.y;
-        j.turn_a[1] = fa.y, j.turn_b[1] = fb.z;
-        j.turn_a[2] = fa.z, j.turn_b[2] = fb.x;
+        set_up_fixed(j, fa, fb);
     }
 }
 

@@ -27,17 +27,17 @@ struct DirectJoint {
     int motor_row() const { return points + turns + (has_limit ? 1 : 0); }
 
     // Constant: in the principal axes of the bodies.
-    Vec3 arm_a, arm_b;           // of the ends, m
-    double distance = 0;         // m, when points is 1
-    Vec3 turn_a[3], turn_b[3];   // unit
-    Vec3 axis_a, x_a, y_a, x_b;  // of the angle about z
+    Vec3 arm_a, arm_b;            // of the ends, m
+    double distance = 0;          // m, when points is 1
+    Vec3 turn_a[3], turn_b[3];    // unit
+    Vec3 axis_a, x_a, y_a, x_b;   // of the angle about z
     double lower = 0, upper = 0;  // rad
     double speed = 0, most_torque = 0;
 
     // Where the two bodies are.
-    Vec3 line;                    // points 1: the unit vector from a's end to b's
-    Vec3 apart;                   // of the ends, b's from a's, m
-    Vec3 lever_a, lever_b;        // to where the force acts, m
+    Vec3 line;              // points 1: the unit vector from a's end to b's
+    Vec3 apart;             // of the ends, b's from a's, m
+    Vec3 lever_a, lever_b;  // to where the force acts, m
     Vec3 angular_a[most_rows], angular_b[most_rows];
     // Rows that are switched off just now (a limit that is not reached, a motor at its most) have
     // no vectors and no multiplier.
@@ -48,9 +48,9 @@ struct DirectJoint {
     double error[most_rows] = {};    // of where the step tries to go: m and rad
     double impulse[most_rows] = {};  // unknowns of the step under way
     double force[most_rows] = {};    // half of what acts on b, N and N m: from step to step
-    int at_limit = 0;  // 1: on the lower one, -1: on the upper one, 0: between
-    int at_most = 0;   // the motor gives its most, in this direction; 0: less
-    Vec3 force_sum, torque_sum;  // impulses on b over the whole step, N s and N m s
+    int at_limit = 0;                // 1: on the lower one, -1: on the upper one, 0: between
+    int at_most = 0;                 // the motor gives its most, in this direction; 0: less
+    Vec3 force_sum, torque_sum;      // impulses on b over the whole step, N s and N m s
 };
 
 // The rows' vectors: at the bodies' state, or means over the step, with which the error changes by

@@ -15,6 +15,12 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
+// m: at this distance all its mass would be as hard to turn.
+double gyration_of(const DirectBody& body) {
+    const Vec3& i = body.moments;
+    return square_root(maximum(i.x, maximum(i.y, i.z)) * body.inverse_mass);
+}
+
 }  // namespace
 
 // ---- the pattern ----
@@ -32,6 +38,7 @@ void DirectGroup::prepare() {
     for (const DirectJoint& joint : joints) {
         if (joint.has_limit || joint.has_motor) smooth_ = false;
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
+        for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[at(body)]);
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
     }
     reach_ = arms / static_cast<double>(joints.size());
@@ -80,7 +87,7 @@ void DirectGroup::write_all_vectors() {
 
 // `linear`: by how much an inverse mass counts; `response`: what takes the place of the inverse
 // inertia.
-void DirectGroup::assemble(double linear, const Mat3 DirectBody::* response) {
+void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
     double* const values = matrix_.values().data();
     for (const Coupling& c : couplings_) {
@@ -190,7 +197,8 @@ double DirectGroup::measure_all(double h) {
 }
 
 // What is far apart comes together no faster than joints may push.
-void DirectGroup::set_targets(double h) {
+bool DirectGroup::set_targets(double h) {
+    bool left_over = false;
     const double most = tuning::joint_push_speed * absolute(h);
     const double most_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
@@ -200,6 +208,7 @@ void DirectGroup::set_targets(double h) {
         for (int k = 0; k < joint.points; k++) apart += joint.start[k] * joint.start[k];
         for (int k = joint.points; k < joint.limit_row(); k++)
             turned += joint.start[k] * joint.start[k];
+        left_over |= apart > most * most || turned > most_turn * most_turn;
         if (apart > most * most) {
             const double left = 1 - most / square_root(apart);
             for (int k = 0; k < joint.points; k++) joint.target[k] = joint.start[k] * left;
@@ -210,6 +219,7 @@ void DirectGroup::set_targets(double h) {
                 joint.target[k] = joint.start[k] * left;
         }
     }
+    return left_over;
 }
 
 void DirectGroup::commit() {
@@ -259,8 +269,7 @@ void DirectGroup::project_velocities(double h, double bias, bool keep_forces) {
         bool changed = false;
         for (std::size_t k = 0; k < joints.size(); k++) {
             DirectJoint& joint = joints[k];
-            const double* const impulse =
-                right_side_.data() + matrix_.row_of(static_cast<int>(k));
+            const double* const impulse = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             for (int r = 0; r < joint.rows(); r++)
                 if (keep_forces && !joint.off[at(r)]) joint.force[r] = impulse[r] / h;
             if (!keep_forces || smooth_ || round >= bound_rounds) continue;
@@ -290,6 +299,21 @@ void DirectGroup::switch_off(DirectJoint& joint, int row, bool off) {
     factored_ = false;
 }
 
+// The two rows of one angle cannot both hold. A motor that drives into a limit presses on it with
+// all it has; one that drives away from it, or holds, is as good without the limit.
+void DirectGroup::choose_motor_or_limit(DirectJoint& joint) {
+    if (!joint.has_motor || joint.at_limit == 0 || joint.at_most != 0) return;
+    if (joint.speed * joint.at_limit < 0) {
+        joint.at_most = joint.speed > 0 ? 1 : -1;
+        joint.force[joint.motor_row()] = joint.at_most * 0.5 * joint.most_torque;
+        switch_off(joint, joint.motor_row(), true);
+    } else {
+        joint.at_limit = 0;
+        joint.force[joint.limit_row()] = 0;
+        switch_off(joint, joint.limit_row(), true);
+    }
+}
+
 // As the step begins: what was on its limit or at its most still is, but for a motor that may reach
 // its speed within the step.
 void DirectGroup::set_bounds(double h) {
@@ -300,13 +324,13 @@ void DirectGroup::set_bounds(double h) {
         if (joint.at_most != 0) {
             const DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
             const Vec3 axis = a.axes * joint.axis_a;
-            const double missing =
-                joint.at_most * (joint.speed - dot(axis, spin(b) - spin(a)));
+            const double missing = joint.at_most * (joint.speed - dot(axis, spin(b) - spin(a)));
             const double gained =
                 dot(axis, (a.inverse_inertia + b.inverse_inertia) * axis) * joint.most_torque * h;
             if (missing <= gained) joint.at_most = 0;
         }
         switch_off(joint, joint.motor_row(), joint.at_most != 0);
+        choose_motor_or_limit(joint);
     }
 }
 
@@ -315,8 +339,7 @@ void DirectGroup::set_bounds(double h) {
 // solve again.
 bool DirectGroup::keep_bounds(DirectJoint& joint, double* value, double most) {
     bool changed = false;
-    if (joint.has_limit && joint.at_limit != 0 &&
-        value[joint.limit_row()] * joint.at_limit < 0) {
+    if (joint.has_limit && joint.at_limit != 0 && value[joint.limit_row()] * joint.at_limit < 0) {
         joint.at_limit = 0;
         joint.force[joint.limit_row()] = 0;
         switch_off(joint, joint.limit_row(), true);
@@ -332,7 +355,7 @@ bool DirectGroup::keep_bounds(DirectJoint& joint, double* value, double most) {
 }
 
 // Limits that the step would leave behind hold.
-bool DirectGroup::reach_limits() {
+bool DirectGroup::reach_limits(double motor_time) {
     bool changed = false;
     for (DirectJoint& joint : joints) {
         if (!joint.has_limit || joint.at_limit != 0) continue;
@@ -340,6 +363,9 @@ bool DirectGroup::reach_limits() {
         joint.at_limit = angle < joint.lower ? 1 : (angle > joint.upper ? -1 : 0);
         if (joint.at_limit == 0) continue;
         switch_off(joint, joint.limit_row(), false);
+        const int at_most = joint.at_most;
+        choose_motor_or_limit(joint);
+        if (joint.at_most != at_most) give_most(joint, motor_time);
         changed = true;
     }
     return changed;

@@ -3,8 +3,9 @@
 // The energy-momentum step: arms are means over the step and a Cayley map turns the bodies, so that
 // joints do no work, however stiff they pull. Its unknowns are the mean spins and the impulses;
 // Newton's method knows how the pull changes as the arms turn (geometric stiffness: M. Tournier et
-// al., "Stable constrained dynamics", 2015), which for points is a matter of each body alone. At the
-// end velocities are projected: what of a whip's crack h cannot resolve is lost, nothing is gained.
+// al., "Stable constrained dynamics", 2015), which for points is a matter of each body alone. At
+// the end velocities are projected: what of a whip's crack h cannot resolve is lost, nothing is
+// gained.
 #include "constraints/direct/direct_group.h"
 #include "constraints/direct/free_turn.h"
 
@@ -24,9 +25,12 @@ void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
     const double along = dot(force, arm);
     const Vec3 f = force * 0.5;
     Mat3& k = body.stiffness;
-    k.x += Vec3{along - 2 * arm.x * f.x, -(arm.y * f.x + arm.x * f.y), -(arm.z * f.x + arm.x * f.z)};
-    k.y += Vec3{-(arm.x * f.y + arm.y * f.x), along - 2 * arm.y * f.y, -(arm.z * f.y + arm.y * f.z)};
-    k.z += Vec3{-(arm.x * f.z + arm.z * f.x), -(arm.y * f.z + arm.z * f.y), along - 2 * arm.z * f.z};
+    k.x +=
+        Vec3{along - 2 * arm.x * f.x, -(arm.y * f.x + arm.x * f.y), -(arm.z * f.x + arm.x * f.z)};
+    k.y +=
+        Vec3{-(arm.x * f.y + arm.y * f.x), along - 2 * arm.y * f.y, -(arm.z * f.y + arm.y * f.z)};
+    k.z +=
+        Vec3{-(arm.x * f.z + arm.z * f.x), -(arm.y * f.z + arm.z * f.y), along - 2 * arm.z * f.z};
 }
 
 Vec3 pull_of(const DirectJoint& joint, const double* value) {
@@ -63,8 +67,8 @@ double DirectGroup::stiffest() {
         if (!body.pushed) continue;
         const Mat3 m = body.inverse_inertia * body.stiffness;
         const double trace = absolute(m.x.x + m.y.y + m.z.z) * 0.5;
-        const double norm = square_root(
-            (length_squared(m.x) + length_squared(m.y) + length_squared(m.z)) * 0.5);
+        const double norm =
+            square_root((length_squared(m.x) + length_squared(m.y) + length_squared(m.z)) * 0.5);
         most = maximum(most, maximum(trace, norm));
     }
     return square_root(most);
@@ -88,10 +92,11 @@ void DirectGroup::begin_energy_step(double h) {
         }
     }
     for (DirectBody& body : bodies)
-        body.mean_w = body.pushed ? body.w0 + body.inverse_inertia *
-                                                  (body.twist + (body.torque - cross(body.w0, body.l)) * h) *
-                                                  0.5
-                                  : body.w0;
+        body.mean_w =
+            body.pushed
+                ? body.w0 + body.inverse_inertia *
+                                (body.twist + (body.torque - cross(body.w0, body.l)) * h) * 0.5
+                : body.w0;
 }
 
 // Where the unknowns lead, and by how much that misses, m.
@@ -211,7 +216,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     for (int round = 0;; round++) {
         if (!find_energy_way(h, tolerance)) return false;
         if (smooth_ || round == bound_rounds) break;
-        bool changed = reach_limits();
+        bool changed = reach_limits(0);
         for (DirectJoint& joint : joints)
             if (keep_bounds(joint, joint.impulse, h * joint.most_torque)) changed = true;
         if (!changed) break;

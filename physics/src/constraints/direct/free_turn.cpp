@@ -7,10 +7,9 @@ Quat turn_by(Vec3 r) {
     const double s = 0.25 * length_squared(r);  // of half the angle
     if (!(s < 0.25)) return from_rotation_vector(r);
     const double cosine =
-        1 -
-        s * (1.0 / 2 -
-             s * (1.0 / 24 -
-                  s * (1.0 / 720 - s * (1.0 / 40320 - s * (1.0 / 3628800 - s / 479001600.0)))));
+        1 - s * (1.0 / 2 -
+                 s * (1.0 / 24 -
+                      s * (1.0 / 720 - s * (1.0 / 40320 - s * (1.0 / 3628800 - s / 479001600.0)))));
     const double ratio =
         1 -
         s * (1.0 / 6 -
@@ -33,16 +32,26 @@ Quat about(int axis, double angle) {
     return turn_by(r);
 }
 
+// The axis whose two others are most alike.
+int top_axis(Vec3 inverse) {
+    const double yz = absolute(inverse.y - inverse.z), zx = absolute(inverse.z - inverse.x),
+                 xy = absolute(inverse.x - inverse.y);
+    return yz <= zx && yz <= xy ? 0 : (zx <= xy ? 1 : 2);
+}
+
 }  // namespace
+
+double turn_rate(Vec3 momentum, Vec3 inverse_moments) {
+    const int top = top_axis(inverse_moments);
+    return length(momentum) *
+           maximum(inverse_moments[(top + 1) % 3], inverse_moments[(top + 2) % 3]);
+}
 
 Quat free_turn(Quat q, Vec3 momentum, Vec3 inverse_moments, double h) {
     const Vec3& inverse = inverse_moments;
     if (inverse.x == inverse.y && inverse.y == inverse.z)
         return nearly_unit(turn_by(momentum * (h * inverse.x)) * q);
-    // The axis whose two others are most alike.
-    const double yz = absolute(inverse.y - inverse.z), zx = absolute(inverse.z - inverse.x),
-                 xy = absolute(inverse.x - inverse.y);
-    const int top = yz <= zx && yz <= xy ? 0 : (zx <= xy ? 1 : 2);
+    const int top = top_axis(inverse);
     const int i = (top + 1) % 3, j = (top + 2) % 3;
     const double uneven = inverse[j] - inverse[i];
     if (uneven != 0) q = q * about(j, 0.5 * h * uneven * component(q, momentum, j));

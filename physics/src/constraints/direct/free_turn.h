@@ -22,5 +22,7 @@ inline Quat nearly_unit(Quat q) {
 
 // q: of the principal axes. momentum: angular, in the world's axes.
 Quat free_turn(Quat q, Vec3 momentum, Vec3 inverse_moments, double h);
+// How fast its axes go round at most by that, rad/s: of a disc twice as fast as it spins.
+double turn_rate(Vec3 momentum, Vec3 inverse_moments);
 
 }  // namespace jostle::physics

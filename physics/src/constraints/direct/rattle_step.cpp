@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// RATTLE: half a kick, the way on which all joints hold at its end, half a kick, the velocities that
-// joints allow. The matrix of where the step begins serves for the way as well: there is one
+// RATTLE: half a kick, the way on which all joints hold at its end, half a kick, the velocities
+// that joints allow. The matrix of where the step begins serves for the way as well: there is one
 // factorisation a step.
 #include "constraints/direct/direct_group.h"
 #include "constraints/direct/free_turn.h"
@@ -70,9 +70,9 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     for (int round = 0;; round++) {
         if (!find_way(h, tolerance)) return false;
         if (smooth_ || round == bound_rounds) break;
-        bool changed = reach_limits();
         for (std::size_t k = 0; k < bodies.size(); k++)
             bodies[k].p = before_guess_[2 * k], bodies[k].l = before_guess_[2 * k + 1];
+        bool changed = reach_limits(0.5 * h);
         for (DirectJoint& joint : joints) {
             const int at_most = joint.at_most;
             if (keep_bounds(joint, joint.impulse, 0.5 * h * joint.most_torque)) changed = true;

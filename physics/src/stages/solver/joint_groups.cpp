@@ -7,7 +7,6 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/solver/substep_hooks.h"
-#include "stages/step_context.h"
 #include "stages/step_scratch.h"
 #include "state/force_fields.h"
 #include "state/joint_graph.h"
@@ -18,8 +17,8 @@ namespace {
 // ---- which ----
 
 bool may_be_grouped(const WorldState& world, const BodyCold& cold) {
-    return cold.constraints == 0 && cold.locks == 0 && !cold.asleep_in_place &&
-           !world.def.planar && cold.mass > 0;
+    return cold.constraints == 0 && cold.locks == 0 && !cold.asleep_in_place && !world.def.planar &&
+           cold.mass > 0;
 }
 
 bool is_pushed(const WorldState& world, std::uint32_t body) {
@@ -66,7 +65,8 @@ void look_at_islands(StepContext& step) {
 
 void list_joints(const WorldState& world, const Island& island, JointGroup& group) {
     group.joints.clear();
-    for (std::uint32_t body = island.first; body != none; body = world.bodies.cold[body].island_next)
+    for (std::uint32_t body = island.first; body != none;
+         body = world.bodies.cold[body].island_next)
         for_each_joint(world.joints, world.bodies.cold[body],
                        [&](std::uint32_t joint) { group.joints.push_back(joint); });
     std::sort(group.joints.begin(), group.joints.end());
@@ -152,8 +152,9 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
     const std::uint32_t carrier = body_b.pushed ? from.body_b : from.body_a;
     const Quat carried = warm_of(world, carrier).rotation;
     write_vectors(joint, body_a, body_b);
-    load_forces(joint, {rotate(carried, from.point), rotate(carried, from.angular), from.lower,
-                        from.upper, from.spring, from.motor},
+    load_forces(joint,
+                {rotate(carried, from.point), rotate(carried, from.angular), from.lower, from.upper,
+                 from.spring, from.motor},
                 h);
 }
 
@@ -165,7 +166,8 @@ void gather(StepContext& step, std::uint32_t island) {
     JointGroup& group = *scratch.of_island[island];
     list_joints(world, world.islands.islands[island], group);
     list_bodies(world, group, scratch.number_of);
-    group.substeps = step.contacts[index_of(world.islands.islands[island].colour_set.tier)].substeps;
+    group.substeps =
+        step.contacts[index_of(world.islands.islands[island].colour_set.tier)].substeps;
     group.inertias.resize(group.bodies.size(), diagonal({-1, -1, -1}));
     group.axes.resize(group.bodies.size());
     group.solver.bodies.resize(group.bodies.size());
@@ -179,7 +181,8 @@ void gather(StepContext& step, std::uint32_t island) {
 }
 
 bool is_too_dense(const JointGroup& group) {
-    return group.solver.work() > tuning::direct_work * static_cast<std::int64_t>(group.joints.size());
+    return group.solver.work() >
+           tuning::direct_work * static_cast<std::int64_t>(group.joints.size());
 }
 
 // ---- scatter ----
@@ -214,8 +217,8 @@ void advance(StepContext& step, JointGroup& group, std::span<FreeMotion> motions
         if (!body.pushed) continue;
         const BodyWarm& warm = warm_of(step.world, group.bodies[k]);
         motions[next++] = {body.x - warm.center,
-                           normalized(body.q * conjugate(group.axes[k].frame)),
-                           velocity(body), spin(body)};
+                           normalized(body.q * conjugate(group.axes[k].frame)), velocity(body),
+                           spin(body)};
     }
     for (std::size_t k = 0; k < group.joints.size(); k++)
         scatter_joint(step, group, k, step.dt / group.substeps);

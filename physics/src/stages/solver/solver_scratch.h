@@ -15,7 +15,7 @@
 #include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/quat.h"
-#include "stages/solver/joint_groups.h"
+#include "stages/solver/joint_group_scratch.h"
 
 namespace jostle::physics {
 
@@ -62,7 +62,7 @@ struct SolverScratch {
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
     JointGroupScratch groups;
-    std::vector<SpinAxes> spin_axes;                                     // by hot index
+    std::vector<SpinAxes> spin_axes;         // by hot index
     std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where spin_axes is not world
     // Of the group of bodies whose sub-step listeners are called for.
     std::vector<std::uint32_t> listened_awake;

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+//
+// Groups of joints without a world, against closed forms and what must be kept.
+#include "constraints/direct/direct_group.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+constexpr double g = 9.81;
+
+DirectBody body_at(Vec3 x, double mass, Vec3 moments) {
+    DirectBody body;
+    body.pushed = true;
+    body.x = x;
+    body.mass = mass;
+    body.inverse_mass = 1 / mass;
+    body.moments = moments;
+    body.inverse_moments = {1 / moments.x, 1 / moments.y, 1 / moments.z};
+    body.force = {0, 0, -g * mass};
+    refresh(body);
+    return body;
+}
+
+DirectBody ground() {
+    DirectBody body;
+    refresh(body);
+    return body;
+}
+
+int join(DirectGroup& group, int a, int b, const JointKind& kind, Vec3 arm_a, Vec3 arm_b,
+         Quat frame = {}) {
+    DirectJoint joint;
+    joint.a = a;
+    joint.b = b;
+    set_up(joint, kind, {arm_a, frame}, {arm_b, frame});
+    write_vectors(joint, group.bodies[static_cast<std::size_t>(a)],
+                  group.bodies[static_cast<std::size_t>(b)]);
+    group.joints.push_back(joint);
+    return static_cast<int>(group.joints.size()) - 1;
+}
+
+double energy(const DirectGroup& group) {
+    double sum = 0;
+    for (const DirectBody& body : group.bodies)
+        if (body.pushed)
+            sum += 0.5 * (dot(body.p, velocity(body)) + dot(body.l, spin(body))) -
+                   dot(body.force, body.x);
+    return sum;
+}
+
+double widest_gap(const DirectGroup& group) {
+    double most = 0;
+    for (const DirectJoint& j : group.joints) {
+        const DirectBody &a = group.bodies[static_cast<std::size_t>(j.a)],
+                         &b = group.bodies[static_cast<std::size_t>(j.b)];
+        most = maximum(most, length((b.x + b.axes * j.arm_b) - (a.x + a.axes * j.arm_a)));
+    }
+    return most;
+}
+
+// Links of 0.2 m along x from the ground, the last one so many times as heavy.
+DirectGroup chain(int links, double ratio) {
+    DirectGroup group;
+    group.bodies.push_back(ground());
+    for (int k = 0; k < links; k++) {
+        const double mass = k + 1 == links ? 0.1 * ratio : 0.1;
+        group.bodies.push_back(
+            body_at({0.1 + 0.2 * k, 0, 0}, mass, Vec3{0.0001, 0.0004, 0.0004} * (mass / 0.1)));
+        join(group, k, k + 1, BallJoint{}, k == 0 ? Vec3{} : Vec3{0.1, 0, 0}, {-0.1, 0, 0});
+    }
+    group.prepare();
+    return group;
+}
+
+// hinge axis y, for what falls in the xz plane
+const Quat about_y = from_axis_angle({1, 0, 0}, -0.5 * pi);
+
+// A rod that is let go from the horizontal comes back after 4 K(sin 45) / w0 = 1.935750 s.
+TEST(DirectGroup, swings_with_the_period_of_a_pendulum) {
+    DirectGroup group;
+    group.bodies = {ground(), body_at({0.5, 0, 0}, 1, {0.0016667, 0.0841667, 0.0841667})};
+    join(group, 0, 1, HingeJoint{}, {}, {-0.5, 0, 0}, about_y);
+    group.prepare();
+    const double period = 1.935750, dt = period / 120;
+    for (int k = 0; k < 120; k++) group.advance(dt, 8);
+    EXPECT_LT(length(group.bodies[1].x - Vec3{0.5, 0, 0}), 1e-5);
+    EXPECT_LT(widest_gap(group), 1e-6);
+    EXPECT_EQ(group.count().rattle_steps, 600) << "five stages of a step of fourth order";
+}
+
+// A chain with a thousand times the mass at its end cracks like a whip: it stays together, gains no
+// energy, and never needs the last resort.
+TEST(DirectGroup, holds_a_whip_together) {
+    for (const double ratio : {1.0, 100.0, 1000.0}) {
+        DirectGroup group = chain(10, ratio);
+        const double before = energy(group), scale = 0.1 * (9 + ratio) * g * 2;
+        double gap = 0, most = before;
+        for (int k = 0; k < 2 * 60; k++) {
+            group.advance(1.0 / 60, 8);
+            gap = maximum(gap, widest_gap(group));
+            most = maximum(most, energy(group));
+        }
+        EXPECT_LT(gap, 1e-5) << ratio;
+        EXPECT_LT(most - before, 1e-4 * scale) << ratio;
+        EXPECT_EQ(group.count().last_resorts, 0) << ratio;
+    }
+}
+
+// Nothing pulls from outside: both momenta stay what they are, to rounding.
+TEST(DirectGroup, keeps_momenta_of_what_tumbles) {
+    DirectGroup group;
+    for (int k = 0; k < 5; k++) {
+        group.bodies.push_back(body_at({0.2 * k, 0, 0}, 1 + k, {0.01, 0.02, 0.025}));
+        group.bodies.back().force = {};
+        group.bodies.back().p = {0, 1.0 * k, -2.0 * (k % 2)};
+        group.bodies.back().l = {0.01 * k, 0.1, 0.02};
+        if (k > 0) join(group, k - 1, k, BallJoint{}, {0.1, 0, 0}, {-0.1, 0, 0});
+    }
+    group.prepare();
+    const auto momenta = [&] {
+        Vec3 p, l;
+        for (const DirectBody& body : group.bodies) {
+            p += body.p;
+            l += body.l + cross(body.x, body.p);
+        }
+        return std::pair(p, l);
+    };
+    const auto before = momenta();
+    for (int k = 0; k < 600; k++) group.advance(1.0 / 60, 8);
+    EXPECT_LT(length(momenta().first - before.first), 1e-11);
+    EXPECT_LT(length(momenta().second - before.second), 1e-11);
+}
+
+// Four hinges of a parallelogram: three of their twenty rows follow from the others.
+TEST(DirectGroup, leaves_out_what_a_loop_says_twice) {
+    DirectGroup group;
+    const Vec3 rod{0.0841667, 0.0841667, 0.0016667};
+    group.bodies = {ground(), body_at({0, 0, -0.5}, 1, rod), body_at({1.5, 0, -0.5}, 1, rod),
+                    body_at({0.75, 0, -1}, 2, {0.0033, 0.38, 0.38})};
+    join(group, 0, 1, HingeJoint{}, {}, {0, 0, 0.5}, about_y);
+    join(group, 0, 2, HingeJoint{}, {1.5, 0, 0}, {0, 0, 0.5}, about_y);
+    join(group, 1, 3, HingeJoint{}, {0, 0, -0.5}, {-0.75, 0, 0}, about_y);
+    join(group, 2, 3, HingeJoint{}, {0, 0, -0.5}, {0.75, 0, 0}, about_y);
+    group.bodies[3].p = {2, 0, 0};
+    group.prepare();
+    const double before = energy(group);
+    group.advance(1.0 / 60, 8);  // velocities are made to fit
+    const double fit = energy(group);
+    EXPECT_LT(fit, before);
+    for (int k = 0; k < 600; k++) group.advance(1.0 / 60, 8);
+    EXPECT_EQ(group.count().left_out, 3);
+    EXPECT_NEAR(energy(group), fit, 1e-5);
+    EXPECT_LT(widest_gap(group), 1e-6);
+}
+
+// A motor gives its most until it reaches its speed, then what it takes; a limit stops it.
+TEST(DirectGroup, motors_and_limits_keep_their_bounds) {
+    DirectGroup group;
+    group.bodies = {ground(), body_at({0.5, 0, 0}, 1, {0.01, 0.0841667, 0.0841667})};
+    group.bodies[1].force = {};
+    const int motor = join(group, 0, 1,
+                           HingeJoint{.limit = {true, -1, 1.6},
+                                      .motor = {.enabled = true, .speed = 2, .max_torque = 0.5}},
+                           {}, {-0.5, 0, 0}, about_y);
+    group.prepare();
+    const double inertia = 0.0841667 + 0.25;
+    // 1.496 rad/s^2 for 1.337 s, then 2 rad/s until 1.6 rad are reached at 1.468 s.
+    for (int k = 1; k <= 90; k++) {
+        group.advance(1.0 / 60, 8);
+        const double t = k / 60.0, w = length(spin(group.bodies[1]));
+        if (t < 1.335) {
+            EXPECT_NEAR(w, 0.5 * t / inertia, 1e-5) << t;
+        } else if (t > 1.354 && t < 1.465) {
+            EXPECT_NEAR(w, 2, 1e-6) << t;
+        } else if (t > 1.485) {
+            EXPECT_LT(w, 1e-6) << t;
+        }
+    }
+    for (int k = 0; k < 60; k++) group.advance(1.0 / 60, 8);
+    const DirectJoint& joint = group.joints[static_cast<std::size_t>(motor)];
+    EXPECT_EQ(joint.at_limit, -1);
+    EXPECT_LT(length(spin(group.bodies[1])), 1e-9);
+    const Vec3 x = group.bodies[1].axes * Vec3{1, 0, 0};
+    EXPECT_NEAR(arc_tangent(-x.z, x.x), 1.6, 1e-5);
+}
+
+// Ends that start a metre apart come together at ten metres a second, and keep none of it.
+TEST(DirectGroup, brings_ends_together_without_giving_energy) {
+    DirectGroup group;
+    group.bodies = {ground(), body_at({1, 0, 0}, 1, {0.004, 0.004, 0.004})};
+    group.bodies[1].force = {};
+    join(group, 0, 1, BallJoint{}, {}, {});
+    group.prepare();
+    group.advance(0.05, 8);
+    EXPECT_NEAR(group.bodies[1].x.x, 0.5, 1e-6);
+    EXPECT_LT(length(velocity(group.bodies[1])), 1e-9);
+    group.advance(0.1, 8);
+    EXPECT_LT(length(group.bodies[1].x), 1e-5);
+    EXPECT_LT(energy(group), 1e-12);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -9,24 +9,21 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int most = BlockLdl::most_rows;
-constexpr std::size_t most_values = most * most;
+constexpr int most_block_rows = BlockLdl::most_rows;
+constexpr std::size_t most_block_values = most_block_rows * most_block_rows;
 // A pivot of which no more than this is left of its diagonal depends on the rows before it.
-constexpr double dependent = 1e-10;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
+constexpr double dependent_pivot = 1e-10;
 
 // The inverse of a pivot block of n rows by its own L D L^T; `kept` is its diagonal before the
 // elimination. Returns how many rows depend on others.
 int invert_pivot(const double* block, int n, const double* kept, double* inverse) {
-    double lower[most][most] = {}, pivot[most], reciprocal[most], x[most][most] = {};
+    double lower[most_block_rows][most_block_rows] = {}, pivot[most_block_rows],
+           reciprocal[most_block_rows], x[most_block_rows][most_block_rows] = {};
     int left_out = 0;
     for (int j = 0; j < n; j++) {
         double d = block[j * n + j];
         for (int k = 0; k < j; k++) d -= lower[j][k] * lower[j][k] * pivot[k];
-        const bool bad = !(d > dependent * kept[j]);
+        const bool bad = !(d > dependent_pivot * kept[j]);
         left_out += bad ? 1 : 0;
         pivot[j] = bad ? 0 : d;
         reciprocal[j] = bad ? 0 : 1 / d;
@@ -75,27 +72,27 @@ bool invert_three(const double* m, const double* kept, double* inverse) {
 
 std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
     const int n = static_cast<int>(position_.size());
-    std::vector<std::set<int>> near(at(n));
+    std::vector<std::set<int>> near(as_index(n));
     for (const auto& [a, b] : edges)
-        if (a != b) near[at(a)].insert(b), near[at(b)].insert(a);
+        if (a != b) near[as_index(a)].insert(b), near[as_index(b)].insert(a);
     std::set<std::pair<int, int>> queue;  // degree, node
-    const auto degree = [&](int node) { return static_cast<int>(near[at(node)].size()); };
+    const auto degree = [&](int node) { return static_cast<int>(near[as_index(node)].size()); };
     for (int i = 0; i < n; i++) queue.insert({degree(i), i});
     std::vector<int> order;
-    order.reserve(at(n));
+    order.reserve(as_index(n));
     while (!queue.empty()) {
         const int node = queue.begin()->second;
         queue.erase(queue.begin());
         order.push_back(node);
-        const std::vector<int> others(near[at(node)].begin(), near[at(node)].end());
+        const std::vector<int> others(near[as_index(node)].begin(), near[as_index(node)].end());
         for (const int a : others) queue.erase({degree(a), a});
         for (const int a : others) {
-            near[at(a)].erase(node);
+            near[as_index(a)].erase(node);
             for (const int b : others)
-                if (a != b) near[at(a)].insert(b);
+                if (a != b) near[as_index(a)].insert(b);
         }
         for (const int a : others) queue.insert({degree(a), a});
-        near[at(node)].clear();
+        near[as_index(node)].clear();
     }
     return order;
 }
@@ -103,26 +100,26 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
 // What lies below each node takes in what lies below its children in the elimination tree.
 void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) {
     const std::size_t n = order.size();
-    for (std::size_t p = 0; p < n; p++) position_[at(order[p])] = static_cast<int>(p);
+    for (std::size_t p = 0; p < n; p++) position_[as_index(order[p])] = static_cast<int>(p);
     std::vector<std::vector<int>> coupled(n), children(n);
     for (const auto& [a, b] : edges) {
         const int p = position(a), q = position(b);
-        if (p != q) coupled[at(std::min(p, q))].push_back(std::max(p, q));
+        if (p != q) coupled[as_index(std::min(p, q))].push_back(std::max(p, q));
     }
     filled_.assign(n, {});
     std::vector<int> mark(n, -1);
     for (int k = 0; k < static_cast<int>(n); k++) {
-        std::vector<int>& list = filled_[at(k)];
+        std::vector<int>& list = filled_[as_index(k)];
         const auto take = [&](int row) {
-            if (row <= k || mark[at(row)] == k) return;
-            mark[at(row)] = k;
+            if (row <= k || mark[as_index(row)] == k) return;
+            mark[as_index(row)] = k;
             list.push_back(row);
         };
-        for (const int row : coupled[at(k)]) take(row);
-        for (const int child : children[at(k)])
-            for (const int row : filled_[at(child)]) take(row);
+        for (const int row : coupled[as_index(k)]) take(row);
+        for (const int child : children[as_index(k)])
+            for (const int row : filled_[as_index(child)]) take(row);
         std::sort(list.begin(), list.end());
-        if (!list.empty()) children[at(list.front())].push_back(k);
+        if (!list.empty()) children[as_index(list.front())].push_back(k);
     }
 }
 
@@ -141,7 +138,7 @@ void BlockLdl::lay_out() {
         first_below_[k] = static_cast<int>(below_.size());
         for (const int row : filled_[k]) {
             below_.push_back({row, size});
-            size += rows_[at(row)] * rows_[k];
+            size += rows_[as_index(row)] * rows_[k];
         }
     }
     first_below_[n] = static_cast<int>(below_.size());
@@ -151,15 +148,15 @@ void BlockLdl::lay_out() {
         work_ += std::int64_t{rows_[k]} * rows_[k] * rows_[k];
         for (int j = first; j < last; j++)
             for (int i = j; i < last; i++) {
-                const int row = below_[at(i)].position, column = below_[at(j)].position;
+                const int row = below_[as_index(i)].position, column = below_[as_index(j)].position;
                 updates_.push_back({find(row, column), i - first, j - first});
-                work_ += std::int64_t{rows_[at(row)]} * rows_[at(column)] * rows_[k];
+                work_ += std::int64_t{rows_[as_index(row)]} * rows_[as_index(column)] * rows_[k];
             }
     }
     first_update_[n] = static_cast<int>(updates_.size());
-    values_.assign(at(size), 0);
-    inverse_.assign(n * most_values, 0);
-    kept_.assign(at(rows()), 0);
+    values_.assign(as_index(size), 0);
+    inverse_.assign(n * most_block_values, 0);
+    kept_.assign(as_index(rows()), 0);
 }
 
 void BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges) {
@@ -171,7 +168,7 @@ void BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> 
     begin_.assign(n + 1, 0);
     same_rows_ = n == 0 ? 0 : rows_of_node[0];
     for (std::size_t p = 0; p < n; p++) {
-        rows_[p] = rows_of_node[at(order[p])];
+        rows_[p] = rows_of_node[as_index(order[p])];
         ASSERT(rows_[p] >= 1 && rows_[p] <= most_rows);
         begin_[p + 1] = begin_[p] + rows_[p];
         if (rows_[p] != same_rows_) same_rows_ = 0;
@@ -180,9 +177,9 @@ void BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> 
 }
 
 int BlockLdl::find(int row, int column) const {
-    if (row == column) return diagonal_[at(column)];
-    const auto first = below_.begin() + first_below_[at(column)];
-    const auto last = below_.begin() + first_below_[at(column) + 1];
+    if (row == column) return diagonal_[as_index(column)];
+    const auto first = below_.begin() + first_below_[as_index(column)];
+    const auto last = below_.begin() + first_below_[as_index(column) + 1];
     const auto found = std::lower_bound(
         first, last, row, [](const Below& b, int wanted) { return b.position < wanted; });
     ASSERT(found != last && found->position == row);
@@ -205,27 +202,27 @@ int BlockLdl::factor_columns() {
     int left_out = 0;
     const int n = nodes();
     for (int k = 0; k < n; k++) {
-        const int nk = kRows != 0 ? kRows : rows_[at(k)];
-        double* const pivot = values_.data() + diagonal_[at(k)];
-        double* const inverse = inverse_.data() + at(k) * most_values;
-        const double* const kept = kept_.data() + begin_[at(k)];
+        const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
+        double* const pivot = values_.data() + diagonal_[as_index(k)];
+        double* const inverse = inverse_.data() + as_index(k) * most_block_values;
+        const double* const kept = kept_.data() + begin_[as_index(k)];
         if (kRows != 3 || !invert_three(pivot, kept, inverse))
             left_out += invert_pivot(pivot, nk, kept, inverse);
-        const int first = first_below_[at(k)], count = first_below_[at(k) + 1] - first;
+        const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
         // The column is kept beside; L = column D^-1 takes its place.
-        column_at_.resize(at(count));
+        column_at_.resize(as_index(count));
         std::size_t size = 0;
         for (int i = 0; i < count; i++) {
-            column_at_[at(i)] = static_cast<int>(size);
-            size += at(rows_[at(below_[at(first + i)].position)] * nk);
+            column_at_[as_index(i)] = static_cast<int>(size);
+            size += as_index(rows_[as_index(below_[as_index(first + i)].position)] * nk);
         }
         if (column_.size() < size) column_.resize(size);
         for (int i = 0; i < count; i++) {
-            const Below& below = below_[at(first + i)];
-            const int ni = kRows != 0 ? kRows : rows_[at(below.position)];
+            const Below& below = below_[as_index(first + i)];
+            const int ni = kRows != 0 ? kRows : rows_[as_index(below.position)];
             double* const lower = values_.data() + below.at;
-            double* const column = column_.data() + column_at_[at(i)];
+            double* const column = column_.data() + column_at_[as_index(i)];
             std::copy(lower, lower + ni * nk, column);
             for (int r = 0; r < ni; r++)
                 for (int c = 0; c < nk; c++) {
@@ -234,13 +231,14 @@ int BlockLdl::factor_columns() {
                     lower[r * nk + c] = s;
                 }
         }
-        for (int u = first_update_[at(k)]; u < first_update_[at(k) + 1]; u++) {
-            const Update& update = updates_[at(u)];
-            const Below &bi = below_[at(first + update.i)], &bj = below_[at(first + update.j)];
-            const int ni = kRows != 0 ? kRows : rows_[at(bi.position)];
-            const int nj = kRows != 0 ? kRows : rows_[at(bj.position)];
+        for (int u = first_update_[as_index(k)]; u < first_update_[as_index(k) + 1]; u++) {
+            const Update& update = updates_[as_index(u)];
+            const Below &bi = below_[as_index(first + update.i)],
+                        &bj = below_[as_index(first + update.j)];
+            const int ni = kRows != 0 ? kRows : rows_[as_index(bi.position)];
+            const int nj = kRows != 0 ? kRows : rows_[as_index(bj.position)];
             const double* const lower = values_.data() + bi.at;
-            const double* const column = column_.data() + column_at_[at(update.j)];
+            const double* const column = column_.data() + column_at_[as_index(update.j)];
             double* const to = values_.data() + update.at;
             for (int r = 0; r < ni; r++)
                 for (int c = 0; c < nj; c++) {
@@ -255,8 +253,9 @@ int BlockLdl::factor_columns() {
 
 int BlockLdl::factor() {
     for (int k = 0; k < nodes(); k++)
-        for (int i = 0; i < rows_[at(k)]; i++)
-            kept_[at(begin_[at(k)] + i)] = values_[at(diagonal_[at(k)] + i * rows_[at(k)] + i)];
+        for (int i = 0; i < rows_[as_index(k)]; i++)
+            kept_[as_index(begin_[as_index(k)] + i)] =
+                values_[as_index(diagonal_[as_index(k)] + i * rows_[as_index(k)] + i)];
     return same_rows_ == 3   ? factor_columns<3>()
            : same_rows_ == 5 ? factor_columns<5>()
                              : factor_columns<0>();
@@ -266,13 +265,13 @@ template <int kRows>
 void BlockLdl::solve_columns(double* x) const {
     const int n = nodes();
     for (int k = 0; k < n; k++) {
-        const int nk = kRows != 0 ? kRows : rows_[at(k)];
-        const double* const xk = x + begin_[at(k)];
-        for (int b = first_below_[at(k)]; b < first_below_[at(k) + 1]; b++) {
-            const Below& below = below_[at(b)];
-            const int ni = kRows != 0 ? kRows : rows_[at(below.position)];
+        const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
+        const double* const xk = x + begin_[as_index(k)];
+        for (int b = first_below_[as_index(k)]; b < first_below_[as_index(k) + 1]; b++) {
+            const Below& below = below_[as_index(b)];
+            const int ni = kRows != 0 ? kRows : rows_[as_index(below.position)];
             const double* const lower = values_.data() + below.at;
-            double* const xi = x + begin_[at(below.position)];
+            double* const xi = x + begin_[as_index(below.position)];
             for (int r = 0; r < ni; r++) {
                 double s = 0;
                 for (int t = 0; t < nk; t++) s += lower[r * nk + t] * xk[t];
@@ -281,20 +280,20 @@ void BlockLdl::solve_columns(double* x) const {
         }
     }
     for (int k = n - 1; k >= 0; k--) {
-        const int nk = kRows != 0 ? kRows : rows_[at(k)];
-        const double* const inverse = inverse_.data() + at(k) * most_values;
-        double* const xk = x + begin_[at(k)];
-        double y[most];
+        const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
+        const double* const inverse = inverse_.data() + as_index(k) * most_block_values;
+        double* const xk = x + begin_[as_index(k)];
+        double y[most_block_rows];
         for (int r = 0; r < nk; r++) {
             double s = 0;
             for (int t = 0; t < nk; t++) s += inverse[r * nk + t] * xk[t];
             y[r] = s;
         }
-        for (int b = first_below_[at(k)]; b < first_below_[at(k) + 1]; b++) {
-            const Below& below = below_[at(b)];
-            const int ni = kRows != 0 ? kRows : rows_[at(below.position)];
+        for (int b = first_below_[as_index(k)]; b < first_below_[as_index(k) + 1]; b++) {
+            const Below& below = below_[as_index(b)];
+            const int ni = kRows != 0 ? kRows : rows_[as_index(below.position)];
             const double* const lower = values_.data() + below.at;
-            const double* const xi = x + begin_[at(below.position)];
+            const double* const xi = x + begin_[as_index(below.position)];
             for (int r = 0; r < ni; r++)
                 for (int t = 0; t < nk; t++) y[t] -= lower[r * nk + t] * xi[r];
         }

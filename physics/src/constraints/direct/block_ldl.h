@@ -11,12 +11,17 @@
 // their unknowns are zero, and the others solve what the rows agree on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace jostle::physics {
+
+inline std::size_t as_index(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 class BlockLdl {
 public:

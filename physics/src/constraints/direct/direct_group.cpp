@@ -9,13 +9,13 @@ namespace jostle::physics {
 namespace {
 
 // RATTLE's corrections stop to converge at about one radian.
-constexpr double followed = 0.7;  // rad
+constexpr double followed_swing = 0.7;  // rad
 // ... and where a body turns further in a step, as the way an impulse takes is then bent.
-constexpr double turned = 1;  // rad
+constexpr double followed_turn = 1;  // rad
 constexpr int most_halvings = 6, most_steps = 1024;
 // Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
 constexpr double suzuki = 0.41449077179437573714;
-constexpr double stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
+constexpr double suzuki_stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
 constexpr double longest_stage = 4 * suzuki - 1;
 
 }  // namespace
@@ -64,14 +64,14 @@ bool DirectGroup::compose(double h) {
     count_.compositions++;
     // Fourth order wants digits.
     const double fine = minimum(1e-7, tolerance(h)) * minimum(1, 2 * reach_);
-    for (const double stage : stages)
+    for (const double stage : suzuki_stages)
         if (!step_rattle(h * stage, fine)) return false;
     return true;
 }
 
 void DirectGroup::step(double h, int depth) {
     save(depth);
-    if (stiffest() * h < followed) {
+    if (stiffest() * h < followed_swing) {
         if (step_rattle(h, tolerance(h))) return;
         restore(depth);
     }
@@ -99,17 +99,17 @@ double DirectGroup::fastest_turn() const {
 
 void DirectGroup::advance(double dt, int substeps) {
     const double turn = fastest_turn() * dt;
-    if (turn > turned * substeps)
-        substeps = static_cast<int>(minimum(turn / turned, most_steps - 1)) + 1;
+    if (turn > followed_turn * substeps)
+        substeps = static_cast<int>(minimum(turn / followed_turn, most_steps - 1)) + 1;
     // A composition is five steps.
     int parts = smooth_ ? substeps / 5 : 0;
-    if (turn * longest_stage > turned * parts) parts = 0;
+    if (turn * longest_stage > followed_turn * parts) parts = 0;
     // Ends that are far apart come together step by step, forward in time.
     if (parts > 0 && set_targets(dt / substeps)) parts = 0;
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
         save(0);
-        if (stiffest() * h * longest_stage < followed) {
+        if (stiffest() * h * longest_stage < followed_swing) {
             if (compose(h)) continue;
             restore(0);
         }

@@ -11,10 +11,6 @@
 namespace jostle::physics {
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 // m: at this distance all its mass would be as hard to turn.
 double gyration_of(const DirectBody& body) {
     const Vec3& i = body.moments;
@@ -38,7 +34,7 @@ void DirectGroup::prepare() {
     for (const DirectJoint& joint : joints) {
         if (joint.has_limit || joint.has_motor) smooth_ = false;
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
-        for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[at(body)]);
+        for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
     }
     reach_ = arms / static_cast<double>(joints.size());
@@ -50,14 +46,15 @@ void DirectGroup::prepare() {
     for (std::size_t k = 0; k < joints.size(); k++) {
         rows.push_back(joints[k].rows());
         for (const int body : {joints[k].a, joints[k].b})
-            if (bodies[at(body)].pushed) of_body[at(body)].push_back(static_cast<int>(k));
+            if (bodies[as_index(body)].pushed)
+                of_body[as_index(body)].push_back(static_cast<int>(k));
     }
     std::vector<BlockLdl::Edge> edges;
     for (const std::vector<int>& list : of_body)
         for (std::size_t i = 0; i < list.size(); i++)
             for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
     matrix_.analyze(rows, edges);
-    right_side_.assign(at(matrix_.rows()), 0);
+    right_side_.assign(as_index(matrix_.rows()), 0);
     couplings_.clear();
     for (std::size_t body = 0; body < bodies.size(); body++) {
         const std::vector<int>& list = of_body[body];
@@ -68,8 +65,8 @@ void DirectGroup::prepare() {
                 const int sooner = first_later ? list[k] : list[i];
                 const int number = static_cast<int>(body);
                 couplings_.push_back({matrix_.block_at(later, sooner), later, sooner, number,
-                                      joints[at(later)].b == number,
-                                      joints[at(sooner)].b == number});
+                                      joints[as_index(later)].b == number,
+                                      joints[as_index(sooner)].b == number});
             }
     }
     // Blocks are then summed up one after the other.
@@ -82,7 +79,7 @@ void DirectGroup::prepare() {
 
 void DirectGroup::write_all_vectors() {
     for (DirectJoint& joint : joints)
-        write_vectors(joint, bodies[at(joint.a)], bodies[at(joint.b)]);
+        write_vectors(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
 }
 
 // `linear`: by how much an inverse mass counts; `response`: what takes the place of the inverse
@@ -91,8 +88,8 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
     double* const values = matrix_.values().data();
     for (const Coupling& c : couplings_) {
-        const DirectJoint &later = joints[at(c.later)], &sooner = joints[at(c.sooner)];
-        const DirectBody& body = bodies[at(c.body)];
+        const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
+        const DirectBody& body = bodies[as_index(c.body)];
         const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;
         const Vec3* const columns = c.sooner_b ? sooner.angular_b : sooner.angular_a;
         const int n = sooner.rows(), m = later.rows();
@@ -147,7 +144,7 @@ void DirectGroup::kick(double h) {
 
 // On the two bodies.
 void DirectGroup::push(const DirectJoint& joint, const double* impulse) {
-    DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+    DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     Vec3 linear;
     if (joint.points == 3)
         linear = {impulse[0], impulse[1], impulse[2]};
@@ -186,7 +183,7 @@ void DirectGroup::record(DirectJoint& joint, const double* impulse) {
 double DirectGroup::measure_all(double h) {
     double largest = 0;
     for (DirectJoint& joint : joints) {
-        measure(joint, bodies[at(joint.a)], bodies[at(joint.b)], h);
+        measure(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)], h);
         for (int k = 0; k < joint.rows(); k++) {
             joint.error[k] -= joint.target[k];
             const double size = absolute(joint.error[k]) * (k < joint.points ? 1 : reach_);
@@ -202,7 +199,7 @@ bool DirectGroup::set_targets(double h) {
     const double most = tuning::joint_push_speed * absolute(h);
     const double most_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
-        measure_start(joint, bodies[at(joint.a)], bodies[at(joint.b)]);
+        measure_start(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
         std::fill(std::begin(joint.target), std::end(joint.target), 0.0);
         double apart = 0, turned = 0;
         for (int k = 0; k < joint.points; k++) apart += joint.start[k] * joint.start[k];
@@ -257,7 +254,7 @@ void DirectGroup::project_velocities(double h, double bias, bool keep_forces) {
         }
         for (std::size_t k = 0; k < joints.size(); k++) {
             const DirectJoint& joint = joints[k];
-            const DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+            const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             rate(joint, a.v0, a.w0, b.v0, b.w0, to);
             if (joint.has_motor && joint.at_most == 0) to[joint.motor_row()] -= joint.speed;
@@ -271,7 +268,7 @@ void DirectGroup::project_velocities(double h, double bias, bool keep_forces) {
             DirectJoint& joint = joints[k];
             const double* const impulse = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             for (int r = 0; r < joint.rows(); r++)
-                if (keep_forces && !joint.off[at(r)]) joint.force[r] = impulse[r] / h;
+                if (keep_forces && !joint.off[as_index(r)]) joint.force[r] = impulse[r] / h;
             if (!keep_forces || smooth_ || round >= bound_rounds) continue;
             const int at_most = joint.at_most;
             if (keep_bounds(joint, joint.force, 0.5 * joint.most_torque)) changed = true;
@@ -286,16 +283,16 @@ void DirectGroup::project_velocities(double h, double bias, bool keep_forces) {
 // ---- limits and motors ----
 
 void DirectGroup::give_most(DirectJoint& joint, double time) {
-    const Vec3 axis = bodies[at(joint.a)].axes * joint.axis_a;
+    const Vec3 axis = bodies[as_index(joint.a)].axes * joint.axis_a;
     const Vec3 impulse = axis * (time * joint.at_most * joint.most_torque);
-    bodies[at(joint.a)].l -= impulse;
-    bodies[at(joint.b)].l += impulse;
+    bodies[as_index(joint.a)].l -= impulse;
+    bodies[as_index(joint.b)].l += impulse;
     joint.torque_sum += impulse;
 }
 
 void DirectGroup::switch_off(DirectJoint& joint, int row, bool off) {
-    if (joint.off[at(row)] == off) return;
-    joint.off[at(row)] = off;
+    if (joint.off[as_index(row)] == off) return;
+    joint.off[as_index(row)] = off;
     factored_ = false;
 }
 
@@ -322,7 +319,7 @@ void DirectGroup::set_bounds(double h) {
         if (joint.has_limit) switch_off(joint, joint.limit_row(), joint.at_limit == 0);
         if (!joint.has_motor) continue;
         if (joint.at_most != 0) {
-            const DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+            const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
             const Vec3 axis = a.axes * joint.axis_a;
             const double missing = joint.at_most * (joint.speed - dot(axis, spin(b) - spin(a)));
             const double gained =
@@ -359,7 +356,8 @@ bool DirectGroup::reach_limits(double motor_time) {
     bool changed = false;
     for (DirectJoint& joint : joints) {
         if (!joint.has_limit || joint.at_limit != 0) continue;
-        const double angle = trial_angle(joint, bodies[at(joint.a)], bodies[at(joint.b)]);
+        const double angle =
+            trial_angle(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
         joint.at_limit = angle < joint.lower ? 1 : (angle > joint.upper ? -1 : 0);
         if (joint.at_limit == 0) continue;
         switch_off(joint, joint.limit_row(), false);

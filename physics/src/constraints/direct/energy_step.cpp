@@ -12,13 +12,9 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int most_corrections = 16;
+constexpr int most_energy_corrections = 16;
 // The matrix is made anew when an error keeps more of itself.
-constexpr double slow = 0.35;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
+constexpr double slow_contraction = 0.35;
 
 // A force on a body at an arm pulls it straight, or topples it: minus the derivative of its torque.
 void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
@@ -58,7 +54,7 @@ double DirectGroup::stiffest() {
     for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
     for (const DirectJoint& joint : joints) {
         const Vec3 pull = pull_of(joint, joint.force) * 2;
-        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         stiffen(a, pull, a.axes * joint.arm_a);
         stiffen(b, -pull, b.axes * joint.arm_b);
     }
@@ -84,8 +80,8 @@ void DirectGroup::begin_energy_step(double h) {
     // The first guess: as the joints pulled until now.
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
-            joint.impulse[k] = joint.off[at(k)] ? 0 : 2 * h * joint.force[k];
-        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+            joint.impulse[k] = joint.off[as_index(k)] ? 0 : 2 * h * joint.force[k];
+        DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         for (int k = 0; k < joint.rows(); k++) {
             a.twist += joint.angular_a[k] * joint.impulse[k];
             b.twist += joint.angular_b[k] * joint.impulse[k];
@@ -112,18 +108,18 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
     }
     for (const DirectJoint& joint : joints) {
         const Vec3 pull = pull_of(joint, joint.impulse);
-        bodies[at(joint.a)].sum -= pull;
-        bodies[at(joint.b)].sum += pull;
+        bodies[as_index(joint.a)].sum -= pull;
+        bodies[as_index(joint.b)].sum += pull;
         if (joint.at_most == 0) continue;
         const Vec3 most =
-            bodies[at(joint.a)].axes * joint.axis_a * (h * joint.at_most * joint.most_torque);
-        bodies[at(joint.a)].twist -= most;
-        bodies[at(joint.b)].twist += most;
+            bodies[as_index(joint.a)].axes * joint.axis_a * (h * joint.at_most * joint.most_torque);
+        bodies[as_index(joint.a)].twist -= most;
+        bodies[as_index(joint.b)].twist += most;
     }
     for (DirectBody& body : bodies)
         body.x1 = body.x + (body.v0 + body.sum * (0.5 * body.inverse_mass)) * h;
     for (DirectJoint& joint : joints) {
-        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         write_mean_vectors(joint, a, b);
         for (int k = 0; k < joint.rows(); k++) {
             a.twist += joint.angular_a[k] * joint.impulse[k];
@@ -172,7 +168,7 @@ void DirectGroup::correct(double h, bool again) {
     }
     for (std::size_t k = 0; k < joints.size(); k++) {
         const DirectJoint& joint = joints[k];
-        const DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
         for (int r = 0; r < joint.rows(); r++)
             to[r] = -dot(joint.angular_a[r], a.answer) - dot(joint.angular_b[r], b.answer) -
@@ -182,7 +178,7 @@ void DirectGroup::correct(double h, bool again) {
     count_.solves++;
     for (std::size_t k = 0; k < joints.size(); k++) {
         DirectJoint& joint = joints[k];
-        DirectBody &a = bodies[at(joint.a)], &b = bodies[at(joint.b)];
+        DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
         for (int r = 0; r < joint.rows(); r++) {
             joint.impulse[r] += more[r];
@@ -200,8 +196,8 @@ bool DirectGroup::find_energy_way(double h, double tolerance) {
     for (int round = 0;; round++) {
         const double error = miss_of(h, true);
         if (error < tolerance) return true;
-        if (round == most_corrections || !(error < 1e6)) return error < 30 * tolerance;
-        again = round < 1 || error > slow * before;
+        if (round == most_energy_corrections || !(error < 1e6)) return error < 30 * tolerance;
+        again = round < 1 || error > slow_contraction * before;
         before = error;
         correct(h, again);
     }

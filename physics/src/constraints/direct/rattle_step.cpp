@@ -9,11 +9,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int most_corrections = 8;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
+constexpr int most_way_corrections = 8;
 
 void drift(DirectBody& body, double h) {
     if (body.pushed) {
@@ -32,7 +28,7 @@ void drift(DirectBody& body, double h) {
 bool DirectGroup::find_way(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
-            joint.impulse[k] = joint.off[at(k)] ? 0 : h * joint.force[k];
+            joint.impulse[k] = joint.off[as_index(k)] ? 0 : h * joint.force[k];
         push(joint, joint.impulse);
     }
     double before = 1e300;
@@ -40,7 +36,7 @@ bool DirectGroup::find_way(double h, double tolerance) {
         for (DirectBody& body : bodies) drift(body, h);
         const double error = measure_all(h);
         if (error < tolerance) return true;
-        if (round == most_corrections || !(error < 4 * before)) return error < 30 * tolerance;
+        if (round == most_way_corrections || !(error < 4 * before)) return error < 30 * tolerance;
         before = error;
         for (std::size_t k = 0; k < joints.size(); k++) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));

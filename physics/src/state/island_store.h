@@ -19,6 +19,8 @@ namespace jostle::physics {
 struct Island {
     std::uint32_t first = none, last = none;  // bodies, through BodyCold::island_next
     std::uint32_t bodies = 0;
+    // Found by the solver and true until the island's bodies or joints change: not saved.
+    bool joints_too_dense = false;
     bool may_be_split = false;  // a touching contact ended since it was formed
     bool asleep = false;
     ColourSetKey colour_set;     // of its manifolds

@@ -117,6 +117,7 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     if (Status s = check_kind(kind); !s.ok()) return s;
     if (j.kind == kind) return {};
     j.kind = kind;
+    forget_density(world, id.index);
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     return {};

@@ -2,7 +2,9 @@
 #include "constraints/direct/block_ldl.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include "foundation/check.h"
 
@@ -71,28 +73,36 @@ bool invert_three(const double* m, const double* kept, double* inverse) {
 // ---- the pattern ----
 
 std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
-    const int n = static_cast<int>(position_.size());
-    std::vector<std::set<int>> near(as_index(n));
+    const std::size_t n = position_.size();
+    std::vector<std::vector<int>> near(n);  // sorted
     for (const auto& [a, b] : edges)
-        if (a != b) near[as_index(a)].insert(b), near[as_index(b)].insert(a);
-    std::set<std::pair<int, int>> queue;  // degree, node
-    const auto degree = [&](int node) { return static_cast<int>(near[as_index(node)].size()); };
-    for (int i = 0; i < n; i++) queue.insert({degree(i), i});
-    std::vector<int> order;
-    order.reserve(as_index(n));
+        if (a != b) near[as_index(a)].push_back(b), near[as_index(b)].push_back(a);
+    for (std::vector<int>& list : near) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    std::set<std::pair<std::size_t, int>> queue;  // degree, node
+    for (std::size_t i = 0; i < n; i++) queue.insert({near[i].size(), static_cast<int>(i)});
+    std::vector<int> order, others, merged;
+    order.reserve(n);
     while (!queue.empty()) {
         const int node = queue.begin()->second;
         queue.erase(queue.begin());
         order.push_back(node);
-        const std::vector<int> others(near[as_index(node)].begin(), near[as_index(node)].end());
-        for (const int a : others) queue.erase({degree(a), a});
+        others = std::exchange(near[as_index(node)], {});
+        // They meet each other from now on.
         for (const int a : others) {
-            near[as_index(a)].erase(node);
-            for (const int b : others)
-                if (a != b) near[as_index(a)].insert(b);
+            std::vector<int>& list = near[as_index(a)];
+            const std::size_t before = list.size();
+            merged.clear();
+            std::set_union(list.begin(), list.end(), others.begin(), others.end(),
+                           std::back_inserter(merged));
+            std::erase_if(merged, [&](int other) { return other == node || other == a; });
+            list.swap(merged);
+            if (list.size() == before) continue;
+            queue.erase({before, a});
+            queue.insert({list.size(), a});
         }
-        for (const int a : others) queue.insert({degree(a), a});
-        near[as_index(node)].clear();
     }
     return order;
 }
@@ -123,6 +133,21 @@ void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) 
     }
 }
 
+void BlockLdl::count_work() {
+    work_ = 0;
+    for (std::size_t k = 0; k < rows_.size(); k++) {
+        std::int64_t below = 0, squares = 0;
+        for (const int row : filled_[k]) {
+            const std::int64_t m = rows_[as_index(row)];
+            below += m;
+            squares += m * m;
+        }
+        // Of each two of those below, and each with itself.
+        const std::int64_t m = rows_[k];
+        work_ += m * m * m + m * (below * below + squares) / 2;
+    }
+}
+
 void BlockLdl::lay_out() {
     const std::size_t n = rows_.size();
     diagonal_.resize(n);
@@ -130,7 +155,6 @@ void BlockLdl::lay_out() {
     first_update_.assign(n + 1, 0);
     below_.clear();
     updates_.clear();
-    work_ = 0;
     int size = 0;
     for (std::size_t k = 0; k < n; k++) {
         diagonal_[k] = size;
@@ -145,12 +169,10 @@ void BlockLdl::lay_out() {
     for (std::size_t k = 0; k < n; k++) {
         first_update_[k] = static_cast<int>(updates_.size());
         const int first = first_below_[k], last = first_below_[k + 1];
-        work_ += std::int64_t{rows_[k]} * rows_[k] * rows_[k];
         for (int j = first; j < last; j++)
             for (int i = j; i < last; i++) {
                 const int row = below_[as_index(i)].position, column = below_[as_index(j)].position;
                 updates_.push_back({find(row, column), i - first, j - first});
-                work_ += std::int64_t{rows_[as_index(row)]} * rows_[as_index(column)] * rows_[k];
             }
     }
     first_update_[n] = static_cast<int>(updates_.size());
@@ -159,7 +181,8 @@ void BlockLdl::lay_out() {
     kept_.assign(as_index(rows()), 0);
 }
 
-void BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges) {
+bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
+                       std::int64_t most_work) {
     const std::size_t n = rows_of_node.size();
     position_.assign(n, 0);
     const std::vector<int> order = order_by_degree(edges);
@@ -173,7 +196,10 @@ void BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> 
         begin_[p + 1] = begin_[p] + rows_[p];
         if (rows_[p] != same_rows_) same_rows_ = 0;
     }
+    count_work();
+    if (work_ > most_work) return false;
     lay_out();
+    return true;
 }
 
 int BlockLdl::find(int row, int column) const {

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,7 +30,9 @@ public:
     using Edge = std::pair<int, int>;
 
     // By minimum degree; ties by number. Edges may occur more than once, in either direction.
-    void analyze(std::span<const int> rows_of_node, std::span<const Edge> edges);
+    // False, and of no use, if a factor would take more multiplications than `most_work`.
+    bool analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
+                 std::int64_t most_work = std::numeric_limits<std::int64_t>::max());
 
     int nodes() const { return static_cast<int>(rows_.size()); }
     int rows() const { return begin_.empty() ? 0 : begin_.back(); }
@@ -62,6 +65,7 @@ private:
     int find(int row, int column) const;  // by elimination order
     std::vector<int> order_by_degree(std::span<const Edge> edges) const;
     void fill(std::span<const Edge> edges, const std::vector<int>& order);
+    void count_work();
     void lay_out();
     template <int kRows>
     int factor_columns();

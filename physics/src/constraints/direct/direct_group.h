@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "constraints/direct/block_ldl.h"
@@ -33,10 +34,9 @@ public:
         int factors = 0, solves = 0, left_out = 0;
     };
 
-    // Once bodies and joints are there: their pattern, unless it is that of before.
-    void prepare();
-    // Multiplications of one factor: what the pattern costs.
-    std::int64_t work() const { return matrix_.work(); }
+    // Once bodies and joints are there: their pattern, unless it is that of before. False, and of
+    // no use, if a factor would take more multiplications than `most_work`.
+    bool prepare(std::int64_t most_work = std::numeric_limits<std::int64_t>::max());
     // By dt, in about so many sub-steps.
     void advance(double dt, int substeps);
     const Count& count() const { return count_; }

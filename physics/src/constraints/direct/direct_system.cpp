@@ -21,7 +21,7 @@ double gyration_of(const DirectBody& body) {
 
 // ---- the pattern ----
 
-void DirectGroup::prepare() {
+bool DirectGroup::prepare(std::int64_t most_work) {
     count_ = {};
     factored_ = false;
     smooth_ = true;
@@ -38,8 +38,8 @@ void DirectGroup::prepare() {
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
     }
     reach_ = arms / static_cast<double>(joints.size());
-    if (pattern == pattern_) return;
-    pattern_ = std::move(pattern);
+    if (pattern == pattern_) return true;
+    pattern_.clear();
 
     std::vector<std::vector<int>> of_body(bodies.size());
     std::vector<int> rows;
@@ -53,7 +53,8 @@ void DirectGroup::prepare() {
     for (const std::vector<int>& list : of_body)
         for (std::size_t i = 0; i < list.size(); i++)
             for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-    matrix_.analyze(rows, edges);
+    if (!matrix_.analyze(rows, edges, most_work)) return false;
+    pattern_ = std::move(pattern);
     right_side_.assign(as_index(matrix_.rows()), 0);
     couplings_.clear();
     for (std::size_t body = 0; body < bodies.size(); body++) {
@@ -73,6 +74,7 @@ void DirectGroup::prepare() {
     std::sort(couplings_.begin(), couplings_.end(), [](const Coupling& x, const Coupling& y) {
         return std::pair(x.at, x.body) < std::pair(y.at, y.body);
     });
+    return true;
 }
 
 // ---- J M^-1 J^T ----

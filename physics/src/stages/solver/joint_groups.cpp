@@ -35,7 +35,9 @@ void look_at_islands(StepContext& step) {
     const WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
     const std::size_t islands = world.islands.ids.size();
-    scratch.refused.assign(islands, 0);
+    scratch.refused.resize(islands);
+    for (std::size_t i = 0; i < islands; i++)
+        scratch.refused[i] = world.islands.islands[i].joints_too_dense ? 1 : 0;
     scratch.active.clear();
     if (scratch.of_island.size() < islands) scratch.of_island.resize(islands);
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -158,7 +160,8 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
                 h);
 }
 
-void gather(StepContext& step, std::uint32_t island) {
+// False if it is too dense to be solved directly.
+bool gather(StepContext& step, std::uint32_t island) {
     WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
     if (scratch.of_island[island] == nullptr)
@@ -177,12 +180,8 @@ void gather(StepContext& step, std::uint32_t island) {
         gather_joint(step, group, k, step.dt / group.substeps);
     for (const std::uint32_t body : group.bodies)
         (body == none ? scratch.number_of.back() : scratch.number_of[body]) = -1;
-    group.solver.prepare();
-}
-
-bool is_too_dense(const JointGroup& group) {
-    return group.solver.work() >
-           tuning::direct_work * static_cast<std::int64_t>(group.joints.size());
+    return group.solver.prepare(tuning::direct_work *
+                                static_cast<std::int64_t>(group.joints.size()));
 }
 
 // ---- scatter ----
@@ -240,9 +239,12 @@ void find_joint_groups(StepContext& step) {
     scratch.number_of.assign(world.bodies.cold.size() + 1, -1);
     scratch.grouped.assign(world.bodies.awake.size(), 0);
     std::erase_if(scratch.active, [&](std::uint32_t island) {
-        gather(step, island);
+        if (!gather(step, island)) {
+            step.world.islands.islands[island].joints_too_dense = true;
+            scratch.of_island[island] = nullptr;
+            return true;
+        }
         const JointGroup& group = *scratch.of_island[island];
-        if (is_too_dense(group)) return true;
         for (const std::uint32_t body : group.bodies) {
             if (!is_pushed(world, body)) continue;
             scratch.awake.push_back(world.bodies.cold[body].at);

@@ -171,5 +171,19 @@ TEST(BlockLdl, of_a_chain_costs_in_proportion_to_its_links) {
     EXPECT_NEAR(work(1000) / work(100), 1, 0.02);
 }
 
+// Eight nodes that all meet: what that costs is known, and one multiplication less is too few.
+TEST(BlockLdl, of_a_dense_pattern_is_refused_by_its_work) {
+    std::vector<BlockLdl::Edge> edges;
+    for (int i = 0; i < 8; i++)
+        for (int k = 0; k < i; k++) edges.push_back({i, k});
+    const std::vector<int> rows(8, 1);
+    // 1 for each pivot, n (n + 1) / 2 for the n that lie below it.
+    const int work = 8 + 28 + 21 + 15 + 10 + 6 + 3 + 1;
+    BlockLdl ldl;
+    EXPECT_TRUE(ldl.analyze(rows, edges, work));
+    EXPECT_EQ(ldl.work(), work);
+    EXPECT_FALSE(ldl.analyze(rows, edges, work - 1));
+}
+
 }  // namespace
 }  // namespace jostle::test

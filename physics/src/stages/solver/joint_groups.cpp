@@ -180,8 +180,10 @@ bool gather(StepContext& step, std::uint32_t island) {
         gather_joint(step, group, k, step.dt / group.substeps);
     for (const std::uint32_t body : group.bodies)
         (body == none ? scratch.number_of.back() : scratch.number_of[body]) = -1;
-    return group.solver.prepare(tuning::direct_work *
-                                static_cast<std::int64_t>(group.joints.size()));
+    std::int64_t cubes = 0;
+    for (const DirectJoint& joint : group.solver.joints)
+        cubes += std::int64_t{joint.rows()} * joint.rows() * joint.rows();
+    return group.solver.prepare(tuning::direct_work * cubes);
 }
 
 // ---- scatter ----

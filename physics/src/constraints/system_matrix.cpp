@@ -27,7 +27,8 @@ void add_responses(ConstraintSystem& system) {
     for (std::size_t k = 0; k < count; k++)
         for (int p = 0; p < system.rows[k].part_count; p++) {
             const RowPart& part = system.rows[k].parts[p];
-            if (system.bodies[place_of(part.body)].moves) uses[place_of(part.body)].push_back({k, &part});
+            if (system.bodies[place_of(part.body)].moves)
+                uses[place_of(part.body)].push_back({k, &part});
         }
     for (std::size_t body = 0; body < uses.size(); body++)
         for (const Use& from : uses[body]) {
@@ -42,6 +43,20 @@ void add_responses(ConstraintSystem& system) {
             double &below = system.matrix[i * count + j], &above = system.matrix[j * count + i];
             below = above = 0.5 * (below + above);
         }
+}
+
+// Rows of a block stand side by side.
+void add_softness(ConstraintSystem& system, std::size_t k) {
+    const std::size_t count = system.rows.size();
+    const ConstraintRow& row = system.rows[k];
+    double* own = &system.matrix[k * count];
+    if (row.softness == 0) return;
+    if (row.block >= 0) {
+        const double share = row.softness / own[k];
+        for (std::size_t j = k; j-- > 0 && system.rows[j].block == row.block;)
+            system.matrix[j * count + k] = own[j] += share * own[j];
+    }
+    own[k] += row.softness;
 }
 
 void add_vector(std::vector<double>& to, std::size_t first, Vec3 v) {
@@ -116,7 +131,7 @@ void assemble(ConstraintSystem& system) {
     add_responses(system);
     for (std::size_t k = 0; k < count; k++) {
         const ConstraintRow& row = system.rows[k];
-        system.matrix[k * count + k] += row.softness;
+        add_softness(system, k);
         system.right[k] = row.bias - rate_by_forces(row, system.bodies);
     }
 }

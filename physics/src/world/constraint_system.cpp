@@ -79,8 +79,8 @@ Carrier carrier_now(const WorldState& world, std::uint32_t body) {
             .rotation = warm.rotation};
 }
 
-SystemBody system_body(const WorldState& world, std::uint32_t index, const ConstraintQuestion& question,
-                   double h) {
+SystemBody system_body(const WorldState& world, std::uint32_t index,
+                       const ConstraintQuestion& question, double h) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
     SystemBody body{.id = body_id(world, index),
@@ -96,8 +96,8 @@ SystemBody system_body(const WorldState& world, std::uint32_t index, const Const
     if (!question.forces) return body;
     FieldPush push;
     if (!world.fields.empty()) push = field_push(world, warm, cold, world.time, h);
-    const Vec3 acceleration = acceleration_of(warm, cold, world.def.gravity) +
-                              scaled(push.force, body.inverse_mass);
+    const Vec3 acceleration =
+        acceleration_of(warm, cold, world.def.gravity) + scaled(push.force, body.inverse_mass);
     const Vec3 momentum =
         warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));  // of spin, world
     const Vec3 torque = warm.torque + push.torque - cross(warm.w, momentum);
@@ -113,8 +113,10 @@ struct RowGathering {
     const ConstraintQuestion& question;
     double h;
     ConstraintSystem system = {};
-    std::vector<std::uint32_t> bodies = {};   // by number
+    std::vector<std::uint32_t> bodies = {};    // by number
     std::vector<std::int32_t> number_of = {};  // by index; -1: not named yet
+
+    int first_block = 0;  // of the next joint
 
     int number(std::uint32_t index) {
         std::int32_t& number = number_of[index];
@@ -141,14 +143,18 @@ struct RowGathering {
 
     void add_joint(std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
+        int last = first_block;
         Carrier carriers[2];
         if (joint_is_couple(joint.kind))
             for (int end = 0; end < 2; end++)
                 carriers[end] = carrier_now(world, find_carrier(world, joint, end));
         for (const JointRow& from :
              joint_rows(joint, end_now(world, joint.body_a, joint.frame_a),
-                        end_now(world, joint.body_b, joint.frame_b), carriers))
+                        end_now(world, joint.body_b, joint.frame_b), carriers)) {
             add_joint_row(index, from);
+            last = from.block < 0 ? last : first_block + from.block;
+        }
+        first_block = last + 1;
     }
 
     void add_joint_row(std::uint32_t index, const JointRow& from) {
@@ -165,6 +171,7 @@ struct RowGathering {
         row.upper = from.upper * h;
         row.error = from.error;
         row.rate = rate_now(row, system.bodies);
+        if (from.block >= 0) row.block = first_block + from.block;
         row.bias = from.holds() ? bias_of(from.error, from.one_sided, question.mend) : from.speed;
         row.softness = from.compliance / h;
         if (from.spring.hertz > 0)
@@ -173,8 +180,8 @@ struct RowGathering {
             soften(row, damper(from.damper, h), response);
         else if (question.solver_softness && from.rigid() && from.holds() &&
                  !(from.one_sided && from.error > 0))
-            soften(row,
-                   soft(tuning::joint_stiffness / h, tuning::joint_damping_ratio, h), response);
+            soften(row, soft(tuning::joint_stiffness / h, tuning::joint_damping_ratio, h),
+                   response);
         system.rows.push_back(row);
     }
 
@@ -296,15 +303,14 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
                      "what hangs together with body {" + std::to_string(body) + ", " +
                          std::to_string(body_id(world, body).generation) + "} are " +
                          std::to_string(bodies.size()) + " bodies with more than " +
-                         std::to_string(constraint_rows_max) +
-                         " rows; ask about a smaller group"};
+                         std::to_string(constraint_rows_max) + " rows; ask about a smaller group"};
     };
     for (const std::uint32_t joint : joints_on(world, bodies)) {
         all.add_joint(joint);
         if (all.full()) return too_many();
     }
-    const ContactSettings at_h = contact_settings(h * settings.substeps, world.def,
-                                                  island.colour_set.tier);
+    const ContactSettings at_h =
+        contact_settings(h * settings.substeps, world.def, island.colour_set.tier);
     for (const ContactView& contact : contacts_between(world, bodies)) {
         all.add_contact(contact, at_h);
         if (all.full()) return too_many();

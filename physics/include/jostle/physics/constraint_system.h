@@ -6,11 +6,11 @@
 // World::constraint_system() makes one, for whoever wants to see it, solve it in another way, or
 // know why it is hard. Asking changes nothing.
 //
-// Springs are implicit Euler's (Catto, "Soft Constraints", GDC 2011): a softness on the diagonal and
-// a share of the error in the bias. Friction is by the point and the direction: two rows beside each
-// normal, each within friction times the normal's impulse. What limits a vector of three (the torque
-// of a drive or of a ball's friction, a hand's force) bounds each component. Not there: bounces,
-// resistance to rolling, and the means that the solver remembers of contacts.
+// Springs are implicit Euler's (Catto, "Soft Constraints", GDC 2011): a softness beside J M^-1 J^T
+// and a share of the error in the bias. Friction is by the point and the direction: two rows beside
+// each normal, each within friction times the normal's impulse. What limits a vector of three (the
+// torque of a drive or of a ball's friction, a hand's force) bounds each component. Not there:
+// bounces, resistance to rolling, and the means that the solver remembers of contacts.
 #pragma once
 
 #include <cstdint>
@@ -70,8 +70,8 @@ struct ConstraintRow {
     RowPart parts[4];
     int part_count = 0;
 
-    // N s or N m s. Of friction at contacts they are those of now, which the normal's impulse moves:
-    // -friction * impulse of normal_row .. friction * that.
+    // N s or N m s. Of friction at contacts they are those of now, which the normal's impulse
+    // moves: -friction * impulse of normal_row .. friction * that.
     double lower = 0, upper = 0;
     int normal_row = -1;
     double friction = 0;
@@ -80,22 +80,25 @@ struct ConstraintRow {
     double rate = 0;      // J v, with the velocities of now, m/s or rad/s
     double bias = 0;      // the rate that is wanted
     double softness = 0;  // rate per impulse
+    // Rows of one block are a spring of two or three directions: softness is their part of J M^-1
+    // J^T times one share, off the diagonal, too. -1: a row by itself.
+    int block = -1;
 };
 std::string name_of(const ConstraintRow& row);  // "point x", "limit", "normal of point 2"
 
 struct SystemBody {
     BodyId id;
-    bool moves = false;      // dynamic; else the inverse masses are zero
-    Vec3 inverse_mass;       // 1/kg, along the world's axes: zero along locked ones
-    Mat3 inverse_inertia;    // 1/(kg m^2), world
-    Vec3 velocity, spin;     // m/s, rad/s, now
+    bool moves = false;             // dynamic; else the inverse masses are zero
+    Vec3 inverse_mass;              // 1/kg, along the world's axes: zero along locked ones
+    Mat3 inverse_inertia;           // 1/(kg m^2), world
+    Vec3 velocity, spin;            // m/s, rad/s, now
     Vec3 free_velocity, free_spin;  // as the forces alone would have them after h
 };
 
 struct ConstraintSystem {
-    double h = 0;                    // s
-    std::vector<SystemBody> bodies;  // by id
-    std::vector<ConstraintRow> rows; // joints by id, then contacts by shapes
+    double h = 0;                     // s
+    std::vector<SystemBody> bodies;   // by id
+    std::vector<ConstraintRow> rows;  // joints by id, then contacts by shapes
     // rows x rows, row by row; symmetric, positive semi-definite.
     std::vector<double> matrix;
     std::vector<double> right;  // one a row

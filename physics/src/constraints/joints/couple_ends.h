@@ -25,17 +25,17 @@ double turn_against(Quat frame, Quat carrier);
 // How far a point has gone along the axis against the carrier, from some point on it, m.
 double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier);
 
-// A couple as one row. Its bodies: those of the ends a and b, then their carriers; one that is there
-// already takes part once.
+// A couple as one row. Its bodies: those of the ends a and b, then their carriers; one that is
+// there already takes part once.
 struct CoupleTerms {
     struct End {
-        bool turns = false;  // the way is an angle; else a length
-        double scale = 1;    // of its way in the sum
-        Vec3 axis;           // world
-        double way = 0;      // rad or m
-        double length = 0;   // m, of a rope
-        double part[4] = {}; // how its way changes with each body's
-        Vec3 arm[4];         // m, of the end from each body's centre of mass
+        bool turns = false;   // the way is an angle; else a length
+        double scale = 1;     // of its way in the sum
+        Vec3 axis;            // world
+        double way = 0;       // rad or m
+        double length = 0;    // m, of a rope
+        double part[4] = {};  // how its way changes with each body's
+        Vec3 arm[4];          // m, of the end from each body's centre of mass
     };
     End ends[2];
     bool takes_part[4] = {};

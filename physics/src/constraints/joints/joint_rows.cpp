@@ -24,6 +24,7 @@ struct JointRowWriter {
     const JointEnd &a, &b;
     const Carrier* carriers;
     std::vector<JointRow> rows = {};
+    int blocks = 0;
 
     Vec3 apart() const { return (b.center - a.center) + (b.arm - a.arm); }
 
@@ -91,7 +92,9 @@ struct JointRowWriter {
             JointRow& row = add(along(RowRole::point, k, axes_of_world[k], a.arm, b.arm));
             row.error = error[k];
             row.spring = spring;
+            row.block = blocks;
         }
+        blocks++;
     }
     void hold_turns(RowRole role, Vec3 errors, const JointSpring& spring, double most) {
         const double error[] = {errors.x, errors.y, errors.z};
@@ -101,12 +104,13 @@ struct JointRowWriter {
             row.spring = spring;
             row.lower = -most;
             row.upper = most;
+            row.block = blocks;
         }
+        blocks++;
     }
     void rub(double most) {
         if (most == 0) return;
-        for (int k = 0; k < 3; k++)
-            friction(about(RowRole::friction, k, axes_of_world[k]), most);
+        for (int k = 0; k < 3; k++) friction(about(RowRole::friction, k, axes_of_world[k]), most);
     }
     void drive(const RotationDrive& drive) {
         if (drive.spring.hertz == 0) return;
@@ -129,8 +133,13 @@ struct JointRowWriter {
         motor(axis, kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
         limits(axis, kind.limit, angle);
         const Vec3 off = cross(fa.z, fb.z);
-        add(about(RowRole::turn, 0, fa.x)).error = dot(off, fa.x);
-        add(about(RowRole::turn, 1, fa.y)).error = dot(off, fa.y);
+        for (int k = 0; k < 2; k++) {
+            const Vec3 across = k == 0 ? fa.x : fa.y;
+            JointRow& row = add(about(RowRole::turn, k, across));
+            row.error = dot(off, across);
+            row.block = blocks;
+        }
+        blocks++;
         hold_points();
     }
     void operator()(const ConeTwistJoint& kind) {
@@ -154,8 +163,8 @@ struct JointRowWriter {
     void operator()(const DistanceJoint& kind) {
         const Vec3 gap = apart();
         const double now = length(gap);
-        const JointRow line = along(RowRole::distance, -1,
-                                    now > 0 ? gap * (1 / now) : Vec3{0, 1, 0}, a.arm, b.arm);
+        const JointRow line =
+            along(RowRole::distance, -1, now > 0 ? gap * (1 / now) : Vec3{0, 1, 0}, a.arm, b.arm);
         if (kind.min_length == kind.max_length) {
             add(line).error = now - kind.min_length;
             return;
@@ -179,9 +188,14 @@ struct JointRowWriter {
         add(row);
     }
     void operator()(const GrabJoint& kind) {
-        if (kind.turn_damping > 0)
-            for (int k = 0; k < 3; k++)
-                add(about(RowRole::friction, k, axes_of_world[k])).damper = kind.turn_damping;
+        if (kind.turn_damping > 0) {
+            for (int k = 0; k < 3; k++) {
+                JointRow& row = add(about(RowRole::friction, k, axes_of_world[k]));
+                row.damper = kind.turn_damping;
+                row.block = blocks;
+            }
+            blocks++;
+        }
         if (kind.spring.hertz == 0) return;
         const Vec3 arm_a = a.arm + rotate(a.frame, kind.target);
         const Vec3 gap = (b.center - a.center) + (b.arm - arm_a);
@@ -192,6 +206,7 @@ struct JointRowWriter {
             row.error = error[k];
             row.lower = -kind.max_force;
             row.upper = kind.max_force;
+            row.block = blocks;
         }
     }
 
@@ -204,19 +219,28 @@ struct JointRowWriter {
         const GimbalAngles angles = gimbal_angles(frame_a, frame_b);
         const Vec3 rates[] = {turns.first, turns.middle, turns.last};
         const double values[] = {angles.first, angles.middle, angles.last};
+        const auto row_of = [&](int k) {
+            if (k >= 3) return about(RowRole::turn, own[k], rates[k - 3]);
+            // Rates along a's axes are those of b's point in a's frame: a's arm goes to that point.
+            return along(RowRole::point, own[k], rotate(frame_a, axes_of_world[k]), origin + gap,
+                         b.arm);
+        };
+        const auto value_of = [&](int k) {
+            return k < 3 ? dot(rotate(frame_a, axes_of_world[k]), gap) : values[k - 3];
+        };
+        for (int k = 0; k < 6; k++) {
+            if (k == 3) blocks++;
+            if (layout.axes[static_cast<std::size_t>(k)].free) continue;
+            JointRow& row = add(row_of(k));
+            row.error = value_of(k);
+            row.block = blocks;
+        }
+        blocks++;
         for (int k = 0; k < 6; k++) {
             const JointAxis& axis = layout.axes[static_cast<std::size_t>(k)];
-            const bool slides = k < 3;
-            const Vec3 direction = slides ? rotate(frame_a, axes_of_world[k]) : rates[k - 3];
-            // Rates along a's axes are those of b's point in a's frame: a's arm goes to that point.
-            const JointRow row =
-                slides ? along(RowRole::point, own[k], direction, origin + gap, b.arm)
-                       : about(RowRole::turn, own[k], direction);
-            const double value = slides ? dot(direction, gap) : values[k - 3];
-            if (!axis.free) {
-                add(row).error = value;
-                continue;
-            }
+            if (!axis.free) continue;
+            const JointRow row = row_of(k);
+            const double value = value_of(k);
             friction(row, axis.friction);
             spring(row, axis.spring, value - axis.spring_at);
             motor(row, axis.motor.enabled, axis.motor.speed, axis.motor.most);

@@ -24,13 +24,14 @@ struct JointRow {
     int axis = -1;
     JointRowPart parts[4];
     int part_count = 0;
-    double error = 0;                     // m or rad; of what is one-sided: what is left
-    bool one_sided = false;               // pushes along the row alone, once nothing is left
-    double speed = 0;                     // that a motor or a velocity row wants
-    double lower = -1e300, upper = 1e300; // of the force, N or N m
-    JointSpring spring;                   // 0 hertz: none
-    double damper = 0;                    // 1/s; 0: none
-    double compliance = 0;                // rate per force
+    double error = 0;                      // m or rad; of what is one-sided: what is left
+    bool one_sided = false;                // pushes along the row alone, once nothing is left
+    double speed = 0;                      // that a motor or a velocity row wants
+    double lower = -1e300, upper = 1e300;  // of the force, N or N m
+    JointSpring spring;                    // 0 hertz: none
+    double damper = 0;                     // 1/s; 0: none
+    double compliance = 0;                 // rate per force
+    int block = -1;                        // as ConstraintRow's, counted in the joint
 
     bool rigid() const { return spring.hertz == 0 && damper == 0 && compliance == 0; }
     // What holds: an error of it is to be mended.

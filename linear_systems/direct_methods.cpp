@@ -66,7 +66,6 @@ Found by_cholesky(const Problem& problem) {
 // Pivots that are zero are left out: a solution, if there is one.
 Found by_ldlt(const Problem& problem) {
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(matrix_of(problem));
-    if (ldlt.info() != Eigen::Success) return {.failed = "the factorisation broke down"};
     const Eigen::VectorXd d = ldlt.vectorD();
     const double zero = zero_share(problem.count) * d.cwiseAbs().maxCoeff();
     Eigen::VectorXd x = ldlt.transpositionsP() * vector_of(problem.right);

@@ -37,6 +37,11 @@ std::string rows_table(const InspectedGroup& group) {
     const int name = static_cast<int>(width);
     std::string text = print("%4s  %-*s %10s %10s %10s %10s %10s %9s %9s\n", "row", name, "what",
                              "A_ii", "softness", "error", "b", "force", "least", "most");
+    double most_force = 0;
+    if (best != nullptr)
+        for (const double x : best->x) most_force = std::max(most_force, std::abs(x) / h);
+    // What rounding leaves is shown as none.
+    const auto force = [&](double x) { return std::abs(x) / h > 1e-9 * most_force ? x / h : 0.0; };
     for (std::size_t k = 0; k < group.problem.count && k < rows_shown; k++) {
         const physics::ConstraintRow& row = group.system.rows[k];
         const bool known = best != nullptr && k < best->x.size();
@@ -44,7 +49,7 @@ std::string rows_table(const InspectedGroup& group) {
         const double most = known ? group.problem.upper_at(k, best->x) : row.upper;
         text += print("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
                       group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
-                      row.error, group.problem.right[k], known ? best->x[k] / h : 0.0,
+                      row.error, group.problem.right[k] + 0.0, known ? force(best->x[k]) : 0.0,
                       bound(least / h).c_str(), bound(most / h).c_str());
     }
     if (group.problem.count > rows_shown)

@@ -11,6 +11,7 @@
 
 #include "converge.h"
 #include "convergence_report.h"
+#include "inspect_plot.h"
 #include "inspect_report.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
@@ -61,6 +62,7 @@ struct Flags {
     std::vector<int> substep_counts;
     double finest_hz = 1920, scale = 0, budget = 120;
     std::string inspect;  // empty: not asked for
+    std::string plot;
     std::uint64_t at = 60;
     double mend = 0;
     int iterations = 1000;
@@ -140,6 +142,8 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
     only_there(app.add_option("--iterations", flags.iterations, "At most, of a method")
                    ->capture_default_str()
                    ->check(CLI::Range(1, 1000000)));
+    only_there(app.add_option("--plot", flags.plot,
+                              "Draws the residual after each iteration here, as SVG"));
     only_there(app.add_flag("--solver-softness", flags.solver_softness,
                             "Rows as soft as the solver's sweeps make them, not rigid"));
     for (const char* other :
@@ -209,6 +213,13 @@ bool can_write(const std::string& path) {
     return path.empty() || std::ofstream(path, std::ios::app).good();
 }
 
+bool write_text(const std::string& path, const std::string& text) {
+    std::ofstream out(path);
+    out << text;
+    out.close();
+    return static_cast<bool>(out);
+}
+
 int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
     if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
     jostle::sim::ConvergenceQuestion question{.seconds = flags.seconds,
@@ -235,7 +246,8 @@ int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& fla
 
 int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::BuiltScene& built,
                 const Flags& flags) {
-    if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
+    for (const std::string& path : {flags.json, flags.plot})
+        if (!can_write(path)) return fail(1, "cannot write " + path);
     World& world = built.world;
     if (world.step_count() > flags.at)
         return fail(2, "--at: the world is at step " + std::to_string(world.step_count()) +
@@ -257,11 +269,15 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
         return fail(found.error().code == jostle::ErrorCode::not_found ? 2 : 1,
                     found.error().message);
     std::fputs(to_text(*found).c_str(), stdout);
-    if (flags.json.empty()) return 0;
-    std::ofstream out(flags.json);
-    out << to_json(*found);
-    out.close();
-    return out ? 0 : fail(1, "cannot write " + flags.json);
+    if (!flags.json.empty())
+        if (!write_text(flags.json, to_json(*found))) return fail(1, "cannot write " + flags.json);
+    if (flags.plot.empty()) return 0;
+    if (found->groups.size() != 1 || !found->groups[0].refused.empty())
+        return fail(1, "--plot draws one group; name one of its bodies");
+    const std::string title = found->scene + " after step " + std::to_string(found->step);
+    if (!write_text(flags.plot, plot_residuals(found->groups[0], title)))
+        return fail(1, "cannot write " + flags.plot);
+    return 0;
 }
 
 int run(const Flags& flags) {

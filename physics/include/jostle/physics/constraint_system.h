@@ -31,8 +31,8 @@ struct ConstraintQuestion {
     // Whether forces act for h: gravity, fields, the user's, those of uneven inertias, damping. If
     // not, the right-hand side is that of the velocities of now.
     bool forces = true;
-    // The share of each error of position that is to be gone after h, 0..1 (Baumgarte). 0: velocities
-    // alone, so that impulses are what forces and velocities need.
+    // The share of each error of position that is to be gone after h, 0..1 (Baumgarte). 0:
+    // velocities alone, so that impulses are what forces and velocities need.
     double mend = 0;
     // true: what is rigid is as soft as the sweeps of the solver make it, which mends errors at
     // their rate instead of the above. false: rigid.

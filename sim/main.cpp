@@ -11,6 +11,8 @@
 
 #include "converge.h"
 #include "convergence_report.h"
+#include "inspect_plot.h"
+#include "inspect_report.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "progress.h"
@@ -28,6 +30,8 @@ Examples:
   jostle-sim my_scene.json --seconds 5 --hz 120 --substeps 4 --threads 2 --json report.json
   jostle-sim stack --trace stack.csv
   jostle-sim my_scene.json --converge --seconds 3 --tolerance 0.01,0.001 --json converge.json
+  jostle-sim machines --inspect --at 120
+  jostle-sim my_scene.json --inspect door --at 0 --json rows.json
 
 The trace has a header and one row per body and tick: tick, body (its place in the scene), name, position px py pz (m),
 rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity wx wy wz (rad/s). Static bodies are left out.
@@ -38,6 +42,12 @@ that, and so on, until two runs agree; takes the finest for the truth; and tells
 rate with every number of sub-steps, how fast the error falls (order 2: to a quarter at twice the rate), and the cheapest
 setting that is good enough. A run that starts a little differently tells whether the scene is chaotic: then no rate
 gives the truth for long, and it says for how long.
+
+--inspect shows what a step has to solve. It steps to --at and takes the body with all that joints and touching contacts
+tie to it (all, or no body: each such group): a row for each direction in which something holds, drives, limits or rubs.
+It tells which rows say what others say already, how hard the system A x = b of the rows' impulses is (condition number),
+how nine methods solve it, with the residual after each iteration, and what softness and scaling change. A body is named
+as in the scene, or by its place there, from 0. docs/open_solver.md has an example.
 
 Exit status: 0 done, 1 the run failed, 2 wrong flags or scene.)";
 
@@ -51,6 +61,12 @@ struct Flags {
     std::vector<double> rates, tolerances = {0.01};
     std::vector<int> substep_counts;
     double finest_hz = 1920, scale = 0, budget = 120;
+    std::string inspect;  // empty: not asked for
+    std::string plot;
+    std::uint64_t at = 60;
+    double mend = 0;
+    int iterations = 1000;
+    bool solver_softness = false;
 };
 
 // CLI::Range lets through what is not a number.
@@ -105,6 +121,36 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
         converge->excludes(app.get_option(other));
 }
 
+void add_inspect_flags(CLI::App& app, Flags& flags) {
+    CLI::Option* inspect = app.add_option_function<std::vector<std::string>>(
+        "--inspect",
+        [&flags](const std::vector<std::string>& given) {
+            flags.inspect = given.empty() || given[0].empty() ? "all" : given[0];
+        },
+        "Shows what a step has to solve for this body, or for all; see below");
+    inspect->expected(0, 1)->type_name("[BODY|all]");
+    const auto only_there = [&](CLI::Option* option) {
+        return option->needs(inspect)->group("With --inspect");
+    };
+    only_there(app.add_option("--at", flags.at, "After this step of the world")
+                   ->capture_default_str()
+                   ->check(CLI::Range(0, 100000000)));
+    only_there(app.add_option("--mend", flags.mend,
+                              "Share of each error of position that is to be gone after a sub-step")
+                   ->capture_default_str()
+                   ->check(between(0, 1)));
+    only_there(app.add_option("--iterations", flags.iterations, "At most, of a method")
+                   ->capture_default_str()
+                   ->check(CLI::Range(1, 1000000)));
+    only_there(app.add_option("--plot", flags.plot,
+                              "Draws the residual after each iteration here, as SVG"));
+    only_there(app.add_flag("--solver-softness", flags.solver_softness,
+                            "Rows as soft as the solver's sweeps make them, not rigid"));
+    for (const char* other :
+         {"--converge", "--seconds", "--trace", "--trace-every", "--save", "--write-scene"})
+        inspect->excludes(app.get_option(other));
+}
+
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("scene", flags.scene, "A scene's name or the path of a scene file");
     app.add_option("--seconds", flags.seconds, "Simulated time")
@@ -129,6 +175,7 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--write-scene", flags.write_scene, "Writes the scene here as a scene file");
     app.add_flag("--list", flags.list, "Names every scene of the catalogue and exits");
     add_converge_flags(app, flags);
+    add_inspect_flags(app, flags);
     app.footer(footer);
 }
 
@@ -166,6 +213,13 @@ bool can_write(const std::string& path) {
     return path.empty() || std::ofstream(path, std::ios::app).good();
 }
 
+bool write_text(const std::string& path, const std::string& text) {
+    std::ofstream out(path);
+    out << text;
+    out.close();
+    return static_cast<bool>(out);
+}
+
 int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
     if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
     jostle::sim::ConvergenceQuestion question{.seconds = flags.seconds,
@@ -190,6 +244,42 @@ int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& fla
     return out ? 0 : fail(1, "cannot write " + flags.json);
 }
 
+int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::BuiltScene& built,
+                const Flags& flags) {
+    for (const std::string& path : {flags.json, flags.plot})
+        if (!can_write(path)) return fail(1, "cannot write " + path);
+    World& world = built.world;
+    if (world.step_count() > flags.at)
+        return fail(2, "--at: the world is at step " + std::to_string(world.step_count()) +
+                           " already; give a later one");
+    {
+        jostle::sim::Progress progress(flags.at - world.step_count());
+        for (std::uint64_t step = 1; world.step_count() < flags.at; step++) {
+            if (const Status s = world.step(1 / scene.hz); !s.ok())
+                return fail(1, s.error().message);
+            progress.at(step, world.profile().bodies_awake);
+        }
+    }
+    const auto found = jostle::sim::inspect(
+        scene, built,
+        {.body = flags.inspect,
+         .rows = {.mend = flags.mend, .solver_softness = flags.solver_softness},
+         .effort = {.iterations_max = flags.iterations}});
+    if (!found.ok())
+        return fail(found.error().code == jostle::ErrorCode::not_found ? 2 : 1,
+                    found.error().message);
+    std::fputs(to_text(*found).c_str(), stdout);
+    if (!flags.json.empty())
+        if (!write_text(flags.json, to_json(*found))) return fail(1, "cannot write " + flags.json);
+    if (flags.plot.empty()) return 0;
+    if (found->groups.size() != 1 || !found->groups[0].refused.empty())
+        return fail(1, "--plot draws one group; name one of its bodies");
+    const std::string title = found->scene + " after step " + std::to_string(found->step);
+    if (!write_text(flags.plot, plot_residuals(found->groups[0], title)))
+        return fail(1, "cannot write " + flags.plot);
+    return 0;
+}
+
 int run(const Flags& flags) {
     auto scene = jostle::scenes::load_scene(flags.scene);
     if (!scene.ok()) return fail(2, scene.error().message);
@@ -208,6 +298,7 @@ int run(const Flags& flags) {
     if (!flags.load.empty())
         if (const Status s = load_world(*built, flags.load, flags.threads); !s.ok())
             return fail(2, s.error().message);
+    if (!flags.inspect.empty()) return run_inspect(*scene, *built, flags);
     std::unique_ptr<jostle::sim::Trace> trace;
     if (!flags.trace.empty()) {
         trace = jostle::sim::Trace::open(flags.trace);
@@ -255,8 +346,8 @@ int run(const Flags& flags) {
 int main(int argc, char** argv) {
     CLI::App app{
         "Runs a scene offline as fast as it can and reports what it cost and how it ended; or, "
-        "with "
-        "--converge, which rate and sub-steps it needs."};
+        "with --converge, which rate and sub-steps it needs; or, with --inspect, what a step of it "
+        "has to solve."};
     Flags flags;
     add_flags(app, flags);
     try {

@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "accuracy/analysis.h"
-#include "speed/log_axis.h"
+#include "jostle/plots/log_axis.h"
+#include "speed/series_style.h"
 
 namespace jostle::bench::lab {
 namespace {
@@ -14,7 +15,7 @@ constexpr double least_error = 1e-16;  // smaller errors are drawn there
 
 struct Curve {
     std::string engine, mode;
-    std::vector<SvgPoint> points;
+    std::vector<plots::SvgPoint> points;
 };
 
 }  // namespace
@@ -24,7 +25,7 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
     std::vector<Row> rows;
     for (const Row& row : all_rows)
         if (row.scene == experiment.name && row.usable()) rows.push_back(row);
-    Svg svg(width, height);
+    plots::Svg svg(width, height);
     svg.text({left, 28}, experiment.name + ": " + experiment.about, {.size = 16, .bold = true});
     svg.text({left, 48}, note, {.color = "#666"});
     if (rows.empty()) return svg.str();
@@ -36,15 +37,17 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
         errors.push_back(std::max(row.error, least_error));
         series_index(engines, row.engine);
     }
-    const LogAxis x = log_axis_over(times, left, right), y = log_axis_over(errors, bottom, top);
-    draw_x_axis(svg, x, top, bottom, "CPU time, us per simulated second");
-    draw_y_axis(svg, y, left, right,
-                "error: " + experiment.measures.substr(0, experiment.measures.find(';')));
+    const plots::LogAxis x = plots::log_axis_over(times, left, right),
+                         y = plots::log_axis_over(errors, bottom, top);
+    plots::draw_x_axis(svg, x, top, bottom, "CPU time, us per simulated second");
+    plots::draw_y_axis(svg, y, left, right,
+                       "error: " + experiment.measures.substr(0, experiment.measures.find(';')));
     draw_legend(svg, engines, {right, 72});
 
     std::vector<Curve> curves;
     for (const Row& row : rows) {
-        const SvgPoint at{x.at(row.cpu_us_per_second), y.at(std::max(row.error, least_error))};
+        const plots::SvgPoint at{x.at(row.cpu_us_per_second),
+                                 y.at(std::max(row.error, least_error))};
         if (curves.empty() || curves.back().engine != row.engine || curves.back().mode != row.mode)
             curves.push_back({row.engine, row.mode, {}});
         curves.back().points.push_back(at);
@@ -64,9 +67,9 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
         const SeriesStyle style = series_style(engines, series_index(engines, best->engine));
         svg.line({left, height}, {right, height}, style.color, 0.7);
         svg.text({right, height - 4},
-                 "least work for " + short_number(tolerance) + ": " +
-                     short_number(best->cpu_us_per_second) + ", " + best->engine,
-                 {.size = 10, .anchor = TextAnchor::end, .color = style.color});
+                 "least work for " + plots::short_number(tolerance) + ": " +
+                     plots::short_number(best->cpu_us_per_second) + ", " + best->engine,
+                 {.size = 10, .anchor = plots::TextAnchor::end, .color = style.color});
     }
     for (const Curve& curve : curves) {
         const SeriesStyle style = series_style(engines, series_index(engines, curve.engine));

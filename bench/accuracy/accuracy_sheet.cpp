@@ -5,7 +5,8 @@
 #include <cstdio>
 
 #include "accuracy/lab_engine_kinds.h"
-#include "speed/log_axis.h"
+#include "jostle/plots/log_axis.h"
+#include "speed/series_style.h"
 
 namespace jostle::bench::lab {
 namespace {
@@ -16,7 +17,7 @@ constexpr double inner_left = 48, inner_right = 230, inner_top = 30, inner_botto
 constexpr double smallest_error = 1e-16;  // smaller errors are drawn there
 constexpr const char* quiet = "#666";
 
-SvgPoint at(const LogAxis& x, const LogAxis& y, const Row& row) {
+plots::SvgPoint at(const plots::LogAxis& x, const plots::LogAxis& y, const Row& row) {
     return {x.at(row.cpu_us_per_second), y.at(std::max(row.error, smallest_error))};
 }
 
@@ -28,11 +29,12 @@ std::vector<Row> of_engine(const std::vector<Row>& rows, const std::string& engi
 }
 
 // Numbers at the ends of an axis, and lines at its decades.
-void draw_frame(Svg& svg, const LogAxis& x, const LogAxis& y, SvgPoint corner) {
+void draw_frame(plots::Svg& svg, const plots::LogAxis& x, const plots::LogAxis& y,
+                plots::SvgPoint corner) {
     const double left = corner.x + inner_left, right = corner.x + inner_right;
     const double top = corner.y + inner_top, bottom = corner.y + inner_bottom;
     const auto decade = [](int power) { return "1e" + std::to_string(power); };
-    const auto line_at = [](const LogAxis& axis, int power) {
+    const auto line_at = [](const plots::LogAxis& axis, int power) {
         return axis.from + (axis.to - axis.from) * (power - axis.low) / (axis.high - axis.low);
     };
     for (int power = x.low; power <= x.high; power++)
@@ -41,16 +43,17 @@ void draw_frame(Svg& svg, const LogAxis& x, const LogAxis& y, SvgPoint corner) {
     for (int power = y.low; power <= y.high; power += stride) {
         svg.line({left, line_at(y, power)}, {right, line_at(y, power)}, "#ddd");
         svg.text({left - 4, line_at(y, power) + 3}, decade(power),
-                 {.size = 9, .anchor = TextAnchor::end, .color = quiet});
+                 {.size = 9, .anchor = plots::TextAnchor::end, .color = quiet});
     }
     svg.text({left, bottom + 12}, decade(x.low), {.size = 9, .color = quiet});
     svg.text({right, bottom + 12}, decade(x.high),
-             {.size = 9, .anchor = TextAnchor::end, .color = quiet});
+             {.size = 9, .anchor = plots::TextAnchor::end, .color = quiet});
 }
 
 // Who reaches each tolerance with the least work, right of the panel.
-void draw_least_work(Svg& svg, const Experiment& experiment, const std::vector<Row>& rows,
-                     const LogAxis& y, std::vector<std::string>& engines, SvgPoint corner) {
+void draw_least_work(plots::Svg& svg, const Experiment& experiment, const std::vector<Row>& rows,
+                     const plots::LogAxis& y, std::vector<std::string>& engines,
+                     plots::SvgPoint corner) {
     const double right = corner.x + inner_right;
     for (const double tolerance : experiment.tolerances) {
         const Row* best = nullptr;
@@ -71,15 +74,17 @@ void draw_least_work(Svg& svg, const Experiment& experiment, const std::vector<R
     }
 }
 
-void draw_panel(Svg& svg, const Experiment& experiment, const std::vector<Row>& rows,
-                std::vector<std::string>& engines, SvgPoint corner) {
+void draw_panel(plots::Svg& svg, const Experiment& experiment, const std::vector<Row>& rows,
+                std::vector<std::string>& engines, plots::SvgPoint corner) {
     std::vector<double> times, errors = experiment.tolerances;
     for (const Row& row : rows) {
         times.push_back(row.cpu_us_per_second);
         errors.push_back(std::max(row.error, smallest_error));
     }
-    const LogAxis x = log_axis_over(times, corner.x + inner_left, corner.x + inner_right);
-    const LogAxis y = log_axis_over(errors, corner.y + inner_bottom, corner.y + inner_top);
+    const plots::LogAxis x =
+        plots::log_axis_over(times, corner.x + inner_left, corner.x + inner_right);
+    const plots::LogAxis y =
+        plots::log_axis_over(errors, corner.y + inner_bottom, corner.y + inner_top);
     svg.text({corner.x + inner_left, corner.y + 14}, experiment.name, {.bold = true});
     svg.text({corner.x + inner_left, corner.y + 25},
              experiment.measures.substr(0, experiment.measures.find(';')),
@@ -89,12 +94,12 @@ void draw_panel(Svg& svg, const Experiment& experiment, const std::vector<Row>& 
     for (const Row& row : pareto_set(rows, experiment.name)) svg.ring(at(x, y, row), "#222");
     for (const std::string& engine : std::vector<std::string>(engines)) {
         const SeriesStyle style = series_style(engines, series_index(engines, engine));
-        std::vector<SvgPoint> points;
+        std::vector<plots::SvgPoint> points;
         for (const Row& row : pareto_set(of_engine(rows, engine), experiment.name))
             points.push_back(at(x, y, row));
         if (points.empty()) continue;
         svg.polyline(points, style.color);
-        for (const SvgPoint point : points) svg.mark(point, style.mark, style.color);
+        for (const plots::SvgPoint point : points) svg.mark(point, style.mark, style.color);
     }
 }
 
@@ -112,7 +117,7 @@ std::string accuracy_sheet(const std::vector<Row>& all) {
                         [&](const Row& r) { return r.scene == experiment.name && r.usable(); }))
             shown.push_back(&experiment);
     const int lines = (static_cast<int>(shown.size()) + columns - 1) / columns;
-    Svg svg(columns * panel_width, top_margin + std::max(lines, 1) * panel_height);
+    plots::Svg svg(columns * panel_width, top_margin + std::max(lines, 1) * panel_height);
     svg.text({20, 24}, "Processor time (us per simulated second, right) against error (up)",
              {.size = 16, .bold = true});
     svg.text({20, 44},

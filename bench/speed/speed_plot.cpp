@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "speed/log_axis.h"
+#include "jostle/plots/log_axis.h"
+#include "speed/series_style.h"
 
 namespace jostle::bench {
 namespace {
@@ -14,7 +15,7 @@ constexpr double bars_bottom = 430, marks_top = 510, marks_bottom = 840, speed_h
 constexpr double growth_bottom = 430, growth_height = 490, growth_gap = 110;
 constexpr double error_floor_mm = 1e-3;  // smaller errors are drawn there
 
-void draw_title(Svg& svg, const std::string& title, const std::string& note) {
+void draw_title(plots::Svg& svg, const std::string& title, const std::string& note) {
     svg.text({left, 28}, title, {.size = 17, .bold = true});
     svg.text({left, 48}, note, {.color = "#666"});
 }
@@ -37,21 +38,22 @@ Groups groups_of(const std::vector<SpeedRow>& rows) {
     return groups;
 }
 
-void draw_bar(Svg& svg, const SpeedRow& row, SvgPoint top, double bar_width, const char* color) {
+void draw_bar(plots::Svg& svg, const SpeedRow& row, plots::SvgPoint top, double bar_width,
+              const char* color) {
     svg.rectangle(top, bar_width, bars_bottom - top.y, color);
     const bool checked = row.error_m().has_value();
-    std::string label = short_number(row.ms_mean) + " ms";
-    if (checked) label += ", " + short_number(error_mm(row)) + " mm";
+    std::string label = plots::short_number(row.ms_mean) + " ms";
+    if (checked) label += ", " + plots::short_number(error_mm(row)) + " mm";
     svg.text({top.x + 0.5 * bar_width + 3.5, top.y - 4}, label, {.size = 10, .upright = true});
 }
 
-void draw_bars(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
+void draw_bars(plots::Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     std::vector<double> times;
     // A bar as low as a power of ten still wants to be seen, hence the 0.9.
     for (const SpeedRow& row : rows) times.insert(times.end(), {0.9 * row.ms_mean, row.ms_mean});
     // Space above the highest bar for its label.
-    const LogAxis y = log_axis_over(times, bars_bottom, first_top + 85);
-    draw_y_axis(svg, y, left, right, "ms per step (mean)");
+    const plots::LogAxis y = plots::log_axis_over(times, bars_bottom, first_top + 85);
+    plots::draw_y_axis(svg, y, left, right, "ms per step (mean)");
     const double group_width = (right - left) / static_cast<double>(groups.scenes.size());
     const double slot =
         std::min(0.8 * group_width / static_cast<double>(groups.series.size()), 40.0);
@@ -67,21 +69,21 @@ void draw_bars(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     }
     for (std::size_t k = 0; k < groups.scenes.size(); k++)
         svg.text({left + (static_cast<double>(k) + 0.5) * group_width, bars_bottom + 18},
-                 groups.scenes[k], {.size = 11, .anchor = TextAnchor::middle});
+                 groups.scenes[k], {.size = 11, .anchor = plots::TextAnchor::middle});
     svg.line({left, bars_bottom}, {right, bars_bottom}, "#222");
 }
 
-void draw_marks(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
+void draw_marks(plots::Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     std::vector<double> times, errors;
     for (const SpeedRow& row : rows) {
         if (!row.error_m()) continue;
         times.push_back(row.ms_mean);
         errors.push_back(error_mm(row));
     }
-    const LogAxis x = log_axis_over(times, left, right);
-    const LogAxis y = log_axis_over(errors, marks_bottom, marks_top);
-    draw_x_axis(svg, x, marks_top, marks_bottom, "ms per step (mean)");
-    draw_y_axis(svg, y, left, right, "error at the end, mm");
+    const plots::LogAxis x = plots::log_axis_over(times, left, right);
+    const plots::LogAxis y = plots::log_axis_over(errors, marks_bottom, marks_top);
+    plots::draw_x_axis(svg, x, marks_top, marks_bottom, "ms per step (mean)");
+    plots::draw_y_axis(svg, y, left, right, "error at the end, mm");
     svg.text({left, marks_top - 12},
              "Error: the larger of deepest overlap and joint drift at the end (0.001 mm or less is "
              "drawn at 0.001). Down and left is better; letters are scenes.",
@@ -89,7 +91,7 @@ void draw_marks(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     for (const SpeedRow& row : rows) {
         if (!row.error_m()) continue;
         const std::size_t k = series_index(groups.series, series_name(row.engine, row.threads));
-        const SvgPoint at{x.at(row.ms_mean), y.at(error_mm(row))};
+        const plots::SvgPoint at{x.at(row.ms_mean), y.at(error_mm(row))};
         const SeriesStyle style = series_style(groups.series, k);
         svg.mark(at, style.mark, style.color);
         svg.text({at.x + 7, at.y - 4}, row.scene, {.size = 11, .color = style.color});
@@ -98,19 +100,19 @@ void draw_marks(Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
 
 using GrowthFigure = std::function<double(const GrowthRow&)>;
 
-void draw_curves(Svg& svg, const std::vector<GrowthRow>& rows, double from, double to,
+void draw_curves(plots::Svg& svg, const std::vector<GrowthRow>& rows, double from, double to,
                  const std::string& title, const GrowthFigure& figure) {
     std::vector<double> counts, figures;
     for (const GrowthRow& row : rows) {
         counts.push_back(row.bodies);
         figures.push_back(figure(row));
     }
-    const LogAxis x = log_axis_over(counts, from, to);
-    const LogAxis y = log_axis_over(figures, growth_bottom, first_top);
-    draw_x_axis(svg, x, first_top, growth_bottom, "bodies");
-    draw_y_axis(svg, y, from, to, title);
+    const plots::LogAxis x = plots::log_axis_over(counts, from, to);
+    const plots::LogAxis y = plots::log_axis_over(figures, growth_bottom, first_top);
+    plots::draw_x_axis(svg, x, first_top, growth_bottom, "bodies");
+    plots::draw_y_axis(svg, y, from, to, title);
     std::vector<std::string> series;
-    std::vector<std::vector<SvgPoint>> curves;
+    std::vector<std::vector<plots::SvgPoint>> curves;
     for (const GrowthRow& row : rows) {
         const std::size_t k = series_index(series, series_name(row.engine, row.threads));
         curves.resize(series.size());
@@ -133,7 +135,7 @@ std::vector<Row> without_failed(std::vector<Row> rows) {
 std::string plot_speed(const std::vector<SpeedRow>& all_rows, const std::string& note) {
     const std::vector<SpeedRow> rows = without_failed(all_rows);
     Groups groups = groups_of(rows);
-    Svg svg(width, speed_height);
+    plots::Svg svg(width, speed_height);
     draw_title(svg, "Time and error of a step, scene by scene", note);
     draw_legend(svg, groups.series, {right, 72});
     if (!rows.empty()) {
@@ -149,7 +151,7 @@ std::string plot_growth(const std::vector<GrowthRow>& all_rows, const std::strin
                      [](const GrowthRow& a, const GrowthRow& b) { return a.bodies < b.bodies; });
     std::vector<std::string> series;
     for (const GrowthRow& row : rows) series_index(series, series_name(row.engine, row.threads));
-    Svg svg(width, growth_height);
+    plots::Svg svg(width, growth_height);
     draw_title(svg, "A pile that grows", note);
     draw_legend(svg, series, {right, 72});
     if (rows.empty()) return svg.str();

@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "speed/log_axis.h"
+#include "speed/series_style.h"
 #include "speed/speed_plot.h"
 
 namespace {
@@ -21,27 +19,11 @@ SpeedRow row(const char* engine, double ms, double error) {
             .max_penetration_m = error};
 }
 
-TEST(LogAxis, runs_from_decade_to_decade) {
-    const LogAxis axis = log_axis_over({0.3, 20, 0}, 100, 400);
-    EXPECT_EQ(axis.low, -1);
-    EXPECT_EQ(axis.high, 2);
-    EXPECT_DOUBLE_EQ(axis.at(1), 200);
-    EXPECT_DOUBLE_EQ(axis.at(0), 100);
-    EXPECT_DOUBLE_EQ(axis.at(1e9), 400);
-}
-
 TEST(SeriesStyle, is_the_same_in_every_plot) {
     EXPECT_EQ(series_style({"jostle", "bullet"}, 1).color,
               series_style({"jostle", "jostle, 2 threads", "bullet"}, 2).color);
     const std::vector<std::string> many = {"jostle, 4 threads", "bullet", "jostle, 8 threads"};
     EXPECT_STRNE(series_style(many, 0).color, series_style(many, 2).color);
-}
-
-TEST(LogAxis, numbers_are_short) {
-    EXPECT_EQ(short_number(0.001), "0.001");
-    EXPECT_EQ(short_number(0.1234), "0.12");
-    EXPECT_EQ(short_number(123.4), "123");
-    EXPECT_EQ(short_number(50000), "50000");
 }
 
 TEST(Plot, names_scenes_series_and_errors) {

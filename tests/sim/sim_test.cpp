@@ -2,43 +2,16 @@
 //
 // The real program as a child process: what it writes is what others read.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "sim/sim_program.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-class Sim : public testing::Test {
-protected:
-    Sim() : folder_(fs::temp_directory_path() / ("jostle-sim-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~Sim() override { fs::remove_all(folder_); }
-
-    std::string file(const char* name) const { return (folder_ / name).string(); }
-    // Exit status; output and messages go to out.txt.
-    int run(const std::string& arguments) const {
-        const std::string command = JOSTLE_SIM " " + arguments + " > " + file("out.txt") + " 2>&1";
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    std::string output() const { return read(file("out.txt")); }
-    static std::string read(const std::string& path) {
-        std::ifstream in(path);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    nlohmann::json report() const { return nlohmann::json::parse(read(file("r.json"))); }
-
-    fs::path folder_;
-};
+using jostle::test::Sim;
 
 TEST_F(Sim, reports_every_figure_that_it_promises) {
     ASSERT_EQ(run("stack --seconds 3 --json " + file("r.json")), 0) << output();

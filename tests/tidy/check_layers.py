@@ -32,7 +32,9 @@ FLOORS = {
     "scenes/include": [PUBLIC],
     "scenes/src": [PUBLIC, "physics/examples", "scenes/include", "generated"],
     "convergence": [],
-    "sim": [PUBLIC, "convergence", "scenes/include"],
+    "linear_systems": [PUBLIC, "convergence"],
+    "plots": [],
+    "sim": [PUBLIC, "convergence", "linear_systems", "plots", "scenes/include"],
     "server/base": [],
     "server/config": ["server/base"],
     "server/host": ["server/base", "server/config", PUBLIC, "scenes/include"],
@@ -55,7 +57,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
                        "scenes/src/module_message.cpp")
 
-SEARCH = [BASE, "physics/include", "physics/src", "physics/examples/hovercraft", "convergence/include", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+SEARCH = [BASE, "physics/include", "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
@@ -81,7 +83,7 @@ def resolve(root, including, name):
 
 def faults(root):
     found = []
-    files = sorted(p for folder in ("base", "physics", "proto/wire", "proto/status", "scenes", "sim", "server", "clients")
+    files = sorted(p for folder in ("base", "linear_systems", "plots", "physics", "proto/wire", "proto/status", "scenes", "sim", "server", "clients")
                    for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
     for path in files:
         here = str(path.relative_to(root))

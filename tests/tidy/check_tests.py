@@ -181,6 +181,8 @@ COVERED_BY = {
         (["physics/state/body_sets_test.cpp"], "a body's record is found in whichever set it is"),
     "world/body_change.cpp":
         (["physics/world/body_motion_test.cpp", "physics/world/body_settings_test.cpp"], "every call that pushes or changes a body"),
+    "world/contact_view.cpp":
+        (["physics/world/inspect_test.cpp"], "contacts awake and asleep, with their points"),
     "world/query_source.cpp":
         (["physics/world/query_test.cpp"], "the world and a copy of it give the same answers"),
 }

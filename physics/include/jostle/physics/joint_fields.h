@@ -5,7 +5,8 @@
 //
 // A new kind takes its struct, listed in JointKind (joint_defs.h), and an entry here; a message,
 // and a field of the kind's name in Joint (proto/jostle/v1/scene.proto); its writer
-// (constraints/joints/write_joint.cpp) and its kernel (constraints/joints/joint_kinds.h). One that
+// (constraints/joints/write_joint.cpp), its kernel (constraints/joints/joint_kinds.h), and its rows
+// for those who look (constraints/joints/joint_rows.cpp). One that
 // has an angle to report, or ends that are meant to be apart, says so in World::joint() and in
 // world/summary.cpp.
 //

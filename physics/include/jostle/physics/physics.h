@@ -5,6 +5,7 @@
 
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/compound.h"
+#include "jostle/physics/constraint_system.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/events.h"
 #include "jostle/physics/force_fields.h"

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "jostle/physics/aabb.h"
+#include "jostle/physics/constraint_system.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/events.h"
 #include "jostle/physics/force_fields.h"
@@ -218,6 +219,15 @@ public:
     Result<std::vector<ContactInfo>> contacts_of(BodyId body) const;
     // Who touches it, each once, by id.
     Result<std::vector<BodyId>> touching_bodies(BodyId body) const;
+
+    // --- what a step has to solve: constraint_system.h ---
+    // Of all that joints and touching contacts hang together with a dynamic body, awake or asleep.
+    // Contacts are as the last step left them. Errors: not_found; failed_precondition when the body
+    // is not dynamic, or no row of it can act; resource_exhausted beyond constraint_rows_max rows.
+    Result<ConstraintSystem> constraint_system(BodyId body,
+                                               const ConstraintQuestion& question = {}) const;
+    Result<ConstraintSystem> constraint_system(JointId joint,
+                                               const ConstraintQuestion& question = {}) const;
 
     // --- queries ---
     // About the present moment: good until the world changes.

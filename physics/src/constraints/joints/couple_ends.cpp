@@ -20,13 +20,7 @@ double unwrapped(double angle, double expected) {
     return angle + 2 * pi * std::floor((expected - angle) / (2 * pi) + 0.5);
 }
 
-struct End {
-    bool turns = false;
-    double scale = 1;
-    Vec3 axis;          // world
-    double way = 0;     // as it is measured
-    double length = 0;  // of a rope
-};
+using End = CoupleTerms::End;
 
 Vec3 place_of(const JointEnd& end) {
     return end.center + end.arm;
@@ -61,11 +55,11 @@ double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier) {
     return dot(axis, point - carrier.origin);
 }
 
-void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
-                  JointCoupleWide& to, const JointLane& lane) {
+CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
+                         const Carrier* carriers) {
+    CoupleTerms terms;
+    End* rows = terms.ends;
     const JointEnd* ends[] = {&a, &b};
-    End rows[2];
-    double wanted = 0;
     const auto* pulley = std::get_if<PulleyJoint>(&joint.kind);
     if (const auto* gear = std::get_if<GearJoint>(&joint.kind)) {
         rows[0] = turning(a, carriers[0], 1);
@@ -76,7 +70,7 @@ void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, cons
     } else {
         rows[0] = hanging(a, pulley->point_a, 1);
         rows[1] = hanging(b, pulley->point_b, pulley->ratio);
-        wanted = pulley->length;
+        terms.wanted = pulley->length;
     }
     // A carrier that is the other end, or the other's carrier, takes part once.
     const std::uint32_t bodies[] = {joint.body_a, joint.body_b, carriers[0].body, carriers[1].body};
@@ -86,47 +80,63 @@ void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, cons
         for (int other = k - 1; other >= 0; other--)
             if (bodies[other] == bodies[k]) slots[k] = other;
         if (bodies[k] == none) slots[k] = k;
+        terms.takes_part[k] = slots[k] == k;
+        terms.body[k] = bodies[k];
     }
-    const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};
     const Vec3 centers[] = {a.center, b.center, carriers[0].center, carriers[1].center};
-    double sum = 0;
     for (int end = 0; end < 2; end++) {
+        End& row = rows[end];
         for (int k = 0; k < 4; k++) {
             if (slots[k] != k) continue;
-            if (end == 0) to.body[k][lane.at] = hot[k] < 0 ? -hot[k] : hot[k];
             double part = k == end ? 1 : 0;
             if (pulley == nullptr && slots[end + 2] == k) part -= 1;
-            lane.put(to.part[end][k], part);
-            lane.put(to.arm[end][k], place_of(*ends[end]) - centers[k]);
+            row.part[k] = part;
+            row.arm[k] = place_of(*ends[end]) - centers[k];
         }
-        const End& row = rows[end];
+        if (pulley == nullptr) {
+            const std::vector<double>& memory = joint.memory;
+            const double before = memory[static_cast<std::size_t>(CoupleMemory::way_a + end)];
+            if (memory[CoupleMemory::measured] != 0 && row.turns)
+                row.way = unwrapped(row.way, before);
+        }
+        terms.sum += row.scale * row.way;
+    }
+    if (pulley == nullptr) {
+        const std::vector<double>& memory = joint.memory;
+        terms.wanted = memory[CoupleMemory::sum];
+        // Made just now, or carried by another body since.
+        if (memory[CoupleMemory::measured] == 0 ||
+            memory[CoupleMemory::carrier_a] != static_cast<double>(carriers[0].body) ||
+            memory[CoupleMemory::carrier_b] != static_cast<double>(carriers[1].body))
+            terms.wanted = terms.sum;
+    }
+    return terms;
+}
+
+void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
+                  JointCoupleWide& to, const JointLane& lane) {
+    const CoupleTerms terms = couple_terms(joint, a, b, carriers);
+    const bool rope = std::holds_alternative<PulleyJoint>(joint.kind);
+    const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};
+    for (int end = 0; end < 2; end++) {
+        const End& row = terms.ends[end];
+        for (int k = 0; k < 4; k++) {
+            if (!terms.takes_part[k]) continue;
+            if (end == 0) to.body[k][lane.at] = hot[k] < 0 ? -hot[k] : hot[k];
+            lane.put(to.part[end][k], row.part[k]);
+            lane.put(to.arm[end][k], row.arm[k]);
+        }
         lane.put(to.axis[end], row.axis);
         lane.put(to.way[end], row.length);
         lane.put(to.scale[end], row.scale);
         lane.put(to.turns[end], row.turns ? 1 : 0);
-        double way = row.way;
-        if (pulley == nullptr) {
-            const std::vector<double>& memory = joint.memory;
-            const double before = memory[static_cast<std::size_t>(CoupleMemory::way_a + end)];
-            if (memory[CoupleMemory::measured] != 0 && row.turns) way = unwrapped(way, before);
-            to.carriers[end][lane.at] = static_cast<double>(carriers[end].body);
-        }
-        to.ways[end][lane.at] = way;
-        sum += row.scale * way;
+        if (!rope) to.carriers[end][lane.at] = static_cast<double>(carriers[end].body);
+        to.ways[end][lane.at] = row.way;
     }
-    lane.put(to.rope, pulley != nullptr ? 1 : 0);
+    lane.put(to.rope, rope ? 1 : 0);
     lane.put(to.impulse, joint.motor);
-    if (pulley == nullptr) {
-        const std::vector<double>& memory = joint.memory;
-        wanted = memory[CoupleMemory::sum];
-        // Made just now, or carried by another body since.
-        if (memory[CoupleMemory::measured] == 0 ||
-            memory[CoupleMemory::carrier_a] != to.carriers[0][lane.at] ||
-            memory[CoupleMemory::carrier_b] != to.carriers[1][lane.at])
-            wanted = sum;
-    }
-    to.sum[lane.at] = wanted;
-    lane.put(to.error, sum - wanted);
+    to.sum[lane.at] = terms.wanted;
+    lane.put(to.error, terms.sum - terms.wanted);
 }
 
 void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane) {

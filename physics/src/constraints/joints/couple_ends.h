@@ -25,7 +25,26 @@ double turn_against(Quat frame, Quat carrier);
 // How far a point has gone along the axis against the carrier, from some point on it, m.
 double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier);
 
-// h: sub-step, s.
+// A couple as one row. Its bodies: those of the ends a and b, then their carriers; one that is
+// there already takes part once.
+struct CoupleTerms {
+    struct End {
+        bool turns = false;   // the way is an angle; else a length
+        double scale = 1;     // of its way in the sum
+        Vec3 axis;            // world
+        double way = 0;       // rad or m
+        double length = 0;    // m, of a rope
+        double part[4] = {};  // how its way changes with each body's
+        Vec3 arm[4];          // m, of the end from each body's centre of mass
+    };
+    End ends[2];
+    bool takes_part[4] = {};
+    std::uint32_t body[4] = {};
+    double sum = 0, wanted = 0;  // of both ways, by their scales
+};
+CoupleTerms couple_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
+                         const Carrier* carriers);
+
 void write_couple(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
                   JointCoupleWide& to, const JointLane& lane);
 void read_couple(Joint& joint, const JointCoupleWide& from, double dt, const JointLane& lane);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "speed/svg.h"
+#include "jostle/plots/svg.h"
 
 #include <cstdio>
 
-namespace jostle::bench {
+namespace jostle::plots {
 namespace {
 
 // Tenths of a pixel are as much as anyone sees, and keep files and their differences small.
@@ -104,4 +104,4 @@ std::string Svg::str() const {
     return body_ + "</svg>\n";
 }
 
-}  // namespace jostle::bench
+}  // namespace jostle::plots

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A drawing as SVG text, with just the shapes that the plots of jostle-bench speed are made of.
+// A drawing as SVG text, with just the shapes that our plots are made of.
 // Pixels, y downwards.
 #pragma once
 
 #include <span>
 #include <string>
 
-namespace jostle::bench {
+namespace jostle::plots {
 
 struct SvgPoint {
     double x = 0, y = 0;
@@ -41,4 +41,4 @@ private:
     std::string body_;
 };
 
-}  // namespace jostle::bench
+}  // namespace jostle::plots

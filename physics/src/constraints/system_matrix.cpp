@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/system_matrix.h"
+
+namespace jostle::physics {
+namespace {
+
+std::size_t place_of(int body) {
+    return static_cast<std::size_t>(body);
+}
+
+struct UnitChange {
+    Vec3 v, w;
+};
+// Of a body, by a unit impulse along the row.
+UnitChange change_of(const RowPart& part, const SystemBody& body) {
+    return {scaled(part.linear, body.inverse_mass), body.inverse_inertia * part.angular};
+}
+
+// J M^-1 J^T: only rows that share a body that moves meet.
+void add_responses(ConstraintSystem& system) {
+    const std::size_t count = system.rows.size();
+    struct Use {
+        std::size_t row;
+        const RowPart* part;
+    };
+    std::vector<std::vector<Use>> uses(system.bodies.size());
+    for (std::size_t k = 0; k < count; k++)
+        for (int p = 0; p < system.rows[k].part_count; p++) {
+            const RowPart& part = system.rows[k].parts[p];
+            if (system.bodies[place_of(part.body)].moves)
+                uses[place_of(part.body)].push_back({k, &part});
+        }
+    for (std::size_t body = 0; body < uses.size(); body++)
+        for (const Use& from : uses[body]) {
+            const UnitChange change = change_of(*from.part, system.bodies[body]);
+            for (const Use& to : uses[body])
+                system.matrix[to.row * count + from.row] +=
+                    dot(to.part->linear, change.v) + dot(to.part->angular, change.w);
+        }
+    // The two halves differ by rounding.
+    for (std::size_t i = 0; i < count; i++)
+        for (std::size_t j = 0; j < i; j++) {
+            double &below = system.matrix[i * count + j], &above = system.matrix[j * count + i];
+            below = above = 0.5 * (below + above);
+        }
+}
+
+// Rows of a block stand side by side.
+void add_softness(ConstraintSystem& system, std::size_t k) {
+    const std::size_t count = system.rows.size();
+    const ConstraintRow& row = system.rows[k];
+    double* own = &system.matrix[k * count];
+    if (row.softness == 0) return;
+    if (row.block >= 0) {
+        const double share = row.softness / own[k];
+        for (std::size_t j = k; j-- > 0 && system.rows[j].block == row.block;)
+            system.matrix[j * count + k] = own[j] += share * own[j];
+    }
+    own[k] += row.softness;
+}
+
+void add_vector(std::vector<double>& to, std::size_t first, Vec3 v) {
+    to[first] += v.x;
+    to[first + 1] += v.y;
+    to[first + 2] += v.z;
+}
+
+const char* word_of_role(RowRole role) {
+    switch (role) {
+        case RowRole::point:
+            return "point";
+        case RowRole::turn:
+            return "turn";
+        case RowRole::distance:
+            return "distance";
+        case RowRole::limit:
+            return "limit";
+        case RowRole::spring:
+            return "spring";
+        case RowRole::motor:
+            return "motor";
+        case RowRole::friction:
+            return "friction";
+        case RowRole::velocity:
+            return "velocity row";
+        case RowRole::couple:
+            return "couple";
+        case RowRole::normal:
+            return "normal";
+        case RowRole::tangent:
+            return "friction";
+    }
+    return "";
+}
+
+}  // namespace
+
+double rate_now(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
+    double rate = 0;
+    for (int p = 0; p < row.part_count; p++) {
+        const SystemBody& body = bodies[place_of(row.parts[p].body)];
+        rate += dot(row.parts[p].linear, body.velocity) + dot(row.parts[p].angular, body.spin);
+    }
+    return rate;
+}
+
+double rate_by_forces(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
+    double rate = 0;
+    for (int p = 0; p < row.part_count; p++) {
+        const SystemBody& body = bodies[place_of(row.parts[p].body)];
+        rate += dot(row.parts[p].linear, body.free_velocity) +
+                dot(row.parts[p].angular, body.free_spin);
+    }
+    return rate;
+}
+
+double response_of(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
+    double response = 0;
+    for (int p = 0; p < row.part_count; p++) {
+        const RowPart& part = row.parts[p];
+        const UnitChange change = change_of(part, bodies[place_of(part.body)]);
+        response += dot(part.linear, change.v) + dot(part.angular, change.w);
+    }
+    return response;
+}
+
+void assemble(ConstraintSystem& system) {
+    const std::size_t count = system.rows.size();
+    system.matrix.assign(count * count, 0);
+    system.right.resize(count);
+    add_responses(system);
+    for (std::size_t k = 0; k < count; k++) {
+        const ConstraintRow& row = system.rows[k];
+        add_softness(system, k);
+        system.right[k] = row.bias - rate_by_forces(row, system.bodies);
+    }
+}
+
+std::string name_of(const ConstraintRow& row) {
+    std::string name = word_of_role(row.role);
+    if (row.role == RowRole::normal || row.role == RowRole::tangent) {
+        if (row.role == RowRole::tangent) name += row.axis == 0 ? " 1" : " 2";
+        return name + " of point " + std::to_string(row.point);
+    }
+    constexpr const char* axes[] = {" x", " y", " z"};
+    return row.axis < 0 ? name : name + axes[row.axis];
+}
+
+std::vector<double> ConstraintSystem::jacobian() const {
+    const std::size_t columns = 6 * bodies.size();
+    std::vector<double> dense(rows.size() * columns);
+    for (std::size_t k = 0; k < rows.size(); k++)
+        for (int p = 0; p < rows[k].part_count; p++) {
+            const RowPart& part = rows[k].parts[p];
+            const std::size_t first = k * columns + 6 * place_of(part.body);
+            add_vector(dense, first, part.linear);
+            add_vector(dense, first + 3, part.angular);
+        }
+    return dense;
+}
+
+std::vector<double> ConstraintSystem::inverse_mass() const {
+    const std::size_t columns = 6 * bodies.size();
+    std::vector<double> dense(columns * columns);
+    for (std::size_t k = 0; k < bodies.size(); k++) {
+        const std::size_t first = 6 * k;
+        const SystemBody& body = bodies[k];
+        const double mass[] = {body.inverse_mass.x, body.inverse_mass.y, body.inverse_mass.z};
+        for (std::size_t i = 0; i < 3; i++) {
+            dense[(first + i) * columns + first + i] = mass[i];
+        }
+        // Symmetric: its columns are its rows.
+        add_vector(dense, (first + 3) * columns + first + 3, body.inverse_inertia.x);
+        add_vector(dense, (first + 4) * columns + first + 3, body.inverse_inertia.y);
+        add_vector(dense, (first + 5) * columns + first + 3, body.inverse_inertia.z);
+    }
+    return dense;
+}
+
+int ConstraintSystem::moving_bodies() const {
+    int count = 0;
+    for (const SystemBody& body : bodies) count += body.moves ? 1 : 0;
+    return count;
+}
+
+}  // namespace jostle::physics

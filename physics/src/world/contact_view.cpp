@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "world/contact_view.h"
+
+#include <algorithm>
+
+#include "state/contact_constraints.h"
+
+namespace jostle::physics {
+namespace {
+
+// The rows of a manifold, whether it is in the constraint graph or kept by a sleeping island.
+template <class Row>
+void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
+    constexpr int normal = 2, tangent = 5, arm = 8, x = 14, y = 18, gap = 22, lambda = 26;
+    const auto vec = [&](int first) {
+        return Vec3{double{row(first)}, double{row(first + 1)}, double{row(first + 2)}};
+    };
+    info.normal = vec(normal);
+    const Vec3 t1 = vec(tangent), t2 = cross(info.normal, t1), middle = center + vec(arm);
+    for (int k = 0; k < 4; k++) {
+        if (row(gap + k) > 0.5f * no_point) continue;
+        info.point[info.count] = middle + t1 * double{row(x + k)} + t2 * double{row(y + k)};
+        info.gap[info.count] = double{row(gap + k)};
+        info.impulse[info.count] = double{row(lambda + k)};
+        info.count++;
+    }
+}
+
+ContactInfo info_of(const WorldState& world, std::uint32_t index) {
+    const Contact& c = world.contacts.contacts[index];
+    return {.shape_a = shape_id(world, c.shape_a),
+            .shape_b = shape_id(world, c.shape_b),
+            .body_a = body_id(world, c.body_a),
+            .body_b = body_id(world, c.body_b),
+            .normal = {},
+            .point = {},
+            .touching = c.touching};
+}
+
+}  // namespace
+
+ContactInfo solved_contact(const WorldState& world, std::uint32_t contact) {
+    const Contact& c = world.contacts.contacts[contact];
+    const ContactPlace place = place_of(world, c);
+    ContactInfo info = info_of(world, contact);
+    fill_points(info, warm_of(world, c.body_a).center,
+                [&](int row) { return float_at(*place.block, row, place.lane); });
+    return info;
+}
+
+ContactInfo sleeping_contact(const WorldState& world, const SavedContact& saved) {
+    ContactInfo info = info_of(world, saved.contact);
+    info.asleep = true;
+    fill_points(
+        info, warm_of(world, world.contacts.contacts[saved.contact].body_a).center,
+        [&](int row) { return saved.rows[static_cast<std::size_t>(row - first_saved_row)]; });
+    return info;
+}
+
+std::vector<ContactView> contacts_on(const WorldState& world, std::uint32_t body) {
+    std::vector<ContactView> all;
+    std::vector<std::uint32_t> asleep;
+    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+        if (world.contacts.contacts[contact].colour >= 0)
+            all.push_back({contact, solved_contact(world, contact)});
+        else if (world.contacts.contacts[contact].dormant)
+            asleep.push_back(contact);
+    });
+    // A sleeping contact is kept by the island of its body a, or of b if only that one sleeps.
+    std::sort(asleep.begin(), asleep.end());
+    std::vector<std::uint32_t> islands;
+    for (const std::uint32_t contact : asleep)
+        for (const std::uint32_t end :
+             {world.contacts.contacts[contact].body_a, world.contacts.contacts[contact].body_b})
+            if (world.bodies.cold[end].island != none)
+                islands.push_back(world.bodies.cold[end].island);
+    std::sort(islands.begin(), islands.end());
+    islands.erase(std::unique(islands.begin(), islands.end()), islands.end());
+    for (const std::uint32_t island : islands)
+        for (const SavedContact& saved : world.islands.islands[island].manifolds)
+            if (std::binary_search(asleep.begin(), asleep.end(), saved.contact))
+                all.push_back({saved.contact, sleeping_contact(world, saved)});
+    return all;
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/system_matrix.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::physics {
+namespace {
+
+// Two carts on a line, of 1 and 4 kg, and one that stands still.
+ConstraintSystem carts() {
+    ConstraintSystem s;
+    for (const double mass : {1.0, 4.0, 0.0}) {
+        SystemBody body{.moves = mass > 0, .inverse_inertia = diagonal({0, 0, 0})};
+        if (mass > 0) body.inverse_mass = Vec3{1, 1, 1} * (1 / mass);
+        s.bodies.push_back(body);
+    }
+    s.bodies[0].velocity = {3, 0, 0};
+    s.bodies[0].free_velocity = {2, 0, 0};
+    s.bodies[2].velocity = s.bodies[2].free_velocity = {-1, 0, 0};
+    const auto join = [&](int a, int b) {
+        s.rows.push_back({.parts = {{a, {-1, 0, 0}, {}}, {b, {1, 0, 0}, {}}}, .part_count = 2});
+    };
+    join(0, 1);
+    join(1, 2);
+    return s;
+}
+
+TEST(SystemMatrix, has_what_rows_do_to_each_other) {
+    ConstraintSystem s = carts();
+    s.rows[0].softness = 0.5;
+    s.rows[0].bias = 7;
+    assemble(s);
+    EXPECT_DOUBLE_EQ(s.at(0, 0), 1 + 0.25 + 0.5);
+    EXPECT_DOUBLE_EQ(s.at(0, 1), -0.25);
+    EXPECT_DOUBLE_EQ(s.at(1, 0), -0.25);
+    EXPECT_DOUBLE_EQ(s.at(1, 1), 0.25);
+    EXPECT_DOUBLE_EQ(s.right[0], 7 + 2);
+    EXPECT_DOUBLE_EQ(s.right[1], 1);
+    EXPECT_DOUBLE_EQ(rate_now(s.rows[0], s.bodies), -3);
+    EXPECT_DOUBLE_EQ(rate_by_forces(s.rows[0], s.bodies), -2);
+    EXPECT_DOUBLE_EQ(response_of(s.rows[0], s.bodies), 1.25);
+}
+
+TEST(SystemMatrix, softness_of_a_block_is_a_share_of_it) {
+    ConstraintSystem s = carts();
+    s.rows[0].block = s.rows[1].block = 4;
+    s.rows[0].softness = 1.25 * 0.1;
+    s.rows[1].softness = 0.25 * 0.1;
+    assemble(s);
+    EXPECT_NEAR(s.at(0, 0), 1.25 * 1.1, 1e-15);
+    EXPECT_NEAR(s.at(1, 1), 0.25 * 1.1, 1e-15);
+    EXPECT_NEAR(s.at(0, 1), -0.25 * 1.1, 1e-15);
+    EXPECT_EQ(s.at(0, 1), s.at(1, 0));
+}
+
+TEST(SystemMatrix, names_say_role_and_direction) {
+    EXPECT_EQ(name_of({.role = RowRole::turn, .axis = 1}), "turn y");
+    EXPECT_EQ(name_of({.role = RowRole::motor, .axis = 2}), "motor z");
+    EXPECT_EQ(name_of({.role = RowRole::couple}), "couple");
+    EXPECT_EQ(name_of({.role = RowRole::normal, .point = 2}), "normal of point 2");
+    EXPECT_EQ(name_of({.role = RowRole::tangent, .axis = 1}), "friction 2 of point 0");
+}
+
+}  // namespace
+}  // namespace jostle::physics

@@ -22,6 +22,7 @@ struct ContactCheck {
     bool goes_on = false;     // has points, and a lane that they were written to ...
     bool done = false;        // ... and stays in: nothing is left to decide
     bool bounces = false;     // its bodies are to be swept, however slow: ccd_policy.h
+    double closing = 0;       // m/s: how fast those do that bounce
     float direction[3] = {};  // along which they are apart by `near`; zero: not known
     double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
                               // move now
@@ -44,6 +45,14 @@ struct NewContact {
     std::int32_t part = -1;
 };
 
+// Bodies that are about to bounce off each other: find_crowds.h.
+struct Crowd {
+    std::uint32_t part_of = 0;  // itself, unless it was joined to another
+    int bodies = 0;
+    bool walled = false;  // one of them is about to bounce off something that stays
+    double fastest = 0;   // m/s: closing speed
+};
+
 struct ContactScratch {
     std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
     std::vector<ContactCheck> checks;
@@ -57,6 +66,9 @@ struct ContactScratch {
     std::vector<std::uint8_t> had_contacts;
     // Bodies that may bounce off something in this step: awake, in any order, some more than once.
     std::vector<std::uint32_t> bouncing;
+    std::vector<Crowd> crowds;
+    std::vector<std::uint32_t> crowd_of;  // by awake body; empty where nobody is about to bounce
+    double crowd_noise = 0;               // m/s: what is slower shows no order
 };
 
 }  // namespace jostle::physics

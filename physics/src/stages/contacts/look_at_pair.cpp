@@ -240,6 +240,24 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
     return within(margin, pair);
 }
 
+// Of a pair that is about to bounce: decide_contacts knows whether in a crowd, which leaves the
+// manifold to the contact solver.
+void keep_for_crowds(StepContext& step, ContactCheck& check, const Manifold& manifold) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    const Contact& c = world.contacts.contacts[check.contact];
+    for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
+    check.near = smallest_gap(manifold);
+    check.gap_ahead = expected_gap(world, c, manifold, step.dt);
+    check.closing = manifold.count > 0
+                        ? closing_speed(world, c, manifold)
+                        : closing_along(world, c, manifold.normal) + closing_by_turning(world, c);
+    if (manifold.count == 0) return;
+    check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+    ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());
+    scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
+}
+
 }  // namespace
 
 void look_at_pair(StepContext& step, ContactCheck& check) {
@@ -252,8 +270,8 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     Manifold manifold = manifold_ahead(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
         check.bounces = will_bounce(step, c, manifold, c.touching);
-        if (manifold.count > 0 &&
-            (check.bounces || stays_apart(world, c, manifold, c.touching, step.dt))) {
+        if (check.bounces) return keep_for_crowds(step, check, manifold);
+        if (manifold.count > 0 && stays_apart(world, c, manifold, c.touching, step.dt)) {
             manifold.distance = smallest_gap(manifold);
             manifold.count = 0;
         }

@@ -49,8 +49,9 @@ struct NewContact {
 struct Crowd {
     std::uint32_t part_of = 0;  // itself, unless it was joined to another
     int bodies = 0;
-    bool walled = false;  // one of them is about to bounce off something that stays
-    double fastest = 0;   // m/s: closing speed
+    bool held = false;      // by a wall that is near, or by what one of them leans on
+    double fastest = 0;     // m/s: closing speed
+    double least_kept = 0;  // what keeps less of its energy at an impact bounces in a crowd
 };
 
 struct ContactScratch {
@@ -68,7 +69,6 @@ struct ContactScratch {
     std::vector<std::uint32_t> bouncing;
     std::vector<Crowd> crowds;
     std::vector<std::uint32_t> crowd_of;  // by awake body; empty where nobody is about to bounce
-    double crowd_noise = 0;               // m/s: what is slower shows no order
 };
 
 }  // namespace jostle::physics

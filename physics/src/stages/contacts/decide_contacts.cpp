@@ -10,7 +10,6 @@
 #include "stages/contacts/find_crowds.h"
 #include "stages/contacts/pair_motion.h"
 #include "stages/step_scratch.h"
-#include "state/combine.h"
 #include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -128,12 +127,7 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 // What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
 void decide_bounce(WorldState& world, ContactScratch& scratch, ContactCheck& check) {
     const Contact& c = world.contacts.contacts[check.contact];
-    const ShapeRecord &a = world.shapes.shapes[c.shape_a], &b = world.shapes.shapes[c.shape_b];
-    const bool in_crowd =
-        !c.composite && bounces_in_crowd(scratch, world.bodies.cold[c.body_a],
-                                         world.bodies.cold[c.body_b],
-                                         pair_restitution(a.material, b.material));
-    if (!in_crowd) {
+    if (c.composite || !bounces_in_crowd(world, scratch, c.shape_a, c.shape_b)) {
         note_bouncing(world.bodies, c, scratch.bouncing);
         if (!c.composite) check.list = -1;
     } else if (check.list >= 0 && c.colour >= 0) {

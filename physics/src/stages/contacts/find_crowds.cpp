@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "stages/contacts/find_crowds.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/step_scratch.h"
+#include "state/combine.h"
 #include "state/contact_constraints.h"
+#include "state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -30,40 +33,48 @@ std::uint32_t find(std::vector<Crowd>& crowds, std::uint32_t crowd) {
     return crowd;
 }
 
-std::uint32_t crowd_with(ContactScratch& scratch, const BodyCold& cold) {
+// What leans on others, and is pressed against them, is held by them.
+std::uint32_t crowd_with(ContactScratch& scratch, const BodyCold& cold, bool pressed) {
     std::uint32_t& crowd = scratch.crowd_of[cold.at];
     if (crowd == alone) {
         crowd = static_cast<std::uint32_t>(scratch.crowds.size());
-        scratch.crowds.push_back(
-            {.part_of = crowd,
-             .bodies = 1,
-             .walled = scratch.crowd_noise > tuning::restitution_speed &&
-                       scratch.had_contacts[cold.at] != 0});
+        scratch.crowds.push_back({.part_of = crowd,
+                                  .bodies = 1,
+                                  .held = pressed && scratch.had_contacts[cold.at] != 0});
     }
     return find(scratch.crowds, crowd);
 }
 
-void join(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing) {
-    if (!is_member(a) && !is_member(b)) return;
-    std::uint32_t crowd = crowd_with(scratch, is_member(a) ? a : b);
-    const bool both = is_member(a) && is_member(b);
-    if (both) {
-        std::uint32_t other = crowd_with(scratch, b);
+// `closing`: m/s. Of two the second may be what holds the first.
+void join(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
+          bool pressed) {
+    if (!is_member(a)) return is_member(b) ? join(scratch, b, a, closing, pressed) : void();
+    std::uint32_t crowd = crowd_with(scratch, a, pressed);
+    if (is_member(b)) {
+        std::uint32_t other = crowd_with(scratch, b, pressed);
         if (other < crowd) std::swap(crowd, other);
         if (other != crowd) {
             Crowd &into = scratch.crowds[crowd], &gone = scratch.crowds[other];
             gone.part_of = crowd;
             into.bodies += gone.bodies;
-            into.walled |= gone.walled;
+            into.held |= gone.held;
             into.fastest = maximum(into.fastest, gone.fastest);
         }
+    } else {
+        scratch.crowds[crowd].held = true;
     }
-    scratch.crowds[crowd].walled |= !both;
     scratch.crowds[crowd].fastest = maximum(scratch.crowds[crowd].fastest, closing);
 }
 
+// Whether something that does not move freely is within a length of a body's middle.
+bool reaches(const WorldState& world, std::uint32_t shape, Vec3 center, double length) {
+    const ShapeRecord& s = world.shapes.shapes[shape];
+    const Aabb near = grow({center, center}, length);
+    return is_plane(s) ? reaches_plane(world, s, near) : overlap(near, s.fat);
+}
+
 // What is so near that it may be struck within the step belongs to the crowd, wherever it goes now.
-void join_neighbours(const StepContext& step, ContactScratch& scratch) {
+void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pressed) {
     const WorldState& world = step.world;
     struct Member {
         std::uint32_t awake;
@@ -75,18 +86,50 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch) {
             members.push_back(
                 {awake, scratch.crowds[find(scratch.crowds, crowd)].fastest * step.dt});
     for (const auto& [awake, way] : members) {
-        const std::uint32_t body = world.bodies.awake[awake].body;
-        const BodyCold& cold = world.bodies.cold[body];
+        const BodyWarm& warm = world.bodies.awake[awake];
+        const BodyCold& cold = world.bodies.cold[warm.body];
         for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            const std::uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+            if (c.parent != none) return;
+            const bool is_a = c.body_a == warm.body;
+            const std::uint32_t other = is_a ? c.body_b : c.body_a;
             const BodyCold& cold_other = world.bodies.cold[other];
-            if (c.parent != none || !is_member(cold_other)) return;
             const double reach = (cold.inner_radius + cold_other.inner_radius) + way;
-            const Vec3 apart = warm_of(world, other).center - world.bodies.awake[awake].center;
-            if (length_squared(apart) < reach * reach) join(scratch, cold, cold_other, 0);
+            const bool near =
+                is_member(cold_other)
+                    ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
+                    : !c.composite && reaches(world, is_a ? c.shape_b : c.shape_a, warm.center,
+                                              cold.inner_radius + way);
+            if (near) join(scratch, cold, cold_other, 0, pressed);
         });
     }
+}
+
+// Which share of the energy each impact has to keep so that noise^2 is left of speed^2 after so
+// many: their root, by halves.
+double share_kept(double speed, double noise, int impacts) {
+    if (!(speed > noise)) return 1;
+    const double left = noise * noise / (speed * speed);
+    double low = 0, high = 1;
+    for (int k = 0; k < 30; k++) {
+        const double middle = 0.5 * (low + high);
+        double power = 1, square = middle;
+        for (int n = impacts; n > 0; n /= 2) {
+            if (n % 2 == 1) power *= square;
+            square *= square;
+        }
+        (power < left ? low : high) = middle;
+    }
+    return low;
+}
+
+// Which share of the energy an impact keeps. Where friction holds, a ball loses 2/7 of the energy of
+// its motion along the surface, on the mean over all directions a seventh of all; where it slips,
+// mu (1 + e) times the mean of normal and tangential speed, of 0.4 times the square of the whole,
+// twice.
+double kept_of(const Material& a, const Material& b) {
+    const double e = pair_restitution(a, b);
+    return e * e * (1 - minimum(1.0 / 7, 0.8 * pair_friction(a, b) * (1 + e)));
 }
 
 }  // namespace
@@ -96,37 +139,38 @@ void find_crowds(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     scratch.crowds.clear();
     scratch.crowd_of.clear();
-    bool any = false;
-    for (const ContactCheck& check : scratch.checks) any |= check.bounces;
-    if (!any) return;
-    const double falls = 2 * length(world.def.gravity) * step.dt;
-    scratch.crowd_noise = maximum(tuning::restitution_speed, falls);
+    if (std::none_of(scratch.checks.begin(), scratch.checks.end(),
+                     [](const ContactCheck& check) { return check.bounces; }))
+        return;
     scratch.crowd_of.assign(world.bodies.awake.size(), alone);
+    const double falls = 2 * length(world.def.gravity) * step.dt;  // m/s
     for (const ContactCheck& check : scratch.checks) {
         if (!check.bounces) continue;
         const Contact& c = world.contacts.contacts[check.contact];
-        join(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b], check.closing);
+        join(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b], check.closing,
+             falls > 0);
     }
-    join_neighbours(step, scratch);
+    join_neighbours(step, scratch, falls > 0);
     for (std::uint32_t& crowd : scratch.crowd_of)
         if (crowd != alone) crowd = find(scratch.crowds, crowd);
+    for (Crowd& crowd : scratch.crowds)
+        if (crowd.held && crowd.bodies >= least_crowd)
+            crowd.least_kept = share_kept(
+                crowd.fastest, maximum(tuning::restitution_speed, falls), 2 * crowd.bodies);
 }
 
-bool bounces_in_crowd(const ContactScratch& scratch, const BodyCold& a, const BodyCold& b,
-                      double restitution) {
-    if (scratch.crowds.empty() || restitution >= 1) return false;
-    for (const BodyCold* cold : {&a, &b}) {
-        if (!is_member(*cold)) continue;
-        if (cold->at >= scratch.crowd_of.size() || scratch.crowd_of[cold->at] == alone) continue;
-        const Crowd& crowd = scratch.crowds[scratch.crowd_of[cold->at]];
-        if (crowd.bodies < least_crowd || !crowd.walled) continue;
-        double left = crowd.fastest;
-        for (int k = 0; k < 2 * crowd.bodies; k++) {
-            left *= restitution;
-            if (left < scratch.crowd_noise) return true;
-        }
-    }
-    return false;
+bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
+                      std::uint32_t shape_b) {
+    if (scratch.crowds.empty()) return false;
+    const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
+    const auto least_kept = [&](const ShapeRecord& shape) {
+        const BodyCold& cold = world.bodies.cold[shape.body];
+        if (!is_member(cold) || cold.at >= scratch.crowd_of.size()) return 0.0;
+        const std::uint32_t crowd = scratch.crowd_of[cold.at];
+        return crowd == alone ? 0.0 : scratch.crowds[crowd].least_kept;
+    };
+    const double least = maximum(least_kept(a), least_kept(b));
+    return least > 0 && kept_of(a.material, b.material) < least;
 }
 
 }  // namespace jostle::physics

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Crowds: bodies that are about to bounce off each other within one step. One after the other, a
-// push that goes through n of them leaves e^n of its speed, and where a wall throws it back e^2n
-// (Bernu and Mazighi, "One-dimensional bounce of inelastically colliding marbles on a wall", 1990,
-// find where such a row collapses). Once that is less than what bounces at all, or than what gravity
-// gives in two steps, nothing is left of the order of the impacts: the contact solver resolves them
-// together, and continuous collision sweeps as if they did not bounce.
+// Crowds: bodies that are about to bounce off each other within one step, and whom something holds,
+// a wall or what bears them. One after the other, a push that goes through n of them and back
+// leaves e^2n of its speed (Bernu and Mazighi, "One-dimensional bounce of inelastically colliding
+// marbles on a wall", 1990, find where such a row collapses), and friction takes its part. Once that
+// is less than what bounces at all, or than what gravity gives in two steps, nothing shows in which
+// order they met: the contact solver resolves them together, and continuous collision sweeps as if
+// they did not bounce. A pair, what loses nothing, and what flies freely are never a crowd.
 #pragma once
 
 #include "stages/contacts/contact_scratch.h"
@@ -14,11 +15,11 @@
 namespace jostle::physics {
 
 // Reads: checks that look_at_pair is done with. Leaves in scratch: ContactScratch::crowds and
-// crowd_of, for decide_contacts and solve_continuous.
+// crowd_of, for decide_contacts and solve_continuous. One thread.
 void find_crowds(StepContext& step);
 
-// Whether a pair with this restitution bounces in a crowd: one of its bodies is in one.
-bool bounces_in_crowd(const ContactScratch& scratch, const BodyCold& a, const BodyCold& b,
-                      double restitution);
+// Whether two shapes bounce off each other in a crowd: one of their bodies is in one.
+bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
+                      std::uint32_t shape_b);
 
 }  // namespace jostle::physics

@@ -384,11 +384,8 @@ private:
 
     // Whether two shapes bounce off each other one at a time, not in a crowd.
     bool bounces_here(std::uint32_t own, std::uint32_t other) const {
-        if (!any_bounces_ || !bounces(world_, own, other)) return false;
-        const ShapeRecord &a = world_.shapes.shapes[own], &b = world_.shapes.shapes[other];
-        return !bounces_in_crowd(step_.scratch.contacts, world_.bodies.cold[a.body],
-                                 world_.bodies.cold[b.body],
-                                 pair_restitution(a.material, b.material));
+        return any_bounces_ && bounces(world_, own, other) &&
+               !bounces_in_crowd(world_, step_.scratch.contacts, own, other);
     }
     // What hardly moves against the other is the contact solver's. After an impact less is left to
     // it: its contacts did not foresee the new way.

@@ -81,7 +81,7 @@ double closing_speed(const WorldState& world, const Contact& c, const Manifold& 
 // Whether two that bounce are to meet in this step, so that the sweep takes them
 // (stages/continuous/ccd_policy.h). Faces are the contact solver's when one end of them rests while
 // the other comes down, which a sweep would let go of, and when they have met already beside others
-// that they lean on: there one impact follows the other without end.
+// that gravity presses them against: there one impact follows the other without end.
 bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, bool touching) {
     const WorldState& world = step.world;
     if (m.count == 0)
@@ -91,7 +91,7 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
         return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
     };
     if (m.count > 1 && touching) return false;
-    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap &&
+    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap && world.def.gravity != Vec3{} &&
         (leans(c.body_a) || leans(c.body_b)))
         return false;
     return closing_speed(world, c, m) > tuning::restitution_speed &&

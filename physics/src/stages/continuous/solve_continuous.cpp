@@ -233,8 +233,9 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            const bool bouncy = bounces_here(c.shape_a, c.shape_b);
-            if (motions_.may_meet(world_, motion, cold, met, other, bouncy)) found.push_back(other);
+            if (motions_.may_meet(world_, motion, cold, met, other,
+                                  [&] { return bounces_here(c.shape_a, c.shape_b); }))
+                found.push_back(other);
         }
     }
 

@@ -19,8 +19,8 @@ struct ContactSettings {
     // What is squeezed, by this share of the way from the first body's middle to where they touch,
     // gives up as much in the relaxing pass, and learns no more.
     float squeezed = 0;
-    float push_speed = 0;     // m/s
-    float slop = 0;           // m of overlap aimed at
+    float push_speed = 0;  // m/s
+    float slop = 0;        // m of overlap aimed at
     float mean_rate = 0;  // share of the mean_impulse impulse that follows the present one per step
     float per_point = 0;  // 1: that of each point; 0: their mean
     float rebuild_drift = 0;          // m of relative motion after which a manifold is rebuilt

@@ -15,7 +15,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr std::uint32_t alone = 0xffffffff;
+constexpr std::uint32_t no_crowd = 0xffffffff;
 
 // Of two bodies it is plain who meets whom first.
 constexpr int least_crowd = 3;
@@ -25,7 +25,7 @@ bool is_member(const BodyCold& cold) {
 }
 
 // The crowd that one has become part of.
-std::uint32_t find(std::vector<Crowd>& crowds, std::uint32_t crowd) {
+std::uint32_t crowd_root(std::vector<Crowd>& crowds, std::uint32_t crowd) {
     while (crowds[crowd].part_of != crowd) {
         crowds[crowd].part_of = crowds[crowds[crowd].part_of].part_of;
         crowd = crowds[crowd].part_of;
@@ -36,19 +36,18 @@ std::uint32_t find(std::vector<Crowd>& crowds, std::uint32_t crowd) {
 // What leans on others, and is pressed against them, is held by them.
 std::uint32_t crowd_with(ContactScratch& scratch, const BodyCold& cold, bool pressed) {
     std::uint32_t& crowd = scratch.crowd_of[cold.at];
-    if (crowd == alone) {
+    if (crowd == no_crowd) {
         crowd = static_cast<std::uint32_t>(scratch.crowds.size());
-        scratch.crowds.push_back({.part_of = crowd,
-                                  .bodies = 1,
-                                  .held = pressed && scratch.had_contacts[cold.at] != 0});
+        scratch.crowds.push_back(
+            {.part_of = crowd, .bodies = 1, .held = pressed && scratch.had_contacts[cold.at] != 0});
     }
-    return find(scratch.crowds, crowd);
+    return crowd_root(scratch.crowds, crowd);
 }
 
 // `closing`: m/s. Of two the second may be what holds the first.
-void join(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
-          bool pressed) {
-    if (!is_member(a)) return is_member(b) ? join(scratch, b, a, closing, pressed) : void();
+void join_crowds(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
+                 bool pressed) {
+    if (!is_member(a)) return is_member(b) ? join_crowds(scratch, b, a, closing, pressed) : void();
     std::uint32_t crowd = crowd_with(scratch, a, pressed);
     if (is_member(b)) {
         std::uint32_t other = crowd_with(scratch, b, pressed);
@@ -67,7 +66,7 @@ void join(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double 
 }
 
 // Whether something that does not move freely is within a length of a body's middle.
-bool reaches(const WorldState& world, std::uint32_t shape, Vec3 center, double length) {
+bool is_wall_near(const WorldState& world, std::uint32_t shape, Vec3 center, double length) {
     const ShapeRecord& s = world.shapes.shapes[shape];
     const Aabb near = grow({center, center}, length);
     return is_plane(s) ? reaches_plane(world, s, near) : overlap(near, s.fat);
@@ -82,9 +81,9 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
     };
     std::vector<Member> members;  // before anybody else joins: the order says nothing
     for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++)
-        if (const std::uint32_t crowd = scratch.crowd_of[awake]; crowd != alone)
+        if (const std::uint32_t crowd = scratch.crowd_of[awake]; crowd != no_crowd)
             members.push_back(
-                {awake, scratch.crowds[find(scratch.crowds, crowd)].fastest * step.dt});
+                {awake, scratch.crowds[crowd_root(scratch.crowds, crowd)].fastest * step.dt});
     for (const auto& [awake, way] : members) {
         const BodyWarm& warm = world.bodies.awake[awake];
         const BodyCold& cold = world.bodies.cold[warm.body];
@@ -98,9 +97,9 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
             const bool near =
                 is_member(cold_other)
                     ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
-                    : !c.composite && reaches(world, is_a ? c.shape_b : c.shape_a, warm.center,
-                                              cold.inner_radius + way);
-            if (near) join(scratch, cold, cold_other, 0, pressed);
+                    : !c.composite && is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
+                                                   cold.inner_radius + way);
+            if (near) join_crowds(scratch, cold, cold_other, 0, pressed);
         });
     }
 }
@@ -123,10 +122,10 @@ double share_kept(double speed, double noise, int impacts) {
     return low;
 }
 
-// Which share of the energy an impact keeps. Where friction holds, a ball loses 2/7 of the energy of
-// its motion along the surface, on the mean over all directions a seventh of all; where it slips,
-// mu (1 + e) times the mean of normal and tangential speed, of 0.4 times the square of the whole,
-// twice.
+// Which share of the energy an impact keeps. Where friction holds, a ball loses 2/7 of the energy
+// of its motion along the surface, on the mean over all directions a seventh of all; where it
+// slips, mu (1 + e) times the mean of normal and tangential speed, of 0.4 times the square of the
+// whole, twice.
 double kept_of(const Material& a, const Material& b) {
     const double e = pair_restitution(a, b);
     return e * e * (1 - minimum(1.0 / 7, 0.8 * pair_friction(a, b) * (1 + e)));
@@ -142,21 +141,21 @@ void find_crowds(StepContext& step) {
     if (std::none_of(scratch.checks.begin(), scratch.checks.end(),
                      [](const ContactCheck& check) { return check.bounces; }))
         return;
-    scratch.crowd_of.assign(world.bodies.awake.size(), alone);
+    scratch.crowd_of.assign(world.bodies.awake.size(), no_crowd);
     const double falls = 2 * length(world.def.gravity) * step.dt;  // m/s
     for (const ContactCheck& check : scratch.checks) {
         if (!check.bounces) continue;
         const Contact& c = world.contacts.contacts[check.contact];
-        join(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b], check.closing,
-             falls > 0);
+        join_crowds(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
+                    check.closing, falls > 0);
     }
     join_neighbours(step, scratch, falls > 0);
     for (std::uint32_t& crowd : scratch.crowd_of)
-        if (crowd != alone) crowd = find(scratch.crowds, crowd);
+        if (crowd != no_crowd) crowd = crowd_root(scratch.crowds, crowd);
     for (Crowd& crowd : scratch.crowds)
         if (crowd.held && crowd.bodies >= least_crowd)
-            crowd.least_kept = share_kept(
-                crowd.fastest, maximum(tuning::restitution_speed, falls), 2 * crowd.bodies);
+            crowd.least_kept = share_kept(crowd.fastest, maximum(tuning::restitution_speed, falls),
+                                          2 * crowd.bodies);
 }
 
 bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
@@ -167,7 +166,7 @@ bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, st
         const BodyCold& cold = world.bodies.cold[shape.body];
         if (!is_member(cold) || cold.at >= scratch.crowd_of.size()) return 0.0;
         const std::uint32_t crowd = scratch.crowd_of[cold.at];
-        return crowd == alone ? 0.0 : scratch.crowds[crowd].least_kept;
+        return crowd == no_crowd ? 0.0 : scratch.crowds[crowd].least_kept;
     };
     const double least = maximum(least_kept(a), least_kept(b));
     return least > 0 && kept_of(a.material, b.material) < least;

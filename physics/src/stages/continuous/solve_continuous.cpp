@@ -442,8 +442,8 @@ private:
         if (start > until) return false;
         const Vec3 apart = (center + translation * (start - from)) - center_at(t.sweep, start);
         const Vec3 motion = translation - t.sweep.translation;
-        const double nearest = clamp(-dot(apart, motion) / maximum(length_squared(motion), 1e-30),
-                                     0, until - start);
+        const double nearest =
+            clamp(-dot(apart, motion) / maximum(length_squared(motion), 1e-30), 0, until - start);
         return length_squared(apart + motion * nearest) > reach * reach;
     }
 

@@ -84,8 +84,8 @@ TEST(FindCrowds, something_holds_them) {
     EXPECT_TRUE(is_crowd({.gravity = {}}));
 }
 
-// 2 g dt is 0.08 m/s at 240 Hz, where 0.3 m/s is what bounces, and 2.6 m/s at 7.5 Hz: of 4 m/s three
-// balls of 0.8 leave 1.05.
+// 2 g dt is 0.08 m/s at 240 Hz, where 0.3 m/s is what bounces, and 2.6 m/s at 7.5 Hz: of 4 m/s
+// three balls of 0.8 leave 1.05.
 TEST(FindCrowds, what_shows_no_order_goes_by_gravity_and_the_step) {
     EXPECT_FALSE(is_crowd({.balls = 3, .restitution = 0.8, .hz = 240}));
     EXPECT_TRUE(is_crowd({.balls = 3, .restitution = 0.8, .hz = 7.5}));

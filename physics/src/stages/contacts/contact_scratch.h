@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "collision/narrowphase/collide_composite.h"
@@ -49,6 +50,7 @@ struct NewContact {
 struct Crowd {
     std::uint32_t part_of = 0;  // itself, unless it was joined to another
     int bodies = 0;
+    int row = 0;            // bodies in its longest row, from one to the next
     bool held = false;      // by a wall that is near, or by what one of them leans on
     double fastest = 0;     // m/s: closing speed
     double least_kept = 0;  // what keeps less of its energy at an impact bounces in a crowd
@@ -68,6 +70,7 @@ struct ContactScratch {
     // Bodies that may bounce off something in this step: awake, in any order, some more than once.
     std::vector<std::uint32_t> bouncing;
     std::vector<Crowd> crowds;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd_bonds;  // awake bodies side by side
     std::vector<std::uint32_t> crowd_of;  // by awake body; empty where nobody is about to bounce
 };
 

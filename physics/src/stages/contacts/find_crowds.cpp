@@ -51,6 +51,7 @@ void join_crowds(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, 
     std::uint32_t crowd = crowd_with(scratch, a, pressed);
     if (is_member(b)) {
         std::uint32_t other = crowd_with(scratch, b, pressed);
+        scratch.crowd_bonds.push_back({a.at, b.at});
         if (other < crowd) std::swap(crowd, other);
         if (other != crowd) {
             Crowd &into = scratch.crowds[crowd], &gone = scratch.crowds[other];
@@ -104,11 +105,62 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
     }
 }
 
-// Which share of the energy each impact has to keep so that noise^2 is left of speed^2 after so
-// many: their root, by halves.
-double share_kept(double speed, double noise, int impacts) {
-    if (!(speed > noise)) return 1;
-    const double left = noise * noise / (speed * speed);
+// How long the rows of crowds are: from the first of a crowd to the one most bodies away, and from
+// that to the one most bodies away from it. Of a rack of fifteen balls five, not fifteen.
+class Rows {
+public:
+    explicit Rows(const ContactScratch& scratch)
+        : first_(scratch.crowd_of.size() + 1, 0), steps_(scratch.crowd_of.size(), not_seen) {
+        for (const auto& [a, b] : scratch.crowd_bonds) first_[a]++, first_[b]++;
+        std::uint32_t sum = 0;
+        for (std::uint32_t& end : first_) end = sum += end;
+        beside_.resize(sum);
+        for (const auto& [a, b] : scratch.crowd_bonds)
+            beside_[--first_[a]] = b, beside_[--first_[b]] = a;
+    }
+
+    int longest_from(std::uint32_t body) {
+        static_cast<void>(walk_from(body));
+        body = furthest();
+        const int most = walk_from(body);
+        for (const std::uint32_t k : seen_) steps_[k] = not_seen;
+        return most + 1;
+    }
+
+private:
+    static constexpr int not_seen = -1;
+
+    // How many bodies away the furthest is.
+    int walk_from(std::uint32_t body) {
+        for (const std::uint32_t k : seen_) steps_[k] = not_seen;
+        seen_.assign(1, body);
+        steps_[body] = 0;
+        for (std::size_t k = 0; k < seen_.size(); k++)
+            for (std::uint32_t n = first_[seen_[k]]; n < first_[seen_[k] + 1]; n++) {
+                if (steps_[beside_[n]] != not_seen) continue;
+                steps_[beside_[n]] = steps_[seen_[k]] + 1;
+                seen_.push_back(beside_[n]);
+            }
+        return steps_[seen_.back()];
+    }
+    // Of several the lowest: the order of the walk says nothing.
+    std::uint32_t furthest() const {
+        std::uint32_t best = seen_.back();
+        for (const std::uint32_t k : seen_)
+            if (steps_[k] == steps_[seen_.back()]) best = std::min(best, k);
+        return best;
+    }
+
+    std::vector<std::uint32_t> first_, beside_;  // by awake body: where its neighbours begin; those
+    std::vector<int> steps_;                     // by awake body, of the walk
+    std::vector<std::uint32_t> seen_;            // in the order of the walk
+};
+
+// Which share of the energy each impact has to keep so that, after so many and among so many
+// bodies, each has the energy of `noise` from that of `speed`: a root, by halves.
+double share_kept(double speed, double noise, int impacts, int bodies) {
+    const double left = noise * noise * bodies / maximum(speed * speed, 1e-30);
+    if (!(left < 1)) return 1;
     double low = 0, high = 1;
     for (int k = 0; k < 30; k++) {
         const double middle = 0.5 * (low + high);
@@ -138,6 +190,7 @@ void find_crowds(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     scratch.crowds.clear();
     scratch.crowd_of.clear();
+    scratch.crowd_bonds.clear();
     if (std::none_of(scratch.checks.begin(), scratch.checks.end(),
                      [](const ContactCheck& check) { return check.bounces; }))
         return;
@@ -152,10 +205,16 @@ void find_crowds(StepContext& step) {
     join_neighbours(step, scratch, falls > 0);
     for (std::uint32_t& crowd : scratch.crowd_of)
         if (crowd != no_crowd) crowd = crowd_root(scratch.crowds, crowd);
-    for (Crowd& crowd : scratch.crowds)
-        if (crowd.held && crowd.bodies >= least_crowd)
-            crowd.least_kept = share_kept(crowd.fastest, maximum(tuning::restitution_speed, falls),
-                                          2 * crowd.bodies);
+    Rows rows(scratch);
+    for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++) {
+        if (scratch.crowd_of[awake] == no_crowd) continue;
+        Crowd& crowd = scratch.crowds[scratch.crowd_of[awake]];
+        if (!crowd.held || crowd.bodies < least_crowd || crowd.row > 0) continue;
+        crowd.row = rows.longest_from(awake);
+        if (crowd.row < least_crowd) continue;
+        crowd.least_kept = share_kept(crowd.fastest, maximum(tuning::restitution_speed, falls),
+                                      2 * crowd.row, crowd.bodies);
+    }
 }
 
 bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,

@@ -21,7 +21,7 @@ struct Row {
     int balls = 5;
     double restitution = 0.5, friction = 0, speed = 4;  // m/s: closing
     double gap = 0.01;                                  // m
-    bool floor = true, leans = false;
+    bool floor = true, leans = false, nears = true;
     Vec3 gravity{0, -9.81, 0};
     double hz = 60;
 };
@@ -49,7 +49,7 @@ bool is_crowd(const Row& row) {
         const auto [low, high] = std::minmax(c.body_a, c.body_b);
         if (high != low + 1) continue;
         scratch.contacts.checks.push_back(
-            {.contact = k, .bounces = !ground || row.floor, .closing = row.speed});
+            {.contact = k, .bounces = row.nears && (!ground || row.floor), .closing = row.speed});
     }
     find_crowds(step);
     return bounces_in_crowd(state, scratch.contacts, 1, 2);
@@ -85,7 +85,7 @@ TEST(FindCrowds, something_holds_them) {
 }
 
 // 2 g dt is 0.08 m/s at 240 Hz, where 0.3 m/s is what bounces, and 2.6 m/s at 7.5 Hz: of 4 m/s
-// three balls of 0.8 leave 1.05.
+// three balls of 0.8 leave 1.05, shared by three 0.61.
 TEST(FindCrowds, what_shows_no_order_goes_by_gravity_and_the_step) {
     EXPECT_FALSE(is_crowd({.balls = 3, .restitution = 0.8, .hz = 240}));
     EXPECT_TRUE(is_crowd({.balls = 3, .restitution = 0.8, .hz = 7.5}));
@@ -93,7 +93,7 @@ TEST(FindCrowds, what_shows_no_order_goes_by_gravity_and_the_step) {
 
 // Nothing is about to bounce, so nobody is in one.
 TEST(FindCrowds, without_bounces_there_is_none) {
-    EXPECT_FALSE(is_crowd({.balls = 1}));
+    EXPECT_FALSE(is_crowd({.nears = false}));
 }
 
 }  // namespace

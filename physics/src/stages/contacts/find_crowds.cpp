@@ -85,8 +85,8 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
         if (const std::uint32_t crowd = scratch.crowd_of[awake]; crowd != no_crowd)
             members.push_back(
                 {awake, scratch.crowds[crowd_root(scratch.crowds, crowd)].fastest * step.dt});
-    for (const auto& [awake, way] : members) {
-        const BodyWarm& warm = world.bodies.awake[awake];
+    for (const Member& member : members) {
+        const BodyWarm& warm = world.bodies.awake[member.awake];
         const BodyCold& cold = world.bodies.cold[warm.body];
         for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
@@ -94,12 +94,12 @@ void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pres
             const bool is_a = c.body_a == warm.body;
             const std::uint32_t other = is_a ? c.body_b : c.body_a;
             const BodyCold& cold_other = world.bodies.cold[other];
-            const double reach = (cold.inner_radius + cold_other.inner_radius) + way;
+            const double reach = (cold.inner_radius + cold_other.inner_radius) + member.way;
             const bool near =
                 is_member(cold_other)
                     ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
                     : !c.composite && is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
-                                                   cold.inner_radius + way);
+                                                   cold.inner_radius + member.way);
             if (near) join_crowds(scratch, cold, cold_other, 0, pressed);
         });
     }

@@ -108,5 +108,41 @@ TEST(DeepOverlap, ball_pushed_into_the_ground_comes_up) {
     EXPECT_NEAR(position_of(world, ball).y, 0.5, 2e-3);
 }
 
+// Two hundred cubes and balls of 0.2 m under a lid, between four walls that come in at 0.2 m/s each
+// until nothing fits any more: the heap burst at up to 10 m/s.
+TEST(DeepOverlap, a_heap_that_walls_squeeze_does_not_burst) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    add_static(world, {.geometry = Box{{3, 0.25, 3}}, .position = {0, 1.25, 0}});
+    for (int side = 0; side < 4; side++) {
+        const Vec3 out = side == 0   ? Vec3{1, 0, 0}
+                         : side == 1 ? Vec3{0, 0, 1}
+                         : side == 2 ? Vec3{-1, 0, 0}
+                                     : Vec3{0, 0, -1};
+        add(world, {.geometry = Box{side % 2 == 0 ? Vec3{0.25, 0.45, 2} : Vec3{2, 0.45, 0.25}},
+                    .position = out * 1.2 + Vec3{0, 0.5, 0},
+                    .velocity = out * -0.2,
+                    .type = BodyType::kinematic});
+    }
+    Random random(18);
+    std::vector<BodyId> solids;
+    for (int k = 0; k < 200; k++) {
+        const Geometry shape = k % 2 == 0 ? Geometry{Sphere{0.1}} : Geometry{Box{{0.1, 0.1, 0.1}}};
+        solids.push_back(
+            add(world, {.geometry = shape,
+                        .position = {-0.77 + 0.22 * (k % 8), 0.12 + 0.22 * (k / 64),
+                                     -0.77 + 0.22 * (k / 8 % 8)},
+                        .rotation = from_axis_angle({0, 1, 0}, 0.2 * random.in(0, 1))}));
+    }
+    double fastest = 0;
+    for (int k = 0; k < 115; k++) {
+        must(world.step(1.0 / 60));
+        for (const BodyId solid : solids)
+            fastest = maximum(fastest, length(velocity_of(world, solid)));
+    }
+    RecordProperty("max_speed", std::to_string(fastest));
+    EXPECT_LT(fastest, 7);
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -354,6 +354,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
         coupling[kPoints][kPoints];
     PointResponse r[kPoints];
+    const Wide squeezed = splat(-set.squeezed) * root(dot(pair.arm_a, pair.arm_a));
     JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
         Wide vn = u0;
@@ -373,8 +374,10 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         const WideMask apart = gap[i] > zero;
         const Wide meet = gap[i] * splat(set.inverse_h);
         if constexpr (kRelax) {
-            rate[i] = splat(1) / r[i].k;
-            wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), lambda[i]);
+            const Wide leak = select(gap[i] < squeezed, splat(set.impulse_scale), zero);
+            rate[i] = (splat(1) - leak) / r[i].k;
+            const Wide kept = fma(leak, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
+            wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), kept);
         } else {
             const Wide soft =
                 max((gap[i] + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
@@ -447,7 +450,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         JOSTLE_UNROLL
         for (int i = 0; i < kPoints; i++) {
             const Wide mean_impulse = load(m.mean_impulse[i]);
-            const Wide aim = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
+            const Wide full = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
+            const Wide aim = select(gap[i] < squeezed, min(full, mean_impulse), full);
             store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all

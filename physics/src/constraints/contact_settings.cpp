@@ -33,6 +33,7 @@ ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier ti
             .bias_rate = f(omega / a1),
             .mass_scale = f(a2 / (1 + a2)),
             .impulse_scale = f(1 / (1 + a2)),
+            .squeezed = f(low ? tuning::squeezed_share : tuning::never_squeezed),
             .push_speed = f(tuning::push_out_speed),
             .slop = f(tuning::contact_slop),
             .mean_rate = f(minimum(1, dt / mean_impulse_time)),

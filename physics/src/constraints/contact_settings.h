@@ -16,8 +16,11 @@ struct ContactSettings {
     float mass_scale = 0;                   // 1 is rigid
     float impulse_scale = 0;  // fraction of its deviation from the mean_impulse impulse that a soft
                               // contact gives up per sub-step
-    float push_speed = 0;     // m/s
-    float slop = 0;           // m of overlap aimed at
+    // What is squeezed, by this share of the way from the first body's middle to where they touch,
+    // gives up as much in the relaxing pass, and learns no more.
+    float squeezed = 0;
+    float push_speed = 0;  // m/s
+    float slop = 0;        // m of overlap aimed at
     float mean_rate = 0;  // share of the mean_impulse impulse that follows the present one per step
     float per_point = 0;  // 1: that of each point; 0: their mean
     float rebuild_drift = 0;          // m of relative motion after which a manifold is rebuilt

@@ -6,38 +6,84 @@
 namespace jostle::physics {
 namespace {
 
+// What changes by less than this part of the approach is rounding.
+constexpr double settled = 1e-14;
+
 struct Load {
     double target = 0;  // m/s along the normal, afterwards
     double normal = 0;  // N s
     Vec3 friction;
 };
 
+// All points at once: how fast each closes, and what an impulse at one does to all. The bodies hear
+// of the sum in the end.
 class Impulses {
 public:
-    Impulses(ImpactBody& a, ImpactBody& b) : a_(a), b_(b) {}
-
-    Vec3 relative(const ImpactPoint& p) const {
-        return (b_.v + cross(b_.w, p.position - b_.center)) -
-               (a_.v + cross(a_.w, p.position - a_.center));
+    Impulses(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points)
+        : a_(a), b_(b), points_(points), states_(points.size()) {
+        for (std::size_t k = 0; k < points.size(); k++) {
+            PointState& s = states_[k];
+            s.arm_a = points[k].position - a.center;
+            s.arm_b = points[k].position - b.center;
+            s.speed = (b.v + cross(b.w, s.arm_b)) - (a.v + cross(a.w, s.arm_a));
+        }
+        // Column by column: the speed at j by a unit impulse at k.
+        responses_.resize(points.size() * points.size());
+        const Vec3 mass = a.inverse_mass + b.inverse_mass, unit[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (std::size_t k = 0; k < points.size(); k++)
+            for (int i = 0; i < 3; i++) {
+                const Vec3 wa = a.inverse_inertia * cross(states_[k].arm_a, unit[i]),
+                           wb = b.inverse_inertia * cross(states_[k].arm_b, unit[i]);
+                for (std::size_t j = 0; j < points.size(); j++)
+                    responses_[k * points.size() + j].column[i] = scaled(mass, unit[i]) +
+                                                                  cross(wb, states_[j].arm_b) +
+                                                                  cross(wa, states_[j].arm_a);
+            }
     }
 
+    Vec3 relative(std::size_t k) const { return states_[k].speed; }
+
     // First the normal impulse, never below zero in sum, then friction within the cone it opens.
-    void relax(const ImpactPoint& p, Load& load, double friction) {
-        const double response_n = response(p, p.normal);
-        if (!(response_n > 0)) return;
+    // Returns by how much the speed of the point changed, m/s.
+    double relax(std::size_t k, Load& load, double friction) {
+        const Vec3 n = points_[k].normal, before_all = states_[k].speed;
+        const double response_n = response(k, n);
+        if (!(response_n > 0)) return 0;
         const double before = load.normal;
-        load.normal = maximum(0, before - (dot(relative(p), p.normal) - load.target) / response_n);
-        push(p, p.normal * (load.normal - before));
-        rub(p, load, friction * load.normal);
+        load.normal = maximum(0, before - (dot(relative(k), n) - load.target) / response_n);
+        push(k, n * (load.normal - before));
+        rub(k, load, friction * load.normal);
+        return length(states_[k].speed - before_all);
+    }
+
+    // Gives the bodies what their points got.
+    void apply() {
+        for (const PointState& s : states_) {
+            a_.v -= scaled(a_.inverse_mass, s.impulse);
+            a_.w -= a_.inverse_inertia * cross(s.arm_a, s.impulse);
+            b_.v += scaled(b_.inverse_mass, s.impulse);
+            b_.w += b_.inverse_inertia * cross(s.arm_b, s.impulse);
+        }
     }
 
 private:
-    void rub(const ImpactPoint& p, Load& load, double most) {
-        const Vec3 u = relative(p), slip = u - p.normal * dot(u, p.normal);
+    struct PointState {
+        Vec3 arm_a, arm_b;  // m, from the centres
+        Vec3 speed;         // m/s: of b against a
+        Vec3 impulse;       // N s, so far
+    };
+    struct Response {
+        Vec3 column[3];  // 1/kg
+
+        Vec3 operator*(Vec3 p) const { return column[0] * p.x + column[1] * p.y + column[2] * p.z; }
+    };
+
+    void rub(std::size_t k, Load& load, double most) {
+        const Vec3 n = points_[k].normal, u = relative(k), slip = u - n * dot(u, n);
         const double speed = length(slip);
         if (speed < 1e-12) return;
         const Vec3 along = slip * (1 / speed);
-        const double response_t = response(p, along);
+        const double response_t = response(k, along);
         if (!(response_t > 0)) return;
         Vec3 wished = load.friction - along * (speed / response_t);
         if (const double size = length(wished); size > most)
@@ -45,45 +91,49 @@ private:
         // Back into the cone is another way than along the slip: only as far as it takes energy. On
         // a thin rod the rest would spin it up.
         const Vec3 change = wished - load.friction;
-        const double size = length(change);
-        if (!(size > 1e-12 * most)) return;
-        const double takes = -dot(u, change) / (size * size * response(p, change * (1 / size)));
+        if (!(length(change) > 1e-12 * most)) return;
+        const double takes = -dot(u, change) / response(k, change);
         const Vec3 impulse = change * clamp(takes, 0, 1);
         load.friction += impulse;
-        push(p, impulse);
+        push(k, impulse);
     }
 
-    void push(const ImpactPoint& p, Vec3 impulse) {
-        a_.v -= scaled(a_.inverse_mass, impulse);
-        a_.w -= a_.inverse_inertia * cross(p.position - a_.center, impulse);
-        b_.v += scaled(b_.inverse_mass, impulse);
-        b_.w += b_.inverse_inertia * cross(p.position - b_.center, impulse);
+    void push(std::size_t k, Vec3 impulse) {
+        if (impulse == Vec3{}) return;
+        states_[k].impulse += impulse;
+        for (std::size_t j = 0; j < states_.size(); j++)
+            states_[j].speed += responses_[k * states_.size() + j] * impulse;
     }
-    // Velocity along d per impulse along d, 1/kg.
-    double response(const ImpactPoint& p, Vec3 d) const {
-        const Vec3 ta = cross(p.position - a_.center, d), tb = cross(p.position - b_.center, d);
-        return dot(scaled(a_.inverse_mass + b_.inverse_mass, d), d) +
-               dot(ta, a_.inverse_inertia * ta) + dot(tb, b_.inverse_inertia * tb);
+    // Velocity along d per impulse along d, times the square of its length, 1/kg.
+    double response(std::size_t k, Vec3 d) const {
+        return dot(d, responses_[k * states_.size() + k] * d);
     }
 
     ImpactBody &a_, &b_;
+    std::span<const ImpactPoint> points_;
+    std::vector<PointState> states_;
+    std::vector<Response> responses_;  // [k * points + j]: of the speed at j to an impulse at k
 };
 
 }  // namespace
 
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
                             double restitution, double friction) {
-    Impulses impulses(a, b);
+    Impulses impulses(a, b, points);
     std::vector<Load> loads(points.size());
     HardestPoint hardest;
     for (std::size_t k = 0; k < points.size(); k++) {
-        const double approach = -dot(impulses.relative(points[k]), points[k].normal);
+        const double approach = -dot(impulses.relative(k), points[k].normal);
         if (approach > tuning::restitution_speed) loads[k].target = restitution * approach;
         if (approach > hardest.approach) hardest = {approach, points[k]};
     }
-    for (int sweep = 0; sweep < tuning::impact_sweeps; sweep++)
+    for (int sweep = 0; sweep < tuning::impact_sweeps; sweep++) {
+        double most = 0;  // m/s
         for (std::size_t k = 0; k < points.size(); k++)
-            impulses.relax(points[k], loads[k], friction);
+            most = maximum(most, impulses.relax(k, loads[k], friction));
+        if (most <= settled * hardest.approach) break;
+    }
+    impulses.apply();
     return hardest;
 }
 

@@ -96,6 +96,12 @@ inline constexpr double contact_slop =
 inline constexpr double mean_impulse_time = 2.0;  // s
 inline constexpr double low_mean_impulse_time =
     0.5;  // s: a heap does not sway, so it may learn faster
+// What overlaps by more than this share of the way from a body's middle to where they touch is
+// squeezed: something forces it together that no impulse stops, and impulses that give nothing back
+// in the relaxing pass grow until the heap bursts. Stacks and heavy loads are as deep for a moment,
+// and need all that they learn. Of 200 solids squeezed to 95 % of the volume the fastest reached 14
+// m/s at 60 Hz and 20 at 240, with this 4.9 and 9.9; with 0.05 4.5 and 17.
+inline constexpr double squeezed_share = 0.02, never_squeezed = 1e6;
 // Gauss-Seidel sweeps over the points of one manifold in a pass. Tall and heavily loaded islands,
 // whose sub-steps are short, take one in the relaxing pass. At longer ones the 30-row pyramid would
 // sway and not sleep, and deep overlap keep part of the speed with which it was pushed out.

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "collision/narrowphase/collide_composite.h"
@@ -22,6 +23,7 @@ struct ContactCheck {
     bool goes_on = false;     // has points, and a lane that they were written to ...
     bool done = false;        // ... and stays in: nothing is left to decide
     bool bounces = false;     // its bodies are to be swept, however slow: ccd_policy.h
+    double closing = 0;       // m/s: how fast those do that bounce
     float direction[3] = {};  // along which they are apart by `near`; zero: not known
     double gap_ahead = 0;     // m: smallest gap of any point at the end of the step, as the bodies
                               // move now
@@ -44,6 +46,16 @@ struct NewContact {
     std::int32_t part = -1;
 };
 
+// Bodies that are about to bounce off each other: find_crowds.h.
+struct Crowd {
+    std::uint32_t part_of = 0;  // itself, unless it was joined to another
+    int bodies = 0;
+    int row = 0;            // bodies in its longest row, from one to the next
+    bool held = false;      // by a wall that is near, or by what one of them leans on
+    double fastest = 0;     // m/s: closing speed
+    double least_kept = 0;  // what keeps less of its energy at an impact bounces in a crowd
+};
+
 struct ContactScratch {
     std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
     std::vector<ContactCheck> checks;
@@ -57,6 +69,9 @@ struct ContactScratch {
     std::vector<std::uint8_t> had_contacts;
     // Bodies that may bounce off something in this step: awake, in any order, some more than once.
     std::vector<std::uint32_t> bouncing;
+    std::vector<Crowd> crowds;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crowd_bonds;  // awake bodies side by side
+    std::vector<std::uint32_t> crowd_of;  // by awake body; empty where nobody is about to bounce
 };
 
 }  // namespace jostle::physics

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "constraints/write_manifold.h"
 #include "foundation/check.h"
 #include "foundation/prefetch.h"
 #include "foundation/tuning.h"
+#include "stages/contacts/find_crowds.h"
 #include "stages/contacts/pair_motion.h"
 #include "stages/step_scratch.h"
 #include "state/contact_answers.h"
@@ -122,12 +124,25 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
     }
 }
 
+// What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
+void decide_bounce(WorldState& world, ContactScratch& scratch, ContactCheck& check) {
+    const Contact& c = world.contacts.contacts[check.contact];
+    if (c.composite || !bounces_in_crowd(world, scratch, c.shape_a, c.shape_b)) {
+        note_bouncing(world.bodies, c, scratch.bouncing);
+        if (!c.composite) check.list = -1;
+    } else if (check.list >= 0 && c.colour >= 0) {
+        write_manifold(world, c, scratch.fresh[static_cast<std::size_t>(check.list)], false);
+        check.list = -1;
+        check.goes_on = true;
+    }
+}
+
 void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
-    const ContactCheck& check = scratch.checks[k];
+    ContactCheck& check = scratch.checks[k];
     ASSERT(world.contacts.ids.alive(check.contact));
     const Contact& c = world.contacts.contacts[check.contact];
     ASSERT(!c.queued);
-    if (check.bounces) note_bouncing(world.bodies, c, scratch.bouncing);
+    if (check.bounces) decide_bounce(world, scratch, check);
     if (c.composite) return decide_composite(world, scratch, k);
     // A manifold that exists stays while it has points; a new one begins when they may meet in this
     // step.
@@ -146,6 +161,7 @@ void decide_contacts(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<ContactCheck>& checks = scratch.checks;
     scratch.begins.clear();
+    find_crowds(step);
     for (std::uint32_t k = 0; k < checks.size(); k++) {
         if (k + 8 < checks.size() && !checks[k + 8].done)
             prefetch(world.contacts.contacts[checks[k + 8].contact]);

@@ -81,7 +81,7 @@ double closing_speed(const WorldState& world, const Contact& c, const Manifold& 
 // Whether two that bounce are to meet in this step, so that the sweep takes them
 // (stages/continuous/ccd_policy.h). Faces are the contact solver's when one end of them rests while
 // the other comes down, which a sweep would let go of, and when they have met already beside others
-// that they lean on: there one impact follows the other without end.
+// that gravity presses them against: there one impact follows the other without end.
 bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, bool touching) {
     const WorldState& world = step.world;
     if (m.count == 0)
@@ -91,7 +91,7 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
         return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
     };
     if (m.count > 1 && touching) return false;
-    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap &&
+    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap && world.def.gravity != Vec3{} &&
         (leans(c.body_a) || leans(c.body_b)))
         return false;
     return closing_speed(world, c, m) > tuning::restitution_speed &&
@@ -240,6 +240,24 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
     return within(margin, pair);
 }
 
+// Of a pair that is about to bounce: decide_contacts knows whether in a crowd, which leaves the
+// manifold to the contact solver.
+void keep_for_crowds(StepContext& step, ContactCheck& check, const Manifold& manifold) {
+    WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    const Contact& c = world.contacts.contacts[check.contact];
+    for (int k = 0; k < 3; k++) check.direction[k] = static_cast<float>(manifold.normal[k]);
+    check.near = smallest_gap(manifold);
+    check.gap_ahead = expected_gap(world, c, manifold, step.dt);
+    check.closing = manifold.count > 0
+                        ? closing_speed(world, c, manifold)
+                        : closing_along(world, c, manifold.normal) + closing_by_turning(world, c);
+    if (manifold.count == 0) return;
+    check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
+    ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());
+    scratch.fresh[static_cast<std::size_t>(check.list)] = manifold;
+}
+
 }  // namespace
 
 void look_at_pair(StepContext& step, ContactCheck& check) {
@@ -252,8 +270,8 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
     Manifold manifold = manifold_ahead(step, c);
     if (bounces(world, c.shape_a, c.shape_b)) {
         check.bounces = will_bounce(step, c, manifold, c.touching);
-        if (manifold.count > 0 &&
-            (check.bounces || stays_apart(world, c, manifold, c.touching, step.dt))) {
+        if (check.bounces) return keep_for_crowds(step, check, manifold);
+        if (manifold.count > 0 && stays_apart(world, c, manifold, c.touching, step.dt)) {
             manifold.distance = smallest_gap(manifold);
             manifold.count = 0;
         }

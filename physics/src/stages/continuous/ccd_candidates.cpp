@@ -19,7 +19,7 @@ void CcdCandidates::find(std::uint32_t body, const Aabb& way, std::vector<std::u
     });
     found_.clear();
     world_.shapes.statics->query(way, 0xffffffff, found_);
-    world_.shapes.moving->query(way, 0xffffffff, found_);
+    if (some_slow_) world_.shapes.moving->query(way, 0xffffffff, found_);
     // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
     for (const std::uint32_t shape : found_)
         if (!swept_.has(world_.shapes.shapes[shape].body)) near.push_back(shape);
@@ -52,6 +52,8 @@ void CcdCandidates::tidy(std::uint32_t body, std::vector<std::uint32_t>& near) c
 
 void CcdCandidates::note_fast() {
     if (!swept_.empty()) return;
+    const std::size_t moving = world_.bodies.ids.alive_count() - world_.bodies.statics.size();
+    some_slow_ = moving > fast_.size();
     std::vector<std::uint32_t> bodies;
     for (const std::uint32_t i : fast_) bodies.push_back(world_.bodies.awake[i].body);
     swept_.set_all(bodies, [&](std::uint32_t body) {

@@ -43,6 +43,7 @@ private:
     const std::vector<BodyWarm>& before_;
     const std::vector<std::uint32_t>& fast_;
     SweptAabbTree swept_;
+    bool some_slow_ = true;             // not all that may move were fast
     std::vector<std::uint32_t> found_;  // scratch
 };
 

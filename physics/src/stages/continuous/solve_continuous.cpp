@@ -13,6 +13,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/contacts/ask_listeners.h"
+#include "stages/contacts/find_crowds.h"
 #include "stages/continuous/bounce_events.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
@@ -232,8 +233,9 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
-            const bool bouncy = any_bounces_ && bounces(world_, c.shape_a, c.shape_b);
-            if (motions_.may_meet(world_, motion, cold, met, other, bouncy)) found.push_back(other);
+            if (motions_.may_meet(world_, motion, cold, met, other,
+                                  [&] { return bounces_here(c.shape_a, c.shape_b); }))
+                found.push_back(other);
         }
     }
 
@@ -381,6 +383,11 @@ private:
         return searches(known);
     }
 
+    // Whether two shapes bounce off each other one at a time, not in a crowd.
+    bool bounces_here(std::uint32_t own, std::uint32_t other) const {
+        return any_bounces_ && bounces(world_, own, other) &&
+               !bounces_in_crowd(world_, step_.scratch.contacts, own, other);
+    }
     // What hardly moves against the other is the contact solver's. After an impact less is left to
     // it: its contacts did not foresee the new way.
     bool moves_enough(const ToiBody& t, std::uint32_t other) const {
@@ -412,9 +419,38 @@ private:
         return left > tuning::handed_on_least;
     }
 
+    // Whether the balls around two bodies do not meet before what is met first: of most that is
+    // cheap to see, before anybody asks how they go on.
+    bool passes_by(const ToiBody& t, std::uint32_t other) const {
+        const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
+        if (cold_other.type != BodyType::dynamic) return false;
+        const std::uint32_t known = toi_body_of(other);
+        Vec3 center, translation;
+        double from = 0, until = minimum(t.fraction, t.sweep.until);
+        // What a body that nobody follows gains in the step bends its way by less than this.
+        double reach = cold.radius + cold_other.radius + 2 * tuning::sweep_gap;
+        if (known != nobody) {
+            const Sweep& sweep = bodies_[known].sweep;
+            center = sweep.center, translation = sweep.translation;
+            from = sweep.from, until = minimum(until, sweep.until);
+        } else {
+            const SweptMotion motion = motions_.of(world_, other);
+            center = motion.center, translation = motion.motion;
+            reach += length(gain_in_free_fall(world_, cold_other, step_.dt)) * step_.dt;
+        }
+        const double start = maximum(t.sweep.from, from);
+        if (start > until) return false;
+        const Vec3 apart = (center + translation * (start - from)) - center_at(t.sweep, start);
+        const Vec3 motion = translation - t.sweep.translation;
+        const double nearest =
+            clamp(-dot(apart, motion) / maximum(length_squared(motion), 1e-30), 0, until - start);
+        return length_squared(apart + motion * nearest) > reach * reach;
+    }
+
     // Whether one shape is met before all that are known.
     void find_impact_with(ToiBody& t, std::uint32_t other) {
         const std::uint32_t body = world_.shapes.shapes[other].body;
+        if (passes_by(t, body)) return;
         const bool far = moves_enough(t, body);
         if (!far && !any_bounces_) return;
         const Sweep motion = sweep_of(body);
@@ -426,7 +462,7 @@ private:
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
-            const bool bouncy = any_bounces_ && bounces(world_, own, other);
+            const bool bouncy = bounces_here(own, other);
             // Two that move little and have a manifold the contact solver has taken care of, unless
             // an impact has turned one of them since.
             if (!far && (!bouncy || (!turned && has_manifold(own, other)))) continue;

@@ -67,26 +67,31 @@ public:
         return {warm.center - motion, motion, length(warm.w * dt_) * cold.radius};
     }
 
-    // Whether the motions of a body and another, one of whose shapes is given, are large enough
-    // against each other for a sweep and may bring them together. What moves less is the contact
-    // solver's (stages/contacts/update_contacts.cpp), unless it `bounces` (ccd_policy.h).
+    // Whether the motions of a body and another, one of whose shapes is given, may bring them
+    // together and are large enough against each other for a sweep. What moves less is the contact
+    // solver's (stages/contacts/update_contacts.cpp), unless it bounces() (ccd_policy.h), which is
+    // asked last.
+    template <class Bounces>
     bool may_meet(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
-                  std::uint32_t other, std::uint32_t other_shape, bool bounces) const {
+                  std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
         const SweptMotion met = of(world, other);
-        const double linear = length(motion.motion - met.motion);
-        // A little less than foreseen, so that nothing falls between the two.
-        if (!bounces && linear + motion.turning + met.turning <
-                            tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius)
-            return false;
+        const Vec3 closing = motion.motion - met.motion;
         const BodyCold& cold_other = world.bodies.cold[other];
-        if (cold_other.type != BodyType::dynamic)
-            return is_on_way(world, motion, cold.radius, world.shapes.shapes[other_shape]);
-        // How near their centres come, were both to move evenly.
-        const Vec3 apart = met.center - motion.center, closing = motion.motion - met.motion;
-        const double nearest =
-            clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
-        const double reach = cold.radius + cold_other.radius + tuning::swept_margin;
-        return length_squared(apart - closing * nearest) < reach * reach;
+        if (cold_other.type != BodyType::dynamic) {
+            if (!is_on_way(world, motion, cold.radius, world.shapes.shapes[other_shape]))
+                return false;
+        } else {
+            // How near their centres come, were both to move evenly.
+            const Vec3 apart = met.center - motion.center;
+            const double nearest =
+                clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
+            const double reach = cold.radius + cold_other.radius + tuning::swept_margin;
+            if (!(length_squared(apart - closing * nearest) < reach * reach)) return false;
+        }
+        // A little less than foreseen, so that nothing falls between the two.
+        return length(closing) + motion.turning + met.turning >=
+                   tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius ||
+               bounces();
     }
 
 private:

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "stages/contacts/find_crowds.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
+#include "stages/step_scratch.h"
+#include "state/combine.h"
+#include "state/contact_constraints.h"
+#include "state/shape_proxy.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr std::uint32_t no_crowd = 0xffffffff;
+
+// Of two bodies it is plain who meets whom first.
+constexpr int least_crowd = 3;
+
+bool is_member(const BodyCold& cold) {
+    return cold.type == BodyType::dynamic && cold.set == BodySet::awake && !cold.asleep_in_place;
+}
+
+// The crowd that one has become part of.
+std::uint32_t crowd_root(std::vector<Crowd>& crowds, std::uint32_t crowd) {
+    while (crowds[crowd].part_of != crowd) {
+        crowds[crowd].part_of = crowds[crowds[crowd].part_of].part_of;
+        crowd = crowds[crowd].part_of;
+    }
+    return crowd;
+}
+
+// What leans on others, and is pressed against them, is held by them.
+std::uint32_t crowd_with(ContactScratch& scratch, const BodyCold& cold, bool pressed) {
+    std::uint32_t& crowd = scratch.crowd_of[cold.at];
+    if (crowd == no_crowd) {
+        crowd = static_cast<std::uint32_t>(scratch.crowds.size());
+        scratch.crowds.push_back(
+            {.part_of = crowd, .bodies = 1, .held = pressed && scratch.had_contacts[cold.at] != 0});
+    }
+    return crowd_root(scratch.crowds, crowd);
+}
+
+// `closing`: m/s. Of two the second may be what holds the first.
+void join_crowds(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
+                 bool pressed) {
+    if (!is_member(a)) return is_member(b) ? join_crowds(scratch, b, a, closing, pressed) : void();
+    std::uint32_t crowd = crowd_with(scratch, a, pressed);
+    if (is_member(b)) {
+        std::uint32_t other = crowd_with(scratch, b, pressed);
+        scratch.crowd_bonds.push_back({a.at, b.at});
+        if (other < crowd) std::swap(crowd, other);
+        if (other != crowd) {
+            Crowd &into = scratch.crowds[crowd], &gone = scratch.crowds[other];
+            gone.part_of = crowd;
+            into.bodies += gone.bodies;
+            into.held |= gone.held;
+            into.fastest = maximum(into.fastest, gone.fastest);
+        }
+    } else {
+        scratch.crowds[crowd].held = true;
+    }
+    scratch.crowds[crowd].fastest = maximum(scratch.crowds[crowd].fastest, closing);
+}
+
+// Whether something that does not move freely is within a length of a body's middle.
+bool is_wall_near(const WorldState& world, std::uint32_t shape, Vec3 center, double length) {
+    const ShapeRecord& s = world.shapes.shapes[shape];
+    const Aabb near = grow({center, center}, length);
+    return is_plane(s) ? reaches_plane(world, s, near) : overlap(near, s.fat);
+}
+
+// What is so near that it may be struck within the step belongs to the crowd, wherever it goes now.
+void join_neighbours(const StepContext& step, ContactScratch& scratch, bool pressed) {
+    const WorldState& world = step.world;
+    struct Member {
+        std::uint32_t awake;
+        double way;  // m: how far the fastest of its crowd come in the step
+    };
+    std::vector<Member> members;  // before anybody else joins: the order says nothing
+    for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++)
+        if (const std::uint32_t crowd = scratch.crowd_of[awake]; crowd != no_crowd)
+            members.push_back(
+                {awake, scratch.crowds[crowd_root(scratch.crowds, crowd)].fastest * step.dt});
+    for (const Member& member : members) {
+        const BodyWarm& warm = world.bodies.awake[member.awake];
+        const BodyCold& cold = world.bodies.cold[warm.body];
+        for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
+            const Contact& c = world.contacts.contacts[contact];
+            if (c.parent != none) return;
+            const bool is_a = c.body_a == warm.body;
+            const std::uint32_t other = is_a ? c.body_b : c.body_a;
+            const BodyCold& cold_other = world.bodies.cold[other];
+            const double reach = (cold.inner_radius + cold_other.inner_radius) + member.way;
+            const bool near =
+                is_member(cold_other)
+                    ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
+                    : !c.composite && is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
+                                                   cold.inner_radius + member.way);
+            if (near) join_crowds(scratch, cold, cold_other, 0, pressed);
+        });
+    }
+}
+
+// How long the rows of crowds are: from the first of a crowd to the one most bodies away, and from
+// that to the one most bodies away from it. Of a rack of fifteen balls five, not fifteen.
+class Rows {
+public:
+    explicit Rows(const ContactScratch& scratch)
+        : first_(scratch.crowd_of.size() + 1, 0), steps_(scratch.crowd_of.size(), not_seen) {
+        for (const auto& [a, b] : scratch.crowd_bonds) first_[a]++, first_[b]++;
+        std::uint32_t sum = 0;
+        for (std::uint32_t& end : first_) end = sum += end;
+        beside_.resize(sum);
+        for (const auto& [a, b] : scratch.crowd_bonds)
+            beside_[--first_[a]] = b, beside_[--first_[b]] = a;
+    }
+
+    int longest_from(std::uint32_t body) {
+        static_cast<void>(walk_from(body));
+        body = furthest();
+        const int most = walk_from(body);
+        for (const std::uint32_t k : seen_) steps_[k] = not_seen;
+        return most + 1;
+    }
+
+private:
+    static constexpr int not_seen = -1;
+
+    // How many bodies away the furthest is.
+    int walk_from(std::uint32_t body) {
+        for (const std::uint32_t k : seen_) steps_[k] = not_seen;
+        seen_.assign(1, body);
+        steps_[body] = 0;
+        for (std::size_t k = 0; k < seen_.size(); k++)
+            for (std::uint32_t n = first_[seen_[k]]; n < first_[seen_[k] + 1]; n++) {
+                if (steps_[beside_[n]] != not_seen) continue;
+                steps_[beside_[n]] = steps_[seen_[k]] + 1;
+                seen_.push_back(beside_[n]);
+            }
+        return steps_[seen_.back()];
+    }
+    // Of several the lowest: the order of the walk says nothing.
+    std::uint32_t furthest() const {
+        std::uint32_t best = seen_.back();
+        for (const std::uint32_t k : seen_)
+            if (steps_[k] == steps_[seen_.back()]) best = std::min(best, k);
+        return best;
+    }
+
+    std::vector<std::uint32_t> first_, beside_;  // by awake body: where its neighbours begin; those
+    std::vector<int> steps_;                     // by awake body, of the walk
+    std::vector<std::uint32_t> seen_;            // in the order of the walk
+};
+
+// Which share of the energy each impact has to keep so that, after so many and among so many
+// bodies, each has the energy of `noise` from that of `speed`: a root, by halves.
+double share_kept(double speed, double noise, int impacts, int bodies) {
+    const double left = noise * noise * bodies / maximum(speed * speed, 1e-30);
+    if (!(left < 1)) return 1;
+    double low = 0, high = 1;
+    for (int k = 0; k < 30; k++) {
+        const double middle = 0.5 * (low + high);
+        double power = 1, square = middle;
+        for (int n = impacts; n > 0; n /= 2) {
+            if (n % 2 == 1) power *= square;
+            square *= square;
+        }
+        (power < left ? low : high) = middle;
+    }
+    return low;
+}
+
+// Which share of the energy an impact keeps. Where friction holds, a ball loses 2/7 of the energy
+// of its motion along the surface, on the mean over all directions a seventh of all; where it
+// slips, mu (1 + e) times the mean of normal and tangential speed, of 0.4 times the square of the
+// whole, twice.
+double kept_of(const Material& a, const Material& b) {
+    const double e = pair_restitution(a, b);
+    return e * e * (1 - minimum(1.0 / 7, 0.8 * pair_friction(a, b) * (1 + e)));
+}
+
+}  // namespace
+
+void find_crowds(StepContext& step) {
+    const WorldState& world = step.world;
+    ContactScratch& scratch = step.scratch.contacts;
+    scratch.crowds.clear();
+    scratch.crowd_of.clear();
+    scratch.crowd_bonds.clear();
+    if (std::none_of(scratch.checks.begin(), scratch.checks.end(),
+                     [](const ContactCheck& check) { return check.bounces; }))
+        return;
+    scratch.crowd_of.assign(world.bodies.awake.size(), no_crowd);
+    const double falls = 2 * length(world.def.gravity) * step.dt;  // m/s
+    for (const ContactCheck& check : scratch.checks) {
+        if (!check.bounces) continue;
+        const Contact& c = world.contacts.contacts[check.contact];
+        join_crowds(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
+                    check.closing, falls > 0);
+    }
+    join_neighbours(step, scratch, falls > 0);
+    for (std::uint32_t& crowd : scratch.crowd_of)
+        if (crowd != no_crowd) crowd = crowd_root(scratch.crowds, crowd);
+    Rows rows(scratch);
+    for (std::uint32_t awake = 0; awake < scratch.crowd_of.size(); awake++) {
+        if (scratch.crowd_of[awake] == no_crowd) continue;
+        Crowd& crowd = scratch.crowds[scratch.crowd_of[awake]];
+        if (!crowd.held || crowd.bodies < least_crowd || crowd.row > 0) continue;
+        crowd.row = rows.longest_from(awake);
+        if (crowd.row < least_crowd) continue;
+        crowd.least_kept = share_kept(crowd.fastest, maximum(tuning::restitution_speed, falls),
+                                      2 * crowd.row, crowd.bodies);
+    }
+}
+
+bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
+                      std::uint32_t shape_b) {
+    if (scratch.crowds.empty()) return false;
+    const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
+    const auto least_kept = [&](const ShapeRecord& shape) {
+        const BodyCold& cold = world.bodies.cold[shape.body];
+        if (!is_member(cold) || cold.at >= scratch.crowd_of.size()) return 0.0;
+        const std::uint32_t crowd = scratch.crowd_of[cold.at];
+        return crowd == no_crowd ? 0.0 : scratch.crowds[crowd].least_kept;
+    };
+    const double least = maximum(least_kept(a), least_kept(b));
+    return least > 0 && kept_of(a.material, b.material) < least;
+}
+
+}  // namespace jostle::physics

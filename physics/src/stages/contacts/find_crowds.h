@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// Crowds: bodies that are about to bounce off each other within one step, and whom something holds,
+// a wall or what bears them. One after the other, a push that goes through a row of n and back
+// leaves e^2n of its speed (Bernu and Mazighi, "One-dimensional bounce of inelastically colliding
+// marbles on a wall", 1990, find where such a row collapses), friction takes its part, and all of
+// them share the rest. Once each has less than what bounces at all, or than what gravity gives in
+// two steps, nothing shows in which order they met: the contact solver resolves them together, and
+// continuous collision sweeps as if they did not bounce. A pair, what loses nothing, and what flies
+// freely are never a crowd.
+#pragma once
+
+#include "stages/contacts/contact_scratch.h"
+#include "stages/step_context.h"
+
+namespace jostle::physics {
+
+// Reads: checks that look_at_pair is done with. Leaves in scratch: ContactScratch::crowds and
+// crowd_of, for decide_contacts and solve_continuous. One thread.
+void find_crowds(StepContext& step);
+
+// Whether two shapes bounce off each other in a crowd: one of their bodies is in one.
+bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
+                      std::uint32_t shape_b);
+
+}  // namespace jostle::physics

@@ -14,7 +14,8 @@ struct DirectBody {
     Vec3 moments, inverse_moments;      // kg m^2, about the principal axes
     Vec3 force, torque;                 // N, N m, world; gravity included
     double linear_damping = 0, angular_damping = 0;
-    bool pushed = false;  // joints can push it; else it moves at v and w, whatever they do
+    bool pushed = false;       // joints can push it; else it moves at v and w, whatever they do
+    double spring_square = 0;  // rad^2/s^2: of the rates of the springs on it, together
 
     // State.
     Vec3 x;     // m, of the centre of mass

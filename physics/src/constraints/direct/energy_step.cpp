@@ -29,9 +29,9 @@ void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
         Vec3{-(arm.x * f.z + arm.z * f.x), -(arm.y * f.z + arm.z * f.y), along - 2 * arm.z * f.z};
 }
 
-Vec3 pull_of(const DirectJoint& joint, const double* value) {
-    if (joint.points == 3) return {value[0], value[1], value[2]};
-    return joint.points == 1 ? joint.line * value[0] : Vec3{};
+// Where b's end slides, a feels the force there.
+Vec3 lever_of(const DirectJoint& joint, Vec3 arm, Vec3 apart) {
+    return joint.kind == DirectJoint::Points::across ? arm + apart : arm;
 }
 
 // Of a positive definite one.
@@ -53,9 +53,12 @@ bool invert(const Mat3& m, Mat3& to) {
 double DirectGroup::stiffest() {
     for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
     for (const DirectJoint& joint : joints) {
-        const Vec3 pull = pull_of(joint, joint.force) * 2;
+        Vec3 pull = pull_of(joint, joint.force) * 2;
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-        stiffen(a, pull, a.axes * joint.arm_a);
+        for (const DirectWay& way : joint.ways)
+            if (way.is_linear())
+                pull += way.linear * (way.push() - way.stiffness * stretch_of(way, way.value));
+        stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
         stiffen(b, -pull, b.axes * joint.arm_b);
     }
     double most = 0;
@@ -65,7 +68,7 @@ double DirectGroup::stiffest() {
         const double trace = absolute(m.x.x + m.y.y + m.z.z) * 0.5;
         const double norm =
             square_root((length_squared(m.x) + length_squared(m.y) + length_squared(m.z)) * 0.5);
-        most = maximum(most, maximum(trace, norm));
+        most = maximum(most, maximum(trace, norm) + body.spring_square);
     }
     return square_root(most);
 }
@@ -81,6 +84,12 @@ void DirectGroup::begin_energy_step(double h) {
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : 2 * h * joint.force[k];
+        for (std::size_t w = 0; w < joint.ways.size(); w++) {
+            const DirectWay& way = joint.ways[w];
+            if (way.implicit)
+                joint.impulse[as_index(joint.first_way()) + w] =
+                    -h * way.stiffness * stretch_of(way, way.start);
+        }
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         for (int k = 0; k < joint.rows(); k++) {
             a.twist += joint.angular_a[k] * joint.impulse[k];
@@ -93,6 +102,27 @@ void DirectGroup::begin_energy_step(double h) {
                 ? body.w0 + body.inverse_inertia *
                                 (body.twist + (body.torque - cross(body.w0, body.l)) * h) * 0.5
                 : body.w0;
+}
+
+// What grips without holding, and springs of ways that are held: along the means of the guess
+// before.
+void DirectGroup::add_known_pushes(double h) {
+    for (DirectJoint& joint : joints)
+        for (DirectWay& way : joint.ways) {
+            way.given = 0;
+            double push = way.push();
+            DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
+            if (way.bound && way.rate > 0) {
+                const double gone = way.at_limit == 0 ? way.hold_speed() * h : 0;
+                push -= way.stiffness * stretch_of(way, way.start + 0.5 * gone);
+            }
+            if (push == 0) continue;
+            way.given = h * push;
+            a.sum -= way.linear * way.given;
+            a.twist += way.angular_a * way.given;
+            b.sum += way.linear * way.given;
+            b.twist += way.angular_b * way.given;
+        }
 }
 
 // Where the unknowns lead, and by how much that misses, m.
@@ -110,12 +140,8 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
         const Vec3 pull = pull_of(joint, joint.impulse);
         bodies[as_index(joint.a)].sum -= pull;
         bodies[as_index(joint.b)].sum += pull;
-        if (joint.at_most == 0) continue;
-        const Vec3 most =
-            bodies[as_index(joint.a)].axes * joint.axis_a * (h * joint.at_most * joint.most_torque);
-        bodies[as_index(joint.a)].twist -= most;
-        bodies[as_index(joint.b)].twist += most;
     }
+    if (sprung_ || gripped_) add_known_pushes(h);
     for (DirectBody& body : bodies)
         body.x1 = body.x + (body.v0 + body.sum * (0.5 * body.inverse_mass)) * h;
     for (DirectJoint& joint : joints) {
@@ -127,7 +153,7 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
         }
         if (!stiffness_too) continue;
         const Vec3 pull = pull_of(joint, joint.impulse);
-        stiffen(a, pull, a.axes1 * joint.arm_a);
+        stiffen(a, pull, lever_of(joint, a.axes1 * joint.arm_a, joint.apart));
         stiffen(b, -pull, b.axes1 * joint.arm_b);
     }
     double largest = 0;
@@ -205,16 +231,19 @@ bool DirectGroup::find_energy_way(double h, double tolerance) {
 
 bool DirectGroup::step_energy(double h, double tolerance) {
     count_.energy_steps++;
+    energy_ = true;
     set_bounds(h);
-    if (!smooth_) damp(0.5 * h);
     write_all_vectors();
+    if (sprung_) set_springs();
+    if (damped_springs_) damp_springs();
+    if (!smooth_) damp(0.5 * h);
     set_targets(h);
     for (int round = 0;; round++) {
         if (!find_energy_way(h, tolerance)) return false;
         if (smooth_ || round == bound_rounds) break;
-        bool changed = reach_limits(0);
+        bool changed = reach_limits(h, 0);
         for (DirectJoint& joint : joints)
-            if (keep_bounds(joint, joint.impulse, h * joint.most_torque)) changed = true;
+            if (keep_bounds(joint, joint.impulse, h, 0)) changed = true;
         if (!changed) break;
     }
     for (DirectBody& body : bodies) {
@@ -226,8 +255,17 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         record(joint, joint.impulse);
         for (int k = 0; k < joint.rows(); k++) joint.force[k] = joint.impulse[k] / (2 * h);
+        for (const DirectWay& way : joint.ways) {
+            if (way.given == 0) continue;
+            joint.force_sum += way.linear * way.given;
+            if (!way.is_linear()) joint.torque_sum += way.angular_b * way.given;
+        }
     }
     commit();
+    energy_ = false;
+    if (sprung_)
+        for (DirectJoint& joint : joints)
+            for (int row = joint.first_way(); row < joint.rows(); row++) set_row(joint, row);
     if (!smooth_) damp(0.5 * h);
     project_velocities(h, 0, false);
     return true;

@@ -45,9 +45,14 @@ bool DirectGroup::find_way(double h, double tolerance) {
         matrix_.solve(right_side_);
         count_.solves++;
         for (std::size_t k = 0; k < joints.size(); k++) {
-            const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
-            push(joints[k], more);
-            for (int r = 0; r < joints[k].rows(); r++) joints[k].impulse[r] += more[r];
+            DirectJoint& joint = joints[k];
+            double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+            // What damps does so at velocities.
+            if (damped_springs_)
+                for (int r = joint.first_way(); r < joint.rows(); r++)
+                    if (!joint.ways[as_index(r - joint.first_way())].bound) more[r] = 0;
+            push(joint, more);
+            for (int r = 0; r < joint.rows(); r++) joint.impulse[r] += more[r];
         }
     }
 }
@@ -56,6 +61,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     count_.rattle_steps++;
     set_bounds(h);
     factor_here();
+    if (damped_springs_) damp_springs();
     kick(h);
     set_targets(h);
     if (!smooth_) {
@@ -68,12 +74,9 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
         if (smooth_ || round == bound_rounds) break;
         for (std::size_t k = 0; k < bodies.size(); k++)
             bodies[k].p = before_guess_[2 * k], bodies[k].l = before_guess_[2 * k + 1];
-        bool changed = reach_limits(0.5 * h);
-        for (DirectJoint& joint : joints) {
-            const int at_most = joint.at_most;
-            if (keep_bounds(joint, joint.impulse, 0.5 * h * joint.most_torque)) changed = true;
-            if (joint.at_most != at_most) give_most(joint, 0.5 * h);
-        }
+        bool changed = reach_limits(h, 0.5 * h);
+        for (DirectJoint& joint : joints)
+            if (keep_bounds(joint, joint.impulse, 0.5 * h, 0.5 * h)) changed = true;
         for (std::size_t k = 0; k < bodies.size(); k++)
             before_guess_[2 * k] = bodies[k].p, before_guess_[2 * k + 1] = bodies[k].l;
         if (!changed) {
@@ -84,6 +87,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     }
     for (DirectJoint& joint : joints) record(joint, joint.impulse);
     commit();
+    if (sprung_ || gripped_) factor_here();  // along the ways as they are now
     kick(h);
     project_velocities(h, 0);
     return true;

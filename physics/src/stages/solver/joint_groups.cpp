@@ -6,6 +6,7 @@
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/kept_impulses.h"
 #include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
 #include "state/force_fields.h"
@@ -137,25 +138,35 @@ DirectEnd end_of(const WorldState& world, const JointGroup& group, std::size_t k
     return {inverse_rotate(axes, arm), conjugate(axes) * frame.rotation};
 }
 
+// The rotation with which kept impulses turn.
+Quat carried_by(const JointGroup& group, const DirectJoint& joint, const JointKind& kind) {
+    const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
+    const auto number = [&](std::size_t body) {
+        return group.solver.bodies[body].pushed ? static_cast<std::int32_t>(body) + 1 : 0;
+    };
+    const std::int32_t carrier = carrier_of(kind, number(a), number(b));
+    if (carrier == 0) return {};
+    const auto k = static_cast<std::size_t>(carrier - 1);
+    return group.solver.bodies[k].q * conjugate(group.axes[k].frame);
+}
+
 void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, double h) {
     const WorldState& world = step.world;
     const std::vector<std::int32_t>& number_of = step.scratch.solver.groups.number_of;
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
+    std::vector<DirectWay> ways = std::move(joint.ways);  // for its memory
+    ways.clear();
     joint = {};
+    joint.ways = std::move(ways);
     joint.a = from.body_a == none ? number_of.back() : number_of[from.body_a];
     joint.b = number_of[from.body_b];
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
     set_up(joint, from.kind, end_of(world, group, a, from.frame_a),
            end_of(world, group, b, from.frame_b));
     const DirectBody &body_a = group.solver.bodies[a], &body_b = group.solver.bodies[b];
-    const std::uint32_t carrier = body_b.pushed ? from.body_b : from.body_a;
-    const Quat carried = warm_of(world, carrier).rotation;
     write_vectors(joint, body_a, body_b);
-    load_forces(joint,
-                {rotate(carried, from.point), rotate(carried, from.angular), from.lower, from.upper,
-                 from.spring, from.motor},
-                h);
+    load_forces(joint, body_a, body_b, read_kept(from, carried_by(group, joint, from.kind)), h);
 }
 
 void gather(StepContext& step, std::uint32_t island) {
@@ -192,19 +203,9 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     Joint& to = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
     const DirectBody& b = group.solver.bodies[static_cast<std::size_t>(joint.b)];
-    const std::size_t carrier = static_cast<std::size_t>(b.pushed ? joint.b : joint.a);
-    const DirectBody& carrying = group.solver.bodies[carrier];
-    const Quat carried = carrying.q * conjugate(group.axes[carrier].frame);
-    write_vectors(joint, group.solver.bodies[static_cast<std::size_t>(joint.a)], b);
-    const KeptImpulses kept = keep_forces(joint, h);
-    to.point = inverse_rotate(carried, kept.point);
-    to.angular = inverse_rotate(carried, kept.angular);
-    to.lower = kept.lower;
-    to.upper = kept.upper;
-    to.spring = kept.spring;
-    to.motor = kept.motor;
-    to.swing = 0;
-    to.friction = {};
+    const DirectBody& a = group.solver.bodies[static_cast<std::size_t>(joint.a)];
+    write_vectors(joint, a, b);
+    write_kept(to, carried_by(group, joint, to.kind), keep_forces(joint, a, b, h));
     to.force = joint.force_sum * (1 / step.dt);
     to.torque = joint.torque_sum * (1 / step.dt);
 }

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// The matrix of a group: its pattern, kept while bodies, joints and rows stay the same, and its
+// numbers, J M^-1 J^T.
+#include <algorithm>
+#include <utility>
+
+#include "constraints/direct/direct_group.h"
+
+namespace jostle::physics {
+namespace {
+
+// m: at this distance all its mass would be as hard to turn.
+double gyration_of(const DirectBody& body) {
+    const Vec3& i = body.moments;
+    return square_root(maximum(i.x, maximum(i.y, i.z)) * body.inverse_mass);
+}
+
+}  // namespace
+
+// ---- the pattern ----
+
+// What there is beside joints that hold.
+void DirectGroup::list_what_acts() {
+    damped_ = sprung_ = damped_springs_ = gripped_ = false;
+    bool limited = false;
+    for (DirectBody& body : bodies) {
+        damped_ |= body.linear_damping != 0 || body.angular_damping != 0;
+        body.spring_square = 0;
+    }
+    double arms = 0;
+    for (const DirectJoint& joint : joints) {
+        arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
+        for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
+        for (const DirectWay& way : joint.ways) {
+            limited |= way.has_limit();
+            gripped_ |= way.steps > 0;
+            sprung_ |= way.rate > 0;
+            damped_springs_ |= way.is_damped();
+            for (const int body : {joint.a, joint.b})
+                bodies[as_index(body)].spring_square += way.rate * way.rate;
+        }
+    }
+    damped_ |= damped_springs_;
+    smooth_ = !damped_ && !limited && !gripped_;
+    // A spring's rate is its own against both bodies: of two, each feels no more than all of them
+    // together.
+    double most = 0;
+    for (const DirectBody& body : bodies)
+        if (body.pushed) most = maximum(most, body.spring_square);
+    spring_rate_ = square_root(most);
+    reach_ = arms / static_cast<double>(joints.size());
+}
+
+void DirectGroup::prepare() {
+    count_ = {};
+    factored_ = false;
+    energy_ = false;
+    step_ = 0;
+    list_what_acts();
+    std::vector<int> pattern;
+    pattern.reserve(joints.size() * 3 + bodies.size());
+    for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
+    for (const DirectJoint& joint : joints)
+        pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
+    if (pattern == pattern_) return;
+    pattern_ = std::move(pattern);
+    find_pattern();
+}
+
+void DirectGroup::find_pattern() {
+    std::vector<std::vector<int>> of_body(bodies.size());
+    std::vector<int> rows;
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        rows.push_back(joints[k].rows());
+        for (const int body : {joints[k].a, joints[k].b})
+            if (bodies[as_index(body)].pushed)
+                of_body[as_index(body)].push_back(static_cast<int>(k));
+    }
+    std::vector<BlockLdl::Edge> edges;
+    for (const std::vector<int>& list : of_body)
+        for (std::size_t i = 0; i < list.size(); i++)
+            for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
+    matrix_.analyze(rows, edges);
+    right_side_.assign(as_index(matrix_.rows()), 0);
+    couplings_.clear();
+    for (std::size_t body = 0; body < bodies.size(); body++) {
+        const std::vector<int>& list = of_body[body];
+        for (std::size_t i = 0; i < list.size(); i++)
+            for (std::size_t k = 0; k <= i; k++) {
+                const bool first_later = matrix_.is_later(list[i], list[k]);
+                const int later = first_later ? list[i] : list[k];
+                const int sooner = first_later ? list[k] : list[i];
+                const int number = static_cast<int>(body);
+                couplings_.push_back({matrix_.block_at(later, sooner), later, sooner, number,
+                                      joints[as_index(later)].b == number,
+                                      joints[as_index(sooner)].b == number});
+            }
+    }
+    // Blocks are then summed up one after the other.
+    std::sort(couplings_.begin(), couplings_.end(), [](const Coupling& x, const Coupling& y) {
+        return std::pair(x.at, x.body) < std::pair(y.at, y.body);
+    });
+}
+
+// ---- the numbers ----
+
+// `linear`: by how much an inverse mass counts; `response`: what takes the place of the inverse
+// inertia.
+void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
+    matrix_.clear();
+    double* const values = matrix_.values().data();
+    for (const Coupling& c : couplings_) {
+        const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
+        const DirectBody& body = bodies[as_index(c.body)];
+        const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;
+        const Vec3* const columns = c.sooner_b ? sooner.angular_b : sooner.angular_a;
+        const int n = sooner.rows(), m = later.rows();
+        double* const block = values + c.at;
+        const Mat3& turned = body.*response;
+        for (int i = 0; i < m; i++) {
+            const Vec3 y = turned * rows[i];
+            for (int k = 0; k < n; k++) block[i * n + k] += dot(y, columns[k]);
+        }
+        const double mass = (c.later_b == c.sooner_b ? linear : -linear) * body.inverse_mass;
+        if (later.is_ball() && sooner.is_ball()) {
+            for (int i = 0; i < 3; i++) block[i * n + i] += mass;
+        } else if (later.is_ball()) {
+            for (int k = 0; k < n; k++)
+                for (int i = 0; i < 3; i++) block[i * n + k] += mass * sooner.linear[k][i];
+        } else if (sooner.is_ball()) {
+            for (int i = 0; i < m; i++)
+                for (int k = 0; k < 3; k++) block[i * n + k] += mass * later.linear[i][k];
+        } else {
+            for (int i = 0; i < m; i++)
+                for (int k = 0; k < n; k++)
+                    block[i * n + k] += mass * dot(later.linear[i], sooner.linear[k]);
+        }
+    }
+    if (sprung_) soften(step_);
+    count_.left_out = matrix_.factor();
+    count_.factors++;
+}
+
+// What a spring's row gives way: to its force where it is stretched over the step, to its damping
+// at velocities.
+void DirectGroup::soften(double h) {
+    double* const values = matrix_.values().data();
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        const DirectJoint& joint = joints[k];
+        for (std::size_t i = 0; i < joint.ways.size(); i++) {
+            const DirectWay& way = joint.ways[i];
+            if (way.rate == 0 || way.at_limit != 0 || way.is_held()) continue;
+            const double compliance = way.implicit ? 1 / (spring_pull(way, h) * h) : 1 / way.damper;
+            if (!way.implicit && !way.is_damped()) continue;
+            const int row = joint.first_way() + static_cast<int>(i), node = static_cast<int>(k);
+            values[matrix_.block_at(node, node) + row * (joint.rows() + 1)] += compliance;
+        }
+    }
+}
+
+}  // namespace jostle::physics

@@ -108,6 +108,7 @@ double DirectGroup::fastest_turn() const {
 }
 
 void DirectGroup::advance(double dt, int substeps) {
+    time_ = 0;
     const double turn = fastest_turn() * dt;
     if (turn > followed_turn * substeps)
         substeps = static_cast<int>(minimum(turn / followed_turn, most_steps - 1)) + 1;
@@ -132,7 +133,8 @@ void DirectGroup::advance(double dt, int substeps) {
 // Of a composition there are five steps, forward and back: where nothing is damped, rubs or is on
 // its limit. Springs want some for each radian.
 int DirectGroup::parts_of(double dt, int substeps) {
-    if (damped_ || gripped_ || substeps < 5 || (!smooth_ && is_on_limit())) return 0;
+    if (damped_ || gripped_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
+        return 0;
     const double wanted = spring_rate_ * dt / followed_spring;
     if (wanted > most_spring_parts) return 0;
     return static_cast<int>(maximum(substeps / 5, wanted + 1));
@@ -150,9 +152,10 @@ void DirectGroup::resort_to_velocities(double h) {
     }
     measure_all(0);
     factor_here();
-    kick(h);
-    kick(h);
+    kick(h, false);
+    kick(h, true);
     project_velocities(h, 0.2 / h);
+    time_ += h;
     for (DirectBody& body : bodies) {
         body.x1 = body.x + velocity(body) * h;
         body.q1 = normalized(turn_by(spin(body) * h) * body.q);

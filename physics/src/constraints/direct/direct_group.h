@@ -22,10 +22,20 @@
 
 namespace jostle::physics {
 
+// What pushes bodies from outside by where and when they are.
+class OutsideForces {
+public:
+    virtual ~OutsideForces() = default;
+    // Writes each body's force and torque: means over h from `from` seconds after the step's begin,
+    // at where the body is `ahead` seconds later than it says.
+    virtual void push(std::vector<DirectBody>& bodies, double from, double h, double ahead) = 0;
+};
+
 class DirectGroup {
 public:
     std::vector<DirectBody> bodies;
     std::vector<DirectJoint> joints;
+    OutsideForces* outside = nullptr;  // else the bodies' forces are constant
 
     // What happened since prepare(), for the profile and for tests.
     struct Count {
@@ -82,7 +92,7 @@ private:
 
     // ---- what all steps share: direct_system.cpp ----
     // Forces, springs, what grips without holding, and damping, for half a step of h.
-    void kick(double h);
+    void kick(double h, bool second);
     void damp(double time);
     void write_all_vectors();
     void factor_here();  // at the state, unless it is there
@@ -137,6 +147,7 @@ private:
     bool energy_ = false;     // the step under way is an energy-momentum one
     double spring_rate_ = 0;  // rad/s: no spring swings faster
     double step_ = 0;         // s: of the step under way, for springs
+    double time_ = 0;         // s since advance() began
     double reach_ = 0;        // m: a length of the group's
     Count count_;
 };

@@ -10,6 +10,9 @@
 namespace jostle::physics {
 namespace {
 
+// m: of bodies that do not turn, held at their centres.
+constexpr double least_reach = 0.01;
+
 // m: at this distance all its mass would be as hard to turn.
 double gyration_of(const DirectBody& body) {
     const Vec3& i = body.moments;
@@ -49,7 +52,7 @@ void DirectGroup::list_what_acts() {
     for (const DirectBody& body : bodies)
         if (body.pushed) most = maximum(most, body.spring_square);
     spring_rate_ = square_root(most);
-    reach_ = arms / static_cast<double>(joints.size());
+    reach_ = maximum(least_reach, arms / static_cast<double>(joints.size()));
 }
 
 void DirectGroup::prepare() {
@@ -122,19 +125,20 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
             const Vec3 y = turned * rows[i];
             for (int k = 0; k < n; k++) block[i * n + k] += dot(y, columns[k]);
         }
-        const double mass = (c.later_b == c.sooner_b ? linear : -linear) * body.inverse_mass;
+        const Vec3 mass = body.inverse_masses * (c.later_b == c.sooner_b ? linear : -linear);
         if (later.is_ball() && sooner.is_ball()) {
-            for (int i = 0; i < 3; i++) block[i * n + i] += mass;
+            for (int i = 0; i < 3; i++) block[i * n + i] += mass[i];
         } else if (later.is_ball()) {
             for (int k = 0; k < n; k++)
-                for (int i = 0; i < 3; i++) block[i * n + k] += mass * sooner.linear[k][i];
+                for (int i = 0; i < 3; i++) block[i * n + k] += mass[i] * sooner.linear[k][i];
         } else if (sooner.is_ball()) {
             for (int i = 0; i < m; i++)
-                for (int k = 0; k < 3; k++) block[i * n + k] += mass * later.linear[i][k];
+                for (int k = 0; k < 3; k++) block[i * n + k] += mass[k] * later.linear[i][k];
         } else {
-            for (int i = 0; i < m; i++)
-                for (int k = 0; k < n; k++)
-                    block[i * n + k] += mass * dot(later.linear[i], sooner.linear[k]);
+            for (int i = 0; i < m; i++) {
+                const Vec3 pushed = scaled(mass, later.linear[i]);
+                for (int k = 0; k < n; k++) block[i * n + k] += dot(pushed, sooner.linear[k]);
+            }
         }
     }
     if (sprung_) soften(step_);

@@ -33,7 +33,8 @@ void DirectGroup::damp(double time) {
     }
 }
 
-void DirectGroup::kick(double h) {
+void DirectGroup::kick(double h, bool second) {
+    if (outside != nullptr) outside->push(bodies, time_ + (second ? 0.5 * h : 0), 0.5 * h, 0);
     for (DirectBody& body : bodies) {
         body.p += body.force * (0.5 * h);
         body.l += body.torque * (0.5 * h);

@@ -111,7 +111,7 @@ double rate_of(const DirectWay& way, const DirectBody& a, const DirectBody& b) {
 
 double response_of(const DirectWay& way, const DirectBody& a, const DirectBody& b) {
     const auto of = [&](const DirectBody& body, Vec3 angular) {
-        return body.pushed ? body.inverse_mass * length_squared(way.linear) +
+        return body.pushed ? dot(way.linear, scaled(way.linear, body.inverse_masses)) +
                                  dot(angular, body.inverse_inertia * angular)
                            : 0;
     };

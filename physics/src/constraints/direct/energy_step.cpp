@@ -46,6 +46,18 @@ bool invert(const Mat3& m, Mat3& to) {
     return true;
 }
 
+// ... of a body that turns about one of its axes, or about none.
+Mat3 response_about_one(const DirectBody& body, double h) {
+    Vec3 axis;
+    for (int k = 0; k < 3; k++)
+        if (body.inverse_moments[k] != 0)
+            axis = k == 0 ? body.axes.x : (k == 1 ? body.axes.y : body.axes.z);
+    const double inertia = dot(axis, body.inertia * axis);
+    const double stiff = 2 * inertia + 0.5 * h * dot(axis, body.stiffness * axis);
+    const double answer = inertia > 0 ? 1 / (stiff > 0 ? stiff : 2 * inertia) : 0;
+    return {axis * (axis.x * answer), axis * (axis.y * answer), axis * (axis.z * answer)};
+}
+
 }  // namespace
 
 // Half of the trace or of the norm of I^-1 K bounds the squares of the swings of a body; joints can
@@ -143,7 +155,7 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
     }
     if (sprung_ || gripped_) add_known_pushes(h);
     for (DirectBody& body : bodies)
-        body.x1 = body.x + (body.v0 + body.sum * (0.5 * body.inverse_mass)) * h;
+        body.x1 = body.x + (body.v0 + scaled(body.sum, body.inverse_masses * 0.5)) * h;
     for (DirectJoint& joint : joints) {
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         write_mean_vectors(joint, a, b);
@@ -179,6 +191,10 @@ void DirectGroup::correct(double h, bool again) {
         for (DirectBody& body : bodies) {
             if (!body.pushed) {
                 body.response = diagonal({0, 0, 0});
+                continue;
+            }
+            if (!body.turns_freely) {
+                body.response = response_about_one(body, h);
                 continue;
             }
             // What is pushed together instead of pulled may have no such matrix: then without.
@@ -237,6 +253,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     if (sprung_) set_springs();
     if (damped_springs_) damp_springs();
     if (!smooth_) damp(0.5 * h);
+    if (outside != nullptr) outside->push(bodies, time_, h, 0.5 * h);
     set_targets(h);
     for (int round = 0;; round++) {
         if (!find_energy_way(h, tolerance)) return false;
@@ -268,6 +285,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
             for (int row = joint.first_way(); row < joint.rows(); row++) set_row(joint, row);
     if (!smooth_) damp(0.5 * h);
     project_velocities(h, 0, false);
+    time_ += h;
     return true;
 }
 

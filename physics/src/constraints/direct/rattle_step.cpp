@@ -13,7 +13,7 @@ constexpr int most_way_corrections = 8;
 
 void drift(DirectBody& body, double h) {
     if (body.pushed) {
-        body.x1 = body.x + body.p * (body.inverse_mass * h);
+        body.x1 = body.x + scaled(body.p, body.inverse_masses * h);
         body.q1 = free_turn(body.q, body.l, body.inverse_moments, h);
     } else {
         body.x1 = body.x + body.v * h;
@@ -62,7 +62,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     set_bounds(h);
     factor_here();
     if (damped_springs_) damp_springs();
-    kick(h);
+    kick(h, false);
     set_targets(h);
     if (!smooth_) {
         before_guess_.clear();
@@ -88,8 +88,9 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     for (DirectJoint& joint : joints) record(joint, joint.impulse);
     commit();
     if (sprung_ || gripped_) factor_here();  // along the ways as they are now
-    kick(h);
+    kick(h, true);
     project_velocities(h, 0);
+    time_ += h;
     return true;
 }
 

@@ -6,10 +6,10 @@
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/group_fields.h"
 #include "stages/solver/kept_impulses.h"
 #include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
-#include "state/force_fields.h"
 #include "state/joint_graph.h"
 
 namespace jostle::physics {
@@ -17,9 +17,15 @@ namespace {
 
 // ---- which ----
 
-bool may_be_grouped(const WorldState& world, const BodyCold& cold) {
-    return cold.constraints == 0 && cold.locks == 0 && !cold.asleep_in_place && !world.def.planar &&
-           cold.mass > 0;
+int locked_turns(const BodyCold& cold) {
+    const Vec3 free = free_rotations(cold);
+    return 3 - static_cast<int>(free.x + free.y + free.z);
+}
+
+// What turns about two axes of the world alone has no principal axes that turn with it.
+bool may_be_grouped(const BodyCold& cold) {
+    return cold.constraints == 0 && !cold.asleep_in_place && cold.mass > 0 &&
+           locked_turns(cold) != 1;
 }
 
 bool is_pushed(const WorldState& world, std::uint32_t body) {
@@ -42,7 +48,7 @@ void look_at_islands(StepContext& step) {
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (cold.type != BodyType::dynamic || scratch.refused[cold.island] != 0) continue;
-        if (!may_be_grouped(world, cold)) {
+        if (!may_be_grouped(cold)) {
             scratch.refused[cold.island] = 1;
             continue;
         }
@@ -88,6 +94,18 @@ void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::in
     }
 }
 
+// The axes of the world, of which it turns about one alone or about none: about that it is as hard
+// to turn wherever it has turned to.
+PrincipalAxes axes_of_locked(const BodyWarm& warm, const BodyCold& cold) {
+    const Mat3 inertia = warm.axes * cold.inertia * transpose(warm.axes);
+    const Vec3 along{inertia.x.x, inertia.y.y, inertia.z.z};
+    return {conjugate(warm.rotation), scaled(along, free_rotations(cold))};
+}
+Vec3 inverse_of_locked(Vec3 moments) {
+    const auto inverse = [](double x) { return x > 0 ? 1 / x : 0; };
+    return {inverse(moments.x), inverse(moments.y), inverse(moments.z)};
+}
+
 void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     const WorldState& world = step.world;
     const std::uint32_t index = group.bodies[k];
@@ -108,8 +126,12 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
         refresh(body);
         return;
     }
-    ASSERT(cold.set == BodySet::awake && cold.locks == 0);
-    if (!(group.inertias[k] == cold.inertia)) {
+    ASSERT(cold.set == BodySet::awake);
+    const bool turns_freely = locked_turns(cold) == 0;
+    if (!turns_freely) {
+        group.axes[k] = axes_of_locked(warm, cold);
+        group.inertias[k] = diagonal({-1, -1, -1});
+    } else if (!(group.inertias[k] == cold.inertia)) {
         group.inertias[k] = cold.inertia;
         group.axes[k] = principal_axes(cold.inertia);
     }
@@ -117,8 +139,12 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     body.pushed = true;
     body.mass = cold.mass;
     body.inverse_mass = cold.inverse_mass;
+    body.inverse_masses = free_directions(cold) * cold.inverse_mass;
+    body.turns_freely = turns_freely;
     body.moments = axes.moments;
-    body.inverse_moments = {1 / axes.moments.x, 1 / axes.moments.y, 1 / axes.moments.z};
+    body.inverse_moments = turns_freely
+                               ? Vec3{1 / axes.moments.x, 1 / axes.moments.y, 1 / axes.moments.z}
+                               : inverse_of_locked(axes.moments);
     body.force = acceleration_of(warm, cold, world.def.gravity) * cold.mass;
     body.torque = warm.torque;
     body.linear_damping = cold.linear_damping;
@@ -211,7 +237,10 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
 }
 
 void advance(StepContext& step, JointGroup& group, std::span<FreeMotion> motions) {
+    GroupFields fields(step.world, group);
+    if (fields.reach(step.dt)) group.solver.outside = &fields;
     group.solver.advance(step.dt, group.substeps);
+    group.solver.outside = nullptr;
     std::size_t next = 0;
     for (std::size_t k = 0; k < group.bodies.size(); k++) {
         const DirectBody& body = group.solver.bodies[k];
@@ -233,9 +262,7 @@ void find_joint_groups(StepContext& step) {
     scratch.active.clear();
     scratch.awake.clear();
     scratch.grouped.clear();
-    if (world.joints.ids.alive_count() == 0 || has_substep_listeners(world.listeners) ||
-        !world.fields.empty())
-        return;
+    if (world.joints.ids.alive_count() == 0 || has_substep_listeners(world.listeners)) return;
     look_at_islands(step);
     if (scratch.active.empty()) return;
     scratch.number_of.assign(world.bodies.cold.size() + 1, -1);

@@ -16,6 +16,7 @@ inline DirectBody body_at(Vec3 x, double mass, Vec3 moments) {
     body.x = x;
     body.mass = mass;
     body.inverse_mass = 1 / mass;
+    body.inverse_masses = Vec3{1, 1, 1} * (1 / mass);
     body.moments = moments;
     body.inverse_moments = {1 / moments.x, 1 / moments.y, 1 / moments.z};
     body.force = {0, 0, -g * mass};

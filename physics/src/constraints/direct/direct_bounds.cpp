@@ -7,7 +7,6 @@
 #include "foundation/tuning.h"
 
 namespace jostle::physics {
-
 // Along a way, whether its row is on or not.
 void DirectGroup::give(DirectJoint& joint, const DirectWay& way, double impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
@@ -29,8 +28,10 @@ void DirectGroup::set_springs() {
     for (DirectJoint& joint : joints)
         for (DirectWay& way : joint.ways) {
             if (way.rate == 0) continue;
-            const double mass =
-                1 / response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+            const double response =
+                response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+            // Along what is locked it pushes nobody.
+            const double mass = response > DirectWay::least_response ? 1 / response : 0;
             way.stiffness = way.rate * way.rate * mass;
             if (way.damping_ratio == 0) continue;
             const double left = decay(2 * way.damping_ratio * way.rate * step_);
@@ -57,6 +58,15 @@ void DirectGroup::damp_springs() {
     });
 }
 
+// To what a kick of h follows.
+void DirectGroup::soften_springs(double h) {
+    for (DirectJoint& joint : joints)
+        for (DirectWay& way : joint.ways) {
+            const double turn = way.rate * h;
+            if (turn > 0.5) way.stiffness *= 0.25 / (turn * turn);
+        }
+}
+
 // ---- limits, motors and friction ----
 
 // On or off, as the way says.
@@ -68,6 +78,7 @@ void DirectGroup::set_row(DirectJoint& joint, int row) {
     if (!bound) joint.force[row] = 0;
     if (joint.off[as_index(row)] == off && way.bound == bound) return;
     joint.off[as_index(row)] = off;
+    joint.blocked[as_index(row)] = false;
     way.bound = bound;
     factored_ = false;
 }

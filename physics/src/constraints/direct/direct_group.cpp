@@ -14,7 +14,7 @@ constexpr double followed_swing = 0.7;  // rad
 constexpr double followed_turn = 1;  // rad
 // In a part of a composition: a thousand swings then stay within 0.04 rad of the true ones.
 constexpr double followed_spring = 0.35;  // rad
-constexpr int most_spring_parts = 64;
+constexpr int most_spring_parts = 64, springs_followed = 8;
 constexpr int most_halvings = 6, most_steps = 1024;
 // Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
 constexpr double suzuki = 0.41449077179437573714;
@@ -136,12 +136,14 @@ int DirectGroup::parts_of(double dt, int substeps) {
     if (damped_ || gripped_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
         return 0;
     const double wanted = spring_rate_ * dt / followed_spring;
-    if (wanted > most_spring_parts) return 0;
+    // Of a large group that would cost more than its swings are worth.
+    const double many = maximum(1, static_cast<double>(joints.size()) / springs_followed);
+    if (wanted * many > most_spring_parts) return 0;
     return static_cast<int>(maximum(substeps / 5, wanted + 1));
 }
 
-// Kick, velocities that joints allow and that take their errors away, drift: of first order, and
-// cannot fail.
+// Kick, velocities that joints allow and that take their errors away, drift, velocities without
+// that: of first order, and cannot fail.
 void DirectGroup::resort_to_velocities(double h) {
     set_bounds(h);
     set_targets(h);
@@ -152,6 +154,7 @@ void DirectGroup::resort_to_velocities(double h) {
     }
     measure_all(0);
     factor_here();
+    soften_springs(h);
     kick(h, false);
     kick(h, true);
     project_velocities(h, 0.2 / h);
@@ -162,6 +165,7 @@ void DirectGroup::resort_to_velocities(double h) {
         body.axes1 = to_matrix(body.q1);
     }
     commit();
+    project_velocities(h, 0);
 }
 
 }  // namespace jostle::physics

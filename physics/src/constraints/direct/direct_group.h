@@ -78,6 +78,8 @@ private:
     void list_what_acts();
     void find_pattern();
     void assemble(double linear, const Mat3 DirectBody::*response);
+    double least_response(const DirectJoint& joint) const;
+    void drop_locked();
     void soften(double h);  // the rows of springs, in the energy-momentum step or at velocities
 
     // ---- direct_group.cpp ----
@@ -100,6 +102,7 @@ private:
     void act(DirectJoint& joint, const double* impulse);
     void record(DirectJoint& joint, const double* impulse);
     double measure_all(double h);
+    double largest_error(bool holding_alone) const;
     bool set_targets(double h);  // true if something is left for later steps
     void commit();
     // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers
@@ -110,6 +113,7 @@ private:
     void give(DirectJoint& joint, const DirectWay& way, double impulse);
     void set_springs();
     void damp_springs();
+    void soften_springs(double h);
     void set_row(DirectJoint& joint, int row);
     void set_bounds(double h);
     bool keep_bounds(DirectJoint& joint, const double* value, double scale, double time,
@@ -144,6 +148,7 @@ private:
     bool sprung_ = false;  // ... and what of that is damped:
     bool damped_springs_ = false;
     bool gripped_ = false;    // by motors or friction
+    bool locked_ = false;     // axes of bodies are
     bool energy_ = false;     // the step under way is an energy-momentum one
     double spring_rate_ = 0;  // rad/s: no spring swings faster
     double step_ = 0;         // s: of the step under way, for springs

@@ -54,6 +54,8 @@ struct DirectJoint {
     // Rows that are switched off just now (a limit that is not reached, a motor at its most) have
     // no vectors and no multiplier.
     std::array<bool, most_rows> off{};
+    // ... and rows along which locked axes let nothing move: what is wrong there stays wrong.
+    std::array<bool, most_rows> blocked{};
 
     double start[most_rows] = {};    // errors as the step began; not of ways
     double target[most_rows] = {};   // what is to be left of them

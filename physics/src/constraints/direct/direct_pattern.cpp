@@ -10,6 +10,7 @@
 namespace jostle::physics {
 namespace {
 
+constexpr double least_damper = 1e-30;  // N s/m or N m s
 // m: of bodies that do not turn, held at their centres.
 constexpr double least_reach = 0.01;
 
@@ -25,17 +26,24 @@ double gyration_of(const DirectBody& body) {
 
 // What there is beside joints that hold.
 void DirectGroup::list_what_acts() {
-    damped_ = sprung_ = damped_springs_ = gripped_ = false;
+    damped_ = sprung_ = damped_springs_ = gripped_ = locked_ = false;
     bool limited = false;
     for (DirectBody& body : bodies) {
         damped_ |= body.linear_damping != 0 || body.angular_damping != 0;
+        locked_ |= body.pushed && (!body.turns_freely || body.inverse_masses.x == 0 ||
+                                   body.inverse_masses.y == 0 || body.inverse_masses.z == 0);
         body.spring_square = 0;
     }
     double arms = 0;
-    for (const DirectJoint& joint : joints) {
+    for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
         for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
-        for (const DirectWay& way : joint.ways) {
+        for (DirectWay& way : joint.ways) {
+            // Nothing moves along it: axes are locked. A swing of nothing has no axis yet.
+            if (way.kind != DirectWay::Kind::swing &&
+                response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
+                    least_response(joint))
+                nothing_along(way);
             limited |= way.has_limit();
             gripped_ |= way.steps > 0;
             sprung_ |= way.rate > 0;
@@ -141,9 +149,37 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
             }
         }
     }
+    if (locked_) drop_locked();
     if (sprung_) soften(step_);
     count_.left_out = matrix_.factor();
     count_.factors++;
+}
+
+// What is no more than the rounding of axes across those that may move, 1/kg.
+double DirectGroup::least_response(const DirectJoint& joint) const {
+    double sum = 0;
+    for (const int index : {joint.a, joint.b}) {
+        const DirectBody& body = bodies[as_index(index)];
+        const Mat3& turn = body.inverse_inertia;
+        if (body.pushed) sum += body.inverse_mass + turn.x.x + turn.y.y + turn.z.z;
+    }
+    return 1e-20 * sum;
+}
+
+// Rows along what is locked: a diagonal of zero is left out.
+void DirectGroup::drop_locked() {
+    double* const values = matrix_.values().data();
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        DirectJoint& joint = joints[k];
+        const int node = static_cast<int>(k), rows = joint.rows();
+        double* const block = values + matrix_.block_at(node, node);
+        const double least = least_response(joint);
+        for (int r = 0; r < rows; r++) {
+            double& diagonal = block[r * (rows + 1)];
+            joint.blocked[as_index(r)] = diagonal <= least && !joint.off[as_index(r)];
+            if (diagonal <= least) diagonal = 0;
+        }
+    }
 }
 
 // What a spring's row gives way: to its force where it is stretched over the step, to its damping
@@ -155,7 +191,8 @@ void DirectGroup::soften(double h) {
         for (std::size_t i = 0; i < joint.ways.size(); i++) {
             const DirectWay& way = joint.ways[i];
             if (way.rate == 0 || way.at_limit != 0 || way.is_held()) continue;
-            const double compliance = way.implicit ? 1 / (spring_pull(way, h) * h) : 1 / way.damper;
+            const double compliance = way.implicit ? 1 / (spring_pull(way, h) * h)
+                                                   : 1 / maximum(way.damper, least_damper);
             if (!way.implicit && !way.is_damped()) continue;
             const int row = joint.first_way() + static_cast<int>(i), node = static_cast<int>(k);
             values[matrix_.block_at(node, node) + row * (joint.rows() + 1)] += compliance;

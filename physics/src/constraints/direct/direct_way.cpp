@@ -140,6 +140,14 @@ void add_step(DirectWay& way, double speed, double most) {
     way.steps++;
 }
 
+void nothing_along(DirectWay& way) {
+    way.lower = -DirectWay::never;
+    way.upper = DirectWay::never;
+    way.steps = way.at_limit = 0;
+    way.grip = DirectWay::at_rest;
+    way.rate = way.rubs = 0;
+}
+
 void grip_on_limit(DirectWay& way) {
     if (way.steps == 0 || way.at_limit == 0) return;
     const int into = -way.at_limit;

@@ -20,6 +20,7 @@ namespace jostle::physics {
 struct DirectWay {
     enum class Kind : std::uint8_t { hinge, first, middle, last, travel, distance, twist, swing };
     static constexpr double never = 1e300;
+    static constexpr double least_response = 1e-30;  // 1/kg or 1/(kg m^2): below it, none
 
     Kind kind = Kind::hinge;
     int slot = 0;                          // of the joint's impulses that are kept
@@ -86,6 +87,9 @@ void add_step(DirectWay& way, double speed, double most);
 void grip_on_limit(DirectWay& way);
 // Of what gripped the way before: its force on b.
 void load_grip(DirectWay& way, double force);
+
+// A way along which nothing acts.
+void nothing_along(DirectWay& way);
 
 // Within a turn.
 inline double wrapped(double angle) {

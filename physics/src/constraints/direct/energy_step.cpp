@@ -233,12 +233,15 @@ void DirectGroup::correct(double h, bool again) {
 
 bool DirectGroup::find_energy_way(double h, double tolerance) {
     begin_energy_step(h);
-    double before = 1e300;
+    double before = 1e300, first = 0;
     bool again = true;
     for (int round = 0;; round++) {
         const double error = miss_of(h, true);
         if (error < tolerance) return true;
-        if (round == most_energy_corrections || !(error < 1e6)) return error < 30 * tolerance;
+        if (round == 0) first = error;
+        if (round == most_energy_corrections || !(error < 1e6))
+            return error < 30 * tolerance ||
+                   (!smooth_ && error <= first && largest_error(true) < 30 * tolerance);
         again = round < 1 || error > slow_contraction * before;
         before = error;
         correct(h, again);

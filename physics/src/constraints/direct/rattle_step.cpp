@@ -31,12 +31,14 @@ bool DirectGroup::find_way(double h, double tolerance) {
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : h * joint.force[k];
         push(joint, joint.impulse);
     }
-    double before = 1e300;
+    double before = 1e300, first = 0;
     for (int round = 0;; round++) {
         for (DirectBody& body : bodies) drift(body, h);
         const double error = measure_all(h);
         if (error < tolerance) return true;
-        if (round == most_way_corrections || !(error < 4 * before)) return error < 30 * tolerance;
+        if (round == 0) first = error;
+        if (round == most_way_corrections || !(error < 4 * before))
+            return error <= first && largest_error(true) < 30 * tolerance;
         before = error;
         for (std::size_t k = 0; k < joints.size(); k++) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));

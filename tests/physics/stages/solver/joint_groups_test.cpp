@@ -177,5 +177,48 @@ TEST(JointGroups, know_planar_worlds) {
     }
 }
 
+// Rows of joints along locked axes are left out, whatever their rounding: a six-dof whose frames
+// are turned from axis to axis, ends that are apart out of the plane, a motor about a locked axis.
+TEST(JointGroups, leave_out_what_locked_axes_hold) {
+    World world = make_world({.gravity = {0, -9.81, 0}, .planar = true});
+    BodyId last{};
+    SixDofJoint turns;
+    turns.axes->turn_y.free = turns.axes->turn_z.free = true;
+    turns.axes->turn_y.motor = {true, 3, 10};
+    turns.axes->turn_z.limit = {true, -0.5, 0.5};
+    const JointKind kinds[] = {HingeJoint{}, turns, turns, ConeTwistJoint{.swing = 0.4}, turns};
+    double mass = 0;
+    int k = 0;
+    for (const JointKind& kind : kinds) {
+        const BodyId link = must(world.create_body(
+            {.pose = {.position = {0.2 + 0.4 * k, 20, 0}}, .sleep_allowed = false},
+            {.geometry = Box{{0.2, 0.02, 0.5}}, .filter = {.category = 0, .mask = 0}}));
+        JointDef def{.body_b = link,
+                     .frame_a = {.position = {0, 20, 0}},
+                     .frame_b = {.position = {-0.2, 0, 0.1 * k}},
+                     .kind = kind};
+        if (k > 0) {
+            def.body_a = last;
+            def.frame_a = {.position = {0.2, 0, 0}};
+        }
+        must(world.create_joint(def));
+        mass = must(world.body(link)).mass;
+        last = link;
+        k++;
+    }
+    for (int step = 0; step < 300; step++) {
+        must(world.step(1.0 / 60));
+        ASSERT_EQ(world.profile().joints_direct, 5);
+        double energy = 0;  // of five links, as high as at the start
+        for (const BodyId id : world.bodies()) {
+            const BodyState body = state_of(world, id);
+            energy += 0.5 * mass * dot(body.linear_velocity, body.linear_velocity) +
+                      mass * 9.81 * (body.center.y - 20);
+            EXPECT_LT(length(body.center - Vec3{0, 20, 0}), 2.1);
+        }
+        EXPECT_LT(energy, 0.01 * mass * 9.81) << step;
+    }
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -9,11 +9,6 @@
 #include "foundation/check.h"
 
 namespace jostle::physics {
-namespace {
-
-constexpr std::size_t most_block_values = BlockLdl::most_rows * BlockLdl::most_rows;
-
-}  // namespace
 
 std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
     const int n = static_cast<int>(position_.size());
@@ -100,7 +95,7 @@ void BlockLdl::lay_out() {
     }
     first_update_[n] = static_cast<int>(updates_.size());
     values_.assign(as_index(size), 0);
-    inverse_.assign(n * most_block_values, 0);
+    inverse_.assign(n * most_values, 0);
     kept_.assign(as_index(rows()), 0);
 }
 

@@ -102,7 +102,7 @@ private:
     void act(DirectJoint& joint, const double* impulse);
     void record(DirectJoint& joint, const double* impulse);
     double measure_all(double h);
-    double largest_error(bool holding_alone) const;
+    double error_of_holding() const;
     bool set_targets(double h);  // true if something is left for later steps
     void commit();
     // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers

@@ -83,25 +83,28 @@ void DirectGroup::record(DirectJoint& joint, const double* impulse) {
 // The largest, m: turns count with the group's own length. Where ends were far apart it is what is
 // left to go in this step.
 double DirectGroup::measure_all(double h) {
+    double largest = 0;
     for (DirectJoint& joint : joints) {
         measure(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)], h);
-        for (int k = 0; k < joint.rows(); k++)
-            joint.error[k] = joint.blocked[as_index(k)] ? 0 : joint.error[k] - joint.target[k];
-    }
-    return largest_error(false);
-}
-
-// `holding_alone`: not of limits and of what grips. Two motors that contradict each other, or a
-// limit that other joints keep out of reach, have no solution: whoever does not find one may go on.
-double DirectGroup::largest_error(bool holding_alone) const {
-    double largest = 0;
-    for (const DirectJoint& joint : joints) {
-        const int count = holding_alone ? joint.first_way() : joint.rows();
-        for (int k = 0; k < count; k++) {
+        for (int k = 0; k < joint.rows(); k++) {
+            joint.error[k] -= joint.target[k];
+            if (locked_ && joint.blocked[as_index(k)]) joint.error[k] = 0;
             const double size = absolute(joint.error[k]) * (joint.is_linear(k) ? 1 : reach_);
             largest = size <= largest ? largest : size;  // keeps a NaN
         }
     }
+    return largest;
+}
+
+// Of what holds alone, not of limits and of what grips. Two motors that contradict each other, or a
+// limit that other joints keep out of reach, have no solution: whoever does not find one may go on.
+double DirectGroup::error_of_holding() const {
+    double largest = 0;
+    for (const DirectJoint& joint : joints)
+        for (int k = 0; k < joint.first_way(); k++) {
+            const double size = absolute(joint.error[k]) * (k < joint.points ? 1 : reach_);
+            largest = size <= largest ? largest : size;
+        }
     return largest;
 }
 

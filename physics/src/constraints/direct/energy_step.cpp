@@ -241,7 +241,7 @@ bool DirectGroup::find_energy_way(double h, double tolerance) {
         if (round == 0) first = error;
         if (round == most_energy_corrections || !(error < 1e6))
             return error < 30 * tolerance ||
-                   (!smooth_ && error <= first && largest_error(true) < 30 * tolerance);
+                   (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
         again = round < 1 || error > slow_contraction * before;
         before = error;
         correct(h, again);

@@ -16,6 +16,7 @@ GroupFields::GroupFields(const WorldState& world, const JointGroup& group)
 }
 
 bool GroupFields::reach(double dt) const {
+    if (world_.fields.empty()) return false;
     const double fall = dt * dt * length(world_.def.gravity);
     for (const DirectBody& body : group_.solver.bodies)
         if (body.pushed && reaches(world_.fields, body.x, 2 * dt * length(velocity(body)) + fall))

@@ -165,7 +165,7 @@ void DirectGroup::resort_to_velocities(double h) {
         body.axes1 = to_matrix(body.q1);
     }
     commit();
-    project_velocities(h, 0);
+    project_velocities(h, 0, false);
 }
 
 }  // namespace jostle::physics

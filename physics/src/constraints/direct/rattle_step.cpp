@@ -38,7 +38,8 @@ bool DirectGroup::find_way(double h, double tolerance) {
         if (error < tolerance) return true;
         if (round == 0) first = error;
         if (round == most_way_corrections || !(error < 4 * before))
-            return error <= first && error_of_holding() < 30 * tolerance;
+            return error < 30 * tolerance ||
+                   (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
         before = error;
         for (std::size_t k = 0; k < joints.size(); k++) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));

@@ -32,17 +32,6 @@ Result<physics::Geometry> geometry_of(const Shape& shape) {
     return geometry;
 }
 
-// Which way a body may move: along one axis of the world alone.
-std::optional<physics::AxisLocks> locks_of_slider(const Joint& joint) {
-    const physics::AxisLocks turns =
-        physics::lock_rotation_x | physics::lock_rotation_y | physics::lock_rotation_z;
-    if (joint.a != ground) return {};
-    if (std::abs(joint.axis.x) == 1) return turns | physics::lock_y | physics::lock_z;
-    if (std::abs(joint.axis.y) == 1) return turns | physics::lock_x | physics::lock_z;
-    if (std::abs(joint.axis.z) == 1) return turns | physics::lock_x | physics::lock_y;
-    return {};
-}
-
 class JostleLabEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
@@ -112,13 +101,6 @@ private:
                     .linear_velocity = body.velocity,
                     .angular_velocity = body.spin};
         if (body.motion == Motion::free) def.linear_damping = def.angular_damping = scene.damping;
-        const auto index = static_cast<int>(bodies_.size());
-        for (const Joint& joint : scene.joints) {
-            if (joint.kind != JointKind::slider || joint.b != index) continue;
-            const auto locks = locks_of_slider(joint);
-            if (!locks) return Error{.message = "jostle has no slider but along the world's axes"};
-            def.locks = *locks;
-        }
         // What stands for a body that meets nothing is as thin as it must be: never sweep it.
         def.continuous = body.shape.has_value();
         ShapeDef shape{.material = {.friction = scene.friction, .restitution = scene.restitution},
@@ -149,7 +131,6 @@ private:
     }
 
     Status add_joint(const Scene& scene, const Joint& joint) {
-        if (joint.kind == JointKind::slider) return {};  // locks of the body, made with it
         physics::JointDef def{.body_b = bodies_[static_cast<std::size_t>(joint.b)],
                               .kind = kind_of(scene, joint)};
         if (joint.a == ground) {
@@ -192,8 +173,9 @@ private:
                     .spring = {rate / (2 * physics::pi), joint.damping / (2 * mass * rate)},
                     .rest_length = joint.rest_length};
             }
-            case JointKind::ball:
             case JointKind::slider:
+                return physics::SliderJoint{};
+            case JointKind::ball:
                 break;
         }
         return physics::BallJoint{};

@@ -41,9 +41,19 @@ COVERED_BY = {
     "constraints/contact_kernel.h":
         (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "constraints/direct/block_pattern.cpp":
+        (["physics/constraints/direct/block_ldl_test.cpp"], "against elimination of the dense matrix; a chain costs in proportion to its links"),
     "constraints/direct/direct_body.h":
         (["physics/constraints/direct/principal_axes_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
          "its tensor in any axes; its momenta, kept to rounding"),
+    "constraints/direct/direct_bounds.cpp":
+        (["physics/constraints/direct/direct_way_test.cpp"], "limits, motors, friction and springs against closed forms"),
+    "constraints/direct/direct_kinds.cpp":
+        (["physics/constraints/direct/direct_way_test.cpp", "physics/constraints/direct/direct_memory_test.cpp"],
+         "sliders, a cardan joint, ropes and shoulders move as they should; the rows of each mix of axes"),
+    "constraints/direct/direct_pattern.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp", "physics/constraints/direct/direct_way_test.cpp"],
+         "loops, of balls and hinges; springs in the matrix"),
     "constraints/direct/direct_joint.cpp":
         (["physics/constraints/direct/direct_group_test.cpp", "behaviour/joints_test.cpp"],
          "balls, hinges, motors and limits against closed forms; every kind that it knows"),

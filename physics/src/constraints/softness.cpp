@@ -4,16 +4,15 @@
 #include "foundation/tuning.h"
 
 namespace jostle::physics {
-namespace {
-
-// e^-x for 0 <= x <= 1 by Taylor's series, to 1e-16: the solver calls no libm.
 double decay(double x) {
+    int halvings = 0;
+    for (; x > 1 && halvings < 12; halvings++) x *= 0.5;
+    if (x > 1) return 0;
     double term = 1, sum = 1;
     for (int n = 1; n <= 18; n++) sum += term *= -x / n;
+    for (; halvings > 0; halvings--) sum *= sum;
     return sum;
 }
-
-}  // namespace
 
 Softness soft(double hertz, double damping_ratio, double h) {
     const double omega = 2 * pi * hertz, a1 = 2 * damping_ratio + h * omega;

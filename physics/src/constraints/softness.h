@@ -15,6 +15,9 @@ struct Softness {
     bool once = false;  // acts in one pass of a sub-step: not in the relaxing one
 };
 
+// e^-x for x >= 0, by Taylor's series to 1e-16: the solver calls no libm.
+double decay(double x);
+
 // Implicit Euler (Catto, "Soft Constraints", GDC 2011): bounded however stiff, and damps.
 Softness soft(double hertz, double damping_ratio, double h);
 

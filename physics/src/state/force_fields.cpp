@@ -156,7 +156,9 @@ FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCol
 }
 
 double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
-    if (cold.type != BodyType::dynamic || !reaches(world.fields, now.center, 0)) return 0;
+    // One that is being made has no shapes yet, and no mass.
+    if (cold.type != BodyType::dynamic || cold.mass == 0 || !reaches(world.fields, now.center, 0))
+        return 0;
     // Over a moment, in which drag is all that it can be.
     const FieldPush push = field_push(world, now, cold, world.time, 1e-5);
     return length(push.force) * cold.inverse_mass;

@@ -2,9 +2,6 @@
 #include "constraints/direct/block_ldl.h"
 
 #include <algorithm>
-#include <iterator>
-#include <set>
-#include <utility>
 
 #include "foundation/check.h"
 
@@ -12,7 +9,6 @@ namespace jostle::physics {
 namespace {
 
 constexpr int most_block_rows = BlockLdl::most_rows;
-constexpr std::size_t most_block_values = most_block_rows * most_block_rows;
 // A pivot of which no more than this is left of its diagonal depends on the rows before it.
 constexpr double dependent_pivot = 1e-10;
 
@@ -70,154 +66,6 @@ bool invert_three(const double* m, const double* kept, double* inverse) {
 
 }  // namespace
 
-// ---- the pattern ----
-
-std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
-    const std::size_t n = position_.size();
-    std::vector<std::vector<int>> near(n);  // sorted
-    for (const auto& [a, b] : edges)
-        if (a != b) near[as_index(a)].push_back(b), near[as_index(b)].push_back(a);
-    for (std::vector<int>& list : near) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-    std::set<std::pair<std::size_t, int>> queue;  // degree, node
-    for (std::size_t i = 0; i < n; i++) queue.insert({near[i].size(), static_cast<int>(i)});
-    std::vector<int> order, others, merged;
-    order.reserve(n);
-    while (!queue.empty()) {
-        const int node = queue.begin()->second;
-        queue.erase(queue.begin());
-        order.push_back(node);
-        others = std::exchange(near[as_index(node)], {});
-        // They meet each other from now on.
-        for (const int a : others) {
-            std::vector<int>& list = near[as_index(a)];
-            const std::size_t before = list.size();
-            merged.clear();
-            std::set_union(list.begin(), list.end(), others.begin(), others.end(),
-                           std::back_inserter(merged));
-            std::erase_if(merged, [&](int other) { return other == node || other == a; });
-            list.swap(merged);
-            if (list.size() == before) continue;
-            queue.erase({before, a});
-            queue.insert({list.size(), a});
-        }
-    }
-    return order;
-}
-
-// What lies below each node takes in what lies below its children in the elimination tree.
-void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) {
-    const std::size_t n = order.size();
-    for (std::size_t p = 0; p < n; p++) position_[as_index(order[p])] = static_cast<int>(p);
-    std::vector<std::vector<int>> coupled(n), children(n);
-    for (const auto& [a, b] : edges) {
-        const int p = position(a), q = position(b);
-        if (p != q) coupled[as_index(std::min(p, q))].push_back(std::max(p, q));
-    }
-    filled_.assign(n, {});
-    std::vector<int> mark(n, -1);
-    for (int k = 0; k < static_cast<int>(n); k++) {
-        std::vector<int>& list = filled_[as_index(k)];
-        const auto take = [&](int row) {
-            if (row <= k || mark[as_index(row)] == k) return;
-            mark[as_index(row)] = k;
-            list.push_back(row);
-        };
-        for (const int row : coupled[as_index(k)]) take(row);
-        for (const int child : children[as_index(k)])
-            for (const int row : filled_[as_index(child)]) take(row);
-        std::sort(list.begin(), list.end());
-        if (!list.empty()) children[as_index(list.front())].push_back(k);
-    }
-}
-
-void BlockLdl::count_work() {
-    work_ = 0;
-    for (std::size_t k = 0; k < rows_.size(); k++) {
-        std::int64_t below = 0, squares = 0;
-        for (const int row : filled_[k]) {
-            const std::int64_t m = rows_[as_index(row)];
-            below += m;
-            squares += m * m;
-        }
-        // Of each two of those below, and each with itself.
-        const std::int64_t m = rows_[k];
-        work_ += m * m * m + m * (below * below + squares) / 2;
-    }
-}
-
-void BlockLdl::lay_out() {
-    const std::size_t n = rows_.size();
-    diagonal_.resize(n);
-    first_below_.assign(n + 1, 0);
-    first_update_.assign(n + 1, 0);
-    below_.clear();
-    updates_.clear();
-    int size = 0;
-    for (std::size_t k = 0; k < n; k++) {
-        diagonal_[k] = size;
-        size += rows_[k] * rows_[k];
-        first_below_[k] = static_cast<int>(below_.size());
-        for (const int row : filled_[k]) {
-            below_.push_back({row, size});
-            size += rows_[as_index(row)] * rows_[k];
-        }
-    }
-    first_below_[n] = static_cast<int>(below_.size());
-    for (std::size_t k = 0; k < n; k++) {
-        first_update_[k] = static_cast<int>(updates_.size());
-        const int first = first_below_[k], last = first_below_[k + 1];
-        for (int j = first; j < last; j++)
-            for (int i = j; i < last; i++) {
-                const int row = below_[as_index(i)].position, column = below_[as_index(j)].position;
-                updates_.push_back({find(row, column), i - first, j - first});
-            }
-    }
-    first_update_[n] = static_cast<int>(updates_.size());
-    values_.assign(as_index(size), 0);
-    inverse_.assign(n * most_block_values, 0);
-    kept_.assign(as_index(rows()), 0);
-}
-
-bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                       std::int64_t most_work) {
-    const std::size_t n = rows_of_node.size();
-    position_.assign(n, 0);
-    const std::vector<int> order = order_by_degree(edges);
-    fill(edges, order);
-    rows_.resize(n);
-    begin_.assign(n + 1, 0);
-    same_rows_ = n == 0 ? 0 : rows_of_node[0];
-    for (std::size_t p = 0; p < n; p++) {
-        rows_[p] = rows_of_node[as_index(order[p])];
-        ASSERT(rows_[p] >= 1 && rows_[p] <= most_rows);
-        begin_[p + 1] = begin_[p] + rows_[p];
-        if (rows_[p] != same_rows_) same_rows_ = 0;
-    }
-    count_work();
-    if (work_ > most_work) return false;
-    lay_out();
-    return true;
-}
-
-int BlockLdl::find(int row, int column) const {
-    if (row == column) return diagonal_[as_index(column)];
-    const auto first = below_.begin() + first_below_[as_index(column)];
-    const auto last = below_.begin() + first_below_[as_index(column) + 1];
-    const auto found = std::lower_bound(
-        first, last, row, [](const Below& b, int wanted) { return b.position < wanted; });
-    ASSERT(found != last && found->position == row);
-    return found->at;
-}
-
-int BlockLdl::block_at(int later, int sooner) const {
-    return find(position(later), position(sooner));
-}
-
-// ---- the numbers ----
-
 void BlockLdl::clear() {
     std::fill(values_.begin(), values_.end(), 0.0);
 }
@@ -230,7 +78,7 @@ int BlockLdl::factor_columns() {
     for (int k = 0; k < n; k++) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
         double* const pivot = values_.data() + diagonal_[as_index(k)];
-        double* const inverse = inverse_.data() + as_index(k) * most_block_values;
+        double* const inverse = inverse_.data() + as_index(k) * most_values;
         const double* const kept = kept_.data() + begin_[as_index(k)];
         if (kRows != 3 || !invert_three(pivot, kept, inverse))
             left_out += invert_pivot(pivot, nk, kept, inverse);
@@ -307,7 +155,7 @@ void BlockLdl::solve_columns(double* x) const {
     }
     for (int k = n - 1; k >= 0; k--) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
-        const double* const inverse = inverse_.data() + as_index(k) * most_block_values;
+        const double* const inverse = inverse_.data() + as_index(k) * most_values;
         double* const xk = x + begin_[as_index(k)];
         double y[most_block_rows];
         for (int r = 0; r < nk; r++) {

@@ -54,6 +54,8 @@ public:
     void solve(std::span<double> x) const;
 
 private:
+    static constexpr std::size_t most_values = most_rows * most_rows;  // of a block
+
     struct Below {
         int position, at;  // the lower node by elimination order; its block among the values
     };

@@ -11,10 +11,15 @@ namespace jostle::physics {
 struct DirectBody {
     // Constant over the step.
     double mass = 0, inverse_mass = 0;  // kg; zero of what joints cannot push
-    Vec3 moments, inverse_moments;      // kg m^2, about the principal axes
-    Vec3 force, torque;                 // N, N m, world; gravity included
+    Vec3 inverse_masses;                // along the world's axes: zero along locked ones
+    // kg m^2, about the principal axes. Of what turns about one axis of the world alone, or not at
+    // all, the others are zero, and so are their inverses.
+    Vec3 moments, inverse_moments;
+    bool turns_freely = true;
+    Vec3 force, torque;  // N, N m, world; gravity included
     double linear_damping = 0, angular_damping = 0;
-    bool pushed = false;  // joints can push it; else it moves at v and w, whatever they do
+    bool pushed = false;       // joints can push it; else it moves at v and w, whatever they do
+    double spring_square = 0;  // rad^2/s^2: of the rates of the springs on it, together
 
     // State.
     Vec3 x;     // m, of the centre of mass
@@ -50,7 +55,7 @@ inline Mat3 in_axes(const Mat3& m, Vec3 d) {
 }
 
 inline Vec3 velocity(const DirectBody& body) {
-    return body.pushed ? body.p * body.inverse_mass : body.v;
+    return body.pushed ? scaled(body.p, body.inverse_masses) : body.v;
 }
 inline Vec3 spin(const DirectBody& body) {
     return body.pushed ? body.inverse_inertia * body.l : body.w;

@@ -23,10 +23,20 @@
 
 namespace jostle::physics {
 
+// What pushes bodies from outside by where and when they are.
+class OutsideForces {
+public:
+    virtual ~OutsideForces() = default;
+    // Writes each body's force and torque: means over h from `from` seconds after the step's begin,
+    // at where the body is `ahead` seconds later than it says.
+    virtual void push(std::vector<DirectBody>& bodies, double from, double h, double ahead) = 0;
+};
+
 class DirectGroup {
 public:
     std::vector<DirectBody> bodies;
     std::vector<DirectJoint> joints;
+    OutsideForces* outside = nullptr;  // else the bodies' forces are constant
 
     // What happened since prepare(), for the profile and for tests.
     struct Count {
@@ -53,16 +63,28 @@ private:
     };
     struct SavedJoint {
         Vec3 force_sum, torque_sum;
-        int at_limit, at_most;
         double force[DirectJoint::most_rows];
+    };
+    struct SavedWay {
+        int at_limit, grip;
     };
     struct Saved {
         std::vector<SavedBody> bodies;
         std::vector<SavedJoint> joints;
+        std::vector<SavedWay> ways;
     };
+
+    // ---- direct_pattern.cpp ----
+    void list_what_acts();
+    bool find_pattern(std::int64_t most_work);
+    void assemble(double linear, const Mat3 DirectBody::*response);
+    double least_response(const DirectJoint& joint) const;
+    void drop_locked();
+    void soften(double h);  // the rows of springs, in the energy-momentum step or at velocities
 
     // ---- direct_group.cpp ----
     void step(double h, int depth);
+    int parts_of(double dt, int substeps);
     bool compose(double h);
     double fastest_turn() const;  // rad/s
     double tolerance(double h) const;
@@ -71,32 +93,40 @@ private:
     void resort_to_velocities(double h);
 
     // ---- what all steps share: direct_system.cpp ----
-    void kick(double h);  // forces, motors at their most and damping, for half a step of h
+    // Forces, springs, what grips without holding, and damping, for half a step of h.
+    void kick(double h, bool second);
     void damp(double time);
     void write_all_vectors();
-    void assemble(double linear, const Mat3 DirectBody::*response);
     void factor_here();  // at the state, unless it is there
     void push(const DirectJoint& joint, const double* impulse);
     void act(DirectJoint& joint, const double* impulse);
     void record(DirectJoint& joint, const double* impulse);
-    void give_most(DirectJoint& joint, double time);
-    void switch_off(DirectJoint& joint, int row, bool off);
-    void set_bounds(double h);
-    bool keep_bounds(DirectJoint& joint, double* value, double most);
-    bool reach_limits(double motor_time);
-    void choose_motor_or_limit(DirectJoint& joint);
     double measure_all(double h);
+    double error_of_holding() const;
     bool set_targets(double h);  // true if something is left for later steps
     void commit();
     // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers
     // over h are kept as the joints' forces if `keep_forces`.
     void project_velocities(double h, double bias, bool keep_forces = true);
 
+    // ---- direct_bounds.cpp ----
+    void give(DirectJoint& joint, const DirectWay& way, double impulse);
+    void set_springs();
+    void damp_springs();
+    void soften_springs(double h);
+    void set_row(DirectJoint& joint, int row);
+    void set_bounds(double h);
+    bool keep_bounds(DirectJoint& joint, const double* value, double scale, double time,
+                     bool at_velocities = false);
+    bool reach_limits(double h, double time);
+    bool is_on_limit() const;
+
     // ---- one file each ----
     bool step_rattle(double h, double tolerance);
     bool find_way(double h, double tolerance);
     bool step_energy(double h, double tolerance);
     void begin_energy_step(double h);
+    void add_known_pushes(double h);
     double miss_of(double h, bool stiffness_too);
     void correct(double h, bool again);
     bool find_energy_way(double h, double tolerance);
@@ -112,8 +142,18 @@ private:
     std::vector<Vec3> before_guess_;  // momenta
     std::vector<Saved> saved_;        // by depth
     bool factored_ = false;
-    bool smooth_ = true;  // neither damping nor limits nor motors
-    double reach_ = 0;    // m: a length of the group's
+    // What there is, beside joints that hold.
+    bool smooth_ = true;   // neither damping nor limits nor what grips
+    bool damped_ = false;  // bodies or springs are
+    bool sprung_ = false;  // ... and what of that is damped:
+    bool damped_springs_ = false;
+    bool gripped_ = false;    // by motors or friction
+    bool locked_ = false;     // axes of bodies are
+    bool energy_ = false;     // the step under way is an energy-momentum one
+    double spring_rate_ = 0;  // rad/s: no spring swings faster
+    double step_ = 0;         // s: of the step under way, for springs
+    double time_ = 0;         // s since advance() began
+    double reach_ = 0;        // m: a length of the group's
     Count count_;
 };
 

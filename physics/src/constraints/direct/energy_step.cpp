@@ -29,9 +29,9 @@ void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
         Vec3{-(arm.x * f.z + arm.z * f.x), -(arm.y * f.z + arm.z * f.y), along - 2 * arm.z * f.z};
 }
 
-Vec3 pull_of(const DirectJoint& joint, const double* value) {
-    if (joint.points == 3) return {value[0], value[1], value[2]};
-    return joint.points == 1 ? joint.line * value[0] : Vec3{};
+// Where b's end slides, a feels the force there.
+Vec3 lever_of(const DirectJoint& joint, Vec3 arm, Vec3 apart) {
+    return joint.kind == DirectJoint::Points::across ? arm + apart : arm;
 }
 
 // Of a positive definite one.
@@ -46,6 +46,18 @@ bool invert(const Mat3& m, Mat3& to) {
     return true;
 }
 
+// ... of a body that turns about one of its axes, or about none.
+Mat3 response_about_one(const DirectBody& body, double h) {
+    Vec3 axis;
+    for (int k = 0; k < 3; k++)
+        if (body.inverse_moments[k] != 0)
+            axis = k == 0 ? body.axes.x : (k == 1 ? body.axes.y : body.axes.z);
+    const double inertia = dot(axis, body.inertia * axis);
+    const double stiff = 2 * inertia + 0.5 * h * dot(axis, body.stiffness * axis);
+    const double answer = inertia > 0 ? 1 / (stiff > 0 ? stiff : 2 * inertia) : 0;
+    return {axis * (axis.x * answer), axis * (axis.y * answer), axis * (axis.z * answer)};
+}
+
 }  // namespace
 
 // Half of the trace or of the norm of I^-1 K bounds the squares of the swings of a body; joints can
@@ -53,9 +65,12 @@ bool invert(const Mat3& m, Mat3& to) {
 double DirectGroup::stiffest() {
     for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
     for (const DirectJoint& joint : joints) {
-        const Vec3 pull = pull_of(joint, joint.force) * 2;
+        Vec3 pull = pull_of(joint, joint.force) * 2;
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-        stiffen(a, pull, a.axes * joint.arm_a);
+        for (const DirectWay& way : joint.ways)
+            if (way.is_linear())
+                pull += way.linear * (way.push() - way.stiffness * stretch_of(way, way.value));
+        stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
         stiffen(b, -pull, b.axes * joint.arm_b);
     }
     double most = 0;
@@ -65,7 +80,7 @@ double DirectGroup::stiffest() {
         const double trace = absolute(m.x.x + m.y.y + m.z.z) * 0.5;
         const double norm =
             square_root((length_squared(m.x) + length_squared(m.y) + length_squared(m.z)) * 0.5);
-        most = maximum(most, maximum(trace, norm));
+        most = maximum(most, maximum(trace, norm) + body.spring_square);
     }
     return square_root(most);
 }
@@ -81,6 +96,12 @@ void DirectGroup::begin_energy_step(double h) {
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : 2 * h * joint.force[k];
+        for (std::size_t w = 0; w < joint.ways.size(); w++) {
+            const DirectWay& way = joint.ways[w];
+            if (way.implicit)
+                joint.impulse[as_index(joint.first_way()) + w] =
+                    -h * way.stiffness * stretch_of(way, way.start);
+        }
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         for (int k = 0; k < joint.rows(); k++) {
             a.twist += joint.angular_a[k] * joint.impulse[k];
@@ -93,6 +114,27 @@ void DirectGroup::begin_energy_step(double h) {
                 ? body.w0 + body.inverse_inertia *
                                 (body.twist + (body.torque - cross(body.w0, body.l)) * h) * 0.5
                 : body.w0;
+}
+
+// What grips without holding, and springs of ways that are held: along the means of the guess
+// before.
+void DirectGroup::add_known_pushes(double h) {
+    for (DirectJoint& joint : joints)
+        for (DirectWay& way : joint.ways) {
+            way.given = 0;
+            double push = way.push();
+            DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
+            if (way.bound && way.rate > 0) {
+                const double gone = way.at_limit == 0 ? way.hold_speed() * h : 0;
+                push -= way.stiffness * stretch_of(way, way.start + 0.5 * gone);
+            }
+            if (push == 0) continue;
+            way.given = h * push;
+            a.sum -= way.linear * way.given;
+            a.twist += way.angular_a * way.given;
+            b.sum += way.linear * way.given;
+            b.twist += way.angular_b * way.given;
+        }
 }
 
 // Where the unknowns lead, and by how much that misses, m.
@@ -110,14 +152,10 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
         const Vec3 pull = pull_of(joint, joint.impulse);
         bodies[as_index(joint.a)].sum -= pull;
         bodies[as_index(joint.b)].sum += pull;
-        if (joint.at_most == 0) continue;
-        const Vec3 most =
-            bodies[as_index(joint.a)].axes * joint.axis_a * (h * joint.at_most * joint.most_torque);
-        bodies[as_index(joint.a)].twist -= most;
-        bodies[as_index(joint.b)].twist += most;
     }
+    if (sprung_ || gripped_) add_known_pushes(h);
     for (DirectBody& body : bodies)
-        body.x1 = body.x + (body.v0 + body.sum * (0.5 * body.inverse_mass)) * h;
+        body.x1 = body.x + (body.v0 + scaled(body.sum, body.inverse_masses * 0.5)) * h;
     for (DirectJoint& joint : joints) {
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         write_mean_vectors(joint, a, b);
@@ -127,7 +165,7 @@ double DirectGroup::miss_of(double h, bool stiffness_too) {
         }
         if (!stiffness_too) continue;
         const Vec3 pull = pull_of(joint, joint.impulse);
-        stiffen(a, pull, a.axes1 * joint.arm_a);
+        stiffen(a, pull, lever_of(joint, a.axes1 * joint.arm_a, joint.apart));
         stiffen(b, -pull, b.axes1 * joint.arm_b);
     }
     double largest = 0;
@@ -153,6 +191,10 @@ void DirectGroup::correct(double h, bool again) {
         for (DirectBody& body : bodies) {
             if (!body.pushed) {
                 body.response = diagonal({0, 0, 0});
+                continue;
+            }
+            if (!body.turns_freely) {
+                body.response = response_about_one(body, h);
                 continue;
             }
             // What is pushed together instead of pulled may have no such matrix: then without.
@@ -191,12 +233,15 @@ void DirectGroup::correct(double h, bool again) {
 
 bool DirectGroup::find_energy_way(double h, double tolerance) {
     begin_energy_step(h);
-    double before = 1e300;
+    double before = 1e300, first = 0;
     bool again = true;
     for (int round = 0;; round++) {
         const double error = miss_of(h, true);
         if (error < tolerance) return true;
-        if (round == most_energy_corrections || !(error < 1e6)) return error < 30 * tolerance;
+        if (round == 0) first = error;
+        if (round == most_energy_corrections || !(error < 1e6))
+            return error < 30 * tolerance ||
+                   (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
         again = round < 1 || error > slow_contraction * before;
         before = error;
         correct(h, again);
@@ -205,16 +250,20 @@ bool DirectGroup::find_energy_way(double h, double tolerance) {
 
 bool DirectGroup::step_energy(double h, double tolerance) {
     count_.energy_steps++;
+    energy_ = true;
     set_bounds(h);
-    if (!smooth_) damp(0.5 * h);
     write_all_vectors();
+    if (sprung_) set_springs();
+    if (damped_springs_) damp_springs();
+    if (!smooth_) damp(0.5 * h);
+    if (outside != nullptr) outside->push(bodies, time_, h, 0.5 * h);
     set_targets(h);
     for (int round = 0;; round++) {
         if (!find_energy_way(h, tolerance)) return false;
         if (smooth_ || round == bound_rounds) break;
-        bool changed = reach_limits(0);
+        bool changed = reach_limits(h, 0);
         for (DirectJoint& joint : joints)
-            if (keep_bounds(joint, joint.impulse, h * joint.most_torque)) changed = true;
+            if (keep_bounds(joint, joint.impulse, h, 0)) changed = true;
         if (!changed) break;
     }
     for (DirectBody& body : bodies) {
@@ -226,10 +275,20 @@ bool DirectGroup::step_energy(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         record(joint, joint.impulse);
         for (int k = 0; k < joint.rows(); k++) joint.force[k] = joint.impulse[k] / (2 * h);
+        for (const DirectWay& way : joint.ways) {
+            if (way.given == 0) continue;
+            joint.force_sum += way.linear * way.given;
+            if (!way.is_linear()) joint.torque_sum += way.angular_b * way.given;
+        }
     }
     commit();
+    energy_ = false;
+    if (sprung_)
+        for (DirectJoint& joint : joints)
+            for (int row = joint.first_way(); row < joint.rows(); row++) set_row(joint, row);
     if (!smooth_) damp(0.5 * h);
     project_velocities(h, 0, false);
+    time_ += h;
     return true;
 }
 

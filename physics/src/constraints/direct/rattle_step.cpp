@@ -13,7 +13,7 @@ constexpr int most_way_corrections = 8;
 
 void drift(DirectBody& body, double h) {
     if (body.pushed) {
-        body.x1 = body.x + body.p * (body.inverse_mass * h);
+        body.x1 = body.x + scaled(body.p, body.inverse_masses * h);
         body.q1 = free_turn(body.q, body.l, body.inverse_moments, h);
     } else {
         body.x1 = body.x + body.v * h;
@@ -31,12 +31,15 @@ bool DirectGroup::find_way(double h, double tolerance) {
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : h * joint.force[k];
         push(joint, joint.impulse);
     }
-    double before = 1e300;
+    double before = 1e300, first = 0;
     for (int round = 0;; round++) {
         for (DirectBody& body : bodies) drift(body, h);
         const double error = measure_all(h);
         if (error < tolerance) return true;
-        if (round == most_way_corrections || !(error < 4 * before)) return error < 30 * tolerance;
+        if (round == 0) first = error;
+        if (round == most_way_corrections || !(error < 4 * before))
+            return error < 30 * tolerance ||
+                   (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
         before = error;
         for (std::size_t k = 0; k < joints.size(); k++) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
@@ -45,9 +48,14 @@ bool DirectGroup::find_way(double h, double tolerance) {
         matrix_.solve(right_side_);
         count_.solves++;
         for (std::size_t k = 0; k < joints.size(); k++) {
-            const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
-            push(joints[k], more);
-            for (int r = 0; r < joints[k].rows(); r++) joints[k].impulse[r] += more[r];
+            DirectJoint& joint = joints[k];
+            double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+            // What damps does so at velocities.
+            if (damped_springs_)
+                for (int r = joint.first_way(); r < joint.rows(); r++)
+                    if (!joint.ways[as_index(r - joint.first_way())].bound) more[r] = 0;
+            push(joint, more);
+            for (int r = 0; r < joint.rows(); r++) joint.impulse[r] += more[r];
         }
     }
 }
@@ -56,7 +64,8 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     count_.rattle_steps++;
     set_bounds(h);
     factor_here();
-    kick(h);
+    if (damped_springs_) damp_springs();
+    kick(h, false);
     set_targets(h);
     if (!smooth_) {
         before_guess_.clear();
@@ -68,12 +77,9 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
         if (smooth_ || round == bound_rounds) break;
         for (std::size_t k = 0; k < bodies.size(); k++)
             bodies[k].p = before_guess_[2 * k], bodies[k].l = before_guess_[2 * k + 1];
-        bool changed = reach_limits(0.5 * h);
-        for (DirectJoint& joint : joints) {
-            const int at_most = joint.at_most;
-            if (keep_bounds(joint, joint.impulse, 0.5 * h * joint.most_torque)) changed = true;
-            if (joint.at_most != at_most) give_most(joint, 0.5 * h);
-        }
+        bool changed = reach_limits(h, 0.5 * h);
+        for (DirectJoint& joint : joints)
+            if (keep_bounds(joint, joint.impulse, 0.5 * h, 0.5 * h)) changed = true;
         for (std::size_t k = 0; k < bodies.size(); k++)
             before_guess_[2 * k] = bodies[k].p, before_guess_[2 * k + 1] = bodies[k].l;
         if (!changed) {
@@ -84,8 +90,10 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     }
     for (DirectJoint& joint : joints) record(joint, joint.impulse);
     commit();
-    kick(h);
+    if (sprung_ || gripped_) factor_here();  // along the ways as they are now
+    kick(h, true);
     project_velocities(h, 0);
+    time_ += h;
     return true;
 }
 

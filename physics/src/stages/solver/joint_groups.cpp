@@ -6,9 +6,10 @@
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/group_fields.h"
+#include "stages/solver/kept_impulses.h"
 #include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
-#include "state/force_fields.h"
 #include "state/joint_graph.h"
 
 namespace jostle::physics {
@@ -16,9 +17,15 @@ namespace {
 
 // ---- which ----
 
-bool may_be_grouped(const WorldState& world, const BodyCold& cold) {
-    return cold.constraints == 0 && cold.locks == 0 && !cold.asleep_in_place && !world.def.planar &&
-           cold.mass > 0;
+int locked_turns(const BodyCold& cold) {
+    const Vec3 free = free_rotations(cold);
+    return 3 - static_cast<int>(free.x + free.y + free.z);
+}
+
+// What turns about two axes of the world alone has no principal axes that turn with it.
+bool may_be_grouped(const BodyCold& cold) {
+    return cold.constraints == 0 && !cold.asleep_in_place && cold.mass > 0 &&
+           locked_turns(cold) != 1;
 }
 
 bool is_pushed(const WorldState& world, std::uint32_t body) {
@@ -43,7 +50,7 @@ void look_at_islands(StepContext& step) {
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (cold.type != BodyType::dynamic || scratch.refused[cold.island] != 0) continue;
-        if (!may_be_grouped(world, cold)) {
+        if (!may_be_grouped(cold)) {
             scratch.refused[cold.island] = 1;
             continue;
         }
@@ -89,6 +96,18 @@ void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::in
     }
 }
 
+// The axes of the world, of which it turns about one alone or about none: about that it is as hard
+// to turn wherever it has turned to.
+PrincipalAxes axes_of_locked(const BodyWarm& warm, const BodyCold& cold) {
+    const Mat3 inertia = warm.axes * cold.inertia * transpose(warm.axes);
+    const Vec3 along{inertia.x.x, inertia.y.y, inertia.z.z};
+    return {conjugate(warm.rotation), scaled(along, free_rotations(cold))};
+}
+Vec3 inverse_of_locked(Vec3 moments) {
+    const auto inverse = [](double x) { return x > 0 ? 1 / x : 0; };
+    return {inverse(moments.x), inverse(moments.y), inverse(moments.z)};
+}
+
 void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     const WorldState& world = step.world;
     const std::uint32_t index = group.bodies[k];
@@ -109,8 +128,12 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
         refresh(body);
         return;
     }
-    ASSERT(cold.set == BodySet::awake && cold.locks == 0);
-    if (!(group.inertias[k] == cold.inertia)) {
+    ASSERT(cold.set == BodySet::awake);
+    const bool turns_freely = locked_turns(cold) == 0;
+    if (!turns_freely) {
+        group.axes[k] = axes_of_locked(warm, cold);
+        group.inertias[k] = diagonal({-1, -1, -1});
+    } else if (!(group.inertias[k] == cold.inertia)) {
         group.inertias[k] = cold.inertia;
         group.axes[k] = principal_axes(cold.inertia);
     }
@@ -118,8 +141,12 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     body.pushed = true;
     body.mass = cold.mass;
     body.inverse_mass = cold.inverse_mass;
+    body.inverse_masses = free_directions(cold) * cold.inverse_mass;
+    body.turns_freely = turns_freely;
     body.moments = axes.moments;
-    body.inverse_moments = {1 / axes.moments.x, 1 / axes.moments.y, 1 / axes.moments.z};
+    body.inverse_moments = turns_freely
+                               ? Vec3{1 / axes.moments.x, 1 / axes.moments.y, 1 / axes.moments.z}
+                               : inverse_of_locked(axes.moments);
     body.force = acceleration_of(warm, cold, world.def.gravity) * cold.mass;
     body.torque = warm.torque;
     body.linear_damping = cold.linear_damping;
@@ -139,25 +166,35 @@ DirectEnd end_of(const WorldState& world, const JointGroup& group, std::size_t k
     return {inverse_rotate(axes, arm), conjugate(axes) * frame.rotation};
 }
 
+// The rotation with which kept impulses turn.
+Quat carried_by(const JointGroup& group, const DirectJoint& joint, const JointKind& kind) {
+    const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
+    const auto number = [&](std::size_t body) {
+        return group.solver.bodies[body].pushed ? static_cast<std::int32_t>(body) + 1 : 0;
+    };
+    const std::int32_t carrier = carrier_of(kind, number(a), number(b));
+    if (carrier == 0) return {};
+    const auto k = static_cast<std::size_t>(carrier - 1);
+    return group.solver.bodies[k].q * conjugate(group.axes[k].frame);
+}
+
 void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, double h) {
     const WorldState& world = step.world;
     const std::vector<std::int32_t>& number_of = step.scratch.solver.groups.number_of;
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
+    std::vector<DirectWay> ways = std::move(joint.ways);  // for its memory
+    ways.clear();
     joint = {};
+    joint.ways = std::move(ways);
     joint.a = from.body_a == none ? number_of.back() : number_of[from.body_a];
     joint.b = number_of[from.body_b];
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
     set_up(joint, from.kind, end_of(world, group, a, from.frame_a),
            end_of(world, group, b, from.frame_b));
     const DirectBody &body_a = group.solver.bodies[a], &body_b = group.solver.bodies[b];
-    const std::uint32_t carrier = body_b.pushed ? from.body_b : from.body_a;
-    const Quat carried = warm_of(world, carrier).rotation;
     write_vectors(joint, body_a, body_b);
-    load_forces(joint,
-                {rotate(carried, from.point), rotate(carried, from.angular), from.lower, from.upper,
-                 from.spring, from.motor},
-                h);
+    load_forces(joint, body_a, body_b, read_kept(from, carried_by(group, joint, from.kind)), h);
 }
 
 // False if it is too dense to be solved directly.
@@ -193,25 +230,18 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     Joint& to = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
     const DirectBody& b = group.solver.bodies[static_cast<std::size_t>(joint.b)];
-    const std::size_t carrier = static_cast<std::size_t>(b.pushed ? joint.b : joint.a);
-    const DirectBody& carrying = group.solver.bodies[carrier];
-    const Quat carried = carrying.q * conjugate(group.axes[carrier].frame);
-    write_vectors(joint, group.solver.bodies[static_cast<std::size_t>(joint.a)], b);
-    const KeptImpulses kept = keep_forces(joint, h);
-    to.point = inverse_rotate(carried, kept.point);
-    to.angular = inverse_rotate(carried, kept.angular);
-    to.lower = kept.lower;
-    to.upper = kept.upper;
-    to.spring = kept.spring;
-    to.motor = kept.motor;
-    to.swing = 0;
-    to.friction = {};
+    const DirectBody& a = group.solver.bodies[static_cast<std::size_t>(joint.a)];
+    write_vectors(joint, a, b);
+    write_kept(to, carried_by(group, joint, to.kind), keep_forces(joint, a, b, h));
     to.force = joint.force_sum * (1 / step.dt);
     to.torque = joint.torque_sum * (1 / step.dt);
 }
 
 void advance(StepContext& step, JointGroup& group, std::span<FreeMotion> motions) {
+    GroupFields fields(step.world, group);
+    if (fields.reach(step.dt)) group.solver.outside = &fields;
     group.solver.advance(step.dt, group.substeps);
+    group.solver.outside = nullptr;
     std::size_t next = 0;
     for (std::size_t k = 0; k < group.bodies.size(); k++) {
         const DirectBody& body = group.solver.bodies[k];
@@ -233,9 +263,7 @@ void find_joint_groups(StepContext& step) {
     scratch.active.clear();
     scratch.awake.clear();
     scratch.grouped.clear();
-    if (world.joints.ids.alive_count() == 0 || has_substep_listeners(world.listeners) ||
-        !world.fields.empty())
-        return;
+    if (world.joints.ids.alive_count() == 0 || has_substep_listeners(world.listeners)) return;
     look_at_islands(step);
     if (scratch.active.empty()) return;
     scratch.number_of.assign(world.bodies.cold.size() + 1, -1);

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+//
+// The kinds of joints as rows and ways.
+#include "constraints/direct/direct_joint.h"
+#include "constraints/joints/axes_layout.h"
+#include "foundation/check.h"
+
+namespace jostle::physics {
+namespace {
+
+using Way = DirectWay::Kind;
+
+void limit(DirectWay& way, const JointLimit& limit) {
+    if (!limit.enabled) return;
+    way.lower = limit.lower;
+    way.upper = limit.upper;
+}
+
+void spring(DirectWay& way, const JointSpring& spring, double rest) {
+    way.rate = 2 * pi * spring.hertz;
+    way.damping_ratio = spring.damping_ratio;
+    way.rest = rest;
+}
+
+void grip(DirectWay& way, bool driven, double speed, double most, double friction) {
+    if (driven) add_step(way, speed, most);
+    if (friction > 0) add_step(way, 0, friction);
+    way.rubs = friction;
+    load_grip(way, 0);
+}
+
+bool does_something(const JointAxis& axis) {
+    return axis.free &&
+           (axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled || axis.friction > 0);
+}
+
+DirectWay way_of(Way kind, const JointAxis& axis, int slot) {
+    DirectWay way{.kind = kind, .slot = slot};
+    limit(way, axis.limit);
+    spring(way, axis.spring, axis.spring_at);
+    grip(way, axis.motor.enabled, axis.motor.speed, axis.motor.most, axis.friction);
+    return way;
+}
+
+void as_hinge(DirectWay& way, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
+    way.kind = Way::hinge;
+    way.axis_a = axis;
+    way.x_a = x;
+    way.y_a = y;
+    way.x_b = x_b;
+}
+
+void hold_axis(DirectJoint& j, Vec3 axis_a, Vec3 x_b, Vec3 y_b) {
+    j.turns = 2;
+    j.turn_a[0] = j.turn_a[1] = axis_a;
+    j.turn_b[0] = x_b;
+    j.turn_b[1] = y_b;
+}
+
+void hold_all(DirectJoint& j, const Mat3& a, const Mat3& b) {
+    j.turns = 3;
+    j.turn_a[0] = a.x, j.turn_b[0] = b.y;
+    j.turn_a[1] = a.y, j.turn_b[1] = b.z;
+    j.turn_a[2] = a.z, j.turn_b[2] = b.x;
+}
+
+void hold_together(DirectJoint& j) {
+    j.kind = DirectJoint::Points::ball;
+    j.points = 3;
+}
+
+void set_up_points(DirectJoint& j, const AxesLayout& layout, const Mat3& a) {
+    const Vec3 axes[] = {a.x, a.y, a.z};
+    int locked = 0;
+    for (std::size_t k = 0; k < 3; k++) locked += layout.axes[k].free ? 0 : 1;
+    if (locked == 3) return hold_together(j);
+    for (std::size_t k = 0; k < 3; k++) {
+        const JointAxis& axis = layout.axes[k];
+        if (!axis.free) {
+            j.across[j.points++] = axes[k];
+        } else if (does_something(axis)) {
+            j.ways.push_back(way_of(Way::travel, axis, layout.slots[k]));
+            j.ways.back().axis_a = axes[k];
+        }
+    }
+}
+
+// The middle turn is locked if any is. A turn that is left alone is that of a hinge.
+void set_up_turns(DirectJoint& j, const AxesLayout& layout, const Mat3& a, const Mat3& b) {
+    const bool first = layout.axes[3].free, middle = layout.axes[4].free,
+               last = layout.axes[5].free;
+    if (!first && !middle && !last)
+        hold_all(j, a, b);
+    else if (!first && !middle)
+        hold_axis(j, a.z, b.x, b.y);
+    else if (!middle && !last)
+        hold_axis(j, a.x, b.y, b.z);
+    else if (!middle)
+        j.turns = 1, j.turn_a[0] = a.x, j.turn_b[0] = b.z;
+    constexpr Way kinds[] = {Way::first, Way::middle, Way::last};
+    for (std::size_t k = 3; k < 6; k++) {
+        if (!does_something(layout.axes[k])) continue;
+        DirectWay way = way_of(kinds[k - 3], layout.axes[k], layout.slots[k]);
+        way.frame_a = j.frame_a;
+        way.frame_b = j.frame_b;
+        if (j.turns == 2 && last)
+            as_hinge(way, a.z, a.x, a.y, b.x);
+        else if (j.turns == 2)
+            as_hinge(way, a.x, a.y, a.z, b.y);
+        j.ways.push_back(way);
+    }
+}
+
+void set_up_axes(DirectJoint& j, const AxesLayout& layout, const DirectEnd& a, const DirectEnd& b) {
+    j.gimbal = true;
+    j.frame_a = a.frame * layout.turn_a;
+    j.frame_b = b.frame * layout.turn_b;
+    const Mat3 axes_a = to_matrix(j.frame_a), axes_b = to_matrix(j.frame_b);
+    set_up_points(j, layout, axes_a);
+    set_up_turns(j, layout, axes_a, axes_b);
+}
+
+void set_up_kind(DirectJoint& j, const HingeJoint& hinge, const DirectEnd& a, const DirectEnd& b) {
+    const Mat3 fa = to_matrix(a.frame), fb = to_matrix(b.frame);
+    hold_together(j);
+    hold_axis(j, fa.z, fb.x, fb.y);
+    if (!hinge.limit.enabled && !hinge.motor.enabled && hinge.spring.hertz == 0) return;
+    DirectWay way;
+    as_hinge(way, fa.z, fa.x, fa.y, fb.x);
+    limit(way, hinge.limit);
+    spring(way, hinge.spring, hinge.spring_angle);
+    grip(way, hinge.motor.enabled, hinge.motor.speed, hinge.motor.max_torque, 0);
+    j.ways.push_back(way);
+}
+void set_up_kind(DirectJoint& j, const BallJoint&, const DirectEnd&, const DirectEnd&) {
+    hold_together(j);
+}
+void set_up_kind(DirectJoint& j, const FixedJoint&, const DirectEnd& a, const DirectEnd& b) {
+    hold_together(j);
+    hold_all(j, to_matrix(a.frame), to_matrix(b.frame));
+}
+void set_up_kind(DirectJoint& j, const ConeTwistJoint& cone, const DirectEnd& a,
+                 const DirectEnd& b) {
+    hold_together(j);
+    DirectWay way{.frame_a = a.frame, .frame_b = b.frame};
+    if (cone.twist.enabled) {
+        way.kind = Way::twist;
+        limit(way, cone.twist);
+        j.ways.push_back(way);
+        way.lower = -DirectWay::never;
+    }
+    way.kind = Way::swing;
+    way.slot = 1;
+    way.upper = cone.swing;
+    j.ways.push_back(way);
+}
+void set_up_kind(DirectJoint& j, const DistanceJoint& distance, const DirectEnd&,
+                 const DirectEnd&) {
+    if (distance.min_length == distance.max_length) {
+        j.kind = DirectJoint::Points::rod;
+        j.points = 1;
+        j.distance = distance.max_length;
+        return;
+    }
+    DirectWay way{.kind = Way::distance, .upper = distance.max_length};
+    if (distance.min_length > 0) way.lower = distance.min_length;
+    spring(way, distance.spring, distance.rest_length);
+    j.ways.push_back(way);
+}
+void set_up_kind(DirectJoint& j, const auto& kind, const DirectEnd& a, const DirectEnd& b) {
+    if constexpr (requires { layout_of(kind); })
+        set_up_axes(j, layout_of(kind), a, b);
+    else
+        ASSERT(!"a kind that has rows here");
+}
+
+}  // namespace
+
+bool supported(const JointKind& kind) {
+    if (const auto* six = std::get_if<SixDofJoint>(&kind)) {
+        const SixDofAxes& axes = *six->axes;
+        for (const JointAxis* axis :
+             {&axes.x, &axes.y, &axes.z, &axes.turn_x, &axes.turn_y, &axes.turn_z})
+            if (!axis->free || does_something(*axis)) return true;
+        return false;
+    }
+    if (const auto* ball = std::get_if<BallJoint>(&kind))
+        return ball->drive.spring.hertz == 0 && ball->friction_torque == 0;
+    if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
+        return cone->drive.spring.hertz == 0 && cone->friction_torque == 0;
+    if (const auto* fixed = std::get_if<FixedJoint>(&kind))
+        return fixed->linear.hertz == 0 && fixed->angular.hertz == 0;
+    if (const auto* distance = std::get_if<DistanceJoint>(&kind)) return distance->max_length > 0;
+    return std::holds_alternative<HingeJoint>(kind) || std::holds_alternative<SliderJoint>(kind) ||
+           std::holds_alternative<WheelJoint>(kind);
+}
+
+void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const DirectEnd& b) {
+    ASSERT(supported(kind));
+    j.arm_a = a.arm;
+    j.arm_b = b.arm;
+    std::visit([&](const auto& of_kind) { set_up_kind(j, of_kind, a, b); }, kind);
+    j.count = j.points + j.turns + static_cast<int>(j.ways.size());
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// What a world keeps of a joint, as the forces that a group works with, and back.
+#include "constraints/direct/direct_joint.h"
+
+namespace jostle::physics {
+namespace {
+
+// The three rows of a gimbal whose locked turns are zero, world. Read where write_vectors() left
+// them: the rows of the turns lie in the plane of what is locked.
+struct LockedRows {
+    Vec3 first, middle, last;
+};
+LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
+    const Vec3 first = rotate(a.q * j.frame_a, {1, 0, 0});
+    const Vec3 last = rotate(b.q * j.frame_b, {0, 0, 1});
+    return {first, normalized(cross(last, first)), last};
+}
+
+void load_way(DirectWay& way, double& force, const KeptImpulses::Way& kept, double h) {
+    if (way.has_limit()) way.at_limit = kept.lower > 0 ? 1 : (kept.upper > 0 ? -1 : 0);
+    load_grip(way, (kept.motor + kept.friction) / h);
+    if (way.at_limit != 0) {
+        if (way.is_held()) way.grip = DirectWay::at_rest;
+        force = (kept.lower - kept.upper) * (0.5 / h);
+    } else if (way.is_held()) {
+        force = (kept.motor + kept.friction) * (0.5 / h);
+    }
+}
+
+KeptImpulses::Way keep_way(const DirectWay& way, double force, double h) {
+    KeptImpulses::Way kept;
+    if (way.at_limit > 0) kept.lower = maximum(2 * h * force, 1e-300);
+    if (way.at_limit < 0) kept.upper = maximum(-2 * h * force, 1e-300);
+    const bool held = way.at_limit == 0 && way.is_held();
+    const double gripped = h * (held ? 2 * force : way.push());
+    kept.friction = maximum(-way.rubs * h, minimum(gripped, way.rubs * h));
+    kept.motor = gripped - kept.friction;
+    if (way.rate > 0) kept.spring = -h * way.stiffness * stretch_of(way, way.value);
+    return kept;
+}
+
+}  // namespace
+
+// Forces are halves, of the two halves of a step.
+void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const KeptImpulses& kept,
+                 double h) {
+    const double half = 0.5 / h;
+    if (j.is_ball())
+        for (int k = 0; k < 3; k++) j.force[k] = kept.point[k] * half;
+    else if (j.kind == DirectJoint::Points::rod)
+        j.force[0] = kept.ways[0].spring * half;
+    else
+        for (int k = 0; k < j.points; k++) j.force[k] = dot(j.linear[k], kept.point) * half;
+    Vec3 angular = kept.angular;
+    if (j.gimbal && j.turns > 0) {
+        const LockedRows rows = locked_rows(j, a, b);
+        angular = rows.first * kept.turns.x + rows.middle * kept.turns.y + rows.last * kept.turns.z;
+    }
+    // The rows of the turns are perpendicular where joints hold.
+    for (int k = j.points; k < j.first_way(); k++) {
+        const double size = length_squared(j.angular_b[k]);
+        j.force[k] = size > 1e-6 ? dot(j.angular_b[k], angular) * half / size : 0;
+    }
+    int row = j.first_way();
+    for (DirectWay& way : j.ways) {
+        load_way(way, j.force[row], kept.ways[static_cast<std::size_t>(way.slot)], h);
+        row++;
+    }
+}
+
+KeptImpulses keep_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
+    const double both = 2 * h;
+    KeptImpulses kept;
+    if (j.is_ball())
+        kept.point = Vec3{j.force[0], j.force[1], j.force[2]} * both;
+    else if (j.kind == DirectJoint::Points::rod)
+        kept.ways[0].spring = j.force[0] * both;
+    else
+        for (int k = 0; k < j.points; k++) kept.point += j.linear[k] * (j.force[k] * both);
+    for (int k = j.points; k < j.first_way(); k++)
+        kept.angular += j.angular_b[k] * (j.force[k] * both);
+    if (j.gimbal && j.turns > 0) {
+        const LockedRows rows = locked_rows(j, a, b);
+        kept.turns = {dot(rows.first, kept.angular), dot(rows.middle, kept.angular),
+                      dot(rows.last, kept.angular)};
+        kept.angular = {};
+    }
+    int row = j.first_way();
+    for (const DirectWay& way : j.ways)
+        kept.ways[static_cast<std::size_t>(way.slot)] = keep_way(way, j.force[row++], h);
+    return kept;
+}
+
+}  // namespace jostle::physics

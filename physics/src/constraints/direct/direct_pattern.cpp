@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+//
+// The matrix of a group: its pattern, kept while bodies, joints and rows stay the same, and its
+// numbers, J M^-1 J^T.
+#include <algorithm>
+#include <utility>
+
+#include "constraints/direct/direct_group.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr double least_damper = 1e-30;  // N s/m or N m s
+// m: of bodies that do not turn, held at their centres.
+constexpr double least_reach = 0.01;
+
+// m: at this distance all its mass would be as hard to turn.
+double gyration_of(const DirectBody& body) {
+    const Vec3& i = body.moments;
+    return square_root(maximum(i.x, maximum(i.y, i.z)) * body.inverse_mass);
+}
+
+}  // namespace
+
+// ---- the pattern ----
+
+// What there is beside joints that hold.
+void DirectGroup::list_what_acts() {
+    damped_ = sprung_ = damped_springs_ = gripped_ = locked_ = false;
+    bool limited = false;
+    for (DirectBody& body : bodies) {
+        damped_ |= body.linear_damping != 0 || body.angular_damping != 0;
+        locked_ |= body.pushed && (!body.turns_freely || body.inverse_masses.x == 0 ||
+                                   body.inverse_masses.y == 0 || body.inverse_masses.z == 0);
+        body.spring_square = 0;
+    }
+    double arms = 0;
+    for (DirectJoint& joint : joints) {
+        arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
+        for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
+        for (DirectWay& way : joint.ways) {
+            // Nothing moves along it: axes are locked. A swing of nothing has no axis yet.
+            if (way.kind != DirectWay::Kind::swing &&
+                response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
+                    least_response(joint))
+                nothing_along(way);
+            limited |= way.has_limit();
+            gripped_ |= way.steps > 0;
+            sprung_ |= way.rate > 0;
+            damped_springs_ |= way.is_damped();
+            for (const int body : {joint.a, joint.b})
+                bodies[as_index(body)].spring_square += way.rate * way.rate;
+        }
+    }
+    damped_ |= damped_springs_;
+    smooth_ = !damped_ && !limited && !gripped_;
+    // A spring's rate is its own against both bodies: of two, each feels no more than all of them
+    // together.
+    double most = 0;
+    for (const DirectBody& body : bodies)
+        if (body.pushed) most = maximum(most, body.spring_square);
+    spring_rate_ = square_root(most);
+    reach_ = maximum(least_reach, arms / static_cast<double>(joints.size()));
+}
+
+bool DirectGroup::prepare(std::int64_t most_work) {
+    count_ = {};
+    factored_ = false;
+    energy_ = false;
+    step_ = 0;
+    list_what_acts();
+    std::vector<int> pattern;
+    pattern.reserve(joints.size() * 3 + bodies.size());
+    for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
+    for (const DirectJoint& joint : joints)
+        pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
+    if (pattern == pattern_) return true;
+    pattern_.clear();
+    if (!find_pattern(most_work)) return false;
+    pattern_ = std::move(pattern);
+    return true;
+}
+
+bool DirectGroup::find_pattern(std::int64_t most_work) {
+    std::vector<std::vector<int>> of_body(bodies.size());
+    std::vector<int> rows;
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        rows.push_back(joints[k].rows());
+        for (const int body : {joints[k].a, joints[k].b})
+            if (bodies[as_index(body)].pushed)
+                of_body[as_index(body)].push_back(static_cast<int>(k));
+    }
+    std::vector<BlockLdl::Edge> edges;
+    for (const std::vector<int>& list : of_body)
+        for (std::size_t i = 0; i < list.size(); i++)
+            for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
+    if (!matrix_.analyze(rows, edges, most_work)) return false;
+    right_side_.assign(as_index(matrix_.rows()), 0);
+    couplings_.clear();
+    for (std::size_t body = 0; body < bodies.size(); body++) {
+        const std::vector<int>& list = of_body[body];
+        for (std::size_t i = 0; i < list.size(); i++)
+            for (std::size_t k = 0; k <= i; k++) {
+                const bool first_later = matrix_.is_later(list[i], list[k]);
+                const int later = first_later ? list[i] : list[k];
+                const int sooner = first_later ? list[k] : list[i];
+                const int number = static_cast<int>(body);
+                couplings_.push_back({matrix_.block_at(later, sooner), later, sooner, number,
+                                      joints[as_index(later)].b == number,
+                                      joints[as_index(sooner)].b == number});
+            }
+    }
+    // Blocks are then summed up one after the other.
+    std::sort(couplings_.begin(), couplings_.end(), [](const Coupling& x, const Coupling& y) {
+        return std::pair(x.at, x.body) < std::pair(y.at, y.body);
+    });
+    return true;
+}
+
+// ---- the numbers ----
+
+// `linear`: by how much an inverse mass counts; `response`: what takes the place of the inverse
+// inertia.
+void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
+    matrix_.clear();
+    double* const values = matrix_.values().data();
+    for (const Coupling& c : couplings_) {
+        const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
+        const DirectBody& body = bodies[as_index(c.body)];
+        const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;
+        const Vec3* const columns = c.sooner_b ? sooner.angular_b : sooner.angular_a;
+        const int n = sooner.rows(), m = later.rows();
+        double* const block = values + c.at;
+        const Mat3& turned = body.*response;
+        for (int i = 0; i < m; i++) {
+            const Vec3 y = turned * rows[i];
+            for (int k = 0; k < n; k++) block[i * n + k] += dot(y, columns[k]);
+        }
+        const Vec3 mass = body.inverse_masses * (c.later_b == c.sooner_b ? linear : -linear);
+        if (later.is_ball() && sooner.is_ball()) {
+            for (int i = 0; i < 3; i++) block[i * n + i] += mass[i];
+        } else if (later.is_ball()) {
+            for (int k = 0; k < n; k++)
+                for (int i = 0; i < 3; i++) block[i * n + k] += mass[i] * sooner.linear[k][i];
+        } else if (sooner.is_ball()) {
+            for (int i = 0; i < m; i++)
+                for (int k = 0; k < 3; k++) block[i * n + k] += mass[k] * later.linear[i][k];
+        } else {
+            for (int i = 0; i < m; i++) {
+                const Vec3 pushed = scaled(mass, later.linear[i]);
+                for (int k = 0; k < n; k++) block[i * n + k] += dot(pushed, sooner.linear[k]);
+            }
+        }
+    }
+    if (locked_) drop_locked();
+    if (sprung_) soften(step_);
+    count_.left_out = matrix_.factor();
+    count_.factors++;
+}
+
+// What is no more than the rounding of axes across those that may move, 1/kg.
+double DirectGroup::least_response(const DirectJoint& joint) const {
+    double sum = 0;
+    for (const int index : {joint.a, joint.b}) {
+        const DirectBody& body = bodies[as_index(index)];
+        const Mat3& turn = body.inverse_inertia;
+        if (body.pushed) sum += body.inverse_mass + turn.x.x + turn.y.y + turn.z.z;
+    }
+    return 1e-20 * sum;
+}
+
+// Rows along what is locked: a diagonal of zero is left out.
+void DirectGroup::drop_locked() {
+    double* const values = matrix_.values().data();
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        DirectJoint& joint = joints[k];
+        const int node = static_cast<int>(k), rows = joint.rows();
+        double* const block = values + matrix_.block_at(node, node);
+        const double least = least_response(joint);
+        for (int r = 0; r < rows; r++) {
+            double& diagonal = block[r * (rows + 1)];
+            joint.blocked[as_index(r)] = diagonal <= least && !joint.off[as_index(r)];
+            if (diagonal <= least) diagonal = 0;
+        }
+    }
+}
+
+// What a spring's row gives way: to its force where it is stretched over the step, to its damping
+// at velocities.
+void DirectGroup::soften(double h) {
+    double* const values = matrix_.values().data();
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        const DirectJoint& joint = joints[k];
+        for (std::size_t i = 0; i < joint.ways.size(); i++) {
+            const DirectWay& way = joint.ways[i];
+            if (way.rate == 0 || way.at_limit != 0 || way.is_held()) continue;
+            const double compliance = way.implicit ? 1 / (spring_pull(way, h) * h)
+                                                   : 1 / maximum(way.damper, least_damper);
+            if (!way.implicit && !way.is_damped()) continue;
+            const int row = joint.first_way() + static_cast<int>(i), node = static_cast<int>(k);
+            values[matrix_.block_at(node, node) + row * (joint.rows() + 1)] += compliance;
+        }
+    }
+}
+
+}  // namespace jostle::physics

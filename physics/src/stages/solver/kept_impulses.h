@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// What a joint of the world keeps from step to step, as the direct solver of joint groups takes it,
+// and back. A group that touches down goes on from what it bore, and the other way round.
+#pragma once
+
+#include "constraints/direct/direct_joint.h"
+#include "state/joint_store.h"
+
+namespace jostle::physics {
+
+// `carried`: the rotation of the body with which impulses turn.
+KeptImpulses read_kept(const Joint& from, Quat carried);
+void write_kept(Joint& to, Quat carried, const KeptImpulses& kept);
+
+}  // namespace jostle::physics

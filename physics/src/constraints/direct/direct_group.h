@@ -112,8 +112,10 @@ private:
     std::vector<Vec3> before_guess_;  // momenta
     std::vector<Saved> saved_;        // by depth
     bool factored_ = false;
-    bool smooth_ = true;  // neither damping nor limits nor motors
-    double reach_ = 0;    // m: a length of the group's
+    int halvings_ = 0;        // at which a step is begun
+    bool resorting_ = false;  // for the rest of the advance
+    bool smooth_ = true;      // neither damping nor limits nor motors
+    double reach_ = 0;        // m: a length of the group's
     Count count_;
 };
 

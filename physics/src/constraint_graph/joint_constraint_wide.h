@@ -97,8 +97,9 @@ enum JointUses : std::uint8_t {
     uses_spring = 2,
     uses_motor = 4,
     uses_friction = 8,
-    uses_drive = 16
+    uses_drive = 16,
 };
+inline constexpr std::uint32_t uses_batch = 1u << 30;  // all its points are solved at once
 inline constexpr std::uint32_t uses_curve = 1u << 31;  // of axes: the first is a path
 
 // Who is in a block.
@@ -113,6 +114,7 @@ struct JointConstraintWideMeta {
     int couple = -1;         // its JointCoupleWide, if the kind has one
     std::uint32_t uses = 0;  // JointUses
     std::uint8_t count = 0;
+    std::uint8_t in_batch = 0;    // how many of them are in batches (joint_batches.h)
     std::uint8_t overloaded = 0;  // by lane, at the end of the step
 };
 

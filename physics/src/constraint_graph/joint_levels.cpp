@@ -106,10 +106,12 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
             meta.axes = run.axes < 0 ? -1 : run.axes + k - run.begin;
             meta.couple = run.couple < 0 ? -1 : run.couple + k - run.begin;
         }
-    for (const LeveledJoint& joint : levels.joints) {
+    for (LeveledJoint& joint : levels.joints) {
         const int lane = levels.places[joint.run]++;
         JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(lane / 8)];
         ASSERT(meta.count < 8);
+        joint.block = lane / 8;
+        joint.lane = meta.count;
         meta.joint[meta.count] = joint.joint;
         meta.a[meta.count] = joint.a;
         meta.b[meta.count] = joint.b;

@@ -33,6 +33,7 @@ struct LeveledJoint {
     std::int32_t a = 0, b = 0;                  // as JointConstraintWideMeta's
     std::int32_t carrier_a = 0, carrier_b = 0;  // of couples, likewise
     std::uint32_t run = 0;                      // level * joint kinds + kind
+    std::int32_t block = 0, lane = 0;           // where it is
 };
 
 struct JointLevels {

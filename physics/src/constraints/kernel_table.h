@@ -7,6 +7,7 @@
 
 #include "constraints/body_kernel.h"
 #include "constraints/contact_kernel.h"
+#include "constraints/joints/batch_kernel.h"
 #include "constraints/joints/joint_kernel.h"
 #include "constraints/kernels.h"
 #include "constraints/planar_kernel.h"
@@ -135,6 +136,10 @@ const Kernels table{
     .warm_start_joints = warm_start_joint_range,
     .solve_joints = solve_joint_range<false>,
     .relax_joints = solve_joint_range<true>,
+    .factor_batch = factor_batch,
+    .solve_batch = solve_batch<BatchPass::first>,
+    .solve_batch_again = solve_batch<BatchPass::again>,
+    .relax_batch = solve_batch<BatchPass::relax>,
     .begin_joints = begin_joints_range,
     .end_joints = end_joints_range,
 };

@@ -49,7 +49,10 @@ struct JointRange {
     int begin, end;
 };
 
+struct BatchView;  // constraints/joints/joint_batches.h
+
 using JointPass = void (*)(const JointRange&, HotBody*, const JointStep&);
+using BatchKernel = void (*)(const BatchView&, HotBody*, const JointStep&);
 using ContactPass = void (*)(const ContactRange&, HotBody*, const ContactSettings&);
 
 struct Kernels {
@@ -62,6 +65,10 @@ struct Kernels {
     void (*accelerate)(const BodyRange&);
     void (*advance)(const BodyRange&, float h);
     JointPass warm_start_joints, solve_joints, relax_joints;
+    // Batches of groups that are solved at once: where the bodies are, then velocities.
+    // (again: after contacts have changed them).
+    void (*factor_batch)(const BatchView&, const HotBody*, const JointStep&);
+    BatchKernel solve_batch, solve_batch_again, relax_batch;
     // Around the passes of joints, for the bodies that have some.
     void (*begin_joints)(const BodyRange&);
     void (*end_joints)(const BodyRange&);

@@ -177,6 +177,8 @@ inline constexpr double joint_stiffness = 0.25;
 inline constexpr double joint_damping_ratio = 2;
 // A spring that turns by more of its period in a sub-step is not resolved by it.
 inline constexpr double resolved_spring_turn = 1;  // rad
+// Of what points that are solved at once are apart a sub-step takes away so much.
+inline constexpr double direct_joint_correction = 0.5;
 // A group of joints whose factorisation takes more multiplications than this, times the cubes of
 // their rows, is solved sweep by sweep. A chain takes 3, a net of 10 x 10 balls 48 and one of
 // 45 x 45 590, whose step would take a hundred times as long as by sweeps.

@@ -22,7 +22,7 @@ int invert_pivot(const double* block, int n, const double* kept, double* inverse
         double d = block[j * n + j];
         for (int k = 0; k < j; k++) d -= lower[j][k] * lower[j][k] * pivot[k];
         const bool bad = !(d > dependent_pivot * kept[j]);
-        left_out += bad ? 1 : 0;
+        left_out += bad && kept[j] > 0 ? 1 : 0;
         pivot[j] = bad ? 0 : d;
         reciprocal[j] = bad ? 0 : 1 / d;
         for (int i = j + 1; i < n; i++) {

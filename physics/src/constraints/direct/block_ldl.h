@@ -24,6 +24,12 @@ inline std::size_t as_index(int i) {
     return static_cast<std::size_t>(i);
 }
 
+// Whether so many joints tie so few bodies that their matrix is sure to be dense, as that of a
+// cloth is: known without a look at its pattern.
+inline bool is_net(int joints, int bodies) {
+    return joints > 512 && 2 * joints > 3 * bodies;
+}
+
 class BlockLdl {
 public:
     static constexpr int most_rows = 8;  // of a node
@@ -48,7 +54,22 @@ public:
     std::span<double> values() { return values_; }
     void clear();
 
-    // Values become factors. Returns how many rows were left out.
+    // For other arithmetic on the same pattern, by elimination order: node, diagonal block among
+    // the values, blocks below it and updates by it.
+    struct Below {
+        int position, at;  // the lower node by elimination order; its block among the values
+    };
+    struct Update {
+        int at, i, j;  // block at -= L_i D L_j^T; i and j count in the column
+    };
+    int position(int node) const { return position_[static_cast<std::size_t>(node)]; }
+    int diagonal(int at) const { return diagonal_[as_index(at)]; }
+    std::span<const Below> below(int at) const { return column(below_, first_below_, at); }
+    std::span<const Update> updates(int at) const { return column(updates_, first_update_, at); }
+    int value_count() const { return static_cast<int>(values_.size()); }
+
+    // Values become factors. Returns how many rows were left out as they depend on others; rows
+    // of zeroes are left out, too.
     int factor();
     // x: right-hand sides in, unknowns out, by row_of().
     void solve(std::span<double> x) const;
@@ -56,14 +77,12 @@ public:
 private:
     static constexpr std::size_t most_values = most_rows * most_rows;  // of a block
 
-    struct Below {
-        int position, at;  // the lower node by elimination order; its block among the values
-    };
-    struct Update {
-        int at, i, j;  // block at -= L_i D L_j^T; i and j count in the column
-    };
-
-    int position(int node) const { return position_[static_cast<std::size_t>(node)]; }
+    template <class T>
+    static std::span<const T> column(const std::vector<T>& all, const std::vector<int>& first,
+                                     int at) {
+        const int begin = first[as_index(at)], end = first[as_index(at) + 1];
+        return std::span(all).subspan(as_index(begin), as_index(end - begin));
+    }
     int find(int row, int column) const;  // by elimination order
     std::vector<int> order_by_degree(std::span<const Edge> edges) const;
     void fill(std::span<const Edge> edges, const std::vector<int>& order);

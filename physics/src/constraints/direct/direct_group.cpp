@@ -16,6 +16,8 @@ constexpr double followed_turn = 1;  // rad
 constexpr double followed_spring = 0.35;  // rad
 constexpr int most_spring_parts = 64, springs_followed = 8;
 constexpr int most_halvings = 6, most_steps = 1024;
+// After so many sub-steps a longer one is tried again.
+constexpr int steps_at_halvings = 4;
 // Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
 constexpr double suzuki = 0.41449077179437573714;
 constexpr double suzuki_stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
@@ -79,7 +81,16 @@ bool DirectGroup::compose(double h) {
     return true;
 }
 
+// What had to be halved is halved at once for the rest of the advance, and what could not be done
+// at all is not tried again: a taut bridge between two walls has rows that depend on others and
+// bend nowhere, however short the step.
 void DirectGroup::step(double h, int depth) {
+    if (resorting_) return resort_to_velocities(h);
+    if (depth <= halvings_) {
+        step(0.5 * h, depth + 1);
+        step(0.5 * h, depth + 1);
+        return;
+    }
     save(depth);
     if (stiffest() * h < followed_swing) {
         if (step_rattle(h, tolerance(h))) return;
@@ -87,12 +98,12 @@ void DirectGroup::step(double h, int depth) {
     }
     if (step_energy(h, tolerance(h))) return;
     restore(depth);
-    if (depth == most_halvings) {
-        count_.last_resorts++;
-        resort_to_velocities(h);
-        return;
+    if (depth == most_halvings || (depth > 1 && count_.left_out > 0)) {
+        resorting_ = true;
+        return resort_to_velocities(h);
     }
     count_.halvings++;
+    halvings_ = depth;
     step(0.5 * h, depth + 1);
     step(0.5 * h, depth + 1);
 }
@@ -109,6 +120,8 @@ double DirectGroup::fastest_turn() const {
 
 void DirectGroup::advance(double dt, int substeps) {
     time_ = 0;
+    halvings_ = 0;
+    resorting_ = false;
     const double turn = fastest_turn() * dt;
     if (turn > followed_turn * substeps)
         substeps = static_cast<int>(minimum(turn / followed_turn, most_steps - 1)) + 1;
@@ -127,7 +140,10 @@ void DirectGroup::advance(double dt, int substeps) {
         for (int k = 0; k < steps; k++) step(h / steps, 1);
     }
     if (parts > 0) return;
-    for (int k = 0; k < substeps; k++) step(dt / substeps, 1);
+    for (int k = 0; k < substeps; k++) {
+        step(dt / substeps, 1);
+        if (k % steps_at_halvings == steps_at_halvings - 1 && halvings_ > 0) halvings_--;
+    }
 }
 
 // Of a composition there are five steps, forward and back: where nothing is damped, rubs or is on
@@ -145,6 +161,7 @@ int DirectGroup::parts_of(double dt, int substeps) {
 // Kick, velocities that joints allow and that take their errors away, drift, velocities without
 // that: of first order, and cannot fail.
 void DirectGroup::resort_to_velocities(double h) {
+    count_.last_resorts++;
     set_bounds(h);
     set_targets(h);
     for (DirectBody& body : bodies) {

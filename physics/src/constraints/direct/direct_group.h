@@ -153,6 +153,8 @@ private:
     double spring_rate_ = 0;  // rad/s: no spring swings faster
     double step_ = 0;         // s: of the step under way, for springs
     double time_ = 0;         // s since advance() began
+    int halvings_ = 0;        // at which a step is begun
+    bool resorting_ = false;  // for the rest of the advance
     double reach_ = 0;        // m: a length of the group's
     Count count_;
 };

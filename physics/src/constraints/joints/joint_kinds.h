@@ -25,9 +25,10 @@ struct JointKernel<BallJoint> {
     }
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
-                                         JointConstraintWide& block, JointAngularWide&, unsigned) {
+                                         JointConstraintWide& block, JointAngularWide&,
+                                         unsigned uses) {
         Wide3 point = pair.to_world(block.point);
-        hold_points(pair, rigid<kRelax>(step), point);
+        if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
         return {point, Wide3{}};
     }
@@ -84,7 +85,7 @@ struct JointKernel<DrivenBall> {
         if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven);
         if ((uses & uses_motor) != 0) rub(pair, t, friction);
         Wide3 point = pair.to_world(block.point);
-        hold_points(pair, rigid<kRelax>(step), point);
+        if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
         return {point, driven + friction};
     }
@@ -109,7 +110,7 @@ struct JointKernel<HingeJoint> {
         const WideQuat frame_a = pair.a.rotation * load4(t.frame_a);
         const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Wide3 axis = z_axis(frame_a);
-        if (uses != 0) {
+        if ((uses & ~uses_batch) != 0) {
             const WideRow<true> row(pair, axis);
             const Wide3 x = x_axis(frame_b);
             const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
@@ -126,7 +127,7 @@ struct JointKernel<HingeJoint> {
         }
         Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
         hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), angular);
-        hold_points(pair, rigid<kRelax>(step), point);
+        if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(t.angular, angular);
         pair.keep(block.point, point);
         return {point, angular + axis * along_axis(t)};
@@ -186,7 +187,7 @@ struct JointKernel<ConeTwistJoint> {
         const Wide swing = arc_tangent(axes.sine, axes.cosine);
         limit_row<kRelax>(pair, step, WideRow<true>(pair, axes.swing), -1, load(t.swing_at) - swing,
                           t.swing);
-        hold_points(pair, rigid<kRelax>(step), point);
+        if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
         const Wide3 total = axes.total(t, friction);
         return {point, (uses & uses_drive) != 0 ? total + driven : total};
@@ -215,7 +216,7 @@ struct JointKernel<FixedJoint> {
     template <bool kRelax>
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
                                          JointConstraintWide& block, JointAngularWide& t,
-                                         unsigned) {
+                                         unsigned uses) {
         // The turn from a's frame to b's, of which frame_b has that at the start: the shorter way
         // round.
         const WideQuat q = pair.b.rotation * load4(t.frame_b) * conjugate(pair.a.rotation);
@@ -223,7 +224,8 @@ struct JointKernel<FixedJoint> {
         Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
         hold_rotation(pair, soft_or_rigid<kRelax>(step, t.spring_soft), Wide3{q.x, q.y, q.z} * sign,
                       angular);
-        hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
+        if ((uses & uses_batch) == 0)
+            hold_points(pair, soft_or_rigid<kRelax>(step, t.point_soft), point);
         pair.keep(t.angular, angular);
         pair.keep(block.point, point);
         return {point, angular};

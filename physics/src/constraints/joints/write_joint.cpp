@@ -201,6 +201,7 @@ JointStep joint_step(double h) {
             .position_rate = as_float(s.position_rate),
             .velocity_scale = as_float(s.velocity_scale),
             .impulse_scale = as_float(s.impulse_scale),
+            .direct_rate = as_float(tuning::direct_joint_correction / h),
             .push_speed = as_float(tuning::joint_push_speed),
             .push_spin = as_float(tuning::joint_push_spin)};
 }

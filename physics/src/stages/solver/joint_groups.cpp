@@ -205,6 +205,9 @@ bool gather(StepContext& step, std::uint32_t island) {
         scratch.of_island[island] = std::make_unique<JointGroup>();
     JointGroup& group = *scratch.of_island[island];
     list_joints(world, world.islands.islands[island], group);
+    if (is_net(static_cast<int>(group.joints.size()),
+               static_cast<int>(world.islands.islands[island].bodies)))
+        return false;
     list_bodies(world, group, scratch.number_of);
     group.substeps =
         step.contacts[index_of(world.islands.islands[island].colour_set.tier)].substeps;

@@ -11,6 +11,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/solver/joint_groups.h"
+#include "stages/solver/solve_joint_batches.h"
 #include "stages/solver/solve_joints.h"
 #include "stages/solver/strike_jointed.h"
 #include "stages/solver/substep_hooks.h"
@@ -285,7 +286,9 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
         // Later sub-steps are warm started by accelerate().
         if (first) warm_start(contacts);
         solve_joints(step, joints, h);
+        solve_joint_batches(step, joints, h, false);
         solve(contacts);
+        solve_joint_batches(step, joints, h, true);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
             for (const std::uint32_t hot : some)
                 if (scratch.spin_axes[hot] != SpinAxes::world)
@@ -295,6 +298,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
         kernel.advance(range_of(scratch, kinematic), set.h);
         relax_joints(step, joints, h);
         relax(contacts, last);
+        relax_joint_batches(step, joints, h);
         if (bounces) record_peaks(contacts);
         moment.after = true;
         if (listened) listen(step, moment, task);
@@ -315,7 +319,8 @@ void solve_task(StepContext& step, const SolverTask& task,
     if (!world.fields.empty())
         find_in_fields(step, scratch.bodies.of(task.first, task.last),
                        scratch.in_fields[task.first]);
-    const JointTask joints{scratch.joints[task.first], scratch.jointed.of(task.first, task.last)};
+    const JointTask joints{scratch.joints[task.first], scratch.joint_batches[task.first],
+                           scratch.jointed.of(task.first, task.last)};
     prepare_joints(step, joints, h);
     std::vector<ColourRun>& colours = scratch.colour_runs[task.first];
     list_runs(world.graph, task.first, task.last, colours);

@@ -11,6 +11,7 @@
 #include "foundation/check.h"
 #include "foundation/prefetch.h"
 #include "foundation/tuning.h"
+#include "stages/solver/solve_joint_batches.h"
 #include "stages/step_scratch.h"
 #include "state/joint_graph.h"
 
@@ -153,10 +154,12 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
     levels.joints.clear();
     levels.runs.clear();
     levels.metas.clear();
+    task.batches.used = 0;
     if (task.bodies.empty()) return;
     find_joints(world.joints, world.bodies, task);
     find_bodies(world, levels);
     assign_levels(levels, step.scratch.solver.hot.size());
+    find_joint_batches(step, task);
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {
         for (int lane = 0; lane < meta.count; lane++) {
             const Joint& joint = world.joints.joints[meta.joint[lane]];
@@ -177,6 +180,7 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
             }
         }
     });
+    load_joint_batches(step, task, h);
 }
 
 bool shares_levels(const JointTask& task) {
@@ -229,9 +233,11 @@ void break_joints(StepContext& step) {
     std::vector<std::uint32_t> broken;
     for (JointLevels& levels : step.scratch.solver.joints) {
         world.profile.joints += static_cast<int>(levels.joints.size());
-        for (const JointConstraintWideMeta& meta : levels.metas)
+        for (const JointConstraintWideMeta& meta : levels.metas) {
+            world.profile.joints_together += meta.in_batch;
             for (unsigned bits = meta.overloaded; bits != 0; bits &= bits - 1)
                 broken.push_back(meta.joint[std::countr_zero(bits)]);
+        }
         levels.joints.clear();
         levels.metas.clear();
     }

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "constraint_graph/joint_levels.h"
+#include "constraints/joints/joint_batches.h"
 #include "stages/step_context.h"
 
 namespace jostle::physics {
@@ -19,6 +20,7 @@ namespace jostle::physics {
 // time.
 struct JointTask {
     JointLevels& levels;
+    JointBatches& batches;
     std::span<const std::uint32_t> bodies;
 };
 

@@ -12,6 +12,7 @@
 #include "constraint_graph/joint_levels.h"
 #include "constraint_graph/solver_body.h"
 #include "constraints/contact_passes.h"
+#include "constraints/joints/joint_batches.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/quat.h"
@@ -59,6 +60,7 @@ struct SolverScratch {
     std::vector<std::uint32_t> free;  // awake indices of the other bodies, and all kinematic ones
     // These by the first set of a task.
     std::array<JointLevels, solved_set_count> joints;
+    std::array<JointBatches, solved_set_count> joint_batches;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
     JointGroupScratch groups;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+//
+// The passes over batches of joint groups (constraints/joints/joint_batches.h): eight groups at a
+// time, one in each lane.
+#pragma once
+
+#include "constraints/joints/batch_matrix.h"
+
+namespace jostle::physics::JOSTLE_ISA {
+
+// By what was factored: the unknowns of the joints, which hold the right-hand sides.
+JOSTLE_INLINE void substitute(const BatchView& batch) {
+    for (int k = 0; k < batch.joint_count; k++) {
+        const Wide3 x = load3(batch.joints[batch.node[k]].unknown);
+        for (int i = batch.first_below[k]; i < batch.first_below[k + 1]; i++) {
+            const BlockLdl::Below& below = batch.below[i];
+            float(*const to)[8] = batch.joints[batch.node[below.position]].unknown;
+            store3(to, load3(to) - load9(batch.values + below.at) * x);
+        }
+    }
+    for (int k = batch.joint_count - 1; k >= 0; k--) {
+        float(*const at)[8] = batch.joints[batch.node[k]].unknown;
+        Wide3 y = load_symmetric(batch.inverse + 6 * k) * load3(at);
+        for (int i = batch.first_below[k]; i < batch.first_below[k + 1]; i++) {
+            const BlockLdl::Below& below = batch.below[i];
+            y = y - transposed_times(load9(batch.values + below.at),
+                                     load3(batch.joints[batch.node[below.position]].unknown));
+        }
+        store3(at, y);
+    }
+}
+
+// Impulses of the batch's joints into their blocks: as they are kept, and as they acted.
+JOSTLE_INLINE void keep_impulse(const BatchView& batch, BatchJoint& joint, WideQuat carried,
+                                Wide3 impulse, bool acted) {
+    alignas(32) float kept[3][8], world[3][8];
+    const Wide3 own = rotate(conjugate(carried), impulse);
+    store3(joint.impulse, load3(joint.impulse) + own);
+    store3(kept, own);
+    store3(world, impulse);
+    for (int lane = 0; lane < batch.groups; lane++) {
+        JointConstraintWide& to = batch.blocks[joint.block[lane]];
+        const int at = joint.lane[lane];
+        for (int axis = 0; axis < 3; axis++) {
+            to.point[axis][at] += kept[axis][lane];
+            if (acted) to.force[axis][at] += world[axis][lane];
+        }
+    }
+}
+
+enum class BatchPass { first, again, relax };
+
+// Once in a sub-step: (I + h K) w' = I w, of which `stiffness` is h K by now.
+JOSTLE_INLINE Wide3 implicit_turn(const BatchBody& body) {
+    const Wide3 w =
+        load_symmetric(body.inverse_inertia) * (load_symmetric(body.stiffness) * load3(body.w));
+    return select(load(body.stiff) > splat(0), -w, Wide3{splat(0), splat(0), splat(0)});
+}
+
+// Velocities to what the points allow. Soft passes: and take away what they are apart.
+template <BatchPass kPass>
+void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step) {
+    for (int k = 0; k < batch.body_count; k++) {
+        BatchBody& body = batch.bodies[k];
+        const float* rows[8];
+        find_rows(body, bodies, rows);
+        Wide state[8];
+        load_rows(rows, 0, state);
+        store3(body.v, {state[0], state[1], state[2]});
+        store3(body.w, {state[3], state[4], state[5]});
+        if constexpr (kPass == BatchPass::first) {
+            const Wide3 change = implicit_turn(body);
+            store3(body.turned, change);
+            store3(body.w, load3(body.w) + change);
+        }
+    }
+    for (int k = 0; k < batch.joint_count; k++) {
+        const JointPattern::Ends& ends = batch.ends[k];
+        const BatchBody &a = batch.bodies[ends.a], &b = batch.bodies[ends.b];
+        BatchJoint& joint = batch.joints[k];
+        const Wide3 at_a = load3(a.v) + cross(load3(a.w), load3(joint.lever_a));
+        const Wide3 at_b = load3(b.v) + cross(load3(b.w), load3(joint.lever_b));
+        Wide3 want = at_b - at_a;
+        if constexpr (kPass != BatchPass::relax) {
+            const Wide3 push = load3(joint.gap) * splat(step.direct_rate);
+            const Wide most =
+                splat(step.push_speed) + root(dot(at_a, at_a)) + root(dot(at_b, at_b));
+            const Wide size2 = dot(push, push);
+            const WideMask over = size2 > most * most;
+            want = want + push * select(over, most / root(max(size2, splat(1e-30f))), splat(1));
+        }
+        store3(joint.unknown, -want);
+    }
+    substitute(batch);
+    for (int k = 0; k < batch.body_count; k++) {
+        BatchBody& body = batch.bodies[k];
+        store3(body.v, Wide3{splat(0), splat(0), splat(0)});
+        store3(body.w, Wide3{splat(0), splat(0), splat(0)});
+    }
+    for (int k = 0; k < batch.joint_count; k++) {
+        const JointPattern::Ends& ends = batch.ends[k];
+        BatchBody &a = batch.bodies[ends.a], &b = batch.bodies[ends.b];
+        BatchJoint& joint = batch.joints[k];
+        const Wide3 impulse = load3(joint.unknown);
+        store3(a.v, load3(a.v) - impulse);
+        store3(a.w, load3(a.w) - cross(load3(joint.lever_a), impulse));
+        store3(b.v, load3(b.v) + impulse);
+        store3(b.w, load3(b.w) + cross(load3(joint.lever_b), impulse));
+        keep_impulse(batch, joint, load4(ends.by_a ? a.rotation : b.rotation), impulse,
+                     kPass == BatchPass::relax);
+    }
+    for (int k = 0; k < batch.body_count; k++) {
+        if (batch.pushed[k] == 0) continue;
+        BatchBody& body = batch.bodies[k];
+        const float* rows[8];
+        find_rows(body, bodies, rows);
+        const Wide3 mass = load3(body.inverse_mass), p = load3(body.v);
+        const Wide3 v{mass.x * p.x, mass.y * p.y, mass.z * p.z};
+        Wide3 w = load_symmetric(body.inverse_inertia) * load3(body.w);
+        if constexpr (kPass == BatchPass::first) w = w + load3(body.turned);
+        alignas(32) float nobody[sizeof(HotBody) / sizeof(float)];
+        float* to[8];
+        for (int lane = 0; lane < 8; lane++)
+            to[lane] = rows[lane][6] > 0 ? const_cast<float*>(rows[lane]) : nobody;
+        // What joints do counts as what acts without contacts: HotBody::free.
+        for (const int row : {0, 24}) {
+            Wide state[8];
+            load_rows(rows, row, state);
+            state[0] = state[0] + v.x, state[1] = state[1] + v.y, state[2] = state[2] + v.z;
+            state[3] = state[3] + w.x, state[4] = state[4] + w.y, state[5] = state[5] + w.z;
+            float* at[8];
+            for (int lane = 0; lane < 8; lane++) at[lane] = to[lane] + row;
+            store_rows(at, state);
+        }
+    }
+}
+
+}  // namespace jostle::physics::JOSTLE_ISA

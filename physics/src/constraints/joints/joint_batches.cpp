@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "constraints/joints/joint_batches.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr std::size_t kept_patterns = 64;
+constexpr int rows = 3;
+
+std::size_t place(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
+// ---- groups ----
+
+std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
+    while (parent[place(joint)] != joint) {
+        parent[place(joint)] = parent[place(parent[place(joint)])];
+        joint = parent[place(joint)];
+    }
+    return joint;
+}
+
+// The first joint of each group is its root; the others follow it in `next`, in order.
+void link_groups(JointBatches& batches, const JointLevels& levels,
+                 std::span<const std::uint8_t> is_point, std::size_t bodies) {
+    const std::size_t joints = levels.joints.size();
+    std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
+    parent.resize(joints);
+    first.assign(bodies, -1);  // by body: a joint of it
+    for (std::size_t k = 0; k < joints; k++) {
+        parent[k] = static_cast<std::int32_t>(k);
+        if (is_point[k] == 0) continue;
+        for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b}) {
+            if (hot <= 0) continue;
+            if (first[place(hot)] < 0) first[place(hot)] = static_cast<std::int32_t>(k);
+            const std::int32_t x = root_of(parent, first[place(hot)]);
+            const std::int32_t y = root_of(parent, static_cast<std::int32_t>(k));
+            parent[place(std::max(x, y))] = std::min(x, y);
+        }
+    }
+    batches.next.assign(joints, -1);
+    std::vector<std::int32_t>& last = batches.last;
+    last.assign(joints, -1);
+    batches.size.assign(joints, {});
+    for (std::size_t k = 0; k < joints; k++) {
+        if (is_point[k] == 0) continue;
+        const auto joint = static_cast<std::int32_t>(k);
+        const std::int32_t root = root_of(parent, joint);
+        JointBatches::Size& size = batches.size[place(root)];
+        size.joints++;
+        for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b})
+            if (hot > 0 && first[place(hot)] == joint) size.bodies++;
+        if (last[place(root)] >= 0) batches.next[place(last[place(root)])] = joint;
+        last[place(root)] = joint;
+    }
+}
+
+// ---- patterns ----
+
+// Bodies by number. What joints cannot push couples nothing: it is a body of its own at each end.
+struct Numbering {
+    std::vector<std::int32_t>& of_hot;  // -1: none yet
+    std::vector<std::int32_t> hot;      // by number
+    std::vector<std::uint8_t> pushed;
+
+    std::int32_t operator()(std::int32_t body) {
+        if (body > 0 && of_hot[place(body)] >= 0) return of_hot[place(body)];
+        const auto number = static_cast<std::int32_t>(hot.size());
+        hot.push_back(std::abs(body));
+        pushed.push_back(body > 0 ? 1 : 0);
+        if (body > 0) of_hot[place(body)] = number;
+        return number;
+    }
+};
+
+void find_couplings(JointPattern& pattern) {
+    std::vector<std::vector<int>> of_body(pattern.pushed.size());
+    for (std::size_t k = 0; k < pattern.joints.size(); k++)
+        for (const int body : {pattern.joints[k].a, pattern.joints[k].b})
+            if (pattern.pushed[as_index(body)] != 0)
+                of_body[as_index(body)].push_back(static_cast<int>(k));
+    std::vector<BlockLdl::Edge> edges;
+    for (const std::vector<int>& list : of_body)
+        for (std::size_t i = 0; i < list.size(); i++)
+            for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
+    const std::size_t joints = pattern.joints.size();
+    BlockLdl matrix;
+    pattern.too_dense = !matrix.analyze(
+        std::vector<int>(joints, rows), edges,
+        std::int64_t{tuning::direct_work} * static_cast<std::int64_t>(joints) * rows * rows * rows);
+    if (pattern.too_dense) return;
+    pattern.values = matrix.value_count();
+    pattern.node.resize(joints);
+    for (std::size_t k = 0; k < joints; k++) {
+        const int at = static_cast<int>(k);
+        pattern.node[as_index(matrix.position(at))] = at;
+        pattern.diagonal.push_back(matrix.diagonal(at));
+        pattern.first_below.push_back(static_cast<int>(pattern.below.size()));
+        pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
+        const auto below = matrix.below(at);
+        const auto updates = matrix.updates(at);
+        pattern.below.insert(pattern.below.end(), below.begin(), below.end());
+        pattern.updates.insert(pattern.updates.end(), updates.begin(), updates.end());
+        pattern.most_below = std::max(pattern.most_below, static_cast<int>(below.size()));
+    }
+    pattern.first_below.push_back(static_cast<int>(pattern.below.size()));
+    pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
+    for (std::size_t body = 0; body < of_body.size(); body++) {
+        const std::vector<int>& list = of_body[body];
+        for (std::size_t i = 0; i < list.size(); i++)
+            for (std::size_t k = 0; k < i; k++) {
+                const bool first_later = matrix.is_later(list[i], list[k]);
+                const int later = first_later ? list[i] : list[k];
+                const int sooner = first_later ? list[k] : list[i];
+                const int number = static_cast<int>(body);
+                pattern.couplings.push_back({matrix.block_at(later, sooner), later, sooner, number,
+                                             pattern.joints[as_index(later)].b == number,
+                                             pattern.joints[as_index(sooner)].b == number});
+            }
+    }
+}
+
+JointPattern& pattern_of(JointBatches& batches, const std::vector<std::uint8_t>& pushed) {
+    std::unique_ptr<JointPattern>& found = batches.patterns[batches.key];
+    if (found == nullptr) {
+        found = std::make_unique<JointPattern>();
+        found->pushed = pushed;
+        for (std::size_t k = 0; k < batches.key.size(); k += 2) {
+            const int a = batches.key[k] >> 1, b = batches.key[k + 1] >> 1;
+            found->joints.push_back({a, b, pushed[as_index(b)] == 0});
+        }
+        find_couplings(*found);
+    }
+    found->used = batches.count;
+    return *found;
+}
+
+void forget_patterns(JointBatches& batches) {
+    if (batches.patterns.size() <= kept_patterns) return;
+    std::erase_if(batches.patterns,
+                  [&](const auto& entry) { return entry.second->used != batches.count; });
+}
+
+// ---- batches ----
+
+// The one of that pattern with a free lane, or a new one.
+JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
+    for (int k = batches.used - 1; k >= 0; k--) {
+        JointBatch& batch = batches.all[as_index(k)];
+        if (batch.pattern == &pattern) {
+            if (batch.groups < 8) return batch;
+            break;
+        }
+    }
+    if (as_index(batches.used) == batches.all.size()) batches.all.emplace_back();
+    JointBatch& batch = batches.all[as_index(batches.used++)];
+    batch.pattern = &pattern;
+    batch.groups = 0;
+    batch.joints.resize(pattern.joints.size());
+    batch.bodies.resize(pattern.pushed.size());
+    batch.values.resize(as_index(pattern.values));
+    batch.column.resize(as_index(pattern.most_below) * rows * rows);
+    batch.inverse.resize(pattern.joints.size() * 6);
+    for (BatchJoint& joint : batch.joints) {
+        joint = {};
+        std::fill(std::begin(joint.block), std::end(joint.block), -1);
+    }
+    for (BatchBody& body : batch.bodies) body = {};
+    return batch;
+}
+
+}  // namespace
+
+void find_batches(JointBatches& batches, JointLevels& levels,
+                  std::span<const std::uint8_t> is_point, std::size_t bodies) {
+    ASSERT(is_point.size() == levels.joints.size());
+    batches.used = 0;
+    batches.count++;
+    link_groups(batches, levels, is_point, bodies);
+    batches.first.assign(bodies, -1);
+    for (std::size_t root = 0; root < levels.joints.size(); root++) {
+        if (is_point[root] == 0 || batches.parent[root] != static_cast<std::int32_t>(root) ||
+            batches.next[root] < 0 || is_net(batches.size[root].joints, batches.size[root].bodies))
+            continue;
+        Numbering number{batches.first, {}, {}};
+        batches.key.clear();
+        for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[place(k)])
+            for (const std::int32_t hot : {levels.joints[place(k)].a, levels.joints[place(k)].b})
+                batches.key.push_back(number(hot) * 2 + (hot > 0 ? 1 : 0));
+        const JointPattern& pattern = pattern_of(batches, number.pushed);
+        if (pattern.too_dense) continue;
+        JointBatch& batch = batch_of(batches, pattern);
+        const auto lane = as_index(batch.groups++);
+        for (std::size_t body = 0; body < batch.bodies.size(); body++)
+            batch.bodies[body].hot[lane] = number.hot[body];
+        std::size_t at = 0;
+        for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[place(k)]) {
+            levels.metas[place(levels.joints[place(k)].block)].in_batch++;
+            batch.joints[at].block[lane] = levels.joints[place(k)].block;
+            batch.joints[at++].lane[lane] = levels.joints[place(k)].lane;
+        }
+    }
+    for (JointConstraintWideMeta& meta : levels.metas)
+        if (meta.in_batch == meta.count) meta.uses |= uses_batch;
+    forget_patterns(batches);
+}
+
+BatchView view_of(JointBatch& batch, JointLevels& levels) {
+    const JointPattern& pattern = *batch.pattern;
+    return {.groups = batch.groups,
+            .joint_count = static_cast<int>(batch.joints.size()),
+            .body_count = static_cast<int>(batch.bodies.size()),
+            .coupling_count = static_cast<int>(pattern.couplings.size()),
+            .value_count = static_cast<int>(batch.values.size()),
+            .joints = batch.joints.data(),
+            .bodies = batch.bodies.data(),
+            .values = batch.values.data(),
+            .inverse = batch.inverse.data(),
+            .column = batch.column.data(),
+            .ends = pattern.joints.data(),
+            .pushed = pattern.pushed.data(),
+            .couplings = pattern.couplings.data(),
+            .node = pattern.node.data(),
+            .diagonal = pattern.diagonal.data(),
+            .first_below = pattern.first_below.data(),
+            .first_update = pattern.first_update.data(),
+            .below = pattern.below.data(),
+            .updates = pattern.updates.data(),
+            .blocks = levels.blocks.data()};
+}
+
+void load_batch(JointBatch& batch, const JointLevels& levels) {
+    for (BatchJoint& joint : batch.joints)
+        for (std::size_t lane = 0; lane < as_index(batch.groups); lane++) {
+            const JointConstraintWide& from = levels.blocks[place(joint.block[lane])];
+            const std::size_t at = place(joint.lane[lane]);
+            for (std::size_t axis = 0; axis < 3; axis++) {
+                joint.arm_a[axis][lane] = from.arm_a[axis][at];
+                joint.arm_b[axis][lane] = from.arm_b[axis][at];
+                joint.apart[axis][lane] = from.apart[axis][at];
+                joint.impulse[axis][lane] = from.point[axis][at];
+            }
+        }
+}
+
+}  // namespace jostle::physics

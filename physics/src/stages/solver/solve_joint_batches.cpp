@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solver/solve_joint_batches.h"
+
+#include <variant>
+
+#include "constraints/joints/write_joint.h"
+#include "constraints/kernels.h"
+#include "stages/step_scratch.h"
+
+namespace jostle::physics {
+namespace {
+
+// Points that are held as stiffly as can be.
+bool holds_point(const JointKind& kind) {
+    if (const auto* fixed = std::get_if<FixedJoint>(&kind)) return fixed->linear.hertz == 0;
+    return std::holds_alternative<BallJoint>(kind) || std::holds_alternative<HingeJoint>(kind) ||
+           std::holds_alternative<ConeTwistJoint>(kind);
+}
+
+// Calls visit(view) for every batch, on any thread.
+template <class Visit>
+void each_batch(StepContext& step, const JointTask& task, Visit&& visit) {
+    const auto batches = task.batches.batches();
+    if (batches.empty()) return;
+    step.team.run(static_cast<int>(batches.size()), 1, [&](int begin, int end) {
+        for (int k = begin; k < end; k++)
+            visit(view_of(batches[static_cast<std::size_t>(k)], task.levels));
+    });
+}
+
+}  // namespace
+
+void find_joint_batches(StepContext& step, const JointTask& task) {
+    const WorldState& world = step.world;
+    JointLevels& levels = task.levels;
+    std::vector<std::uint8_t>& is_point = task.batches.is_point;
+    is_point.resize(levels.joints.size());
+    for (std::size_t k = 0; k < is_point.size(); k++)
+        is_point[k] = holds_point(world.joints.joints[levels.joints[k].joint].kind) ? 1 : 0;
+    find_batches(task.batches, levels, is_point, step.scratch.solver.hot.size());
+}
+
+void load_joint_batches(StepContext& step, const JointTask& task, double h) {
+    for (JointBatch& batch : task.batches.batches()) {
+        load_batch(batch, task.levels);
+        kernels().factor_batch(view_of(batch, task.levels), step.scratch.solver.hot.data(),
+                               joint_step(h));
+    }
+}
+
+void solve_joint_batches(StepContext& step, const JointTask& task, double h, bool again) {
+    const JointStep numbers = joint_step(h);
+    const BatchKernel solve = again ? kernels().solve_batch_again : kernels().solve_batch;
+    each_batch(step, task, [&](const BatchView& batch) {
+        solve(batch, step.scratch.solver.hot.data(), numbers);
+    });
+}
+
+void relax_joint_batches(StepContext& step, const JointTask& task, double h) {
+    const JointStep numbers = joint_step(h);
+    each_batch(step, task, [&](const BatchView& batch) {
+        kernels().factor_batch(batch, step.scratch.solver.hot.data(), numbers);
+        kernels().relax_batch(batch, step.scratch.solver.hot.data(), numbers);
+    });
+}
+
+}  // namespace jostle::physics

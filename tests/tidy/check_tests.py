@@ -77,6 +77,10 @@ COVERED_BY = {
         (["behaviour/axis_joints_test.cpp"], "limits, motors, springs and friction of every axis are written there"),
     "constraint_graph/joint_memory.h":
         (["behaviour/axis_joints_test.cpp"], "what joints keep is saved, loaded and goes on"),
+    "constraints/joints/batch_kernel.h":
+        (["physics/constraints/joints/joint_batches_test.cpp", "behaviour/jointed_contacts_test.cpp"], "a chain in two solves"),
+    "constraints/joints/batch_matrix.h":
+        (["physics/constraints/joints/joint_batches_test.cpp", "behaviour/jointed_contacts_test.cpp"], "a chain in two solves"),
     "constraints/joints/joint_kernel.h":
         (["behaviour/joints_test.cpp"], "every kind of joint against a closed form"),
     "constraints/joints/joint_kinds.h":
@@ -156,6 +160,8 @@ COVERED_BY = {
         (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",
           "physics/stages/islands/assign_batches_test.cpp"],
          "stacks, slopes and lifts; batches side by side"),
+    "stages/solver/solve_joint_batches.cpp":
+        (["behaviour/jointed_contacts_test.cpp"], "its passes are those of any step in which jointed bodies touch"),
     "stages/solver/solve_joints.cpp":
         (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
     "stages/solver/strike_jointed.cpp":

@@ -8,7 +8,8 @@
 // the impulses of points.
 #pragma once
 
-#include "stages/solver/solve_joints.h"
+#include "stages/solver/joint_task.h"
+#include "stages/step_context.h"
 
 namespace jostle::physics {
 

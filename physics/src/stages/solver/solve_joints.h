@@ -7,22 +7,10 @@
 // loads of joints.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
-#include "constraint_graph/joint_levels.h"
-#include "constraints/joints/joint_batches.h"
+#include "stages/solver/joint_task.h"
 #include "stages/step_context.h"
 
 namespace jostle::physics {
-
-// The joints of one task of the solver: of `bodies`, by hot index. Tasks may be solved at the same
-// time.
-struct JointTask {
-    JointLevels& levels;
-    JointBatches& batches;
-    std::span<const std::uint32_t> bodies;
-};
 
 // Finds the joints and writes what the kernels read. After the hot records were made. h: s, of a
 // sub-step, here and below.

@@ -397,8 +397,8 @@ TEST(Continuous, chain_that_hits_a_wall_stays_a_chain) {
         worst = std::max(worst, apart);
         sum += apart;
     }
-    EXPECT_LT(sum / trials, 0.03);
-    EXPECT_LT(worst, 0.25);
+    EXPECT_LT(sum / trials, 0.02);
+    EXPECT_LT(worst, 0.2);
     EXPECT_LT(deepest, 0) << "no link passed";
 }
 

@@ -467,8 +467,10 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         report.needs_rebuild =
             lane_bits(age > splat(set.rebuild_drift)) |
             lane_bits(way > splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion));
-        // Presses now, or pressed a step ago and has hardly parted.
+        // Presses now, or did until, squeezed, it gave all back; or pressed a step ago and has
+        // hardly parted.
         report.touching = lane_bits(total > zero) |
+                          lane_bits((nearest < squeezed) & (pressed > zero)) |
                           (touching_lanes(meta) & lane_bits(nearest < splat(set.touch_gap)));
     }
     return report;

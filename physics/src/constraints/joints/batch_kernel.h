@@ -123,7 +123,8 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         for (int lane = 0; lane < 8; lane++)
             to[lane] = rows[lane][6] > 0 ? const_cast<float*>(rows[lane]) : nobody;
         // What joints do counts as what acts without contacts: HotBody::free.
-        for (const int row : {0, 24}) {
+        constexpr int changed[] = {0, 24};
+        for (const int row : changed) {
             Wide state[8];
             load_rows(rows, row, state);
             state[0] = state[0] + v.x, state[1] = state[1] + v.y, state[2] = state[2] + v.z;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
+#include <variant>
 
 #include "foundation/check.h"
 #include "foundation/tuning.h"
@@ -178,6 +179,12 @@ JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
 }
 
 }  // namespace
+
+bool holds_point(const JointKind& kind) {
+    if (const auto* fixed = std::get_if<FixedJoint>(&kind)) return fixed->linear.hertz == 0;
+    return std::holds_alternative<BallJoint>(kind) || std::holds_alternative<HingeJoint>(kind) ||
+           std::holds_alternative<ConeTwistJoint>(kind);
+}
 
 void find_batches(JointBatches& batches, JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies) {

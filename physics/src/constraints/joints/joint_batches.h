@@ -18,6 +18,7 @@
 
 #include "constraint_graph/joint_levels.h"
 #include "constraints/direct/block_ldl.h"
+#include "jostle/physics/joint_defs.h"
 
 namespace jostle::physics {
 
@@ -109,6 +110,9 @@ struct JointBatches {
     std::vector<std::int32_t> key;
     std::vector<std::uint8_t> is_point;
 };
+
+// Kinds whose two ends are held together as stiffly as can be.
+bool holds_point(const JointKind& kind);
 
 // Finds the groups among the joints of `levels` for which `is_point` (by place in levels.joints)
 // holds: those of two joints or more that bodies tie together. After assign_levels(). `bodies`: how

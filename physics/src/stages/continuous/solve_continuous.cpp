@@ -17,6 +17,7 @@
 #include "stages/continuous/bounce_events.h"
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
+#include "stages/continuous/close_joints.h"
 #include "stages/continuous/parabola.h"
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
@@ -760,7 +761,13 @@ Skipped solve_continuous(StepContext& step) {
 Skipped place_toi_bodies(StepContext& step) {
     const std::vector<ToiBody>& changed = step.scratch.continuous.changed;
     if (changed.empty()) return "no impact between steps";
-    for (const ToiBody& t : changed) finish_toi(step.world, t, step.dt);
+    std::vector<std::uint32_t> placed;
+    for (const ToiBody& t : changed) {
+        finish_toi(step.world, t, step.dt);
+        placed.push_back(t.body);
+    }
+    std::sort(placed.begin(), placed.end());
+    close_joints(step, placed);
     return ran;
 }
 

@@ -140,25 +140,19 @@ bool is_exhausted(const ToiBody& t) {
     return t.impacts >= tuning::sweep_impacts;
 }
 
-void finish_toi(WorldState& world, const ToiBody& t, double dt) {
-    ASSERT(t.changed && world.bodies.cold[t.body].set == BodySet::awake);
-    ASSERT(!world.bodies.cold[t.body].asleep_in_place);
-    const bool stayed = is_exhausted(t);
-    const double until = stayed ? t.sweep.from : 1;
-    const BodyCold& cold = world.bodies.cold[t.body];
-    BodyWarm& warm = warm_of(world, t.body);
-    const Vec3 center = center_at(t.sweep, until);
-    MotionBound& motion = world.bodies.motion[t.body];
+void place_elsewhere(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt) {
+    const BodyCold& cold = world.bodies.cold[body];
+    ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
+    BodyWarm& warm = warm_of(world, body);
+    MotionBound& motion = world.bodies.motion[body];
     const double turned = 3.2 * cold.radius;  // half a turn at most
     motion.travel += length(center - warm.center) + turned;
     motion.turned += turned;
     warm.center = center;
-    warm.rotation = stayed ? rotation_at(t.sweep, until) : t.end_rotation;
+    warm.rotation = rotation;
     warm.axes = to_matrix(warm.rotation);
-    warm.v = t.velocity + t.gain * (until - t.sweep.from);
-    warm.w = stayed ? t.spin : t.end_spin;
     warm.sleep_time = 0;
-    update_motion_bound(world, t.body, dt);
+    update_motion_bound(world, body, dt);
     // The solver moved their gaps along another way.
     for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
         const Contact& c = world.contacts.contacts[contact];
@@ -168,6 +162,17 @@ void finish_toi(WorldState& world, const ToiBody& t, double dt) {
     });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         if (!fits_fat_aabb(world.shapes.shapes[s], warm, dt)) enlarge_proxy(world, s, warm, dt);
+}
+
+void finish_toi(WorldState& world, const ToiBody& t, double dt) {
+    ASSERT(t.changed);
+    const bool stayed = is_exhausted(t);
+    const double until = stayed ? t.sweep.from : 1;
+    BodyWarm& warm = warm_of(world, t.body);
+    warm.v = t.velocity + t.gain * (until - t.sweep.from);
+    warm.w = stayed ? t.spin : t.end_spin;
+    place_elsewhere(world, t.body, center_at(t.sweep, until),
+                    stayed ? rotation_at(t.sweep, until) : t.end_rotation, dt);
 }
 
 }  // namespace jostle::physics

@@ -71,8 +71,9 @@ struct Departure {
 void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& from, double dt);
 // Whether it has used up its impacts and is where it will be when the step ends.
 bool is_exhausted(const ToiBody& t);
-// Puts its body where its way ends, with the velocity that it has there: warm record, motion bound,
-// fat boxes.
+// Puts a body somewhere else than where the step left it: warm record, motion bound, fat boxes.
+void place_elsewhere(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt);
+// Puts its body where its way ends, with the velocity that it has there.
 void finish_toi(WorldState& world, const ToiBody& t, double dt);
 
 }  // namespace jostle::physics

@@ -2,6 +2,7 @@
 #include "stages/solver/joint_groups.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
@@ -32,8 +33,10 @@ bool is_pushed(const WorldState& world, std::uint32_t body) {
     return body != none && is_dynamic(world, body);
 }
 
+// Figures with cones fall and tumble until they touch something, and are many: the sweeps with
+// their points solved at once take a quarter of the time, and nobody sees the difference.
 bool is_known(const WorldState& world, const Joint& joint) {
-    return supported(joint.kind) &&
+    return supported(joint.kind) && !std::holds_alternative<ConeTwistJoint>(joint.kind) &&
            (is_pushed(world, joint.body_a) || is_pushed(world, joint.body_b));
 }
 

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stages/solver/solve_joint_batches.h"
 
-#include <variant>
-
 #include "constraints/joints/write_joint.h"
 #include "constraints/kernels.h"
 #include "stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {
-
-// Points that are held as stiffly as can be.
-bool holds_point(const JointKind& kind) {
-    if (const auto* fixed = std::get_if<FixedJoint>(&kind)) return fixed->linear.hertz == 0;
-    return std::holds_alternative<BallJoint>(kind) || std::holds_alternative<HingeJoint>(kind) ||
-           std::holds_alternative<ConeTwistJoint>(kind);
-}
 
 // Calls visit(view) for every batch, on any thread.
 template <class Visit>

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "stages/continuous/close_joints.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "constraints/direct/block_ldl.h"
+#include "constraints/joints/joint_batches.h"
+#include "foundation/tuning.h"
+#include "stages/continuous/toi_body.h"
+#include "state/joint_graph.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr int rounds = 3;  // of Newton's method
+constexpr int rows = 3;    // a joint
+
+struct TiedBody {
+    std::uint32_t body = none;
+    bool held = false;
+    Vec3 center, start;
+    Quat rotation;
+    Mat3 axes, inverse_inertia;
+    double inverse_mass = 0;
+    Vec3 push, twist;  // of this round
+};
+struct TiedJoint {
+    int a = 0, b = 0;
+    Vec3 local_a, local_b;  // arms in the bodies' axes, m
+    Vec3 arm_a, arm_b, gap;
+};
+
+// What joints tie together by points.
+class TiedGroup {
+public:
+    TiedGroup(const WorldState& world, std::vector<std::uint8_t>& seen)
+        : world_(world), seen_(seen) {}
+
+    void find(std::uint32_t body, std::span<const std::uint32_t> placed) {
+        std::vector<std::uint32_t> open{body}, joints;
+        seen_[body] = 1;
+        while (!open.empty()) {
+            const std::uint32_t at = open.back();
+            open.pop_back();
+            for_each_joint(world_.joints, world_.bodies.cold[at], [&](std::uint32_t index) {
+                const Joint& joint = world_.joints.joints[index];
+                if (!holds_point(joint.kind)) return;
+                joints.push_back(index);
+                for (const std::uint32_t other : {joint.body_a, joint.body_b}) {
+                    if (!is_dynamic(world_, other) || seen_[other] != 0) continue;
+                    seen_[other] = 1;
+                    open.push_back(other);
+                }
+            });
+        }
+        std::sort(joints.begin(), joints.end());
+        joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+        for (const std::uint32_t index : joints) add(world_.joints.joints[index], placed);
+    }
+
+    double widest() {
+        double most = 0;
+        for (TiedJoint& joint : joints_) {
+            const TiedBody &a = bodies_[as_index(joint.a)], &b = bodies_[as_index(joint.b)];
+            joint.arm_a = a.axes * joint.local_a;
+            joint.arm_b = b.axes * joint.local_b;
+            joint.gap = (b.center + joint.arm_b) - (a.center + joint.arm_a);
+            most = maximum(most, length(joint.gap));
+        }
+        return most;
+    }
+
+    // False if that would cost too much.
+    bool prepare() {
+        const int joints = static_cast<int>(joints_.size());
+        if (joints == 0 || is_net(joints, static_cast<int>(bodies_.size()))) return false;
+        of_body_.assign(bodies_.size(), {});
+        for (int k = 0; k < joints; k++)
+            for (const int body : {joints_[as_index(k)].a, joints_[as_index(k)].b})
+                if (!bodies_[as_index(body)].held) of_body_[as_index(body)].push_back(k);
+        std::vector<BlockLdl::Edge> edges;
+        for (const std::vector<int>& list : of_body_)
+            for (std::size_t i = 0; i < list.size(); i++)
+                for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
+        return matrix_.analyze(std::vector<int>(as_index(joints), rows), edges,
+                               std::int64_t{tuning::direct_work} * joints * rows * rows * rows);
+    }
+
+    void take_back() {
+        assemble();
+        matrix_.factor();
+        std::vector<double> x(as_index(matrix_.rows()));
+        for (std::size_t k = 0; k < joints_.size(); k++)
+            for (int axis = 0; axis < rows; axis++)
+                x[as_index(matrix_.row_of(static_cast<int>(k)) + axis)] = -joints_[k].gap[axis];
+        matrix_.solve(x);
+        for (TiedBody& body : bodies_) body.push = body.twist = {};
+        for (std::size_t k = 0; k < joints_.size(); k++) {
+            const double* const at = x.data() + matrix_.row_of(static_cast<int>(k));
+            const Vec3 push{at[0], at[1], at[2]};
+            TiedBody &a = bodies_[as_index(joints_[k].a)], &b = bodies_[as_index(joints_[k].b)];
+            a.push -= push;
+            a.twist -= cross(joints_[k].arm_a, push);
+            b.push += push;
+            b.twist += cross(joints_[k].arm_b, push);
+        }
+        for (TiedBody& body : bodies_) {
+            if (body.held) continue;
+            body.center += body.push * body.inverse_mass;
+            body.rotation =
+                normalized(from_rotation_vector(body.inverse_inertia * body.twist) * body.rotation);
+            turn(body);
+        }
+    }
+
+    void place(WorldState& world, double dt) const {
+        for (const TiedBody& body : bodies_) {
+            if (body.held) continue;
+            const BodyCold& cold = world.bodies.cold[body.body];
+            const Vec3 way = body.center - body.start;
+            const double most = 0.5 * cold.inner_radius, far = length(way);
+            const Vec3 center = far > most ? body.start + way * (most / far) : body.center;
+            if (far < tuning::close_enough) continue;
+            place_elsewhere(world, body.body, center, body.rotation, dt);
+        }
+    }
+
+private:
+    void turn(TiedBody& body) const {
+        body.axes = to_matrix(body.rotation);
+        body.inverse_inertia =
+            body.axes * world_.bodies.cold[body.body].inverse_inertia * transpose(body.axes);
+    }
+
+    int number_of(std::uint32_t body, std::span<const std::uint32_t> placed) {
+        for (std::size_t k = bodies_.size(); k-- > 0;)  // mostly a joint's body was the last one's
+            if (bodies_[k].body == body && body != none) return static_cast<int>(k);
+        TiedBody to;
+        to.body = body;
+        to.held = true;
+        if (body != none) {
+            const BodyWarm& warm = warm_of(world_, body);
+            const BodyCold& cold = world_.bodies.cold[body];
+            to.center = to.start = warm.center;
+            to.rotation = warm.rotation;
+            to.held = cold.type != BodyType::dynamic || cold.set != BodySet::awake ||
+                      cold.asleep_in_place || cold.locks != 0 ||
+                      std::binary_search(placed.begin(), placed.end(), body);
+            to.inverse_mass = cold.inverse_mass;
+            turn(to);
+        } else {
+            to.axes = to_matrix(Quat{});
+        }
+        bodies_.push_back(to);
+        return static_cast<int>(bodies_.size()) - 1;
+    }
+
+    void add(const Joint& joint, std::span<const std::uint32_t> placed) {
+        const auto arm = [&](std::uint32_t body, const Transform& frame) {
+            return body == none ? frame.position
+                                : frame.position - world_.bodies.cold[body].local_center;
+        };
+        TiedJoint to;
+        to.a = number_of(joint.body_a, placed);
+        to.b = number_of(joint.body_b, placed);
+        to.local_a = arm(joint.body_a, joint.frame_a);
+        to.local_b = arm(joint.body_b, joint.frame_b);
+        joints_.push_back(to);
+    }
+
+    // J M^-1 J^T.
+    void assemble() {
+        matrix_.clear();
+        for (std::size_t n = 0; n < bodies_.size(); n++) {
+            const TiedBody& body = bodies_[n];
+            const std::vector<int>& list = of_body_[n];
+            for (const int first : list)
+                for (const int second : list) {
+                    if (first != second && !matrix_.is_later(first, second)) continue;
+                    const TiedJoint &later = joints_[as_index(first)],
+                                    &sooner = joints_[as_index(second)];
+                    const bool later_b = later.b == static_cast<int>(n),
+                               sooner_b = sooner.b == static_cast<int>(n);
+                    const double sign = later_b == sooner_b ? 1 : -1;
+                    const Vec3 at = later_b ? later.arm_b : later.arm_a;
+                    const Vec3 by = sooner_b ? sooner.arm_b : sooner.arm_a;
+                    double* const block = matrix_.values().data() + matrix_.block_at(first, second);
+                    for (int column = 0; column < rows; column++) {
+                        Vec3 unit;
+                        unit[column] = 1;
+                        const Vec3 moved = unit * body.inverse_mass +
+                                           cross(body.inverse_inertia * cross(by, unit), at);
+                        for (int row = 0; row < rows; row++)
+                            block[row * rows + column] += sign * moved[row];
+                    }
+                }
+        }
+    }
+
+    const WorldState& world_;
+    std::vector<std::uint8_t>& seen_;
+    std::vector<TiedBody> bodies_;
+    std::vector<TiedJoint> joints_;
+    std::vector<std::vector<int>> of_body_;
+    BlockLdl matrix_;
+};
+
+}  // namespace
+
+void close_joints(StepContext& step, std::span<const std::uint32_t> placed) {
+    WorldState& world = step.world;
+    if (world.joints.ids.alive_count() == 0) return;
+    ASSERT(std::is_sorted(placed.begin(), placed.end()));
+    std::vector<std::uint8_t> seen;
+    for (const std::uint32_t body : placed) {
+        if (world.bodies.cold[body].first_joint == none) continue;
+        if (seen.empty()) seen.resize(world.bodies.cold.size());
+        if (seen[body] != 0) continue;
+        TiedGroup group(world, seen);
+        group.find(body, placed);
+        if (group.widest() < tuning::close_enough || !group.prepare()) continue;
+        for (int round = 0; round < rounds; round++) {
+            group.take_back();
+            if (group.widest() < tuning::close_enough) break;
+        }
+        group.place(world, step.dt);
+    }
+}
+
+}  // namespace jostle::physics

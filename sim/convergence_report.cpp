@@ -2,21 +2,12 @@
 #include "convergence_report.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "jostle/base/format_text.h"
 
 namespace jostle::sim {
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-    char text[640];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
 
 const char* name_of(Verdict verdict) {
     switch (verdict) {
@@ -31,54 +22,55 @@ const char* name_of(Verdict verdict) {
 }
 
 std::string table(const Convergence& found) {
-    std::string text = format("%8s %10s %10s %10s %8s %8s %9s %11s\n", "hz", "sub-steps", "error",
-                              "at end", "order", "same to", "us/step", "cpu us/s");
+    std::string text = format_text("%8s %10s %10s %10s %8s %8s %9s %11s\n", "hz", "sub-steps",
+                                   "error", "at end", "order", "same to", "us/step", "cpu us/s");
     for (const ConvergenceRow& row : found.rows) {
         const Setting& s = row.setting;
         if (!row.blown.empty()) {
-            text += format("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.blown.c_str());
+            text += format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.blown.c_str());
             continue;
         }
-        text +=
-            format("%8g %10d %10.3g %10.3g %8s %7.3gs %9.3g %11.4g%s\n", s.hz, s.substeps,
-                   row.error, row.end_error, row.order ? format("%.2f", *row.order).c_str() : "",
-                   row.agrees_until, row.cpu_us_per_second / s.hz, row.cpu_us_per_second,
-                   s == found.finest ? "  finest" : "");
+        text += format_text("%8g %10d %10.3g %10.3g %8s %7.3gs %9.3g %11.4g%s\n", s.hz, s.substeps,
+                            row.error, row.end_error,
+                            row.order ? format_text("%.2f", *row.order).c_str() : "",
+                            row.agrees_until, row.cpu_us_per_second / s.hz, row.cpu_us_per_second,
+                            s == found.finest ? "  finest" : "");
     }
     return text;
 }
 
 std::string answer(const Convergence& found, double tolerance) {
     if (found.doubt > tolerance)
-        return format("  %-8g nobody knows: the two finest runs differ by %.3g\n", tolerance,
-                      found.doubt);
+        return format_text("  %-8g nobody knows: the two finest runs differ by %.3g\n", tolerance,
+                           found.doubt);
     const auto row = found.cheapest(tolerance);
-    if (!row) return format("  %-8g no setting is good enough\n", tolerance);
-    return format("  %-8g --hz %g --substeps %d  (%.4g us/s, error %.3g)\n", tolerance,
-                  row->setting.hz, row->setting.substeps, row->cpu_us_per_second, row->error);
+    if (!row) return format_text("  %-8g no setting is good enough\n", tolerance);
+    return format_text("  %-8g --hz %g --substeps %d  (%.4g us/s, error %.3g)\n", tolerance,
+                       row->setting.hz, row->setting.substeps, row->cpu_us_per_second, row->error);
 }
 
 // Refinement by which the doubt would fall to the tolerance if it goes on falling as it did.
 std::string rate_needed(const Convergence& found) {
     if (!found.doubt_order || *found.doubt_order <= 0.1) return "";
     const double times = std::pow(found.doubt / found.tolerances.back(), 1 / *found.doubt_order);
-    return format("; at the order seen, %.2f, about %.0f Hz would do", *found.doubt_order,
-                  found.finest.hz * times);
+    return format_text("; at the order seen, %.2f, about %.0f Hz would do", *found.doubt_order,
+                       found.finest.hz * times);
 }
 
 std::string verdict(const Convergence& found) {
     switch (found.verdict) {
         case Verdict::agreed:
-            return format("The two finest runs agree: they differ by %.3g.\n", found.doubt);
+            return format_text("The two finest runs agree: they differ by %.3g.\n", found.doubt);
         case Verdict::not_yet:
-            return format("The runs do not agree yet: the two finest differ by %.3g", found.doubt) +
+            return format_text("The runs do not agree yet: the two finest differ by %.3g",
+                               found.doubt) +
                    rate_needed(found) +
-                   format(" (--finest-hz, --budget).\nThey agree to %g for %.3g s.\n",
-                          found.tolerances.front(), found.agree_until);
+                   format_text(" (--finest-hz, --budget).\nThey agree to %g for %.3g s.\n",
+                               found.tolerances.front(), found.agree_until);
         case Verdict::chaotic:
             break;
     }
-    return format(
+    return format_text(
         "The scene is chaotic: no two runs agree. The two finest differ by %.3g, and so do runs\n"
         "whose starts differ by %.1g m/s: by the end they are %.3g apart, %.0f times as far as "
         "the\n"
@@ -91,9 +83,9 @@ std::string verdict(const Convergence& found) {
 }  // namespace
 
 std::string to_text(const Convergence& found) {
-    std::string text = format("%s: %d bodies, %g s, one thread\n", found.scene.c_str(),
-                              found.bodies, found.seconds);
-    text += format(
+    std::string text = format_text("%s: %d bodies, %g s, one thread\n", found.scene.c_str(),
+                                   found.bodies, found.seconds);
+    text += format_text(
         "error: RMS distance of the centres over %.4g m, or RMS angle in rad: the larger.\n"
         "Against the finest run, over all bodies and times. No error is told below %.3g, by which\n"
         "the two finest runs differ. Same to: closer than %g until then.\n\n",

@@ -2,9 +2,9 @@
 #include "inspect_report.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "jostle/base/format_text.h"
 
 namespace jostle::sim {
 namespace {
@@ -15,17 +15,8 @@ using linear_systems::Treatment;
 
 constexpr std::size_t rows_shown = 60, redundancies_shown = 12, groups_shown = 40;
 
-__attribute__((format(printf, 1, 2))) std::string print(const char* pattern, ...) {
-    char text[640];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
-
 std::string bound(double value) {
-    return std::abs(value) > 1e200 ? "-" : print("%.4g", value);
+    return std::abs(value) > 1e200 ? "-" : format_text("%.4g", value);
 }
 
 std::string rows_table(const InspectedGroup& group) {
@@ -35,8 +26,9 @@ std::string rows_table(const InspectedGroup& group) {
     for (std::size_t k = 0; k < group.problem.count && k < rows_shown; k++)
         width = std::max(width, group.problem.names[k].size());
     const int name = static_cast<int>(width);
-    std::string text = print("%4s  %-*s %10s %10s %10s %10s %10s %9s %9s\n", "row", name, "what",
-                             "A_ii", "softness", "error", "b", "force", "least", "most");
+    std::string text =
+        format_text("%4s  %-*s %10s %10s %10s %10s %10s %9s %9s\n", "row", name, "what", "A_ii",
+                    "softness", "error", "b", "force", "least", "most");
     double most_force = 0;
     if (best != nullptr)
         for (const double x : best->x) most_force = std::max(most_force, std::abs(x) / h);
@@ -47,16 +39,17 @@ std::string rows_table(const InspectedGroup& group) {
         const bool known = best != nullptr && k < best->x.size();
         const double least = known ? group.problem.lower_at(k, best->x) : row.lower;
         const double most = known ? group.problem.upper_at(k, best->x) : row.upper;
-        text += print("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
-                      group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
-                      row.error, group.problem.right[k] + 0.0, known ? force(best->x[k]) : 0.0,
-                      bound(least / h).c_str(), bound(most / h).c_str());
+        text +=
+            format_text("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
+                        group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
+                        row.error, group.problem.right[k] + 0.0, known ? force(best->x[k]) : 0.0,
+                        bound(least / h).c_str(), bound(most / h).c_str());
     }
     if (group.problem.count > rows_shown)
-        text +=
-            print("... and %zu more; --json has all of them\n", group.problem.count - rows_shown);
+        text += format_text("... and %zu more; --json has all of them\n",
+                            group.problem.count - rows_shown);
     if (best != nullptr)
-        text += print(
+        text += format_text(
             "b: the change of rate that is wanted, m/s or rad/s. force (N, N m) by %s, its bounds\n"
             "likewise. error in m or rad; of limits and contacts what is left.\n",
             name_of(best->method));
@@ -68,43 +61,47 @@ std::string rank_words(const InspectedGroup& group) {
     const std::size_t rows = group.problem.count;
     std::string text;
     if (analysis.singular())
-        text += print(
+        text += format_text(
             "Rank %zu of %zu: %zu %s what others say, so what they carry is not "
             "determined.\n",
             analysis.rank, rows, rows - analysis.rank,
             rows - analysis.rank == 1 ? "row says" : "rows say");
     else
-        text +=
-            print("Rank %zu of %zu: every row says something of its own.\n", analysis.rank, rows);
+        text += format_text("Rank %zu of %zu: every row says something of its own.\n",
+                            analysis.rank, rows);
     for (std::size_t k = 0; k < analysis.redundancies.size() && k < redundancies_shown; k++)
         text += "  " + in_words(analysis.redundancies[k], group.problem) + "\n";
     if (analysis.redundancies.size() > redundancies_shown)
-        text += print("  ... and %zu more\n", analysis.redundancies.size() - redundancies_shown);
+        text +=
+            format_text("  ... and %zu more\n", analysis.redundancies.size() - redundancies_shown);
     if (analysis.contradiction > 1e-12)
-        text += print("They want different things: no impulses make a part of %.3g of b.\n",
-                      analysis.contradiction);
+        text += format_text("They want different things: no impulses make a part of %.3g of b.\n",
+                            analysis.contradiction);
     if (const auto free = group.free_motions())
-        text += print("The bodies are left %d of their %d free motions.\n", *free, group.motions());
-    text += print("Condition number %.4g%s; with each row scaled by its diagonal %.4g.\n",
-                  analysis.condition, analysis.singular() ? " of what is not zero" : "",
-                  analysis.scaled_condition);
+        text += format_text("The bodies are left %d of their %d free motions.\n", *free,
+                            group.motions());
+    text += format_text("Condition number %.4g%s; with each row scaled by its diagonal %.4g.\n",
+                        analysis.condition, analysis.singular() ? " of what is not zero" : "",
+                        analysis.scaled_condition);
     return text;
 }
 
 std::string methods_table(const InspectedGroup& group) {
-    std::string text = print("%-24s %10s %11s %8s %10s %14s\n", "method", "residual", "iterations",
-                             "ms", "|x|", "out of bounds");
+    std::string text = format_text("%-24s %10s %11s %8s %10s %14s\n", "method", "residual",
+                                   "iterations", "ms", "|x|", "out of bounds");
     for (const Solution& solution : group.solutions) {
         if (!solution.failed.empty()) {
-            text += print("%-24s fails: %s\n", name_of(solution.method), solution.failed.c_str());
+            text +=
+                format_text("%-24s fails: %s\n", name_of(solution.method), solution.failed.c_str());
             continue;
         }
-        const std::string count = iterates(solution.method) ? print("%d%s", solution.iterations(),
-                                                                    solution.converged ? "" : "+")
-                                                            : "";
-        text += print("%-24s %10.2e %11s %8.3g %10.4g %14d\n", name_of(solution.method),
-                      solution.residual, count.c_str(), solution.milliseconds, solution.size,
-                      solution.out_of_bounds);
+        const std::string count =
+            iterates(solution.method)
+                ? format_text("%d%s", solution.iterations(), solution.converged ? "" : "+")
+                : "";
+        text += format_text("%-24s %10.2e %11s %8.3g %10.4g %14d\n", name_of(solution.method),
+                            solution.residual, count.c_str(), solution.milliseconds, solution.size,
+                            solution.out_of_bounds);
     }
     text += "All but the projected sweeps take every row as an equation, without its bounds.\n";
     return text;
@@ -120,32 +117,32 @@ std::string progress_table(const InspectedGroup& group) {
             most = std::max(most, solution.iterations());
         }
     if (shown.empty()) return "";
-    std::string text = print("%10s", "iteration");
-    for (const Solution* solution : shown) text += print(" %23s", name_of(solution->method));
+    std::string text = format_text("%10s", "iteration");
+    for (const Solution* solution : shown) text += format_text(" %23s", name_of(solution->method));
     text += "\n";
     for (int decade = 1; decade <= most; decade *= 10)
         for (const int step : {1, 2, 5}) {
             const int at = decade * step;
             if (at > most) break;
-            text += print("%10d", at);
+            text += format_text("%10d", at);
             for (const Solution* solution : shown)
-                text +=
-                    at <= solution->iterations()
-                        ? print(" %23.2e", solution->residuals[static_cast<std::size_t>(at - 1)])
-                        : print(" %23s", "");
+                text += at <= solution->iterations()
+                            ? format_text(" %23.2e",
+                                          solution->residuals[static_cast<std::size_t>(at - 1)])
+                            : format_text(" %23s", "");
             text += "\n";
         }
     return text;
 }
 
 std::string treatments_table(const InspectedGroup& group) {
-    std::string text = print("%-8s %9s %11s %11s %11s %11s\n", "scaling", "epsilon", "condition",
-                             "gradients", "sweeps", "error");
+    std::string text = format_text("%-8s %9s %11s %11s %11s %11s\n", "scaling", "epsilon",
+                                   "condition", "gradients", "sweeps", "error");
     for (const Treatment& t : group.treatments)
-        text +=
-            print("%-8s %9.0e %11.3e %10d%s %10d%s %11.2e\n", t.scaled ? "diagonal" : "none",
-                  t.epsilon, t.condition, t.gradient_iterations, t.gradients_converged ? " " : "+",
-                  t.sweeps, t.sweeps_converged ? " " : "+", t.error);
+        text += format_text("%-8s %9.0e %11.3e %10d%s %10d%s %11.2e\n",
+                            t.scaled ? "diagonal" : "none", t.epsilon, t.condition,
+                            t.gradient_iterations, t.gradients_converged ? " " : "+", t.sweeps,
+                            t.sweeps_converged ? " " : "+", t.error);
     text +=
         "epsilon: what is added to the diagonal, over the largest of it. error: what that costs,\n"
         "|b - A x| / |b| of the rows as they were. +: no further within so many iterations.\n";
@@ -160,16 +157,17 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 std::string in_full(const InspectedGroup& group) {
-    return print("%zu %s: ", group.bodies.size(), group.bodies.size() == 1 ? "body" : "bodies") +
+    return format_text("%zu %s: ", group.bodies.size(),
+                       group.bodies.size() == 1 ? "body" : "bodies") +
            list_of(group.bodies) +
-           print("\n%zu rows, over %.4g ms\n\n", group.problem.count, 1e3 * group.system.h) +
+           format_text("\n%zu rows, over %.4g ms\n\n", group.problem.count, 1e3 * group.system.h) +
            rows_table(group) + "\n" + rank_words(group) + "\n" + methods_table(group) + "\n" +
            progress_table(group) + "\n" + treatments_table(group);
 }
 
 std::string as_a_list(const std::vector<InspectedGroup>& groups) {
-    std::string text = print("%7s %6s %6s %12s %8s  %s\n", "bodies", "rows", "rank", "condition",
-                             "sweeps", "which");
+    std::string text = format_text("%7s %6s %6s %12s %8s  %s\n", "bodies", "rows", "rank",
+                                   "condition", "sweeps", "which");
     for (std::size_t k = 0; k < groups.size() && k < groups_shown; k++) {
         const InspectedGroup& group = groups[k];
         if (!group.refused.empty()) {
@@ -177,13 +175,14 @@ std::string as_a_list(const std::vector<InspectedGroup>& groups) {
             continue;
         }
         const Solution& swept = group.solutions[0];
-        text += print("%7zu %6zu %6zu %12.4g %7d%s  ", group.bodies.size(), group.problem.count,
-                      group.analysis.rank, group.analysis.condition, swept.iterations(),
-                      swept.converged ? " " : "+") +
+        text += format_text("%7zu %6zu %6zu %12.4g %7d%s  ", group.bodies.size(),
+                            group.problem.count, group.analysis.rank, group.analysis.condition,
+                            swept.iterations(), swept.converged ? " " : "+") +
                 list_of(group.bodies) + "\n";
     }
     if (groups.size() > groups_shown)
-        text += print("... and %zu more; --json has all of them\n", groups.size() - groups_shown);
+        text +=
+            format_text("... and %zu more; --json has all of them\n", groups.size() - groups_shown);
     return text + "Name one body, as in --inspect " + groups[0].bodies[0] +
            ", to see its group in full.\n";
 }
@@ -276,8 +275,8 @@ json group_json(const InspectedGroup& group) {
 }  // namespace
 
 std::string to_text(const Inspection& found) {
-    const std::string head = print("%s after step %llu (%.4g s)\n", found.scene.c_str(),
-                                   static_cast<unsigned long long>(found.step), found.time);
+    const std::string head = format_text("%s after step %llu (%.4g s)\n", found.scene.c_str(),
+                                         static_cast<unsigned long long>(found.step), found.time);
     if (found.groups.empty())
         return head + "No joint and no contact of it can act now: there is nothing to solve.\n";
     if (found.groups.size() > 1) return head + as_a_list(found.groups);

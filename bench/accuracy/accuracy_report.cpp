@@ -2,10 +2,10 @@
 #include "accuracy/accuracy_report.h"
 
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 #include "accuracy/choices.h"
+#include "jostle/base/format_text.h"
 #include "result_file.h"
 
 namespace jostle::bench::lab {
@@ -13,22 +13,13 @@ namespace {
 
 constexpr double usual_hz = 60;
 
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
-
 std::string where(const Row& row) {
-    return format("%s@%g", row.mode.c_str(), row.rate_hz);
+    return format_text("%s@%g", row.mode.c_str(), row.rate_hz);
 }
 
 std::string work_of(const std::optional<Row>& row) {
     if (!row) return "-";
-    return format("%.3g (%s)", row->cpu_us_per_second, where(*row).c_str());
+    return format_text("%.3g (%s)", row->cpu_us_per_second, where(*row).c_str());
 }
 
 struct Series {
@@ -52,7 +43,7 @@ std::string error_at_usual_rate(const std::vector<Row>& rows, const std::string&
     for (const Row& row : rows)
         if (row.scene == scene && row.engine == series.engine && row.mode == series.mode &&
             row.rate_hz == usual_hz)
-            return row.usable() ? format("%.3g", row.error) : "blown";
+            return row.usable() ? format_text("%.3g", row.error) : "blown";
     return "-";
 }
 
@@ -67,10 +58,10 @@ std::string lines_of_series(const std::vector<Row>& rows, const std::string& sce
                             const std::vector<Series>& all) {
     std::string text;
     for (const Series& series : all) {
-        text += format("  %-8s %-18s %9s  ", series.engine.c_str(), series.mode.c_str(),
-                       error_at_usual_rate(rows, scene, series).c_str());
+        text += format_text("  %-8s %-18s %9s  ", series.engine.c_str(), series.mode.c_str(),
+                            error_at_usual_rate(rows, scene, series).c_str());
         for (const Order& order : observed_orders(rows, scene, series.engine, series.mode))
-            text += format(" %g-%g: %.2f", order.from_hz, order.to_hz, order.order);
+            text += format_text(" %g-%g: %.2f", order.from_hz, order.to_hz, order.order);
         text += "\n";
     }
     return text;
@@ -91,10 +82,11 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
     const std::vector<Series> all = series_of(rows, experiment.name);
     std::string text =
         "\n" + experiment.name + ": " + experiment.about + "\n  " + experiment.measures + "\n";
-    text += format("  %-8s %-18s %9s   %s\n", "engine", "mode", "at 60 Hz", "order between rates");
+    text +=
+        format_text("  %-8s %-18s %9s   %s\n", "engine", "mode", "at 60 Hz", "order between rates");
     text += lines_of_series(rows, experiment.name, all);
     for (const double tolerance : experiment.tolerances) {
-        text += format("  least work for %g, us/s:", tolerance);
+        text += format_text("  least work for %g, us/s:", tolerance);
         for (const std::string& engine : engines_of(all))
             text += " " + engine + " " +
                     work_of(least_work(rows, experiment.name, engine, tolerance)) + ",";
@@ -104,8 +96,8 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
         text += "  left out: " + reason + "\n";
     text += "  Pareto set:";
     for (const Row& row : pareto_set(rows, experiment.name))
-        text += format(" %s %s (%.3g us/s, %.2g)", row.engine.c_str(), where(row).c_str(),
-                       row.cpu_us_per_second, row.error);
+        text += format_text(" %s %s (%.3g us/s, %.2g)", row.engine.c_str(), where(row).c_str(),
+                            row.cpu_us_per_second, row.error);
     return text + "\n";
 }
 
@@ -118,15 +110,15 @@ std::string score_report(const Score& score) {
         far_behind += comparison.ratio < 0.5;
         if (comparison.ratio >= 1) continue;
         const std::string peer = comparison.best_peer ? comparison.best_peer->engine : "";
-        lines += format("  %-10s %-8g %6.2f%s  ours %s, %s %s\n", comparison.scene.c_str(),
-                        comparison.tolerance, comparison.ratio,
-                        comparison.ratio < 0.5 ? " below 1/2" : "          ",
-                        work_of(comparison.ours).c_str(), peer.c_str(),
-                        work_of(comparison.best_peer).c_str());
+        lines += format_text("  %-10s %-8g %6.2f%s  ours %s, %s %s\n", comparison.scene.c_str(),
+                             comparison.tolerance, comparison.ratio,
+                             comparison.ratio < 0.5 ? " below 1/2" : "          ",
+                             work_of(comparison.ours).c_str(), peer.c_str(),
+                             work_of(comparison.best_peer).c_str());
     }
-    return format("\nWork of the best peer over ours, geometric mean of %zu: %.3g\n",
-                  score.comparisons.size(), score.mean) +
-           format("Behind in %d, below 1/2 in %d:\n", behind, far_behind) + lines;
+    return format_text("\nWork of the best peer over ours, geometric mean of %zu: %.3g\n",
+                       score.comparisons.size(), score.mean) +
+           format_text("Behind in %d, below 1/2 in %d:\n", behind, far_behind) + lines;
 }
 
 nlohmann::ordered_json work_json(const std::vector<Row>& rows) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "accuracy/doc_tables.h"
 
-#include <cstdarg>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -9,21 +8,13 @@
 #include "accuracy/choices.h"
 #include "accuracy/lab_engine_kinds.h"
 #include "accuracy/stress_test.h"
+#include "jostle/base/format_text.h"
 #include "result_file.h"
 
 namespace jostle::bench::lab {
 namespace {
 
 constexpr double usual_rate = 60;
-
-__attribute__((format(printf, 1, 2))) std::string words(const char* pattern, ...) {
-    char text[400];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
 
 bool has_no_second(const Experiment& experiment) {
     return experiment.measures.ends_with("none");
@@ -38,8 +29,8 @@ std::string cell_of(const nlohmann::ordered_json& row) {
     if (row.contains("lacks")) return "-";
     if (!row.contains("figure")) return "**lost**";
     const double figure = row["figure"];
-    if (row["pass"]) return words("%.2g", figure);
-    return words("**%.2g%s**", figure, row.value("why", "").empty() ? "" : " *");
+    if (row["pass"]) return format_text("%.2g", figure);
+    return format_text("**%.2g%s**", figure, row.value("why", "").empty() ? "" : " *");
 }
 
 }  // namespace
@@ -56,10 +47,10 @@ std::string jostle_table(const std::vector<Row>& rows) {
             if (!row.usable())
                 text += row.blown + " | | |\n";
             else if (has_no_second(experiment))
-                text += words("%.2g |  | %.3g |\n", row.error, row.cpu_us_per_second);
+                text += format_text("%.2g |  | %.3g |\n", row.error, row.cpu_us_per_second);
             else
-                text += words("%.2g | %.2g | %.3g |\n", row.error, row.second_error,
-                              row.cpu_us_per_second);
+                text += format_text("%.2g | %.2g | %.3g |\n", row.error, row.second_error,
+                                    row.cpu_us_per_second);
         }
     return text;
 }
@@ -71,10 +62,10 @@ std::string score_table(const Score& score) {
         behind += comparison.ratio < 1;
         far_behind += comparison.ratio < 0.5;
         if (comparison.ratio >= 0.5) continue;
-        lines += words("| %s | %g | %.2g | %s |\n", comparison.scene.c_str(), comparison.tolerance,
-                       comparison.ratio, peer_of(comparison));
+        lines += format_text("| %s | %g | %.2g | %s |\n", comparison.scene.c_str(),
+                             comparison.tolerance, comparison.ratio, peer_of(comparison));
     }
-    std::string text = words(
+    std::string text = format_text(
         "Over %zu pairs of scene and tolerance the best peer's least work over Jostle's has a "
         "geometric mean of\n%.3g. Jostle needs more work in %d of them, and more than twice as "
         "much in %d",
@@ -99,7 +90,7 @@ std::string stability_table(const nlohmann::ordered_json& rows) {
                     cell = cell_of(row);
             cells += " " + cell + " |";
         }
-        text += words("| %s | %g |", test.id.c_str(), test.limit) + cells + "\n";
+        text += format_text("| %s | %g |", test.id.c_str(), test.limit) + cells + "\n";
     }
     return head + "\n" + line + "\n" + text;
 }

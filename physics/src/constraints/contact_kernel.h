@@ -354,7 +354,6 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
         coupling[kPoints][kPoints];
     PointResponse r[kPoints];
-    const Wide squeezed = splat(-set.squeezed) * root(dot(pair.arm_a, pair.arm_a));
     JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
         Wide vn = u0;
@@ -374,10 +373,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         const WideMask apart = gap[i] > zero;
         const Wide meet = gap[i] * splat(set.inverse_h);
         if constexpr (kRelax) {
-            const Wide leak = select(gap[i] < squeezed, splat(set.impulse_scale), zero);
-            rate[i] = (splat(1) - leak) / r[i].k;
-            const Wide kept = fma(leak, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
-            wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), kept);
+            rate[i] = splat(1) / r[i].k;
+            wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), lambda[i]);
         } else {
             const Wide soft =
                 max((gap[i] + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
@@ -385,6 +382,26 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             rate[i] = (splat(1) - impulse_scale) / r[i].k;
             const Wide kept = fma(impulse_scale, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
             wanted[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
+        }
+    }
+    // Mostly nothing is squeezed. A point that is gives back what a soft one does.
+    const Wide deep2 = splat(set.squeezed * set.squeezed) * dot(pair.arm_a, pair.arm_a);
+    const auto is_squeezed = [&](Wide g) { return (g < zero) & (g * g > deep2); };
+    bool any_squeezed = false;
+    if (kRelax && set.squeezed < float{tuning::never_squeezed}) {
+        Wide deepest = zero;
+        JOSTLE_UNROLL
+        for (int i = 0; i < kPoints; i++) deepest = min(deepest, gap[i]);
+        any_squeezed = lane_bits(deepest * deepest > deep2) != 0;
+    }
+    if (any_squeezed) {
+        for (int i = 0; i < kPoints; i++) {
+            const Wide vn = kPoints == 1 ? u0 : at_point(x[i], y[i], u0, u1, u2);
+            const Wide leak = select(is_squeezed(gap[i]), splat(set.impulse_scale), zero);
+            rate[i] = (splat(1) - leak) / r[i].k;
+            const Wide meet = select(gap[i] > zero, gap[i] * splat(set.inverse_h), zero);
+            wanted[i] =
+                fnma(rate[i], vn + meet, fma(leak, load(m.mean_impulse[i]) - lambda[i], lambda[i]));
         }
     }
     JOSTLE_UNROLL
@@ -450,8 +467,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         JOSTLE_UNROLL
         for (int i = 0; i < kPoints; i++) {
             const Wide mean_impulse = load(m.mean_impulse[i]);
-            const Wide full = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
-            const Wide aim = select(gap[i] < squeezed, min(full, mean_impulse), full);
+            Wide aim = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
+            if (any_squeezed) aim = select(is_squeezed(gap[i]), min(aim, mean_impulse), aim);
             store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
@@ -470,7 +487,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         // Presses now, or did until, squeezed, it gave all back; or pressed a step ago and has
         // hardly parted.
         report.touching = lane_bits(total > zero) |
-                          lane_bits((nearest < squeezed) & (pressed > zero)) |
+                          (any_squeezed ? lane_bits(is_squeezed(nearest) & (pressed > zero)) : 0) |
                           (touching_lanes(meta) & lane_bits(nearest < splat(set.touch_gap)));
     }
     return report;

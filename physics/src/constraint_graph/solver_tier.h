@@ -6,11 +6,13 @@
 // same tier.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "foundation/check.h"
 #include "jostle/physics/defs.h"
+#include "jostle/physics/limits.h"
 
 namespace jostle::physics {
 
@@ -35,8 +37,11 @@ inline constexpr std::size_t index_of(SolverTier tier) {
 }
 
 // The islands of a tier lie in so many batches, whole: threads solve batches side by side, each
-// alone, without waiting for one another. In a larger one they share the colours.
+// alone, without waiting for one another. In a larger one they share the colours. In a world with a
+// tolerance a batch is a rung: its islands take rung_substeps (stages/islands/choose_rungs.h).
 inline constexpr int batch_count = 4;
+inline constexpr std::array<int, batch_count> rung_substeps = {2, 6, 16, 48};
+inline constexpr std::uint8_t first_rung = 1;  // of an island of which nothing is known
 
 // Which colours a contact is in: a set per tier and batch, and one for what sleeps in place.
 struct ColourSetKey {
@@ -61,6 +66,17 @@ inline int substeps_of(SolverTier tier, const WorldDef& world) {
     constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
     const int most = tier == SolverTier::heap && world.sleeping ? 3 : halves[index_of(tier)];
     return (world.substeps * most + 1) / 2;
+}
+
+inline bool controls_error(const WorldDef& world) {
+    return world.tolerance > 0;
+}
+// ... of the islands of a set. With a tolerance what is tall or heavy begins higher.
+inline int substeps_of(ColourSetKey set, const WorldDef& world) {
+    if (!controls_error(world)) return substeps_of(set.tier, world);
+    ASSERT(set.tier != SolverTier::asleep && set.batch < batch_count);
+    constexpr std::array<int, tier_count> times = {1, 1, 1, 1, 2, 4};
+    return std::min(rung_substeps[set.batch] * times[index_of(set.tier)], limits::max_substeps);
 }
 
 // Those between which an island does not change for its neighbours' sake.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/contact_settings.h"
 
+#include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
 
@@ -11,8 +12,8 @@ namespace jostle::physics {
 //     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - impulse_scale lambda,
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
 // impulse_scale = 1 / (1 + a2).
-ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier tier) {
-    const int substeps = substeps_of(tier, world);
+ContactSettings contact_settings(double dt, int substeps, SolverTier tier) {
+    ASSERT(substeps >= 1);
     const bool low = tier <= SolverTier::heap;
     const double mean_impulse_time =
         low ? tuning::low_mean_impulse_time : tuning::mean_impulse_time;

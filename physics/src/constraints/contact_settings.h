@@ -33,6 +33,6 @@ struct ContactSettings {
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step
 // rate, so that more sub-steps are stiffer and more exact.
 // For islands of this tier.
-ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier tier);
+ContactSettings contact_settings(double dt, int substeps, SolverTier tier);
 
 }  // namespace jostle::physics

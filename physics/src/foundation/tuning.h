@@ -116,6 +116,15 @@ inline constexpr double slenderness = 3;
 inline constexpr double flat_layers = 3;
 inline constexpr int tier_interval = 8;  // steps between looks
 inline constexpr int tier_patience = 4;  // looks
+// In a world with a tolerance each set of islands is measured in every so many steps, and in every
+// second step while one of them is not known.
+inline constexpr int trial_interval = 8, first_trial_interval = 2;
+// An island takes a coarser rung after so many looks at which it would have kept to this part of
+// the tolerance there, if errors go with the square of the sub-step.
+inline constexpr int rung_patience = 2;  // looks
+inline constexpr double rung_reserve = 0.5;
+// With a budget rungs are dealt out anew in every so many steps.
+inline constexpr int budget_interval = 8;
 // Islands of one tier are dealt out among batches that threads solve side by side, none of less
 // bodies and manifolds than this, when one has so many times its share; looked at in every so many
 // steps. To move a contact from set to set costs as much as two or three steps of it.

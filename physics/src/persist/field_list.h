@@ -439,6 +439,10 @@ void visit_fields(V& v, Island& island) {
     v.field("mass", island.mass);
     v.field("kept_load", island.kept_load);
     v.optional("dt", island.dt, 11);
+    v.optional("drift", island.error.drift, 13);
+    v.optional("wanted_rung", island.error.wanted, 13);
+    v.optional("easy", island.error.easy, 13);
+    v.optional("fresh_drift", island.error.fresh, 13);
     visit_all(v, "sleepers", island.sleepers, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "manifolds", island.manifolds, [&](SavedContact& m) { visit_fields(v, m); });
 }
@@ -536,6 +540,8 @@ void visit_world(V& v, WorldState& world) {
     v.field("continuous", world.def.continuous);
     v.field("planar", world.def.planar);
     v.field("hit_speed", world.def.hit_speed);
+    v.optional("tolerance", world.def.tolerance, 13);
+    v.optional("substep_budget", world.def.substep_budget, 13);
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
     v.leave();

@@ -23,9 +23,9 @@ struct StepContext {
     WorldState& world;
     StepScratch& scratch;
     TaskTeam& team;
-    double dt = 0;                                     // s
-    std::array<ContactSettings, tier_count> contacts;  // by index_of(SolverTier)
-    Timer timer = {};                                  // of the stages, for the profile
+    double dt = 0;                                           // s
+    std::array<ContactSettings, solved_set_count> contacts;  // by index_of(ColourSetKey)
+    Timer timer = {};                                        // of the stages, for the profile
 };
 
 }  // namespace jostle::physics

@@ -39,11 +39,17 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
 void set_contact_settings(StepContext& step) {
     const WorldState& world = step.world;
     if (world.bodies.awake.empty()) return;
-    for (const SolverTier tier : all_tiers) {
-        ContactSettings& set = step.contacts[index_of(tier)];
-        set = contact_settings(step.dt, world.def, tier);
-        set.planar = world.def.planar;
-    }
+    for (const SolverTier tier : all_tiers)
+        for (std::uint8_t batch = 0; batch < batch_count; batch++) {
+            const ColourSetKey key{tier, batch};
+            ContactSettings& set = step.contacts[index_of(key)];
+            if (batch > 0 && !controls_error(world.def)) {
+                set = step.contacts[index_of(key) - 1];
+                continue;
+            }
+            set = contact_settings(step.dt, substeps_of(key, world.def), tier);
+            set.planar = world.def.planar;
+        }
 }
 
 // Puts the time of one stage into the profile, or why it was skipped: that takes no clock.

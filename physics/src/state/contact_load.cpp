@@ -19,8 +19,8 @@ Vec3 load_of(const WorldState& world, const Contact& contact) {
     const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
     const std::uint32_t island = world.bodies.cold[contact.body_a].island;
-    const SolverTier tier = world.islands.islands[island].colour_set.tier;
-    return impulse * (substeps_of(tier, world.def) / world.last_dt);
+    const ColourSetKey set = world.islands.islands[island].colour_set;
+    return impulse * (substeps_of(set, world.def) / world.last_dt);
 }
 
 Vec3 saved_load(const Contact& c) {

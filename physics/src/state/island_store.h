@@ -16,6 +16,15 @@
 
 namespace jostle::physics {
 
+// In a world with a tolerance: what is known of how far the sub-steps lead from the motion that
+// endlessly many would give (stages/solver/error_trial.h).
+struct IslandError {
+    double drift = 0;         // m in a second of such steps; 0: not known
+    std::uint8_t wanted = 0;  // the rung that the tolerance asks for, whatever the budget
+    std::uint8_t easy = 0;    // looks in a row that a coarser one would have passed
+    bool fresh = false;       // measured, and not yet acted upon
+};
+
 struct Island {
     std::uint32_t first = none, last = none;  // bodies, through BodyCold::island_next
     std::uint32_t bodies = 0;
@@ -29,6 +38,7 @@ struct Island {
     std::uint64_t split_at = 0;  // the step of the last attempt to split it
     double mass = 0;             // kg, of its bodies
     double kept_load = 1;        // share of its mass that the user has left it since the last step
+    IslandError error;
     double dt = 0;  // s, when asleep: of the step in which it fell asleep, whose impulses it keeps
     std::vector<BodyWarm> sleepers;       // when asleep, in the order of the list
     std::vector<SavedContact> manifolds;  // when asleep

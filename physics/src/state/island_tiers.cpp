@@ -32,6 +32,12 @@ void move_contacts(WorldState& world, std::uint32_t body, float scale, bool even
     });
 }
 
+// Errors go with the length of a sub-step at least.
+void follow_substeps(IslandError& error, double scale) {
+    error.drift *= scale;
+    error.easy = 0;
+}
+
 // To move contacts by the ten thousand, one by one, would take as long as several steps. So when
 // most of a set goes to one that holds little, the two change places and what is in the wrong one
 // moves.
@@ -84,13 +90,14 @@ void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, C
     if (from == to) return;
     const bool other_tier = from.tier != to.tier;
     const double scale =
-        static_cast<double>(substeps_of(from.tier, world.def)) / substeps_of(to.tier, world.def);
+        static_cast<double>(substeps_of(from, world.def)) / substeps_of(to, world.def);
     // All islands first: contacts ask which set their bodies have.
     std::int64_t contacts = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {
         ASSERT(world.islands.islands[i].colour_set == from && !world.islands.islands[i].asleep);
         world.islands.islands[i].colour_set = to;
         if (other_tier) world.islands.islands[i].calm = 0;
+        if (scale != 1) follow_substeps(world.islands.islands[i].error, scale);
         for_each_body(world, i,
                       [&](std::uint32_t body) { contacts += world.bodies.cold[body].constraints; });
     }
@@ -132,10 +139,11 @@ void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const bool alike = ia.colour_set.tier == ib.colour_set.tier || a_asks == b_asks ||
                        (is_usual(a_asks) && is_usual(b_asks));
     const bool a_yields = alike ? ia.bodies < ib.bodies : a_asks < b_asks;
-    if (a_yields)
-        move_to_set(world, tied_islands(world, a), ib.colour_set);
-    else
-        move_to_set(world, tied_islands(world, b), ia.colour_set);
+    ColourSetKey to = a_yields ? ib.colour_set : ia.colour_set;
+    if (controls_error(world.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
+    for (const std::uint32_t island : {a, b})
+        if (world.islands.islands[island].colour_set != to)
+            move_to_set(world, tied_islands(world, island), to);
 }
 
 }  // namespace jostle::physics

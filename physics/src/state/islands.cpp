@@ -12,6 +12,10 @@ std::uint32_t create_island(WorldState& world) {
     const std::uint32_t index = world.islands.ids.take();
     if (index == world.islands.islands.size()) world.islands.islands.emplace_back();
     world.islands.islands[index] = Island{};
+    if (controls_error(world.def)) {
+        world.islands.islands[index].colour_set.batch = first_rung;
+        world.islands.islands[index].error.wanted = first_rung;
+    }
     return index;
 }
 
@@ -56,6 +60,16 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
     }
 }
 
+namespace {
+
+// What is not known of one is not known of both.
+IslandError joined(const IslandError& a, const IslandError& b) {
+    return {.drift = a.drift == 0 || b.drift == 0 ? 0 : maximum(a.drift, b.drift),
+            .wanted = std::max(a.wanted, b.wanted)};
+}
+
+}  // namespace
+
 void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
     ASSERT(world.islands.ids.alive(a) && world.islands.ids.alive(b));
@@ -78,6 +92,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.split_at = std::max(into.split_at, from.split_at);
     into.mass += from.mass;
     into.kept_load = minimum(into.kept_load, from.kept_load);
+    into.error = joined(into.error, from.error);
     from = Island{};
     world.islands.ids.give_back(b);
 }
@@ -121,7 +136,8 @@ void split_island(WorldState& world, std::uint32_t island) {
     const Island like{.colour_set = whole.colour_set,
                       .calm = whole.calm,
                       .uneven = whole.uneven,
-                      .split_at = world.steps};
+                      .split_at = world.steps,
+                      .error = whole.error};
     world.islands.islands[island] = like;
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;

@@ -31,6 +31,11 @@ Status check_world(const WorldDef& def) {
     if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
     if (def.broad_phase > BroadPhase::uniform_grid)
         return invalid("broad_phase is of no known kind");
+    if (def.tolerance != 0)
+        if (Status s = check_range("tolerance", def.tolerance, 1e-9, 1e3); !s.ok()) return s;
+    if (Status s = check_range("substep_budget", static_cast<double>(def.substep_budget), 0, 1e12);
+        !s.ok())
+        return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;
     return check_range("threads", def.threads, 1, limits::max_threads);

@@ -293,7 +293,8 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
                                    const ConstraintQuestion& question) {
     const Island& island = world.islands.islands[world.bodies.cold[body].island];
     const double dt = expected_dt(world);
-    const ContactSettings settings = contact_settings(dt, world.def, island.colour_set.tier);
+    const ContactSettings settings =
+        contact_settings(dt, substeps_of(island.colour_set, world.def), island.colour_set.tier);
     const double h = question.h != 0 ? question.h : dt / settings.substeps;
     RowGathering all{world, question, h};
     all.number_of.assign(world.bodies.cold.size(), -1);
@@ -310,7 +311,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
         if (all.full()) return too_many();
     }
     const ContactSettings at_h =
-        contact_settings(h * settings.substeps, world.def, island.colour_set.tier);
+        contact_settings(h * settings.substeps, settings.substeps, island.colour_set.tier);
     for (const ContactView& contact : contacts_between(world, bodies)) {
         all.add_contact(contact, at_h);
         if (all.full()) return too_many();

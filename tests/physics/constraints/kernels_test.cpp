@@ -120,7 +120,7 @@ TEST(Kernels, a_contact_stops_a_ball_in_every_set) {
         bodies[1].inverse_spin = 5;
         bodies[1].free_x = bodies[1].free_y = bodies[1].free_z = 1;
         bodies[1].v[1] = -3;
-        const ContactSettings settings = contact_settings(1.0 / 60, {}, SolverTier::low);
+        const ContactSettings settings = contact_settings(1.0 / 60, 8, SolverTier::low);
         const ContactRange range{.blocks = colour.blocks.data(),
                                  .metas = colour.metas.data(),
                                  .restitutions = colour.restitutions.data(),

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What prepare_islands and link_islands use again from step to step. Nothing in it is for a later
-// stage.
+// What prepare_islands and link_islands use again from step to step. For the solver in it:
+// `unknown`.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "constraint_graph/solver_tier.h"
 #include "jostle/physics/vec3.h"
 
 namespace jostle::physics {
@@ -26,6 +28,8 @@ struct IslandScratch {
     std::vector<IslandExtent> extents;         // by island
     std::vector<std::uint32_t> weights;        // by island
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
+    // By colour set, in a world with a tolerance: whether it has an island of unknown error.
+    std::array<std::uint8_t, solved_set_count> unknown{};
 };
 
 }  // namespace jostle::physics

@@ -6,6 +6,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "stages/islands/assign_batches.h"
+#include "stages/islands/choose_rungs.h"
 #include "stages/islands/sort_constraints.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
@@ -170,10 +171,14 @@ Skipped prepare_islands(StepContext& step) {
     if (world.bodies.awake.empty()) return nobody_awake;
     // The second step is the first that knows what hangs together.
     const bool look = world.steps % tuning::tier_interval == 1;
-    if (!look && !world.islands.some_lost) return "islands are looked at in every eighth step";
+    if (!look && !world.islands.some_lost && !controls_error(world.def))
+        return "islands are looked at in every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
     if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands.extents);
-    if (world.steps % tuning::batch_interval == 1) assign_batches(step);
+    if (controls_error(world.def))
+        choose_rungs(step);
+    else if (world.steps % tuning::batch_interval == 1)
+        assign_batches(step);
     if (world.steps % tuning::sort_interval == 1) sort_constraints(step);
     return ran;
 }

@@ -7,6 +7,7 @@
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/error_trial.h"
 #include "stages/solver/group_fields.h"
 #include "stages/solver/kept_impulses.h"
 #include "stages/solver/substep_hooks.h"
@@ -212,8 +213,7 @@ bool gather(StepContext& step, std::uint32_t island) {
                static_cast<int>(world.islands.islands[island].bodies)))
         return false;
     list_bodies(world, group, scratch.number_of);
-    group.substeps =
-        step.contacts[index_of(world.islands.islands[island].colour_set.tier)].substeps;
+    group.substeps = step.contacts[index_of(world.islands.islands[island].colour_set)].substeps;
     group.inertias.resize(group.bodies.size(), diagonal({-1, -1, -1}));
     group.axes.resize(group.bodies.size());
     group.solver.bodies.resize(group.bodies.size());
@@ -243,10 +243,36 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     to.torque = joint.torque_sum * (1 / step.dt);
 }
 
-void advance(StepContext& step, JointGroup& group, std::span<FreeMotion> motions) {
+// By how much half of the sub-steps, which `trial` took, lead elsewhere.
+void compare(const StepContext& step, const JointGroup& group, const DirectGroup& trial,
+             Island& island) {
+    island.error.fresh = false;
+    for (std::size_t k = 0; k < group.bodies.size(); k++) {
+        const DirectBody &now = group.solver.bodies[k], &then = trial.bodies[k];
+        if (!now.pushed) continue;
+        const double radius = step.world.bodies.cold[group.bodies[k]].radius;
+        const Quat turn = now.q * conjugate(then.q);
+        const double shift =
+            length(now.x - then.x) + radius * 2 * length(Vec3{turn.x, turn.y, turn.z});
+        const double change =
+            length(velocity(now) - velocity(then)) + radius * length(spin(now) - spin(then));
+        note_drift(island, drift_of(shift, change, step.dt));
+    }
+}
+
+void advance(StepContext& step, std::uint32_t island, std::span<FreeMotion> motions) {
+    JointGroup& group = *step.scratch.solver.groups.of_island[island];
     GroupFields fields(step.world, group);
     if (fields.reach(step.dt)) group.solver.outside = &fields;
-    group.solver.advance(step.dt, group.substeps);
+    Island& of = step.world.islands.islands[island];
+    if (wants_trial(step, index_of(of.colour_set))) {
+        DirectGroup trial = group.solver;
+        trial.advance(step.dt, group.substeps / 2);
+        group.solver.advance(step.dt, group.substeps);
+        compare(step, group, trial, of);
+    } else {
+        group.solver.advance(step.dt, group.substeps);
+    }
     group.solver.outside = nullptr;
     std::size_t next = 0;
     for (std::size_t k = 0; k < group.bodies.size(); k++) {
@@ -305,8 +331,7 @@ void solve_joint_groups(StepContext& step) {
     ASSERT(next == scratch.motions.size());
     step.team.run_tasks(static_cast<int>(scratch.active.size()), [&](int k) {
         const auto at = static_cast<std::size_t>(k);
-        advance(step, *scratch.of_island[scratch.active[at]],
-                std::span(scratch.motions).subspan(first[at]));
+        advance(step, scratch.active[at], std::span(scratch.motions).subspan(first[at]));
     });
 }
 

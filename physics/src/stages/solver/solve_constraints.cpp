@@ -10,6 +10,7 @@
 #include "constraints/free_motion.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/solver/error_trial.h"
 #include "stages/solver/joint_groups.h"
 #include "stages/solver/solve_joint_batches.h"
 #include "stages/solver/solve_joints.h"
@@ -183,7 +184,8 @@ void integrate_gyroscopic(const BodyStore& bodies, SolverScratch& scratch, std::
 
 // ---- tasks ----
 
-// What is solved by itself: all that is in the colour sets [first, last), which are of one tier.
+// What is solved by itself: all that is in the colour sets [first, last), which are of one tier and
+// take as many sub-steps.
 struct SolverTask {
     SolverTier tier;
     std::size_t first, last;
@@ -205,9 +207,10 @@ SolverTask make_task(const ConstraintGraph& graph, const BodiesBySet& bodies, So
 std::vector<SolverTask> make_tasks(const StepContext& step) {
     const BodiesBySet& bodies = step.scratch.solver.bodies;
     std::vector<SolverTask> tasks;
-    // Listeners see the same groups of bodies whatever the threads.
-    const std::size_t together =
-        step.team.size() == 1 || has_substep_listeners(step.world.listeners) ? batch_count : 1;
+    // Listeners see the same groups of bodies whatever the threads. With a tolerance batches differ
+    // in their sub-steps.
+    const bool any_together = step.team.size() == 1 || has_substep_listeners(step.world.listeners);
+    const std::size_t together = any_together && !controls_error(step.world.def) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
         for (std::size_t k = first; k < first + batch_count; k += together)
@@ -262,10 +265,9 @@ void listen(StepContext& step, const SubstepMoment& moment, const SolverTask& ta
 }
 
 // Of what was prepared.
-void run_substeps(StepContext& step, const SolverTask& task, const JointTask& joints,
-                  std::span<const std::uint32_t> kinematic) {
+void run_substeps(StepContext& step, const SolverTask& task, const ContactSettings& set,
+                  const JointTask& joints, std::span<const std::uint32_t> kinematic) {
     SolverScratch& scratch = step.scratch.solver;
-    const ContactSettings& set = step.contacts[index_of(task.tier)];
     ASSERT(set.substeps >= 1);
     const double h = step.dt / set.substeps;
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.team};
@@ -306,11 +308,19 @@ void run_substeps(StepContext& step, const SolverTask& task, const JointTask& jo
     if (bounces) apply_restitution(contacts);
 }
 
-void solve_task(StepContext& step, const SolverTask& task,
+JointTask joints_of(StepContext& step, const SolverTask& task) {
+    SolverScratch& scratch = step.scratch.solver;
+    return {scratch.joints[task.first], scratch.joint_batches[task.first],
+            scratch.jointed.of(task.first, task.last)};
+}
+
+// Prepares and runs them: bodies, contacts and joints are then where they go, but for what
+// finish_joints() keeps.
+void solve_with(StepContext& step, const SolverTask& task, const ContactSettings& set,
                 std::span<const std::uint32_t> kinematic) {
     WorldState& world = step.world;
     SolverScratch& scratch = step.scratch.solver;
-    const double h = step.dt / step.contacts[index_of(task.tier)].substeps;
+    const double h = step.dt / set.substeps;
     each_body(step, task, [&](std::span<const std::uint32_t> bodies) {
         for (const std::uint32_t hot : bodies) prepare_body(step, h, hot - 1);
     });
@@ -319,8 +329,7 @@ void solve_task(StepContext& step, const SolverTask& task,
     if (!world.fields.empty())
         find_in_fields(step, scratch.bodies.of(task.first, task.last),
                        scratch.in_fields[task.first]);
-    const JointTask joints{scratch.joints[task.first], scratch.joint_batches[task.first],
-                           scratch.jointed.of(task.first, task.last)};
+    const JointTask joints = joints_of(step, task);
     prepare_joints(step, joints, h);
     std::vector<ColourRun>& colours = scratch.colour_runs[task.first];
     list_runs(world.graph, task.first, task.last, colours);
@@ -331,8 +340,26 @@ void solve_task(StepContext& step, const SolverTask& task,
                                              [](const ColourRun& run) { return run.shared; });
     TaskTeam alone(1);
     StepContext substeps{world, step.scratch, shared ? step.team : alone, step.dt, step.contacts};
-    run_substeps(substeps, task, joints, kinematic);
-    finish_joints(step, joints);
+    run_substeps(substeps, task, set, joints, kinematic);
+}
+
+void solve_task(StepContext& step, const SolverTask& task,
+                std::span<const std::uint32_t> kinematic) {
+    const ContactSettings& set = step.contacts[task.first];
+    const SolverScratch& scratch = step.scratch.solver;
+    const auto bodies = scratch.bodies.of(task.first, task.last),
+               jointed = scratch.jointed.of(task.first, task.last);
+    const bool twice = wants_trial(step, task.first);
+    if (twice) {
+        ContactSettings coarse = contact_settings(step.dt, set.substeps / 2, task.tier);
+        coarse.planar = set.planar;
+        begin_trial(step, task.first, task.last, jointed);
+        solve_with(step, task, coarse, kinematic);
+        end_trial(step, task.first, task.last, bodies, jointed);
+    }
+    solve_with(step, task, set, kinematic);
+    if (twice) compare_trial(step, task.first, bodies);
+    finish_joints(step, joints_of(step, task));
 }
 
 // ---- all tasks ----

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "constraint_graph/constraint_graph.h"
 #include "constraint_graph/joint_levels.h"
 #include "constraint_graph/solver_body.h"
 #include "constraints/contact_passes.h"
@@ -50,6 +51,12 @@ struct BodiesBySet {
     }
 };
 
+// What a trial of half of the sub-steps keeps (stages/solver/error_trial.h).
+struct ErrorTrial {
+    std::vector<GraphColour> colours;  // as they were before it
+    std::vector<HotBody> bodies;       // as they were after it, in the task's order
+};
+
 struct SolverScratch {
     HotBodies hot;                         // by hot index
     std::vector<ExternalChange> external;  // by hot index
@@ -63,6 +70,7 @@ struct SolverScratch {
     std::array<JointBatches, solved_set_count> joint_batches;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
+    std::array<ErrorTrial, solved_set_count> trials;
     JointGroupScratch groups;
     std::vector<SpinAxes> spin_axes;         // by hot index
     std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where spin_axes is not world

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "stages/islands/choose_rungs.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
+#include "stages/step_scratch.h"
+#include "state/island_tiers.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr std::uint8_t finest = batch_count - 1;
+
+int substeps_at(const WorldState& world, const Island& island, std::uint8_t rung) {
+    return substeps_of({island.colour_set.tier, rung}, world.def);
+}
+
+// By how much errors grow on another rung, to the power that is given.
+double growth(const WorldState& world, const Island& island, std::uint8_t rung, int power) {
+    const double fewer = static_cast<double>(substeps_of(island.colour_set, world.def)) /
+                         substeps_at(world, island, rung);
+    return power == 2 ? fewer * fewer : fewer;
+}
+
+// Answers a measurement.
+void choose_wanted(const WorldState& world, Island& island) {
+    IslandError& error = island.error;
+    ASSERT(error.fresh && error.drift > 0);
+    error.fresh = false;
+    const std::uint8_t now = island.colour_set.batch;
+    const double tolerance = world.def.tolerance;
+    if (error.drift > tolerance) {
+        std::uint8_t rung = now;
+        while (rung < finest && error.drift * growth(world, island, rung, 1) > tolerance) rung++;
+        error.wanted = rung;
+        error.easy = 0;
+        return;
+    }
+    const bool easy = now > 0 && error.drift * growth(world, island, now - 1, 2) <=
+                                     tuning::rung_reserve * tolerance;
+    error.easy = easy ? static_cast<std::uint8_t>(error.easy + 1) : 0;
+    error.wanted = now;
+    if (error.easy < tuning::rung_patience) return;
+    error.wanted = now - 1;
+    error.easy = 0;
+}
+
+// What manifolds tie together is on one rung.
+struct TiedGroup {
+    std::vector<std::uint32_t> islands;
+    std::uint8_t rung = 0;  // that it is to have
+    double drift = 0;
+    std::int64_t bodies = 0;
+};
+
+TiedGroup group_of(const WorldState& world, std::vector<std::uint32_t> islands) {
+    TiedGroup group{.islands = std::move(islands)};
+    for (const std::uint32_t i : group.islands) {
+        const Island& island = world.islands.islands[i];
+        group.rung = std::max(group.rung, island.error.wanted);
+        group.drift =
+            maximum(group.drift, island.error.drift > 0 ? island.error.drift : world.def.tolerance);
+        group.bodies += island.bodies;
+    }
+    return group;
+}
+
+void move(WorldState& world, const TiedGroup& group) {
+    const ColourSetKey from = world.islands.islands[group.islands.front()].colour_set;
+    move_to_set(world, group.islands, {from.tier, group.rung});
+}
+
+bool is_awake(const WorldState& world, std::uint32_t island) {
+    return world.islands.ids.alive(island) && !world.islands.islands[island].asleep;
+}
+
+// Whether the solver moves it: by contacts or joints.
+bool is_held(const BodyCold& cold) {
+    return cold.island != none && !cold.asleep_in_place &&
+           (cold.constraints > 0 || cold.first_joint != none);
+}
+
+std::vector<TiedGroup> find_held_groups(const WorldState& world) {
+    std::vector<TiedGroup> groups;
+    std::vector<bool> seen(world.islands.islands.size(), false);
+    for (const BodyWarm& warm : world.bodies.awake) {
+        const BodyCold& cold = world.bodies.cold[warm.body];
+        if (!is_held(cold) || seen[cold.island]) continue;
+        groups.push_back(group_of(world, tied_islands(world, cold.island, seen)));
+    }
+    return groups;
+}
+
+// Lowers rungs until all together keep to the budget, or all are on the first.
+void share_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
+    const auto spends = [&](const TiedGroup& group) {
+        const Island& island = world.islands.islands[group.islands.front()];
+        return group.bodies * substeps_at(world, island, group.rung);
+    };
+    const auto harm = [&](const TiedGroup& group) {
+        const Island& island = world.islands.islands[group.islands.front()];
+        return group.drift * growth(world, island, group.rung - 1, 1);
+    };
+    std::int64_t spent = 0;
+    for (const TiedGroup& group : groups) spent += spends(group);
+    using Offer = std::pair<double, std::size_t>;
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    const auto offer = [&](std::size_t k) {
+        if (groups[k].rung > 0) offers.push({harm(groups[k]), k});
+    };
+    for (std::size_t k = 0; k < groups.size(); k++) offer(k);
+    while (spent > world.def.substep_budget && !offers.empty()) {
+        const std::size_t k = offers.top().second;
+        offers.pop();
+        spent -= spends(groups[k]);
+        groups[k].rung--;
+        spent += spends(groups[k]);
+        offer(k);
+    }
+}
+
+}  // namespace
+
+void choose_rungs(StepContext& step) {
+    WorldState& world = step.world;
+    std::vector<std::uint32_t> asking;
+    for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
+        if (!is_awake(world, i) || !world.islands.islands[i].error.fresh) continue;
+        choose_wanted(world, world.islands.islands[i]);
+        if (world.islands.islands[i].error.wanted != world.islands.islands[i].colour_set.batch)
+            asking.push_back(i);
+    }
+    if (world.def.substep_budget == 0) {
+        for (const std::uint32_t i : asking) move(world, group_of(world, tied_islands(world, i)));
+    } else if (world.steps % tuning::budget_interval == 1) {
+        std::vector<TiedGroup> groups = find_held_groups(world);
+        share_budget(world, groups);
+        for (const TiedGroup& group : groups) move(world, group);
+    }
+    auto& unknown = step.scratch.islands.unknown;
+    unknown.fill(0);
+    for (const BodyWarm& warm : world.bodies.awake) {
+        if (!is_held(world.bodies.cold[warm.body])) continue;
+        const Island& island = world.islands.islands[world.bodies.cold[warm.body].island];
+        if (island.error.drift == 0) unknown[index_of(island.colour_set)] = 1;
+    }
+}
+
+}  // namespace jostle::physics

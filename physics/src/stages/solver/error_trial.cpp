@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solver/error_trial.h"
+
+#include <algorithm>
+
+#include "foundation/check.h"
+#include "foundation/tuning.h"
+#include "stages/solver/substep_hooks.h"
+#include "stages/step_scratch.h"
+#include "state/impulse_scale.h"
+
+namespace jostle::physics {
+namespace {
+
+// Exact both ways.
+constexpr float longer = 2, shorter = 0.5f;
+constexpr double most_drift = 1e6;     // m: what is not a number, too
+constexpr double least_drift = 1e-12;  // m: 0 says that nothing is known
+
+// With contacts, always in the same order.
+template <class Visit>
+void each_colour(ConstraintGraph& graph, std::size_t first, std::size_t last, Visit&& visit) {
+    for_each_colour(std::span(graph.sets).subspan(first, last - first), visit);
+}
+
+void scale_all(StepContext& step, std::span<const std::uint32_t> jointed, double scale) {
+    for (const std::uint32_t hot : jointed)
+        scale_joints(step.world, step.world.bodies.awake[hot - 1].body, scale);
+}
+
+void lengthen(GraphColour& colour, int number) {
+    for (std::int32_t slot = 0; slot < colour.contacts; slot++)
+        scale_impulses(place_at(colour, number, slot), longer, false);
+}
+
+double length_between(const float* a, const float* b) {
+    const Vec3 x{double{a[0]}, double{a[1]}, double{a[2]}},
+        y{double{b[0]}, double{b[1]}, double{b[2]}};
+    return length(x - y);
+}
+
+}  // namespace
+
+bool wants_trial(const StepContext& step, std::size_t set) {
+    const WorldState& world = step.world;
+    if (!controls_error(world.def) || has_substep_listeners(world.listeners)) return false;
+    const std::uint64_t turn = world.steps + set;
+    return turn % tuning::trial_interval == 1 ||
+           (turn % tuning::first_trial_interval == 1 && step.scratch.islands.unknown[set] != 0);
+}
+
+void begin_trial(StepContext& step, std::size_t first, std::size_t last,
+                 std::span<const std::uint32_t> jointed) {
+    ErrorTrial& trial = step.scratch.solver.trials[first];
+    std::size_t next = 0;
+    each_colour(step.world.graph, first, last, [&](GraphColour& colour, int number) {
+        if (colour.contacts == 0) return;
+        if (next == trial.colours.size()) trial.colours.emplace_back();
+        trial.colours[next++] = colour;
+        lengthen(colour, number);
+    });
+    scale_all(step, jointed, double{longer});
+}
+
+void end_trial(StepContext& step, std::size_t first, std::size_t last,
+               std::span<const std::uint32_t> bodies, std::span<const std::uint32_t> jointed) {
+    ErrorTrial& trial = step.scratch.solver.trials[first];
+    trial.bodies.clear();
+    for (const std::uint32_t hot : bodies) trial.bodies.push_back(step.scratch.solver.hot[hot]);
+    std::size_t next = 0;
+    each_colour(step.world.graph, first, last, [&](GraphColour& colour) {
+        if (colour.contacts == 0) return;
+        ASSERT(next < trial.colours.size());
+        std::swap(colour, trial.colours[next++]);
+    });
+    scale_all(step, jointed, double{shorter});
+}
+
+double drift_of(double shift, double change, double dt) {
+    const double second = 1;  // s
+    return (shift + change * second / 2) * second / dt;
+}
+
+void note_drift(Island& island, double drift) {
+    // A maximum that takes what is not a number for the most.
+    const double known = drift < most_drift ? maximum(drift, least_drift) : most_drift;
+    island.error.drift = island.error.fresh ? maximum(island.error.drift, known) : known;
+    island.error.fresh = true;
+}
+
+void compare_trial(StepContext& step, std::size_t first, std::span<const std::uint32_t> bodies) {
+    WorldState& world = step.world;
+    const ErrorTrial& trial = step.scratch.solver.trials[first];
+    ASSERT(trial.bodies.size() == bodies.size());
+    for (const std::uint32_t hot : bodies)
+        world.islands.islands[world.bodies.cold[world.bodies.awake[hot - 1].body].island]
+            .error.fresh = false;
+    for (std::size_t k = 0; k < bodies.size(); k++) {
+        const HotBody &now = step.scratch.solver.hot[bodies[k]], &then = trial.bodies[k];
+        const BodyCold& cold = world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
+        const double shift =
+            length_between(now.dp, then.dp) + cold.radius * length_between(now.dr, then.dr);
+        const double change =
+            length_between(now.v, then.v) + cold.radius * length_between(now.w, then.w);
+        note_drift(world.islands.islands[cold.island], drift_of(shift, change, step.dt));
+    }
+}
+
+}  // namespace jostle::physics

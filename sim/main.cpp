@@ -11,6 +11,7 @@
 
 #include "converge.h"
 #include "convergence_report.h"
+#include "effort_report.h"
 #include "inspect_plot.h"
 #include "inspect_report.h"
 #include "jostle/scenes/catalog.h"
@@ -56,6 +57,9 @@ struct Flags {
     double seconds = 10;
     std::optional<double> hz;
     std::optional<int> substeps;
+    std::optional<double> tolerance;
+    std::optional<double> substep_budget;
+    std::string efforts;
     int threads = 1, trace_every = 1;
     bool list = false, converge = false;
     std::vector<double> rates, tolerances = {0.01};
@@ -160,6 +164,16 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->check(between(4, 10000));
     app.add_option("--substeps", flags.substeps, "Solver passes per step; default: the scene's")
         ->check(CLI::Range(1, 64));
+    app.add_option("--error-tolerance", flags.tolerance,
+                   "m: each island takes as many sub-steps as keep it so near after a second; 0: "
+                   "all take the same; default: the scene's")
+        ->check(between(0, 1e3));
+    app.add_option("--substep-budget", flags.substep_budget,
+                   "With a tolerance: sub-steps of a step at most, summed over the bodies; 0: any "
+                   "number")
+        ->check(between(0, 4294967295.0));
+    app.add_option("--efforts", flags.efforts,
+                   "Writes here, as JSON, what each island took in the end; - shows it as text");
     app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
         ->capture_default_str()
         ->check(CLI::Range(1, 64));
@@ -285,6 +299,9 @@ int run(const Flags& flags) {
     if (!scene.ok()) return fail(2, scene.error().message);
     if (flags.hz) scene->hz = *flags.hz;
     if (flags.substeps) scene->world.substeps = *flags.substeps;
+    if (flags.tolerance) scene->world.tolerance = *flags.tolerance;
+    if (flags.substep_budget)
+        scene->world.substep_budget = static_cast<std::int64_t>(*flags.substep_budget);
     if (!flags.sleep.empty()) scene->world.sleeping = flags.sleep == "on";
     if (flags.converge) return run_converge(*scene, flags);
     scene->world.threads = flags.threads;
@@ -336,6 +353,11 @@ int run(const Flags& flags) {
         out << to_json(report);
         if (!out) return fail(1, "cannot write " + flags.json);
     }
+    if (flags.efforts == "-")
+        std::fputs(jostle::sim::to_text(built->world.island_efforts()).c_str(), stdout);
+    else if (!flags.efforts.empty() &&
+             !write_text(flags.efforts, jostle::sim::to_json(built->world.island_efforts())))
+        return fail(1, "cannot write " + flags.efforts);
     if (!flags.save.empty() && !save_world(built->world, flags.save))
         return fail(1, "cannot write " + flags.save);
     return 0;

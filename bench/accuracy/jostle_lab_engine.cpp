@@ -35,10 +35,13 @@ Result<physics::Geometry> geometry_of(const Shape& shape) {
 class JostleLabEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
-        auto world = physics::World::create({.gravity = scene.gravity,
-                                             .substeps = std::stoi(mode.substr(3)),
-                                             .threads = 1,
-                                             .sleeping = false});
+        // subN: so many sub-steps; tolX: as many as keep to X metres in a second.
+        physics::WorldDef def{.gravity = scene.gravity, .threads = 1, .sleeping = false};
+        if (mode.starts_with("tol"))
+            def.tolerance = std::stod(mode.substr(3));
+        else
+            def.substeps = std::stoi(mode.substr(3));
+        auto world = physics::World::create(def);
         if (!world) return world.error();
         world_.emplace(std::move(*world));
         for (const Body& body : scene.bodies)

@@ -35,8 +35,10 @@ constexpr Maker make_box2d = nullptr;
 const std::vector<EngineKind>& kinds() {
     static const std::vector<EngineKind> all = {
         {"jostle",
-         "double outside, float in the inner loops; sub-steps; sweeps as by default",
-         {"sub8", "sub1", "sub4", "sub16"},
+         "double outside, float in the inner loops; so many sub-steps, or as many as a tolerance "
+         "in "
+         "metres asks for; sweeps as by default",
+         {"sub8", "sub1", "sub4", "sub16", "tol1e-2", "tol1e-3", "tol1e-4"},
          make_jostle_engine},
         {"bullet",
          "double precision; sequential impulses or nonlinear conjugate gradients with so many "

@@ -88,6 +88,9 @@ private:
         out.world.broad_phase = broad_phase(m.broad_phase());
         if (m.has_hit_speed())
             out.world.hit_speed = number("world.hit_speed", m.hit_speed(), 0, 1e6);
+        if (m.tolerance() != 0)
+            out.world.tolerance = number("world.tolerance", m.tolerance(), 1e-9, 1e3);
+        out.world.substep_budget = m.substep_budget();
     }
 
     BroadPhase broad_phase(v1::BroadPhase kind) {
@@ -281,6 +284,10 @@ v1::Scene to_message(const SceneDescription& scene) {
     if (scene.world.broad_phase == BroadPhase::uniform_grid)
         out.mutable_world()->set_broad_phase(v1::BROAD_PHASE_UNIFORM_GRID);
     out.mutable_world()->set_hit_speed(scene.world.hit_speed);
+    if (scene.world.tolerance != 0) out.mutable_world()->set_tolerance(scene.world.tolerance);
+    if (scene.world.substep_budget != 0)
+        out.mutable_world()->set_substep_budget(
+            static_cast<std::uint32_t>(scene.world.substep_budget));
     out.mutable_world()->set_substeps(static_cast<std::uint32_t>(scene.world.substeps));
     out.mutable_world()->set_hz(scene.hz);
     out.mutable_world()->set_sleeping(scene.world.sleeping);

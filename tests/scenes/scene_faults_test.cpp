@@ -99,6 +99,8 @@ TEST(SceneFaults, each_fault_is_named_with_its_line_and_field) {
          "BODY_TYPE_DYNAMIC"},
         {"{\"name\": \"a\",\n \"world\": {\"hz\": 1}}",
          "line 2: world.hz: 1 is out of range; it must be from 4 to 1000"},
+        {"{\"name\": \"a\",\n \"world\": {\"tolerance\": -1}}",
+         "line 2: world.tolerance: -1 is out of range; it must be from 1e-09 to 1000"},
         {"{\"name\": \"a\",\n \"world\": {\"substeps\": -1}}",
          "line 2: world.substeps: must be a whole number from 0 to 4294967295"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"sphere\": {\"radius\": 1}}],\n"

@@ -41,6 +41,8 @@ COVERED_BY = {
     "constraints/contact_kernel.h":
         (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "world/island_efforts.cpp":
+        (["physics/stages/islands/choose_rungs_test.cpp", "sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
     "constraints/direct/block_pattern.cpp":
         (["physics/constraints/direct/block_ldl_test.cpp"], "against elimination of the dense matrix; a chain costs in proportion to its links"),
     "constraints/direct/direct_body.h":

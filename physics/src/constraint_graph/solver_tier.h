@@ -41,7 +41,7 @@ inline constexpr std::size_t index_of(SolverTier tier) {
 // tolerance a batch is a rung: its islands take rung_substeps (stages/islands/choose_rungs.h).
 inline constexpr int batch_count = 4;
 inline constexpr std::array<int, batch_count> rung_substeps = {2, 6, 16, 48};
-inline constexpr std::uint8_t first_rung = 1;  // of an island of which nothing is known
+inline constexpr std::uint8_t first_rung = 2;  // of an island of which nothing is known
 
 // Which colours a contact is in: a set per tier and batch, and one for what sleeps in place.
 struct ColourSetKey {

@@ -34,5 +34,7 @@ struct ContactSettings {
 // rate, so that more sub-steps are stiffer and more exact.
 // For islands of this tier.
 ContactSettings contact_settings(double dt, int substeps, SolverTier tier);
+// ... as stiff as for `stiff_as` sub-steps.
+ContactSettings contact_settings(double dt, int substeps, SolverTier tier, int stiff_as);
 
 }  // namespace jostle::physics

@@ -120,9 +120,11 @@ inline constexpr int tier_patience = 4;  // looks
 // second step while one of them is not known.
 inline constexpr int trial_interval = 8, first_trial_interval = 2;
 // An island takes a coarser rung after so many looks at which it would have kept to this part of
-// the tolerance there, if errors go with the square of the sub-step.
+// the tolerance there.
 inline constexpr int rung_patience = 2;  // looks
 inline constexpr double rung_reserve = 0.5;
+// s: how long what a step's contacts got wrong in a velocity goes on, in the mean.
+inline constexpr double velocity_error_life = 0.125;
 // With a budget rungs are dealt out anew in every so many steps.
 inline constexpr int budget_interval = 8;
 // Islands of one tier are dealt out among batches that threads solve side by side, none of less

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "state/impulse_scale.h"
 
+#include <algorithm>
+
 #include "foundation/check.h"
 
 namespace jostle::physics {
@@ -49,6 +51,11 @@ void scale_warm_start(const ContactPlace& place, float scale) {
 void scale_impulses(const ContactPlace& place, float scale, bool even) {
     scale_warm_start(place, scale);
     stiffen(place, 1 / (scale * scale), even);
+}
+
+void forget_pull(const ContactPlace& place) {
+    for (auto& mean_impulse : place.block->mean_impulse)
+        mean_impulse[place.lane] = std::max(mean_impulse[place.lane], 0.0f);
 }
 
 void scale_joints(WorldState& world, std::uint32_t body, double scale) {

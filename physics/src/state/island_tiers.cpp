@@ -27,6 +27,7 @@ void move_contacts(WorldState& world, std::uint32_t body, float scale, bool even
         if (scale != 1 || even) {
             const ContactPlace place = place_of(world, c);
             scale_impulses(place, scale, even);
+            if (controls_error(world.def)) forget_pull(place);
         }
         if (c.colour_set != set_of_contact(world, c)) move_contact(world, index);
     });

@@ -33,7 +33,8 @@ Status check_world(const WorldDef& def) {
         return invalid("broad_phase is of no known kind");
     if (def.tolerance != 0)
         if (Status s = check_range("tolerance", def.tolerance, 1e-9, 1e3); !s.ok()) return s;
-    if (Status s = check_range("substep_budget", static_cast<double>(def.substep_budget), 0, 1e12);
+    if (Status s =
+            check_range("substep_budget", static_cast<double>(def.substep_budget), 0, 4294967295.0);
         !s.ok())
         return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())

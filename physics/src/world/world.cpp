@@ -72,6 +72,14 @@ std::uint64_t World::step_count() const {
 Vec3 World::gravity() const {
     return state_->def.gravity;
 }
+double World::tolerance() const {
+    return state_->def.tolerance;
+}
+
+std::int64_t World::substep_budget() const {
+    return state_->def.substep_budget;
+}
+
 int World::substeps() const {
     return state_->def.substeps;
 }

@@ -67,6 +67,9 @@ TEST_F(BadInput, world_definitions) {
     refused({.gravity = {0, nan, 0}}, "gravity");
     refused({.gravity = {0, -inf, 0}}, "gravity");
     refused({.gravity = {1e9, 0, 0}}, "gravity");
+    refused({.tolerance = -1e-3}, "tolerance");
+    refused({.tolerance = 1e-10}, "tolerance");
+    refused({.tolerance = 1e-3, .substep_budget = -1}, "substep_budget");
     refused({.substeps = 0}, "substeps");
     refused({.substeps = 65}, "substeps");
     refused({.threads = 0}, "threads");

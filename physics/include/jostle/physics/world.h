@@ -25,6 +25,7 @@
 #include "jostle/physics/events.h"
 #include "jostle/physics/force_fields.h"
 #include "jostle/physics/ids.h"
+#include "jostle/physics/island_effort.h"
 #include "jostle/physics/joint_defs.h"
 #include "jostle/physics/profile.h"
 #include "jostle/physics/queries.h"
@@ -208,6 +209,8 @@ public:
     Vec3 gravity() const;
     Status set_gravity(Vec3 gravity);  // m/s^2; wakes every body when it changes
     int substeps() const;
+    double tolerance() const;  // m; 0: none
+    std::int64_t substep_budget() const;
     Status set_threads(
         int threads);  // not part of the state: changes nothing but the time a step takes
 
@@ -219,6 +222,9 @@ public:
     Result<std::vector<ContactInfo>> contacts_of(BodyId body) const;
     // Who touches it, each once, by id.
     Result<std::vector<BodyId>> touching_bodies(BodyId body) const;
+
+    // What each awake island that is not alone takes, by body; after a step.
+    std::vector<IslandEffort> island_efforts() const;
 
     // --- what a step has to solve: constraint_system.h ---
     // Of all that joints and touching contacts hang together with a dynamic body, awake or asleep.

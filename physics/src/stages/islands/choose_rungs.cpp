@@ -21,11 +21,10 @@ int substeps_at(const WorldState& world, const Island& island, std::uint8_t rung
     return substeps_of({island.colour_set.tier, rung}, world.def);
 }
 
-// By how much errors grow on another rung, to the power that is given.
-double growth(const WorldState& world, const Island& island, std::uint8_t rung, int power) {
-    const double fewer = static_cast<double>(substeps_of(island.colour_set, world.def)) /
-                         substeps_at(world, island, rung);
-    return power == 2 ? fewer * fewer : fewer;
+// By how much errors grow on another rung: of first order.
+double growth(const WorldState& world, const Island& island, std::uint8_t rung) {
+    return static_cast<double>(substeps_of(island.colour_set, world.def)) /
+           substeps_at(world, island, rung);
 }
 
 // Answers a measurement.
@@ -36,14 +35,12 @@ void choose_wanted(const WorldState& world, Island& island) {
     const std::uint8_t now = island.colour_set.batch;
     const double tolerance = world.def.tolerance;
     if (error.drift > tolerance) {
-        std::uint8_t rung = now;
-        while (rung < finest && error.drift * growth(world, island, rung, 1) > tolerance) rung++;
-        error.wanted = rung;
+        error.wanted = std::min<std::uint8_t>(now + 1, finest);
         error.easy = 0;
         return;
     }
-    const bool easy = now > 0 && error.drift * growth(world, island, now - 1, 2) <=
-                                     tuning::rung_reserve * tolerance;
+    const bool easy =
+        now > 0 && error.drift * growth(world, island, now - 1) <= tuning::rung_reserve * tolerance;
     error.easy = easy ? static_cast<std::uint8_t>(error.easy + 1) : 0;
     error.wanted = now;
     if (error.easy < tuning::rung_patience) return;
@@ -105,7 +102,7 @@ void share_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
     };
     const auto harm = [&](const TiedGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];
-        return group.drift * growth(world, island, group.rung - 1, 1);
+        return group.drift * growth(world, island, group.rung - 1);
     };
     std::int64_t spent = 0;
     for (const TiedGroup& group : groups) spent += spends(group);

@@ -2,8 +2,9 @@
 //
 // How far the sub-steps of a step lead from where endlessly many would: a step is solved twice from
 // the same state, with half of its sub-steps first, and the difference tells (step doubling: E.
-// Hairer, S. Norsett, G. Wanner, "Solving ordinary differential equations I", II.4; taken as of
-// first order, which overstates it where the motion is smooth). Only in worlds with a tolerance.
+// Hairer, S. Norsett, G. Wanner, "Solving ordinary differential equations I", II.4). Contacts are
+// as stiff in both, or the difference would be that of two springs. How far they yield is an error
+// of its own: what they overlap. Only in worlds with a tolerance.
 //
 // Reads: what the solver left in the hot records. Writes: Island::error. Leaves contacts and joints
 // as they were before the trial.
@@ -27,11 +28,15 @@ void begin_trial(StepContext& step, std::size_t first, std::size_t last,
 void end_trial(StepContext& step, std::size_t first, std::size_t last,
                std::span<const std::uint32_t> bodies, std::span<const std::uint32_t> jointed);
 // After the step itself: the difference, into the islands.
-void compare_trial(StepContext& step, std::size_t first, std::span<const std::uint32_t> bodies);
+void compare_trial(StepContext& step, std::size_t first, std::size_t last,
+                   std::span<const std::uint32_t> bodies);
 
+// How long an error of a velocity goes on: for good in what swings freely; contacts and sweeps take
+// it back.
+enum class ErrorLife { all, short_ };
 // m: by how much a second of steps is off, each of which is off by so much: `shift` of a place in
 // m, `change` of a velocity in m/s.
-double drift_of(double shift, double change, double dt);
+double drift_of(double shift, double change, double dt, ErrorLife life);
 void note_drift(Island& island, double drift);
 
 }  // namespace jostle::physics

@@ -82,6 +82,23 @@ void sort_out_bodies(const BodyStore& bodies, const IslandStore& islands, Solver
 }
 
 // For the profile.
+void count_substeps(const StepContext& step, StepProfile& profile) {
+    const SolverScratch& scratch = step.scratch.solver;
+    for (std::size_t set = 0; set < solved_set_count; set++) {
+        const auto bodies = static_cast<std::int64_t>(scratch.bodies.of(set, set + 1).size());
+        const int substeps = step.contacts[set].substeps;
+        profile.body_substeps += bodies * substeps;
+        if (wants_trial(step, set)) profile.trial_substeps += bodies * (substeps / 2);
+    }
+    for (const std::uint32_t island : scratch.groups.active) {
+        const Island& of = step.world.islands.islands[island];
+        const int substeps = scratch.groups.of_island[island]->substeps;
+        profile.body_substeps += std::int64_t{of.bodies} * substeps;
+        if (wants_trial(step, index_of(of.colour_set)))
+            profile.trial_substeps += std::int64_t{of.bodies} * (substeps / 2);
+    }
+}
+
 void count_bodies(const BodyStore& bodies, const SolverScratch& scratch, StepProfile& profile) {
     profile.bodies_asleep_in_place = static_cast<int>(bodies.asleep_in_place);
     profile.bodies_awake = static_cast<int>(bodies.awake.size() - bodies.asleep_in_place);
@@ -351,14 +368,15 @@ void solve_task(StepContext& step, const SolverTask& task,
                jointed = scratch.jointed.of(task.first, task.last);
     const bool twice = wants_trial(step, task.first);
     if (twice) {
-        ContactSettings coarse = contact_settings(step.dt, set.substeps / 2, task.tier);
+        ContactSettings coarse =
+            contact_settings(step.dt, set.substeps / 2, task.tier, set.substeps);
         coarse.planar = set.planar;
         begin_trial(step, task.first, task.last, jointed);
         solve_with(step, task, coarse, kinematic);
         end_trial(step, task.first, task.last, bodies, jointed);
     }
     solve_with(step, task, set, kinematic);
-    if (twice) compare_trial(step, task.first, bodies);
+    if (twice) compare_trial(step, task.first, task.last, bodies);
     finish_joints(step, joints_of(step, task));
 }
 
@@ -404,6 +422,7 @@ Skipped solve_constraints(StepContext& step) {
     find_joint_groups(step);
     sort_out_bodies(bodies, step.world.islands, scratch);
     count_bodies(bodies, scratch, step.world.profile);
+    count_substeps(step, step.world.profile);
     ASSERT(!scratch.bodies.all.empty() ||
            std::all_of(graph.solved().begin(), graph.solved().end(),
                        [](const ColourSet& set) { return set.contacts == 0; }));

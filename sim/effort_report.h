@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Which islands took how many sub-steps, and how exact that is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jostle/physics/physics.h"
+
+namespace jostle::sim {
+
+// A line for each number of sub-steps, then the islands that are furthest off. Empty without
+// islands.
+std::string to_text(const std::vector<physics::IslandEffort>& efforts);
+std::string to_json(const std::vector<physics::IslandEffort>& efforts);
+
+}  // namespace jostle::sim

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+//
+// Sub-steps by tolerance: who needs more has more, nobody else, and the budget is kept.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// A chain of `links` that hangs from the world and swings, whose last link weighs `ratio` as much
+// as the others.
+std::vector<BodyId> add_chain(World& world, double x, int links, double ratio) {
+    std::vector<BodyId> chain;
+    BodyId above{};
+    for (int k = 0; k < links; k++) {
+        const BodyId link = add(world, {.geometry = Box{{0.25, 0.05, 0.05}},
+                                        .position = {x + 0.25 + 0.5 * k, 20, 0},
+                                        .density = k + 1 == links ? 1000 * ratio : 1000});
+        const Transform left{{-0.25, 0, 0}, {}}, right{{0.25, 0, 0}, {}};
+        if (k == 0)
+            must(
+                world.create_joint({.body_b = link, .frame_a = {{x, 20, 0}, {}}, .frame_b = left}));
+        else
+            must(world.create_joint(
+                {.body_a = above, .body_b = link, .frame_a = right, .frame_b = left}));
+        chain.push_back(above = link);
+    }
+    return chain;
+}
+
+const IslandEffort& of(const std::vector<IslandEffort>& efforts, BodyId body) {
+    return *std::find_if(efforts.begin(), efforts.end(),
+                         [&](const IslandEffort& e) { return e.body == body; });
+}
+
+World make_mixed_world(double tolerance, std::int64_t budget = 0, int threads = 1) {
+    return make_world(
+        {.tolerance = tolerance, .substep_budget = budget, .threads = threads, .sleeping = false});
+}
+
+TEST(Rungs,
+     boxes_at_rest_take_two_substeps_and_a_chain_that_swings_beside_them_as_many_as_it_needs) {
+    World world = make_mixed_world(1e-3);
+    add_floor(world);
+    std::vector<BodyId> boxes;
+    for (int k = 0; k < 20; k++) boxes.push_back(add(world, {.position = {-2.0 * k, 0.5, 0}}));
+    const BodyId link = add_chain(world, 10, 10, 100).front();
+    run(world, 1);
+    const std::vector<IslandEffort> efforts = world.island_efforts();
+    ASSERT_EQ(efforts.size(), 21u);
+    for (const BodyId box : boxes) {
+        EXPECT_EQ(of(efforts, box).substeps, 2);
+        EXPECT_LT(of(efforts, box).drift, 1e-3);
+    }
+    EXPECT_GE(of(efforts, link).substeps, 16);
+    EXPECT_TRUE(of(efforts, link).direct);
+    EXPECT_EQ(of(efforts, link).joints, 10);
+}
+
+TEST(Rungs, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
+    // v^2 / (2 mu g) = 4.247 m, after 1.7 s. Floats leave 2 mm of it, with 64 sub-steps all along.
+    double substeps_before = 0;
+    for (const double tolerance : {5e-2, 1e-2, 2e-3}) {
+        World world = make_mixed_world(tolerance);
+        add_floor(world, 0.3);
+        const BodyId box = add(world, {.geometry = Box{{0.1, 0.1, 0.1}},
+                                       .position = {0, 0.1, 0},
+                                       .velocity = {5, 0, 0},
+                                       .friction = 0.3});
+        double substeps = 0;
+        for (int k = 0; k < 120; k++) {
+            must(world.step(1.0 / 60));
+            substeps += static_cast<double>(world.profile().body_substeps);
+        }
+        const double way = must(world.body(box)).pose.position.x;
+        EXPECT_NEAR(way, 25 / (2 * 0.3 * 9.81), 1.7 * tolerance + 0.002) << tolerance;
+        EXPECT_GT(substeps, substeps_before);
+        substeps_before = substeps;
+    }
+}
+
+TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
+    World world = make_mixed_world(1e-4, 400);
+    add_floor(world);
+    const BodyId heavy = add_chain(world, 10, 10, 100).front();
+    for (int k = 0; k < 10; k++)
+        add(world,
+            {.geometry = Sphere{0.5}, .position = {-2.0 * k, 0.5, 0}, .velocity = {0, 0, 3}});
+    int kept = 0;
+    for (int k = 0; k < 120; k++) {
+        must(world.step(1.0 / 60));
+        if (k >= 20 && world.profile().body_substeps <= 400) kept++;
+    }
+    EXPECT_EQ(kept, 100);
+    const std::vector<IslandEffort> efforts = world.island_efforts();
+    EXPECT_GE(of(efforts, heavy).wanted_substeps, of(efforts, heavy).substeps);
+    for (const IslandEffort& e : efforts) EXPECT_LE(e.drift, of(efforts, heavy).drift);
+}
+
+TEST(Rungs, without_a_tolerance_nothing_is_tried_and_nothing_known) {
+    World world = make_world({.substep_budget = 5, .sleeping = false});
+    add_floor(world);
+    add(world, {.position = {0, 0.5, 0}});
+    for (int k = 0; k < 20; k++) {
+        must(world.step(1.0 / 60));
+        EXPECT_EQ(world.profile().trial_substeps, 0);
+    }
+    ASSERT_EQ(world.island_efforts().size(), 1u);
+    EXPECT_EQ(world.island_efforts()[0].drift, 0);
+    EXPECT_EQ(world.island_efforts()[0].substeps, 8);
+    EXPECT_EQ(world.profile().body_substeps, 8);
+}
+
+// Boxes fall in a heap beside a chain.
+World make_busy_world(int threads) {
+    World world = make_mixed_world(1e-3, 30000, threads);
+    add_floor(world);
+    for (int k = 0; k < 200; k++)
+        add(world, {.geometry = Box{{0.2, 0.2, 0.2}},
+                    .position = {0.41 * (k % 5), 0.3 + 0.45 * (k / 25), 0.41 * (k / 5 % 5)}});
+    add_chain(world, 10, 10, 100);
+    return world;
+}
+
+TEST(Rungs, have_the_same_bits_at_one_two_and_four_threads) {
+    std::uint64_t hashes[3] = {};
+    const int threads[3] = {1, 2, 4};
+    for (int k = 0; k < 3; k++) {
+        World world = make_busy_world(threads[k]);
+        run(world, 1);
+        hashes[k] = state_hash(world);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST(Rungs, a_world_saved_between_two_looks_goes_on_as_if_it_had_not_been) {
+    World world = make_busy_world(1);
+    run(world, 0.5);
+    World copy = must(load(save(world)));
+    EXPECT_EQ(copy.tolerance(), 1e-3);
+    EXPECT_EQ(copy.substep_budget(), 30000);
+    for (int k = 0; k < 40; k++) {
+        must(world.step(1.0 / 60));
+        must(copy.step(1.0 / 60));
+        ASSERT_EQ(state_hash(world), state_hash(copy)) << k;
+    }
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "stages/solver/error_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/world_builder.h"
+
+namespace jostle::test {
+namespace {
+using namespace physics;
+
+// Hears of sub-steps, and so keeps trials away.
+class Listener final : public StepListener {
+public:
+    StepHooks hooks() const override { return {.substeps = true}; }
+};
+
+TEST(ErrorTrial, changes_no_bit_of_the_motion) {
+    // Stacks, a rolling ball, and doors on hinges that lie on the floor. With a tolerance of 1 km
+    // all is on the first rung after a second, and stays there.
+    World world = make_world({.tolerance = 1000, .sleeping = false});
+    add_floor(world);
+    for (int k = 0; k < 12; k++) add(world, {.position = {2.0 * (k / 4), 0.5 + k % 4, 0}});
+    add(world, {.geometry = Sphere{0.5}, .position = {0, 0.5, 5}, .velocity = {2, 0, 0}});
+    const BodyId a = add(world, {.position = {0, 0.5, -5}}),
+                 b = add(world, {.position = {1.1, 0.5, -5}});
+    must(world.create_joint({.body_a = a,
+                             .body_b = b,
+                             .frame_a = {{0.55, 0, 0}, {}},
+                             .frame_b = {{-0.55, 0, 0}, {}},
+                             .kind = HingeJoint{}}));
+    run(world, 1);
+    for (const IslandEffort& e : world.island_efforts()) EXPECT_EQ(e.substeps, 2);
+    World alone = must(load(save(world)));
+    Listener listener;
+    must(alone.add_listener(listener));
+    std::int64_t tried = 0;
+    for (int k = 0; k < 20; k++) {
+        must(world.step(1.0 / 60));
+        must(alone.step(1.0 / 60));
+        tried += world.profile().trial_substeps;
+        EXPECT_EQ(alone.profile().trial_substeps, 0);
+    }
+    EXPECT_GT(tried, 2 * 15);
+    std::vector<BodyState> here, there;
+    world.copy_bodies(here);
+    alone.copy_bodies(there);
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t k = 0; k < here.size(); k++) {
+        EXPECT_EQ(here[k].pose.position, there[k].pose.position) << k;
+        EXPECT_EQ(here[k].linear_velocity, there[k].linear_velocity) << k;
+        EXPECT_EQ(here[k].angular_velocity, there[k].angular_velocity) << k;
+    }
+}
+
+TEST(ErrorTrial, a_second_of_steps_is_off_by_what_each_is_and_by_what_its_velocity_leads_to) {
+    // A place that is 1 mm further at each of 60 steps; a velocity of 1 mm/s more each, which after
+    // a second is 60 mm/s, and has led 30 mm away.
+    EXPECT_NEAR(drift_of(0.001, 0, 1.0 / 60, ErrorLife::all), 0.060, 1e-12);
+    EXPECT_NEAR(drift_of(0, 0.001, 1.0 / 60, ErrorLife::all), 0.030, 1e-12);
+    EXPECT_LT(drift_of(0, 0.001, 1.0 / 60, ErrorLife::short_), 0.010);
+}
+
+TEST(ErrorTrial, what_is_no_number_is_the_worst_there_is) {
+    Island island;
+    note_drift(island, 0.5);
+    note_drift(island, 0.2);
+    EXPECT_EQ(island.error.drift, 0.5);
+    note_drift(island, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_GT(island.error.drift, 1e5);
+    EXPECT_TRUE(island.error.fresh);
+}
+
+}  // namespace
+}  // namespace jostle::test

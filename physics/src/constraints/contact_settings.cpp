@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/contact_settings.h"
 
+#include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "jostle/physics/scalar.h"
 
@@ -42,7 +43,8 @@ ContactSettings contact_settings(double dt, const WorldDef& world, SolverTier ti
             .rebuild_motion = f(tuning::reuse_speed * dt),
             .single_rebuild_motion = f(tuning::single_reuse_speed * dt),
             .touch_gap = f(tuning::touch_gap),
-            .restitution_speed = f(tuning::restitution_speed)};
+            .restitution_speed = f(tuning::restitution_speed),
+            .gravity_ratio = f(square_root(gravity_ratio_squared(world.gravity)))};
 }
 
 }  // namespace jostle::physics

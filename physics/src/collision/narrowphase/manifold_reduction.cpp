@@ -14,19 +14,30 @@ namespace jostle::physics {
 
 namespace {
 
+// The lengths here suit faces that are wider than this, m; of narrower ones they are a part.
+constexpr double usual_width = 0.02;
+double scale_of(const FacePoint* points, int count) {
+    double widest = 0;
+    for (int k = 1; k < count; k++) {
+        const double u = points[k].u - points[0].u, v = points[k].v - points[0].v;
+        widest = maximum(widest, u * u + v * v);
+    }
+    return minimum(1, square_root(widest) / usual_width);
+}
+
 // As below, of any number.
-int best_four(FacePoint* points, int count) {
+int best_four(FacePoint* points, int count, double scale) {
     if (count <= 4) return count;
     int deepest = 0;
     for (int k = 1; k < count; k++)
-        if (points[k].gap < points[deepest].gap - 1e-5) deepest = k;
+        if (points[k].gap < points[deepest].gap - 1e-5 * scale) deepest = k;
     const FacePoint p0 = points[deepest];
 
     int furthest = 0;
     double most = -1;
     for (int k = 0; k < count; k++) {
         const double u = points[k].u - p0.u, v = points[k].v - p0.v, d2 = u * u + v * v;
-        if (d2 > most + 1e-6) {
+        if (d2 > most + 1e-6 * scale * scale) {
             most = d2;
             furthest = k;
         }
@@ -34,7 +45,7 @@ int best_four(FacePoint* points, int count) {
     const FacePoint p1 = points[furthest];
 
     int left = -1, right = -1;
-    double most_left = 1e-9, most_right = -1e-9;
+    double most_left = 1e-9 * scale * scale, most_right = -most_left;
     for (int k = 0; k < count; k++) {
         const double area =
             (p1.u - p0.u) * (points[k].v - p0.v) - (p1.v - p0.v) * (points[k].u - p0.u);
@@ -70,11 +81,12 @@ int reduce_to_four(FacePoint* points, int count) {
     };
     // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
     // which the body rocks: the wider, the better. The rest comes last.
-    const int deep = nearer(0, -tuning::bearing_overlap),
-              close = nearer(deep, tuning::reuse_distance);
-    if (deep >= 4) return best_four(points, deep);
-    if (deep == 0 && close >= 4) return best_four(points, close);
-    if (close == 0) return best_four(points, count);
+    const double scale = scale_of(points, count);
+    const int deep = nearer(0, -tuning::bearing_overlap * scale),
+              close = nearer(deep, tuning::reuse_distance * scale);
+    if (deep >= 4) return best_four(points, deep, scale);
+    if (deep == 0 && close >= 4) return best_four(points, close, scale);
+    if (close == 0) return best_four(points, count, scale);
     // All of the nearest kind, and what is furthest from it.
     int made = deep > 0 ? deep : close;
     while (made < 4) {
@@ -87,7 +99,7 @@ int reduce_to_four(FacePoint* points, int count) {
                 const double u = points[k].u - points[j].u, v = points[k].v - points[j].v;
                 nearest = minimum(nearest, u * u + v * v);
             }
-            if (nearest > most + 1e-6) {
+            if (nearest > most + 1e-6 * scale * scale) {
                 most = nearest;
                 best = k;
             }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "foundation/check.h"
+#include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "stages/islands/assign_batches.h"
 #include "stages/islands/sort_constraints.h"
@@ -16,17 +17,23 @@ namespace {
 
 // ---- tier ----
 
+// What is faster falls.
+bool stands(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
+    const double most =
+        tuning::standing_speed * speed_scale(cold.radius, gravity_ratio_squared(gravity));
+    return length_squared(warm.v) <= most * most;
+}
+
 // What stands of each island: not what flies past or falls.
 void measure_extents(const BodyStore& bodies, const IslandStore& islands,
-                     std::vector<IslandExtent>& extents, Vec3 up) {
+                     std::vector<IslandExtent>& extents, Vec3 gravity) {
+    const Vec3 up = -normalized(gravity);
     extents.assign(islands.ids.size(), {});
     const Vec3 east = normalized(cross(up, absolute(up.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 north = cross(east, up);
     for (const BodyWarm& warm : bodies.awake) {
         const BodyCold& cold = bodies.cold[warm.body];
-        if (cold.constraints == 0 || cold.island == none ||
-            length_squared(warm.v) > tuning::standing_speed * tuning::standing_speed)
-            continue;
+        if (cold.constraints == 0 || cold.island == none || !stands(warm, cold, gravity)) continue;
         ASSERT(cold.island < extents.size());
         IslandExtent& extent = extents[cold.island];
         if (extent.bodies++ == 0) extent.first = warm.center;
@@ -146,7 +153,7 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uin
 
 void choose_tiers(WorldState& world, std::vector<IslandExtent>& extents) {
     const Vec3 up = -normalized(world.def.gravity);
-    measure_extents(world.bodies, world.islands, extents, up);
+    measure_extents(world.bodies, world.islands, extents, world.def.gravity);
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
             choose_tier(world, extents, i, up);

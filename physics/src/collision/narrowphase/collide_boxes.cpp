@@ -50,7 +50,7 @@ double tie_of(double size) {
 }
 
 FaceAxis best_face(const BoxPair& p, double size, int cached) {
-    const double preference = maximum(minimum(0.0005, 1e-3 * size), 2.5e-4 * size);  // m
+    const double preference = maximum(minimum(0.0005, 1e-3 * size), 1e-4 * size);  // m
     const double tie = tie_of(size);
     double separation[6];
     for (int i = 0; i < 3; i++) {
@@ -183,7 +183,7 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
     int near = 0;
     for (int k = 0; k < count; k++)
         if (polygon[k].gap <= margin) polygon[near++] = polygon[k];
-    count = reduce_to_four(polygon.data(), near);
+    count = reduce_to_four(polygon.data(), near, minimum(length(p.half_a), length(p.half_b)));
 
     Manifold m{.count = count, .normal = b_is_reference ? -n : n};
     for (int k = 0; k < count; k++) {
@@ -219,7 +219,8 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const EdgeAx
         const Vec3 normal = wider ? edge.normal : normal_of_widest(pair, face);
         if (const auto m = collide_apart(a, b, normal, separation, margin)) return *m;
     } else if (edges) {
-        return manifold_of(contact_points(a, b, edge_witness(pair, edge), margin), edge.normal);
+        return manifold_of(contact_points(a, b, edge_witness(pair, edge), margin), edge.normal,
+                           minimum(size_of(a), size_of(b)));
     }
     PairCache free;
     return collide_convex(a, b, margin, free);

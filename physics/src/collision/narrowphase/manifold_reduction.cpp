@@ -14,17 +14,6 @@ namespace jostle::physics {
 
 namespace {
 
-// The lengths here suit faces that are wider than this, m; of narrower ones they are a part.
-constexpr double usual_width = 0.02;
-double scale_of(const FacePoint* points, int count) {
-    double widest = 0;
-    for (int k = 1; k < count; k++) {
-        const double u = points[k].u - points[0].u, v = points[k].v - points[0].v;
-        widest = maximum(widest, u * u + v * v);
-    }
-    return minimum(1, square_root(widest) / usual_width);
-}
-
 // As below, of any number.
 int best_four(FacePoint* points, int count, double scale) {
     if (count <= 4) return count;
@@ -70,7 +59,7 @@ int best_four(FacePoint* points, int count, double scale) {
 
 }  // namespace
 
-int reduce_to_four(FacePoint* points, int count) {
+int reduce_to_four(FacePoint* points, int count, double size) {
     if (count <= 4) return count;
     // In their order: how many from there on are nearer than that.
     const auto nearer = [&](int from, double gap) {
@@ -81,7 +70,7 @@ int reduce_to_four(FacePoint* points, int count) {
     };
     // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
     // which the body rocks: the wider, the better. The rest comes last.
-    const double scale = scale_of(points, count);
+    const double scale = minimum(1, size / tuning::least_usual_size);
     const int deep = nearer(0, -tuning::bearing_overlap * scale),
               close = nearer(deep, tuning::reuse_distance * scale);
     if (deep >= 4) return best_four(points, deep, scale);

@@ -59,8 +59,7 @@ TEST(ShapeProxy, margin_is_what_is_left_now_and_after_a_step) {
     Ball ball(0);
     enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
     ball.warm().v = {0, -1.5, 0};  // 2.5 cm a step
-    const AabbMargin margin =
-        margin_in_fat_aabb(ball.record(), ball.warm(), radius, dt);
+    const AabbMargin margin = margin_in_fat_aabb(ball.record(), ball.warm(), radius, dt);
     EXPECT_NEAR(margin.now, 0.03, 1e-12);
     EXPECT_NEAR(margin.next, 0.005, 1e-12);
     EXPECT_TRUE(fits_fat_aabb(ball.record(), ball.warm(), radius, dt));

@@ -7,6 +7,7 @@
 #include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "stages/islands/assign_batches.h"
+#include "stages/islands/overload.h"
 #include "stages/islands/sort_constraints.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
@@ -66,32 +67,6 @@ bool is_slender(const IslandExtent& e) {
 // How many bodies of its mean thickness lie upon each other, if they do.
 double layers_of(const IslandExtent& e) {
     return 1 + (e.high - e.low) * e.bodies / maximum(e.thickness, 1e-9);
-}
-
-// Whether the body rests on nothing but what is a hundred times lighter.
-bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
-    const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
-    bool on_light = false, on_firm = false;
-    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-        const Contact& c = world.contacts.contacts[index];
-        if (c.colour < 0 || !c.touching) return;
-        const double rise = dot(normal_of(place_of(world, c)), up);
-        // The normal leads from a to b.
-        if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
-        const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
-        if (other.type == BodyType::dynamic && other.mass <= most)
-            on_light = true;
-        else
-            on_firm = true;
-    });
-    return on_light && !on_firm;
-}
-
-bool has_overload(WorldState& world, const Island& island, Vec3 up) {
-    for (std::uint32_t body = island.first; body != none;
-         body = world.bodies.cold[body].island_next)
-        if (is_overload(world, body, up)) return true;
-    return false;
 }
 
 SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, std::uint32_t index,

@@ -89,7 +89,7 @@ TEST(SceneFaults, each_fault_is_named_with_its_line_and_field) {
          "line 4: bodies[0].shapes[0]: has no kind; give one of sphere, capsule, box, plane"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [\n {\"sphere\": {\n\"radius\": "
          "-1}}]}]}",
-         "line 5: bodies[0].shapes[0].sphere.radius: -1 is out of range; it must be from 0.001 to "
+         "line 5: bodies[0].shapes[0].sphere.radius: -1 is out of range; it must be from 0.0001 to "
          "10000"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"plane\": {}}]}]}",
          "line 3: bodies[0].shapes[0].plane: is infinite; only a body of type BODY_TYPE_STATIC may "
@@ -149,7 +149,7 @@ TEST(SceneFaults, a_height_field_of_2_by_2_has_four_heights_and_one_cell) {
                    "line 5: bodies[0].shapes[0].height_field.holes[1]: is 1; there are 1 cells");
     expect_refused(body(grid + "\n" + R"("heights": [0, 0, 0, 0]}})", "FIXED"),
                    "bodies[0].shapes[0].height_field.spacing_z: 0 is out of range; it must be from "
-                   "0.001 to 10000");
+                   "0.0001 to 10000");
 }
 
 TEST(SceneFaults, a_compound_holds_convex_shapes_only) {

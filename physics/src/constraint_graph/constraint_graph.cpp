@@ -22,6 +22,7 @@ void clear_lane(const ContactPlace& place) {
     place.meta->moved[lane] = 0;
     place.meta->restitution[lane] = 0;
     place.meta->contact[lane] = no_contact;
+    place.meta->size[lane] = 0;
     for (std::uint8_t& bits : place.meta->flags) bits &= static_cast<std::uint8_t>(~(1u << lane));
 }
 
@@ -38,6 +39,7 @@ void copy_lane(const ContactPlace& to, const ContactPlace& from) {
     to.meta->moved[to.lane] = from.meta->moved[from.lane];
     to.meta->restitution[to.lane] = from.meta->restitution[from.lane];
     to.meta->contact[to.lane] = from.meta->contact[from.lane];
+    to.meta->size[to.lane] = from.meta->size[from.lane];
     for (std::size_t k = 0; k < lane_flag_count; k++) {
         const auto flag = static_cast<LaneFlag>(k);
         to.meta->set(flag, to.lane, from.meta->has(flag, from.lane));

@@ -61,8 +61,9 @@ enum class LaneFlag : std::uint8_t {
     bounces,        // restitution > 0
     rolls,          // its RollingWide means something
     reports,        // of a shape with report_stays
+    unusual,        // of lengths and speeds of its own (foundation/size_scale.h)
 };
-inline constexpr std::size_t lane_flag_count = 8;
+inline constexpr std::size_t lane_flag_count = 9;
 
 // Read once per step, so kept away from the constraint.
 struct alignas(64) ContactConstraintWideMeta {
@@ -70,6 +71,8 @@ struct alignas(64) ContactConstraintWideMeta {
     float restitution[8];
     std::uint32_t contact[8];                  // who owns the lane, or no_contact
     std::uint8_t flags[lane_flag_count] = {};  // by LaneFlag; a bit for each lane
+    // m, of the smaller body, as the upper half of a float; 0 where the lane is usual. Derived.
+    std::uint16_t size[8] = {};
 
     // Inlined everywhere: kernels of several instruction sets call them.
     [[gnu::always_inline]] std::uint8_t& bits(LaneFlag flag) {

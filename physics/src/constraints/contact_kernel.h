@@ -323,6 +323,29 @@ JOSTLE_INLINE unsigned touching_lanes(const ContactConstraintWideMeta& meta) {
            static_cast<unsigned>((&meta)[1].bits(LaneFlag::touching)) << 8;
 }
 
+// By what the usual lengths and speeds of each lane are multiplied (foundation/size_scale.h).
+struct WideScale {
+    Wide length, speed;
+};
+JOSTLE_INLINE bool any_unusual(const ContactConstraintWideMeta& meta) {
+    if constexpr (lane_count == 8) return meta.bits(LaneFlag::unusual) != 0;
+    return (meta.bits(LaneFlag::unusual) | (&meta)[1].bits(LaneFlag::unusual)) != 0;
+}
+inline WideScale scale_of(const ContactConstraintWideMeta& meta, float gravity_ratio) {
+    Wide size;
+    for (int k = 0; k < lane_count; k++) {
+        const std::uint32_t upper = k < 8 ? meta.size[k] : (&meta)[1].size[k - 8];
+        size[k] = __builtin_bit_cast(float, upper << 16);
+    }
+    const auto scale = [](Wide s) {
+        return min(s * splat(static_cast<float>(1 / tuning::least_usual_size)),
+                   max(s * splat(static_cast<float>(1 / tuning::most_usual_size)), splat(1)));
+    };
+    const WideMask some = size > splat(0);
+    return {select(some, scale(size), splat(1)),
+            select(some, root(scale(size * splat(gravity_ratio))), splat(1))};
+}
+
 // kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
 // moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
 // press.
@@ -354,6 +377,12 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], wanted[kPoints], rate[kPoints],
         coupling[kPoints][kPoints];
     PointResponse r[kPoints];
+    Wide slop = splat(set.slop), push_speed = splat(set.push_speed);
+    if (!kRelax && any_unusual(meta)) {
+        const WideScale scale = scale_of(meta, set.gravity_ratio);
+        slop = slop * scale.length;
+        push_speed = push_speed * scale.speed;
+    }
     JOSTLE_UNROLL
     for (int i = 0; i < kPoints; i++) {
         Wide vn = u0;
@@ -376,8 +405,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             rate[i] = splat(1) / r[i].k;
             wanted[i] = fnma(rate[i], vn + select(apart, meet, zero), lambda[i]);
         } else {
-            const Wide soft =
-                max((gap[i] + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
+            const Wide soft = max((gap[i] + slop) * splat(set.bias_rate), -push_speed);
             const Wide impulse_scale = select(apart, zero, splat(set.impulse_scale));
             rate[i] = (splat(1) - impulse_scale) / r[i].k;
             const Wide kept = fma(impulse_scale, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
@@ -447,7 +475,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         slips = slips & (presses > pressed);
         if (lane_bits(slips) != 0) solve_friction<kPair, kInertia>(m, rolling, pair, slips);
     } else {
-        drop_friction_of_parted<kPair, kInertia>(m, u0, splat(set.slop * set.inverse_h), pair);
+        drop_friction_of_parted<kPair, kInertia>(m, u0, slop * splat(set.inverse_h), pair);
     }
     pair.store();
 
@@ -474,21 +502,30 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         // Slip, relative turn and a third of the common turn (the normal does not follow it) all
         // age the manifold. So does a turn about its only point: a long body may come down beside
         // it.
-        const Wide lever = max(load(m.friction_radius), splat(tuning::least_turn_radius));
-        const Wide way =
-            root(dot(motion.moved, motion.moved)) +
-            lever * root(dot(motion.rotated, motion.rotated)) +
-            splat(tuning::common_turn_radius) * root(dot(motion.rotated_a, motion.rotated_a));
+        Wide drift = splat(set.rebuild_drift), touch_gap = splat(set.touch_gap),
+             turn_radius = splat(1),
+             most_way = splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion);
+        if (any_unusual(meta)) {
+            const WideScale scale = scale_of(meta, set.gravity_ratio);
+            turn_radius = scale.length;
+            drift = drift * scale.length;
+            touch_gap = touch_gap * scale.length;
+            most_way = most_way * scale.speed;
+        }
+        const Wide lever =
+            max(load(m.friction_radius), splat(tuning::least_turn_radius) * turn_radius);
+        const Wide way = root(dot(motion.moved, motion.moved)) +
+                         lever * root(dot(motion.rotated, motion.rotated)) +
+                         splat(tuning::common_turn_radius) * turn_radius *
+                             root(dot(motion.rotated_a, motion.rotated_a));
         const Wide age = load<ContactConstraintWideMeta>(meta.moved) + way;
         store<ContactConstraintWideMeta>(meta.moved, age);
-        report.needs_rebuild =
-            lane_bits(age > splat(set.rebuild_drift)) |
-            lane_bits(way > splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion));
+        report.needs_rebuild = lane_bits(age > drift) | lane_bits(way > most_way);
         // Presses now, or did until, squeezed, it gave all back; or pressed a step ago and has
         // hardly parted.
         report.touching = lane_bits(total > zero) |
                           (any_squeezed ? lane_bits(is_squeezed(nearest) & (pressed > zero)) : 0) |
-                          (touching_lanes(meta) & lane_bits(nearest < splat(set.touch_gap)));
+                          (touching_lanes(meta) & lane_bits(nearest < touch_gap));
     }
     return report;
 }

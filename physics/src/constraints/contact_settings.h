@@ -28,6 +28,7 @@ struct ContactSettings {
     float single_rebuild_motion = 0;  // ... of one point
     float touch_gap = 0;              // m
     float restitution_speed = 0;      // m/s
+    float gravity_ratio = 1;          // over the usual one; 1 where there is none
 };
 
 // Soft contact after Catto ("Soft Constraints", GDC 2011): frequency in proportion to the sub-step

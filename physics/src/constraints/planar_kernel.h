@@ -156,6 +156,12 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     const Wide k00 = k_of(x0, x0), k01 = k_of(x0, x1), k11 = k_of(x1, x1);
     const Wide old0 = load(m.lambda[0]), old1 = load(m.lambda[1]);
 
+    Wide slop = splat(set.slop), push_speed = splat(set.push_speed);
+    if (!kRelax && any_unusual(meta)) {
+        const WideScale scale = scale_of(meta, set.gravity_ratio);
+        slop = slop * scale.length;
+        push_speed = push_speed * scale.speed;
+    }
     // What each point wants of its impulse, with softness as an addition to its own mass.
     const auto wish = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn, Wide& target,
                           Wide& soft_mass) {
@@ -165,8 +171,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             target = vn + bias;
             soft_mass = k;
         } else {
-            const Wide push =
-                max((gap + splat(set.slop)) * splat(set.bias_rate), splat(-set.push_speed));
+            const Wide push = max((gap + slop) * splat(set.bias_rate), -push_speed);
             const Wide bias = select(apart, gap * splat(set.inverse_h), push);
             // now = old - scale (vn + bias) / k - impulse_scale (old - mean_impulse), written with
             // a larger mass.
@@ -220,16 +225,18 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
         // As in contact_kernel.h, a turn about its only point ages it, too.
-        const Wide lever = max(load(m.friction_radius), splat(0.3f));
+        const WideScale scale =
+            any_unusual(meta) ? scale_of(meta, set.gravity_ratio) : WideScale{splat(1), splat(1)};
+        const Wide lever = max(load(m.friction_radius), splat(0.3f) * scale.length);
         const Wide way = root(mx * mx + my * my) + lever * root(rotated * rotated) +
-                         splat(0.3f) * root(dar * dar);
+                         splat(0.3f) * scale.length * root(dar * dar);
         const Wide age = load(meta.moved) + way;
         store(meta.moved, age);
-        report.needs_rebuild =
-            lane_bits(age > splat(set.rebuild_drift)) | lane_bits(way > splat(set.rebuild_motion));
-        report.touching =
-            lane_bits(sum > zero) |
-            (meta.bits(LaneFlag::touching) & lane_bits(min(gap0, gap1) < splat(set.touch_gap)));
+        report.needs_rebuild = lane_bits(age > splat(set.rebuild_drift) * scale.length) |
+                               lane_bits(way > splat(set.rebuild_motion) * scale.speed);
+        report.touching = lane_bits(sum > zero) |
+                          (meta.bits(LaneFlag::touching) &
+                           lane_bits(min(gap0, gap1) < splat(set.touch_gap) * scale.length));
     }
     return report;
 }

@@ -9,6 +9,7 @@
 #include "foundation/tuning.h"
 #include "state/contact_answers.h"
 #include "state/contact_constraints.h"
+#include "state/pair_size.h"
 
 namespace jostle::physics {
 namespace {
@@ -92,10 +93,10 @@ struct Footing {
     int count = 0;
 };
 
-Footing footing_of(const Manifold& m, bool rim) {
+Footing footing_of(const Manifold& m, bool rim, double scale) {
     double reach = m.gap[0];
     for (int i = 1; i < m.count; i++) reach = minimum(reach, m.gap[i]);
-    reach = maximum(reach, 0) + tuning::reuse_distance;
+    reach = maximum(reach, 0) + tuning::reuse_distance * scale;
     Footing f;
     for (int i = 0; i < m.count; i++) {
         f.bears[i] = !rim || m.gap[i] <= reach;
@@ -190,7 +191,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 
-    const Footing footing = footing_of(m, has_rim(world, contact));
+    const Footing footing =
+        footing_of(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
     const Vec3 centre = footing.centre;
     const Vec3 n = m.normal;
     const Vec3 t1 = world.def.planar
@@ -203,8 +205,9 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     put_lane(block.arm_b, lane, arm_b);
 
     const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
-    const double smaller = cb.type == BodyType::dynamic ? minimum(ca.radius, cb.radius) : ca.radius;
-    const double reach = minimum(tuning::match_distance, tuning::match_fraction * smaller);
+    const double size = size_of_pair(ca, cb);
+    const double reach =
+        minimum(tuning::match_distance * size_scale(size), tuning::match_fraction * size);
     const Loads loads =
         handed_on(old, m, center_a, reach, contact.colour_set.tier > SolverTier::heap);
     double friction_radius = 0;

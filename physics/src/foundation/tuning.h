@@ -9,6 +9,12 @@
 
 namespace jostle::physics::tuning {
 
+// --- sizes ---
+// Lengths and speeds below are for bodies of usual size: the ball around a body has a radius in
+// this range. Of smaller and larger ones they are a part or a multiple (foundation/size_scale.h).
+inline constexpr double least_usual_size = 0.05, most_usual_size = 5;  // m
+inline constexpr double usual_gravity = 9.81;                          // m/s^2
+
 // --- broad phase ---
 // A fat box is this much larger on each side than its shape, so that small motion needs no tree
 // update.

@@ -40,7 +40,7 @@ Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
                                   std::to_string(std::size_t{grid.columns} * grid.rows));
     for (const double s : {grid.spacing_x, grid.spacing_z})
         if (!(s >= min_shape_size && s <= max_shape_size))
-            return height_field_error("its spacing is out of the range 0.001 to 10000 m");
+            return height_field_error("its spacing is out of the range 0.0001 to 10000 m");
     if ((grid.columns - 1) * grid.spacing_x > 2 * max_shape_size ||
         (grid.rows - 1) * grid.spacing_z > 2 * max_shape_size)
         return height_field_error("it is wider than 20000 m");

@@ -2,6 +2,7 @@
 #include "stages/step_world.h"
 
 #include "foundation/check.h"
+#include "foundation/size_scale.h"
 #include "stages/contacts/begin_contacts.h"
 #include "stages/contacts/update_contacts.h"
 #include "stages/continuous/solve_continuous.h"
@@ -39,6 +40,8 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
 void set_contact_settings(StepContext& step) {
     const WorldState& world = step.world;
     if (world.bodies.awake.empty()) return;
+    const auto gravity_ratio =
+        static_cast<float>(square_root(gravity_ratio_squared(world.def.gravity)));
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {
             const ColourSetKey key{tier, batch};
@@ -49,6 +52,7 @@ void set_contact_settings(StepContext& step) {
             }
             set = contact_settings(step.dt, substeps_of(key, world.def), tier);
             set.planar = world.def.planar;
+            set.gravity_ratio = gravity_ratio;
         }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "state/contact_constraints.h"
 
+#include <bit>
+
 #include "foundation/check.h"
+#include "state/pair_size.h"
 
 namespace jostle::physics {
 namespace {
@@ -134,6 +137,11 @@ void derive_flags(WorldState& world, const Contact& contact) {
     set(LaneFlag::locked, !world.def.planar && (a.locks != 0 || (two && b.locks != 0)));
     set(LaneFlag::reports, reports_stays(world, contact));
     set(LaneFlag::touching, contact.touching);
+    const double size = size_of_pair(a, b);
+    const bool unusual = is_unusual(size, gravity_ratio_squared(world.def.gravity));
+    set(LaneFlag::unusual, unusual);
+    const auto bits = std::bit_cast<std::uint32_t>(unusual ? as_float(size) : 0.0f);
+    place.meta->size[place.lane] = static_cast<std::uint16_t>(bits >> 16);
 }
 
 void sort_contacts(WorldState& world, GraphColour& colour, int number) {

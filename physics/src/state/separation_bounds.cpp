@@ -4,6 +4,7 @@
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 #include "state/contact_store.h"
+#include "state/pair_size.h"
 
 namespace jostle::physics {
 
@@ -25,8 +26,9 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
     SeparationBound w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
     w.limit = a.travel + b.travel + slack;
     const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
-    if (slack >= 0 && length_squared(apart) <= 1e6)
-        set_separation_bound(w, apart, direction, slack - tuning::slack_reserve, a, b);
+    const double scale = scale_of_pair(world.bodies, c);
+    if (slack >= 0 && length_squared(apart) <= 1e6 * scale * scale)
+        set_separation_bound(w, apart, direction, slack - tuning::slack_reserve * scale, a, b);
     c.limit = w.limit;
     world.contacts.bounds.push_back(w);
 }
@@ -76,9 +78,9 @@ bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     if (a.type != BodyType::dynamic || b.type != BodyType::dynamic) return false;
     const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
     const Vec3 apart = wb.center - wa.center;
-    const double distance = length(apart);
-    const double slack =
-        distance - a.radius - b.radius - tuning::speculative_margin - tuning::slack_reserve;
+    const double distance = length(apart), scale = size_scale(size_of_pair(a, b));
+    const double slack = distance - a.radius - b.radius - tuning::speculative_margin * scale -
+                         tuning::slack_reserve * scale;
     if (slack <= 0) return false;
     const Vec3 direction = apart * (1 / distance);
     if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;

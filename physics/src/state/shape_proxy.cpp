@@ -99,11 +99,12 @@ void enlarge_proxy(WorldState& world, std::uint32_t index, const BodyWarm& warm,
     buffer_move(world, index);
 }
 
-AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
+AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius,
+                              double dt) {
     if (is_plane(shape)) return {1e300, 1e300};
     // A quarter of the margin early: manifolds begin before surfaces meet.
     const Aabb box =
-        grow(bounds_of(placed(shape, warm)), tuning::fat_margin_reserve * tuning::fat_margin);
+        grow(bounds_of(placed(shape, warm)), tuning::fat_margin_reserve * fat_margin_of(radius));
     const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
     const Vec3 ahead = warm.v * dt;
     const auto least = [](Vec3 a, Vec3 b) {
@@ -113,8 +114,8 @@ AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, do
     return {least(low, high), least(low + min(ahead, Vec3{}), high - max(ahead, Vec3{}))};
 }
 
-bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt) {
-    return margin_in_fat_aabb(shape, warm, dt).next >= 0;
+bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius, double dt) {
+    return margin_in_fat_aabb(shape, warm, radius, dt).next >= 0;
 }
 
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {

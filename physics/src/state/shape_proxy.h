@@ -20,14 +20,15 @@ void buffer_move(WorldState& world, std::uint32_t shape);
 void enlarge_aabb(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
 // ... with telling them, and asks for its pairs.
 void enlarge_proxy(WorldState& world, std::uint32_t shape, const BodyWarm& warm, double dt);
-// How far inside its fat box the shape is, m; negative: outside by that.
+// How far inside its fat box the shape is, m; negative: outside by that. `radius`: of its body.
 struct AabbMargin {
     double now;
     double next;  // when the body's velocity has taken it through the next step
 };
-AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt);
+AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius,
+                              double dt);
 // Whether the shape is in its fat box now and after the next step: pairs are found before it moves.
-bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double dt);
+bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius, double dt);
 // Whether any corner of the box is below the plane.
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box);
 // How far the body's points may go in a step of dt.

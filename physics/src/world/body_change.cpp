@@ -25,7 +25,8 @@ void after_push(WorldState& world, std::uint32_t body) {
     const BodyWarm& warm = warm_of(world, body);
     for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
          s = world.shapes.shapes[s].next)
-        if (!fits_fat_aabb(world.shapes.shapes[s], warm, expected_dt(world)))
+        if (!fits_fat_aabb(world.shapes.shapes[s], warm, world.bodies.cold[body].radius,
+                           expected_dt(world)))
             enlarge_proxy(world, s, warm, expected_dt(world));
 }
 

@@ -6,6 +6,7 @@
 #include "foundation/fp_mode.h"
 #include "jostle/physics/limits.h"
 #include "stages/step_world.h"
+#include "state/contact_constraints.h"
 #include "state/shape_proxy.h"
 #include "state/wake.h"
 #include "world/body_change.h"
@@ -94,6 +95,9 @@ Status World::set_gravity(Vec3 gravity) {
     for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
         if (world.bodies.ids.alive(body)) wake_body(world, body);
     world.def.gravity = gravity;
+    for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++)
+        if (world.contacts.ids.alive(i) && world.contacts.contacts[i].colour >= 0)
+            derive_flags(world, world.contacts.contacts[i]);
     for (const BodyWarm& warm : world.bodies.awake)
         update_motion_bound(world, warm.body, expected_dt(world));
     return {};

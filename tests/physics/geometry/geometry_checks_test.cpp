@@ -17,14 +17,14 @@ std::string error_of(const Geometry& geometry) {
 }
 
 TEST(GeometryChecks, name_the_field_its_value_and_its_range) {
-    EXPECT_EQ(error_of(Sphere{0}), "shape.radius is 0; it must be from 0.001 to 10000");
+    EXPECT_EQ(error_of(Sphere{0}), "shape.radius is 0; it must be from 0.0001 to 10000");
     EXPECT_EQ(error_of(Capsule{0.5, -1}),
-              "shape.half_length is -1; it must be from 0.001 to 10000");
+              "shape.half_length is -1; it must be from 0.0001 to 10000");
     EXPECT_EQ(error_of(Box{{1, 1e5, 1}}),
-              "shape.half_extents.y is 100000; it must be from 0.001 to 10000");
+              "shape.half_extents.y is 100000; it must be from 0.0001 to 10000");
     EXPECT_EQ(error_of(Cylinder{std::nan(""), 1}).substr(0, 16), "shape.radius is ");
     EXPECT_EQ(error_of(Cone{1, INFINITY}),
-              "shape.half_length is inf; it must be from 0.001 to 10000");
+              "shape.half_length is inf; it must be from 0.0001 to 10000");
     EXPECT_EQ(error_of(Plane{{0, 0, 0}}),
               "shape.normal is (0, 0, 0); it must be finite and not zero");
 }

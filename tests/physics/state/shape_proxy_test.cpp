@@ -16,7 +16,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-constexpr double dt = 1.0 / 60;
+constexpr double dt = 1.0 / 60, radius = 0.5;
 
 // A ball of 0.5 m at the origin that flies along x.
 struct Ball {
@@ -25,7 +25,7 @@ struct Ball {
     std::uint32_t body = 0, shape = 0;
 
     explicit Ball(double speed) {
-        body = add(world, {.geometry = Sphere{0.5}, .velocity = {speed, 0, 0}}).index;
+        body = add(world, {.geometry = Sphere{radius}, .velocity = {speed, 0, 0}}).index;
     }
     BodyWarm& warm() { return warm_of(state, body); }
     ShapeRecord& record() { return state.shapes.shapes[shape]; }
@@ -59,12 +59,21 @@ TEST(ShapeProxy, margin_is_what_is_left_now_and_after_a_step) {
     Ball ball(0);
     enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
     ball.warm().v = {0, -1.5, 0};  // 2.5 cm a step
-    const AabbMargin margin = margin_in_fat_aabb(ball.record(), ball.warm(), dt);
+    const AabbMargin margin = margin_in_fat_aabb(ball.record(), ball.warm(), radius, dt);
     EXPECT_NEAR(margin.now, 0.03, 1e-12);
     EXPECT_NEAR(margin.next, 0.005, 1e-12);
-    EXPECT_TRUE(fits_fat_aabb(ball.record(), ball.warm(), dt));
+    EXPECT_TRUE(fits_fat_aabb(ball.record(), ball.warm(), radius, dt));
     ball.warm().center.y = -0.006;
-    EXPECT_FALSE(fits_fat_aabb(ball.record(), ball.warm(), dt));
+    EXPECT_FALSE(fits_fat_aabb(ball.record(), ball.warm(), radius, dt));
+}
+
+// Of a ball of 1 mm a fiftieth: its neighbours are near.
+TEST(ShapeProxy, fat_box_of_what_is_small_is_in_proportion) {
+    World world = make_world();
+    WorldState& state = state_of(world);
+    const std::uint32_t body = add(world, {.geometry = Sphere{0.001}}).index;
+    enlarge_aabb(state, 0, warm_of(state, body), dt);
+    EXPECT_TRUE(near(state.shapes.shapes[0].fat.high, {0.0018, 0.0018, 0.0018}, 1e-12));
 }
 
 TEST(ShapeProxy, an_enlarged_proxy_is_found_where_it_is_and_asks_for_pairs_once) {

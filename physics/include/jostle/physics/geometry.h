@@ -14,7 +14,7 @@ namespace jostle::physics {
 
 // Radii, half lengths, half extents and spacings lie in this range, coordinates of points within
 // +-max_shape_size. Beyond it masses overflow single precision in the contact kernel.
-inline constexpr double min_shape_size = 1e-3;  // m
+inline constexpr double min_shape_size = 1e-4;  // m
 inline constexpr double max_shape_size = 1e4;   // m
 
 struct Sphere {

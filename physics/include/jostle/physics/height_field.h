@@ -21,7 +21,7 @@ inline constexpr std::size_t max_height_samples = 16u << 20;
 struct HeightGrid {
     // Samples along x and z: at least 2 each, at most max_height_samples in all.
     std::uint32_t columns = 0, rows = 0;
-    double spacing_x = 1, spacing_z = 1;  // m, 0.001 to 10,000; the grid at most 20,000 m wide
+    double spacing_x = 1, spacing_z = 1;  // m, 0.0001 to 10,000; the grid at most 20,000 m wide
     std::vector<double> heights = {};     // m, within 10,000; columns * rows, row after row
     // Of cells, not 0: a hole. (columns - 1) * (rows - 1), row after row; empty: no holes.
     std::vector<std::uint8_t> holes = {};

@@ -4,15 +4,21 @@
 // motion needs no new one, and stretched ahead.
 #pragma once
 
+#include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::physics {
 
+// Of a body with this radius, m.
+inline double fat_margin_of(double radius) {
+    return tuning::fat_margin * size_scale(radius);
+}
+
 // `step`: m, what it moves in one step. `radius`: m, of the ball around its body.
 inline Aabb fat_box(const Aabb& shape, Vec3 step, double radius) {
-    const Aabb wide = grow(shape, tuning::fat_margin);
+    const Aabb wide = grow(shape, fat_margin_of(radius));
     const double way = length(step), most = tuning::fat_radii_ahead * radius;
     const bool far = way * tuning::fat_steps_ahead > most;
     const Vec3 ahead = step * (far ? maximum(1, most / way) : tuning::fat_steps_ahead);

@@ -302,7 +302,7 @@ ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double 
     return out;
 }
 
-Manifold manifold_of(const ContactPoints& points, Vec3 normal) {
+Manifold manifold_of(const ContactPoints& points, Vec3 normal, double size) {
     Manifold m{.normal = normal};
     UninitializedArray<FacePoint, ContactPoints::capacity> flat;
     const Vec3 u =
@@ -310,7 +310,7 @@ Manifold manifold_of(const ContactPoints& points, Vec3 normal) {
     const Vec3 v = cross(normal, u);
     for (int k = 0; k < points.count; k++)
         flat[k] = {dot(points.point[k], u), dot(points.point[k], v), points.gap[k], k};
-    m.count = reduce_to_four(flat.data(), points.count);
+    m.count = reduce_to_four(flat.data(), points.count, size);
     for (int k = 0; k < m.count; k++) {
         m.point[k] = points.point[flat[k].index];
         m.gap[k] = points.gap[flat[k].index];

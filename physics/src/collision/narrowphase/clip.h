@@ -41,6 +41,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
 ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double margin);
 
 // The best four of them.
-Manifold manifold_of(const ContactPoints& points, Vec3 normal);
+// `size`: m, of the smaller shape.
+Manifold manifold_of(const ContactPoints& points, Vec3 normal, double size);
 
 }  // namespace jostle::physics

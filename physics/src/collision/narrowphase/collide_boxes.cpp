@@ -44,9 +44,14 @@ struct FaceAxis {
     int widest = -1;             // which of them has that
 };
 
+// m: of axes that are equal but for this the first wins.
+double tie_of(double size) {
+    return minimum(1e-6, 2e-5 * size);
+}
+
 FaceAxis best_face(const BoxPair& p, double size, int cached) {
-    const double preference = minimum(0.0005, 1e-3 * size);  // m
-    constexpr double tie = 1e-6;                             // m: of equal axes the first wins
+    const double preference = maximum(minimum(0.0005, 1e-3 * size), 1e-4 * size);  // m
+    const double tie = tie_of(size);
     double separation[6];
     for (int i = 0; i < 3; i++) {
         separation[i] = absolute(p.along_a[i]) - p.half_a[i] -
@@ -81,8 +86,8 @@ struct EdgeAxis {
 // All by the matrix of one box in the other: e_i x v has the components -v[i2] and v[i1] along the
 // axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). What separates by less than
 // the faces does not matter, and most of that shows before the square root.
-EdgeAxis best_edge(const BoxPair& p, double faces) {
-    constexpr double tie = 1e-6;  // m: of equal axes the first wins
+EdgeAxis best_edge(const BoxPair& p, double size, double faces) {
+    const double tie = tie_of(size);
     EdgeAxis best{.separation = faces - 20 * tie};
     double sign = 0, scale = 0;
     for (int i = 0; i < 3; i++)
@@ -178,7 +183,7 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
     int near = 0;
     for (int k = 0; k < count; k++)
         if (polygon[k].gap <= margin) polygon[near++] = polygon[k];
-    count = reduce_to_four(polygon.data(), near);
+    count = reduce_to_four(polygon.data(), near, minimum(length(p.half_a), length(p.half_b)));
 
     Manifold m{.count = count, .normal = b_is_reference ? -n : n};
     for (int k = 0; k < count; k++) {
@@ -214,7 +219,8 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const EdgeAx
         const Vec3 normal = wider ? edge.normal : normal_of_widest(pair, face);
         if (const auto m = collide_apart(a, b, normal, separation, margin)) return *m;
     } else if (edges) {
-        return manifold_of(contact_points(a, b, edge_witness(pair, edge), margin), edge.normal);
+        return manifold_of(contact_points(a, b, edge_witness(pair, edge), margin), edge.normal,
+                           minimum(size_of(a), size_of(b)));
     }
     PairCache free;
     return collide_convex(a, b, margin, free);
@@ -228,7 +234,7 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin)
         return {.normal = normal_of_widest(pair, face), .distance = face.separation};
-    const EdgeAxis edge = best_edge(pair, face.separation);
+    const EdgeAxis edge = best_edge(pair, size, face.separation);
     const double separation = maximum(face.separation, edge.separation);
     if (separation > margin) return {.normal = edge.normal, .distance = separation};
 

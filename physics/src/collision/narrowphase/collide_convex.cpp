@@ -137,14 +137,15 @@ std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 nor
     const auto w = apart_witness(a, b, normal, distance, margin, none_yet);
     if (!w) return std::nullopt;
     if (w->distance > margin) return Manifold{.normal = w->normal, .distance = w->distance};
-    return manifold_of(contact_points(a, b, *w, margin), w->normal);
+    return manifold_of(contact_points(a, b, *w, margin), w->normal,
+                       minimum(size_of(a), size_of(b)));
 }
 
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {
     const Witness w = find_witness(a, b, margin + a.radius + b.radius, cache);
     const double gap = w.distance - a.radius - b.radius;
     if (gap > margin) return {.normal = w.normal, .distance = gap};
-    return manifold_of(contact_points(a, b, w, margin), w.normal);
+    return manifold_of(contact_points(a, b, w, margin), w.normal, minimum(size_of(a), size_of(b)));
 }
 
 }  // namespace jostle::physics

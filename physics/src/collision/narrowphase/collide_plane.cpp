@@ -79,7 +79,7 @@ Manifold collide_plane_convex(const Placed& a, const Placed& b, double margin) {
         least = minimum(least, height + dot(feature.corner[k], n));
     }
     if (least > deepest + 1e-6 * size_of(shape)) add(lowest);
-    Manifold m = manifold_of(points, n);
+    Manifold m = manifold_of(points, n, size_of(shape));
     for (int k = 0; k < m.count; k++) m.point[k] += b.position;
     return m;
 }

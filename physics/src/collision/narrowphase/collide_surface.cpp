@@ -105,7 +105,7 @@ public:
                 for (int k = 0; k < patches_[j].points.count; k++)
                     merge(sum, patches_[j].points.point[k], patches_[j].points.gap[k]);
             }
-            Manifold m = manifold_of(sum, patches_[i].normal);
+            Manifold m = manifold_of(sum, patches_[i].normal, size_);
             m.normal = surface_.axes * m.normal;
             for (int k = 0; k < m.count; k++)
                 m.point[k] = surface_.position + surface_.axes * (m.point[k] + origin_);
@@ -144,9 +144,9 @@ private:
         sum.gap[sum.count] = gap;
         sum.count++;
     }
-    static int reduce(ContactPoints& sum) {
+    int reduce(ContactPoints& sum) const {
         Vec3 normal = cross(sum.point[1] - sum.point[0], sum.point[2] - sum.point[0]);
-        const Manifold best = manifold_of(sum, normalized(normal));
+        const Manifold best = manifold_of(sum, normalized(normal), size_);
         for (int k = 0; k < best.count; k++) {
             sum.point[k] = best.point[k];
             sum.gap[k] = best.gap[k];

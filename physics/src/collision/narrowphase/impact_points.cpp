@@ -8,15 +8,15 @@
 
 namespace jostle::physics {
 
-std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& b,
-                                         double fraction) {
+std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& b, double fraction,
+                                         double gap) {
     const Placed pa = placed_at(a, fraction), pb = placed_at(b, fraction);
     std::vector<PartManifold> parts;
     if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
-        collide_composite(pa, pb, 5 * tuning::sweep_gap, parts);
+        collide_composite(pa, pb, gap, parts);
     } else {
         PairCache cache;
-        parts.push_back({0, collide(pa, pb, 5 * tuning::sweep_gap, cache)});
+        parts.push_back({0, collide(pa, pb, gap, cache)});
     }
     std::vector<ImpactPoint> points;
     for (const PartManifold& part : parts)

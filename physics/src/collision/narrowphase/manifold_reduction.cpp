@@ -15,18 +15,18 @@ namespace jostle::physics {
 namespace {
 
 // As below, of any number.
-int best_four(FacePoint* points, int count) {
+int best_four(FacePoint* points, int count, double scale) {
     if (count <= 4) return count;
     int deepest = 0;
     for (int k = 1; k < count; k++)
-        if (points[k].gap < points[deepest].gap - 1e-5) deepest = k;
+        if (points[k].gap < points[deepest].gap - 1e-5 * scale) deepest = k;
     const FacePoint p0 = points[deepest];
 
     int furthest = 0;
     double most = -1;
     for (int k = 0; k < count; k++) {
         const double u = points[k].u - p0.u, v = points[k].v - p0.v, d2 = u * u + v * v;
-        if (d2 > most + 1e-6) {
+        if (d2 > most + 1e-6 * scale * scale) {
             most = d2;
             furthest = k;
         }
@@ -34,7 +34,7 @@ int best_four(FacePoint* points, int count) {
     const FacePoint p1 = points[furthest];
 
     int left = -1, right = -1;
-    double most_left = 1e-9, most_right = -1e-9;
+    double most_left = 1e-9 * scale * scale, most_right = -most_left;
     for (int k = 0; k < count; k++) {
         const double area =
             (p1.u - p0.u) * (points[k].v - p0.v) - (p1.v - p0.v) * (points[k].u - p0.u);
@@ -59,7 +59,7 @@ int best_four(FacePoint* points, int count) {
 
 }  // namespace
 
-int reduce_to_four(FacePoint* points, int count) {
+int reduce_to_four(FacePoint* points, int count, double size) {
     if (count <= 4) return count;
     // In their order: how many from there on are nearer than that.
     const auto nearer = [&](int from, double gap) {
@@ -70,11 +70,12 @@ int reduce_to_four(FacePoint* points, int count) {
     };
     // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
     // which the body rocks: the wider, the better. The rest comes last.
-    const int deep = nearer(0, -tuning::bearing_overlap),
-              close = nearer(deep, tuning::reuse_distance);
-    if (deep >= 4) return best_four(points, deep);
-    if (deep == 0 && close >= 4) return best_four(points, close);
-    if (close == 0) return best_four(points, count);
+    const double scale = minimum(1, size / tuning::least_usual_size);
+    const int deep = nearer(0, -tuning::bearing_overlap * scale),
+              close = nearer(deep, tuning::reuse_distance * scale);
+    if (deep >= 4) return best_four(points, deep, scale);
+    if (deep == 0 && close >= 4) return best_four(points, close, scale);
+    if (close == 0) return best_four(points, count, scale);
     // All of the nearest kind, and what is furthest from it.
     int made = deep > 0 ? deep : close;
     while (made < 4) {
@@ -87,7 +88,7 @@ int reduce_to_four(FacePoint* points, int count) {
                 const double u = points[k].u - points[j].u, v = points[k].v - points[j].v;
                 nearest = minimum(nearest, u * u + v * v);
             }
-            if (nearest > most + 1e-6) {
+            if (nearest > most + 1e-6 * scale * scale) {
                 most = nearest;
                 best = k;
             }

@@ -15,7 +15,7 @@ struct FacePoint {
 // Keeps at most four of `points`: the deepest, the furthest from it, and the furthest on either
 // side of the line through those two; but what is deep before what may touch before the next look,
 // and that before the rest, because a face that tilts bears on those alone. Returns how many; they
-// are moved to the front.
-int reduce_to_four(FacePoint* points, int count);
+// are moved to the front. `size`: m, of the smaller shape.
+int reduce_to_four(FacePoint* points, int count, double size);
 
 }  // namespace jostle::physics

@@ -13,6 +13,7 @@
 #include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
+#include "state/pair_size.h"
 #include "state/separation_bounds.h"
 #include "state/shape_proxy.h"
 
@@ -64,10 +65,13 @@ double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t
 // Whether a manifold begins. One with a body that sleeps begins only when they meet,
 // and wakes it and as much around it as the impact will stir.
 bool begins(WorldState& world, const Contact& c, double gap_ahead) {
-    if (!has_asleep(world.bodies, c)) return gap_ahead < tuning::speculative_margin;
+    const double scale = scale_of_pair(world.bodies, c);
+    if (!has_asleep(world.bodies, c)) return gap_ahead < tuning::speculative_margin * scale;
     const double speed = closing_way(world, c, 1);
     // What comes to rest beside a sleeper, however near, does not wake it.
-    if (gap_ahead >= (speed < tuning::sleep_speed ? 0 : tuning::wake_gap)) return false;
+    const double slow = tuning::sleep_speed * speed_scale(size_of_pair(world.bodies, c),
+                                                          gravity_ratio_squared(world.def.gravity));
+    if (gap_ahead >= (speed < slow ? 0 : tuning::wake_gap * scale)) return false;
     const auto meet = [&](std::uint32_t body, std::uint32_t other) {
         if (is_asleep(world.bodies.cold[body]))
             world.wake_requests.push_back(
@@ -80,7 +84,8 @@ bool begins(WorldState& world, const Contact& c, double gap_ahead) {
 
 // Within which gap a manifold of the pair begins, m.
 double begin_margin(const BodyStore& bodies, const Contact& c) {
-    return has_asleep(bodies, c) ? tuning::wake_gap : tuning::speculative_margin;
+    return (has_asleep(bodies, c) ? tuning::wake_gap : tuning::speculative_margin) *
+           scale_of_pair(bodies, c);
 }
 
 // Parts that found no manifold end, manifolds without a part begin one when they may touch in this

@@ -13,6 +13,7 @@
 #include "stages/continuous/ccd_policy.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
+#include "state/pair_size.h"
 
 namespace jostle::physics {
 namespace {
@@ -84,18 +85,19 @@ double closing_speed(const WorldState& world, const Contact& c, const Manifold& 
 // that gravity presses them against: there one impact follows the other without end.
 bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, bool touching) {
     const WorldState& world = step.world;
-    if (m.count == 0)
-        return m.distance - closing_way(world, c, step.dt) < tuning::speculative_margin;
+    const double scale = scale_of_pair(world.bodies, c),
+                 margin = tuning::speculative_margin * scale;
+    if (m.count == 0) return m.distance - closing_way(world, c, step.dt) < margin;
     const auto leans = [&](std::uint32_t body) {
         const BodyCold& cold = world.bodies.cold[body];
         return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
     };
     if (m.count > 1 && touching) return false;
-    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap && world.def.gravity != Vec3{} &&
-        (leans(c.body_a) || leans(c.body_b)))
+    if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap * scale &&
+        world.def.gravity != Vec3{} && (leans(c.body_a) || leans(c.body_b)))
         return false;
     return closing_speed(world, c, m) > tuning::restitution_speed &&
-           expected_gap(world, c, m, step.dt) < tuning::speculative_margin;
+           expected_gap(world, c, m, step.dt) < margin;
 }
 
 // Whether two that bounce cannot meet in this step but at a speed that bounces: then they need no
@@ -149,7 +151,8 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     const double dt = step.dt;
     const Contact& c = world.contacts.contacts[check.contact];
     const double way = closing_way(world, c, dt);
-    check.near = closing_reach(world.bodies, c, way) + tuning::composite_slack;
+    const double scale = scale_of_pair(world.bodies, c);
+    check.near = closing_reach(world.bodies, c, way) + tuning::composite_slack * scale;
     const bool swept = will_be_swept(step, c, way);
     std::optional<double> meeting;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
@@ -158,8 +161,8 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     const double way_ahead = way * time / dt;
     std::vector<PartManifold> parts;
     const PairAhead pair(world, c, time);
-    collide_composite(pair.shape_a(), pair.shape_b(), tuning::speculative_margin + check.near,
-                      parts);
+    collide_composite(pair.shape_a(), pair.shape_b(),
+                      tuning::speculative_margin * scale + check.near, parts);
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     check.near -= way_ahead;
     ASSERT(check.list >= 0 && check.list < scratch.part_lists);
@@ -177,7 +180,7 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
                 continue;
             }
         }
-        if (swept && !meeting && part.manifold.distance > tuning::touch_gap) continue;
+        if (swept && !meeting && part.manifold.distance > tuning::touch_gap * scale) continue;
         found.push_back({part, expected_gap(world, c, part.manifold, dt), none});
         check.gap_ahead = minimum(check.gap_ahead, found.back().gap_ahead);
     }
@@ -201,7 +204,8 @@ Approach approach_of(WorldState& world, const Contact& c) {
 Manifold manifold_ahead(const StepContext& step, Contact& c) {
     WorldState& world = step.world;
     const double dt = step.dt;
-    const double way = closing_way(world, c, dt);
+    const double way = closing_way(world, c, dt), scale = scale_of_pair(world.bodies, c);
+    const double ahead = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PairAhead& pair) {
         const Placed &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
@@ -212,31 +216,27 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
     const PairAhead pair(world, c, time_to_middle(world, c, way, dt));
     const bool swept = will_be_swept(step, c, way);
     if (swept && !uses_speculative_contact(step, c.shape_a, c.shape_b))
-        return within(tuning::touch_gap, pair);
+        return within(tuning::touch_gap * scale, pair);
     Approach near;
     if (c.colour < 0 || swept) {
         // Most of what moves much against each other flies past: that is cheaper to see than
         // points.
-        const Manifold now = within(tuning::speculative_margin, pair);
+        const Manifold now = within(ahead, pair);
         near = {now.normal, smallest_gap(now)};
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
-        if (now.count == 0 && near.normal != Vec3{} &&
-            near.gap - most * dt >= tuning::speculative_margin)
-            return now;
+        if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= ahead) return now;
         const std::optional<double> meeting =
             swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
         if (!meeting) return now;
         if (*meeting > 0)
-            return within(tuning::speculative_margin,
-                          PairAhead(world, c, minimum(dt, *meeting + tuning::just_past / most)));
+            return within(ahead, PairAhead(world, c, minimum(dt, *meeting + past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
-    const double margin = tuning::speculative_margin + closing_reach(world.bodies, c, way);
+    const double margin = ahead + closing_reach(world.bodies, c, way);
     const double closing = closing_along(world, c, near.normal);
     if (!c.touching && near.gap > 0 && near.gap < closing * dt)
-        return within(margin,
-                      PairAhead(world, c, minimum(dt, (near.gap + tuning::just_past) / closing)));
+        return within(margin, PairAhead(world, c, minimum(dt, (near.gap + past) / closing)));
     return within(margin, pair);
 }
 
@@ -284,7 +284,7 @@ void look_at_pair(StepContext& step, ContactCheck& check) {
         check.goes_on = true;
         write_manifold(world, c, manifold, false);
         check.done = is_in_its_list(world, c);
-    } else if (check.gap_ahead < tuning::speculative_margin) {
+    } else if (check.gap_ahead < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
         ASSERT(c.colour < 0 || manifold.count == 0);
         check.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
         ASSERT(static_cast<std::size_t>(check.list) < scratch.checks.size());

@@ -5,6 +5,7 @@
 #include "constraints/write_manifold.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "state/pair_size.h"
 
 namespace jostle::physics {
 namespace {
@@ -66,7 +67,7 @@ void PairAhead::count_back(Manifold& m, double way) const {
 // start. No further than to half of what is thin: a body may be stopped before it gets there.
 double time_to_middle(const WorldState& world, const Contact& c, double way, double dt) {
     const bool touching = c.composite ? c.parts_touching > 0 : c.touching;
-    if (!touching || way < tuning::noticed_motion) return 0;
+    if (!touching || way < tuning::noticed_motion * scale_of_pair(world.bodies, c)) return 0;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
@@ -77,7 +78,7 @@ double time_to_middle(const WorldState& world, const Contact& c, double way, dou
 std::optional<double> time_to_meeting(const WorldState& world, const Contact& c, double dt) {
     const Impact impact =
         time_of_impact(swept(world, c.body_a, c.shape_a, dt), swept(world, c.body_b, c.shape_b, dt),
-                       0, tuning::sweep_gap);
+                       0, tuning::sweep_gap * scale_of_pair(world.bodies, c));
     if (impact.at_start) return 0;
     if (impact.fraction > 1) return std::nullopt;
     return impact.fraction * dt;

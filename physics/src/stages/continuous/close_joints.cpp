@@ -6,6 +6,7 @@
 
 #include "constraints/direct/joint_couplings.h"
 #include "constraints/joints/joint_batches.h"
+#include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "stages/continuous/toi_body.h"
 #include "state/joint_graph.h"
@@ -72,6 +73,15 @@ public:
         return most;
     }
 
+    // m: what its ends may stay apart.
+    double close_enough() const {
+        double scale = 1;
+        for (const TiedBody& body : bodies_)
+            if (!body.held)
+                scale = minimum(scale, size_scale(world_.bodies.cold[body.body].radius));
+        return tuning::close_enough * scale;
+    }
+
     // False if that would cost too much.
     bool prepare() {
         const int joints = static_cast<int>(joints_.size());
@@ -120,7 +130,7 @@ public:
             const Vec3 way = body.center - body.start;
             const double most = 0.5 * cold.inner_radius, far = length(way);
             const Vec3 center = far > most ? body.start + way * (most / far) : body.center;
-            if (far < tuning::close_enough) continue;
+            if (far < close_enough()) continue;
             place_elsewhere(world, body.body, center, body.rotation, dt);
         }
     }
@@ -211,10 +221,10 @@ void close_joints(StepContext& step, std::span<const std::uint32_t> placed) {
         if (seen[body] != 0) continue;
         TiedGroup group(world, seen);
         group.find(body, placed);
-        if (group.widest() < tuning::close_enough || !group.prepare()) continue;
+        if (group.widest() < group.close_enough() || !group.prepare()) continue;
         for (int round = 0; round < rounds; round++) {
             group.take_back();
-            if (group.widest() < tuning::close_enough) break;
+            if (group.widest() < group.close_enough()) break;
         }
         group.place(world, step.dt);
     }

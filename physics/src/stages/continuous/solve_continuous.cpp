@@ -26,6 +26,7 @@
 #include "state/contact_answers.h"
 #include "state/contact_constraints.h"
 #include "state/joint_graph.h"
+#include "state/pair_size.h"
 #include "state/shape_proxy.h"
 
 namespace jostle::physics {
@@ -264,10 +265,16 @@ private:
             const SweptShape met = swept(other, sweep_of(world_.shapes.shapes[other].body));
             for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
                  own = world_.shapes.shapes[own].next)
-                if (!pass_by(swept(own, t.sweep), met, t.sweep.from, tuning::sweep_gap))
+                if (!pass_by(swept(own, t.sweep), met, t.sweep.from, sweep_gap(own, other)))
                     return false;
             return true;
         });
+    }
+    // How far before the surfaces of two shapes meet their sweep stops, m.
+    double sweep_gap(std::uint32_t own, std::uint32_t other) const {
+        const BodyCold &a = world_.bodies.cold[world_.shapes.shapes[own].body],
+                       &b = world_.bodies.cold[world_.shapes.shapes[other].body];
+        return tuning::sweep_gap * size_scale(size_of_pair(a, b));
     }
     Speed speed_of(std::uint32_t body, double fraction) const {
         const std::uint32_t known = toi_body_of(body);
@@ -471,7 +478,7 @@ private:
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
             const bool held = !turned && is_held(own, other);
             const Impact hit = held ? Impact{.at_start = true}
-                                    : time_of_impact(a, b, from, tuning::sweep_gap, t.fraction);
+                                    : time_of_impact(a, b, from, sweep_gap(own, other), t.fraction);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
                                   ClosesBy by = ClosesBy::velocity_or_sweep) {
                 if (fraction > t.fraction) return true;
@@ -489,11 +496,13 @@ private:
             };
             bool touches = hit.at_start;
             if (hit.fraction < t.fraction)
-                touches |= !meet(hit.fraction, points_touching(a, b, hit.fraction),
+                touches |= !meet(hit.fraction,
+                                 points_touching(a, b, hit.fraction, 5 * sweep_gap(own, other)),
                                  far ? ClosesBy::velocity_or_sweep : ClosesBy::velocity);
             // What touches and bounces does so at once.
             if (hit.at_start && bouncy && !held && hands_on(t, known, own, other)) {
-                const std::vector<ImpactPoint> points = points_touching(a, b, from);
+                const std::vector<ImpactPoint> points =
+                    points_touching(a, b, from, 5 * sweep_gap(own, other));
                 if ((points.size() == 1 || !turned) && meet(from, points, ClosesBy::bouncing))
                     touches = false;
             }
@@ -509,12 +518,14 @@ private:
                 if (held && scale > tuning::held_core) continue;
                 (of_other ? core_b : core_a).scale = scale;
                 const Impact later =
-                    time_of_impact(core_a, core_b, from, tuning::sweep_gap, t.fraction);
+                    time_of_impact(core_a, core_b, from, sweep_gap(own, other), t.fraction);
                 touches = later.at_start;
                 if (later.fraction < t.fraction)
                     touches |= !meet(later.fraction, points_along(a, b, later));
             }
-            if (touches) meet(from, points_touching(a, b, from), ClosesBy::velocity);
+            if (touches)
+                meet(from, points_touching(a, b, from, 5 * sweep_gap(own, other)),
+                     ClosesBy::velocity);
         }
     }
 

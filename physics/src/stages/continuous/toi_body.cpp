@@ -161,7 +161,8 @@ void place_elsewhere(WorldState& world, std::uint32_t body, Vec3 center, Quat ro
         place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!fits_fat_aabb(world.shapes.shapes[s], warm, dt)) enlarge_proxy(world, s, warm, dt);
+        if (!fits_fat_aabb(world.shapes.shapes[s], warm, cold.radius, dt))
+            enlarge_proxy(world, s, warm, dt);
 }
 
 void finish_toi(WorldState& world, const ToiBody& t, double dt) {

@@ -2,6 +2,7 @@
 #include "stages/finalize/finalize_body.h"
 
 #include "foundation/check.h"
+#include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "stages/step_scratch.h"
 #include "state/force_fields.h"
@@ -24,7 +25,7 @@ bool left_fat_aabb(const ShapeStore& store, MotionBound& motion, const BodyWarm&
     if (motion.travel + length(warm.v) * dt <= motion.fits_until) return false;
     AabbMargin margin{1e300, 1e300};
     for (std::uint32_t s = cold.first_shape; s != none; s = store.shapes[s].next) {
-        const AabbMargin own = margin_in_fat_aabb(store.shapes[s], warm, dt);
+        const AabbMargin own = margin_in_fat_aabb(store.shapes[s], warm, cold.radius, dt);
         margin = {minimum(margin.now, own.now), minimum(margin.next, own.next)};
     }
     motion.fits_until = motion.travel + margin.now;
@@ -34,7 +35,7 @@ bool left_fat_aabb(const ShapeStore& store, MotionBound& motion, const BodyWarm&
 // Whether a shape of a body that moved is no longer within its fat box.
 bool strayed(const ShapeStore& store, const BodyWarm& warm, const BodyCold& cold) {
     for (std::uint32_t s = cold.first_shape; s != none; s = store.shapes[s].next)
-        if (!fits_fat_aabb(store.shapes[s], warm, 0)) return true;
+        if (!fits_fat_aabb(store.shapes[s], warm, cold.radius, 0)) return true;
     return false;
 }
 
@@ -56,12 +57,16 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
     const double way = maximum(length(motion.displacement), maximum(now, next));
     warm.drift += motion.displacement;
     warm.drift_turn += turned;
-    const bool still = way < tuning::sleep_speed * dt;
-    const bool sways = way < tuning::drift_speed * dt &&
-                       length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift;
+    const double length_scale = size_scale(cold.radius);
+    const double slow = speed_scale(cold.radius, gravity_ratio_squared(world.def.gravity));
+    const bool still = way < tuning::sleep_speed * slow * dt;
+    const bool sways =
+        way < tuning::drift_speed * slow * dt &&
+        length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift * length_scale;
     const bool rests = cold.sleep_allowed && (still || sways) &&
                        (world.fields.empty() || !feels_gusts(world, warm, cold));
-    warm.sleep_time = rests ? warm.sleep_time + dt : 0;
+    // What is large falls slowly, and has to rest for longer.
+    warm.sleep_time = rests ? warm.sleep_time + dt * minimum(1, slow / length_scale) : 0;
 }
 
 // Whether a body's velocity does not lead back to where it came from, by more than a part of what

@@ -5,6 +5,8 @@
 
 #include "constraint_graph/wide_rows.h"
 #include "foundation/check.h"
+#include "foundation/tuning.h"
+#include "stages/islands/overload.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
 #include "state/contact_graph.h"
@@ -49,6 +51,13 @@ void change_touch(WorldState& world, std::uint32_t contact) {
         if (c.parent == none) report_end(world, c, world.events.contacts_ended);
         end_touch(world, contact);
     }
+}
+
+// Which of two bodies has very much more mass.
+void note_heavy(const BodyStore& bodies, const Contact& c, std::vector<std::uint32_t>& heavy) {
+    const double a = bodies.cold[c.body_a].mass, b = bodies.cold[c.body_b].mass;
+    if (maximum(a, b) >= tuning::heavy_ratio * minimum(a, b))
+        heavy.push_back(a > b ? c.body_a : c.body_b);
 }
 
 // A pair of many parts begins with the first of them and ends with the last.
@@ -97,7 +106,13 @@ Skipped link_islands(StepContext& step) {
     // By index of contact: the order decides which island takes in which.
     std::sort(changes.begin(), changes.end());
     ASSERT(std::adjacent_find(changes.begin(), changes.end()) == changes.end());
-    for (const std::uint32_t contact : changes) change_touch(world, contact);
+    std::vector<std::uint32_t> heavy;
+    for (const std::uint32_t contact : changes) {
+        change_touch(world, contact);
+        const Contact& c = world.contacts.contacts[contact];
+        if (c.touching && is_dynamic(world, c.body_b)) note_heavy(world.bodies, c, heavy);
+    }
+    raise_overloaded(world, heavy);
     report_composites(world);
     world.profile.manifolds = manifolds;
     world.profile.touching = touching;

@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "foundation/check.h"
+#include "foundation/size_scale.h"
 #include "foundation/tuning.h"
 #include "stages/islands/assign_batches.h"
 #include "stages/islands/choose_rungs.h"
+#include "stages/islands/overload.h"
 #include "stages/islands/sort_constraints.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
@@ -17,17 +19,23 @@ namespace {
 
 // ---- tier ----
 
+// What is faster falls.
+bool stands(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
+    const double most =
+        tuning::standing_speed * speed_scale(cold.radius, gravity_ratio_squared(gravity));
+    return length_squared(warm.v) <= most * most;
+}
+
 // What stands of each island: not what flies past or falls.
 void measure_extents(const BodyStore& bodies, const IslandStore& islands,
-                     std::vector<IslandExtent>& extents, Vec3 up) {
+                     std::vector<IslandExtent>& extents, Vec3 gravity) {
+    const Vec3 up = -normalized(gravity);
     extents.assign(islands.ids.size(), {});
     const Vec3 east = normalized(cross(up, absolute(up.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 north = cross(east, up);
     for (const BodyWarm& warm : bodies.awake) {
         const BodyCold& cold = bodies.cold[warm.body];
-        if (cold.constraints == 0 || cold.island == none ||
-            length_squared(warm.v) > tuning::standing_speed * tuning::standing_speed)
-            continue;
+        if (cold.constraints == 0 || cold.island == none || !stands(warm, cold, gravity)) continue;
         ASSERT(cold.island < extents.size());
         IslandExtent& extent = extents[cold.island];
         if (extent.bodies++ == 0) extent.first = warm.center;
@@ -60,32 +68,6 @@ bool is_slender(const IslandExtent& e) {
 // How many bodies of its mean thickness lie upon each other, if they do.
 double layers_of(const IslandExtent& e) {
     return 1 + (e.high - e.low) * e.bodies / maximum(e.thickness, 1e-9);
-}
-
-// Whether the body rests on nothing but what is a hundred times lighter.
-bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
-    const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
-    bool on_light = false, on_firm = false;
-    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-        const Contact& c = world.contacts.contacts[index];
-        if (c.colour < 0 || !c.touching) return;
-        const double rise = dot(normal_of(place_of(world, c)), up);
-        // The normal leads from a to b.
-        if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
-        const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
-        if (other.type == BodyType::dynamic && other.mass <= most)
-            on_light = true;
-        else
-            on_firm = true;
-    });
-    return on_light && !on_firm;
-}
-
-bool has_overload(WorldState& world, const Island& island, Vec3 up) {
-    for (std::uint32_t body = island.first; body != none;
-         body = world.bodies.cold[body].island_next)
-        if (is_overload(world, body, up)) return true;
-    return false;
 }
 
 SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, std::uint32_t index,
@@ -147,7 +129,7 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uin
 
 void choose_tiers(WorldState& world, std::vector<IslandExtent>& extents) {
     const Vec3 up = -normalized(world.def.gravity);
-    measure_extents(world.bodies, world.islands, extents, up);
+    measure_extents(world.bodies, world.islands, extents, world.def.gravity);
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
             choose_tier(world, extents, i, up);

@@ -8,6 +8,7 @@
 #include "stages/solver/substep_hooks.h"
 #include "stages/step_scratch.h"
 #include "state/impulse_scale.h"
+#include "state/pair_size.h"
 
 namespace jostle::physics {
 namespace {
@@ -41,9 +42,10 @@ void note_overlaps(WorldState& world, std::size_t first, std::size_t last) {
                 if (!colour.metas[k].has(LaneFlag::touching, lane)) continue;
                 float least = 0;
                 for (const auto& gap : colour.blocks[k].gap) least = std::min(least, gap[lane]);
-                const double overlap = -double{least} - tuning::contact_slop;
-                if (overlap <= 0) continue;
+                if (double{least} >= -tuning::contact_slop) continue;
                 const Contact& c = world.contacts.contacts[colour.metas[k].contact[lane]];
+                const double overlap =
+                    -double{least} - tuning::contact_slop * scale_of_pair(world.bodies, c);
                 note_drift(world.islands.islands[world.bodies.cold[c.body_a].island], overlap);
             }
     });

@@ -371,6 +371,7 @@ void solve_task(StepContext& step, const SolverTask& task,
         ContactSettings coarse =
             contact_settings(step.dt, set.substeps / 2, task.tier, set.substeps);
         coarse.planar = set.planar;
+        coarse.gravity_ratio = set.gravity_ratio;
         begin_trial(step, task.first, task.last, jointed);
         solve_with(step, task, coarse, kinematic);
         end_trial(step, task.first, task.last, bodies, jointed);

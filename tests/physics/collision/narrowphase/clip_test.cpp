@@ -74,7 +74,7 @@ TEST(Clip, a_turned_box_on_its_like_has_eight_points_and_its_manifold_four) {
     const ContactPoints points =
         contact_points(a, b, {{0, 1, 0}, 0, {0, 0.5, 0}, {0, 0.5, 0}}, 0.01);
     EXPECT_EQ(points.count, 8);
-    const Manifold manifold = manifold_of(points, {0, 1, 0});
+    const Manifold manifold = manifold_of(points, {0, 1, 0}, 1);
     EXPECT_EQ(manifold.count, 4);
     EXPECT_NEAR(manifold.distance, 0, 1e-12);
 }

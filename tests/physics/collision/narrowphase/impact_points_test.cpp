@@ -24,8 +24,8 @@ SweptShape falling(const Geometry& geometry, Vec3 center, double way, Quat rotat
 TEST(ImpactPoints, a_box_meets_the_floor_with_its_corners) {
     const Geometry box = Box{}, floor = Plane{}, table = Box{{5, 1, 5}};
     const SweptShape a = falling(box, {0, 2.5, 0}, 4), b = falling(floor, {}, 0);
-    const auto on_plane = points_touching(a, b, 0.5);
-    const auto on_table = points_touching(a, falling(table, {0, -1, 0}, 0), 0.5);
+    const auto on_plane = points_touching(a, b, 0.5, 5e-4);
+    const auto on_table = points_touching(a, falling(table, {0, -1, 0}, 0), 0.5, 5e-4);
     for (const auto& points : {on_plane, on_table}) {
         ASSERT_EQ(points.size(), 4u);
         for (const ImpactPoint& point : points) {
@@ -34,7 +34,7 @@ TEST(ImpactPoints, a_box_meets_the_floor_with_its_corners) {
             EXPECT_NEAR(absolute(point.position.x), 0.5, 1e-9);
         }
     }
-    EXPECT_TRUE(points_touching(a, b, 0.25).empty()) << "a metre above it";
+    EXPECT_TRUE(points_touching(a, b, 0.25, 5e-4).empty()) << "a metre above it";
 }
 
 // Two balls of a dumbbell that lies flat touch at once, each in its own point.
@@ -43,7 +43,7 @@ TEST(ImpactPoints, each_part_of_a_compound_has_its_own) {
         {{Sphere{0.5}, {.position = {1, 0, 0}}}, {Sphere{0.5}, {.position = {-1, 0, 0}}}}))};
     const Geometry table = Box{{5, 1, 5}};
     const auto points =
-        points_touching(falling(pair, {0, 2.5, 0}, 4), falling(table, {0, -1, 0}, 0), 0.5);
+        points_touching(falling(pair, {0, 2.5, 0}, 4), falling(table, {0, -1, 0}, 0), 0.5, 5e-4);
     ASSERT_EQ(points.size(), 2u);
     EXPECT_NEAR(absolute(points[0].position.x - points[1].position.x), 2, 1e-6);
 }

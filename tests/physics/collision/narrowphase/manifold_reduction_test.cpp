@@ -15,7 +15,7 @@ using namespace physics;
 // The indices that are kept, in rising order.
 std::vector<int> kept(std::vector<FacePoint> points) {
     for (std::size_t k = 0; k < points.size(); k++) points[k].index = static_cast<int>(k);
-    const int count = reduce_to_four(points.data(), static_cast<int>(points.size()));
+    const int count = reduce_to_four(points.data(), static_cast<int>(points.size()), 1);
     std::vector<int> indices;
     for (int k = 0; k < count; k++) indices.push_back(points[static_cast<std::size_t>(k)].index);
     std::sort(indices.begin(), indices.end());

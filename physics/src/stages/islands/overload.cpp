@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "stages/islands/overload.h"
+
+#include "foundation/tuning.h"
+#include "state/contact_constraints.h"
+#include "state/island_tiers.h"
+
+namespace jostle::physics {
+namespace {
+
+// Whether the body rests on nothing but what is a hundred times lighter.
+bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
+    const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
+    bool on_light = false, on_firm = false;
+    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+        const Contact& c = world.contacts.contacts[index];
+        if (c.colour < 0 || !c.touching) return;
+        const double rise = dot(normal_of(place_of(world, c)), up);
+        // The normal leads from a to b.
+        if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
+        const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
+        if (other.type == BodyType::dynamic && other.mass <= most)
+            on_light = true;
+        else
+            on_firm = true;
+    });
+    return on_light && !on_firm;
+}
+
+}  // namespace
+
+bool has_overload(WorldState& world, const Island& island, Vec3 up) {
+    for (std::uint32_t body = island.first; body != none;
+         body = world.bodies.cold[body].island_next)
+        if (is_overload(world, body, up)) return true;
+    return false;
+}
+
+void raise_overloaded(WorldState& world, std::span<const std::uint32_t> bodies) {
+    if (world.def.gravity == Vec3{}) return;
+    const Vec3 up = -normalized(world.def.gravity);
+    for (const std::uint32_t body : bodies) {
+        const std::uint32_t island = world.bodies.cold[body].island;
+        const ColourSetKey set = world.islands.islands[island].colour_set;
+        if (set.tier == SolverTier::heavy || !is_overload(world, body, up)) continue;
+        move_to_set(world, tied_islands(world, island), {SolverTier::heavy, set.batch});
+    }
+}
+
+}  // namespace jostle::physics

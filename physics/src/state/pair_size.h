@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// How large a pair of bodies is for lengths of tuning.h: as its smaller dynamic body.
+#pragma once
+
+#include "foundation/size_scale.h"
+#include "state/body_store.h"
+#include "state/contact_store.h"
+
+namespace jostle::physics {
+
+// m. The first body is dynamic.
+inline double size_of_pair(const BodyCold& a, const BodyCold& b) {
+    return b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
+}
+inline double size_of_pair(const BodyStore& bodies, const Contact& c) {
+    return size_of_pair(bodies.cold[c.body_a], bodies.cold[c.body_b]);
+}
+inline double scale_of_pair(const BodyStore& bodies, const Contact& c) {
+    return size_scale(size_of_pair(bodies, c));
+}
+
+}  // namespace jostle::physics

@@ -31,9 +31,16 @@ Status check_world(const WorldDef& def) {
     if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
     if (def.broad_phase > BroadPhase::uniform_grid)
         return invalid("broad_phase is of no known kind");
+    if (Status s = check_joint_solver("joint_solver", def.joint_solver); !s.ok()) return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;
     return check_range("threads", def.threads, 1, limits::max_threads);
+}
+
+Status check_joint_solver(const char* name, JointSolver solver) {
+    if (solver <= JointSolver::direct) return {};
+    return invalid(std::string(name) + " is " + std::to_string(static_cast<int>(solver)) +
+                   "; it must be automatic (0), iterative (1) or direct (2)");
 }
 
 Status check_body(const BodyDef& def) {

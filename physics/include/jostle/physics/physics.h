@@ -15,6 +15,7 @@
 #include "jostle/physics/ids.h"
 #include "jostle/physics/instruction_set.h"
 #include "jostle/physics/joint_defs.h"
+#include "jostle/physics/joint_solver.h"
 #include "jostle/physics/limits.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/mesh.h"

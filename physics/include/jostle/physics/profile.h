@@ -53,6 +53,8 @@ struct StepProfile {
     int joints = 0;           // that were solved: of bodies_in_solver
     int joints_direct = 0;    // of joints: solved at once, in groups that nothing touches
     int joints_together = 0;  // of joints: their points are solved at once, beside contacts
+    // Of joints: JointSolver::direct was asked for, and they are neither of the two.
+    int joints_refused = 0;
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
 };
 

@@ -160,6 +160,8 @@ public:
     Status destroy_joint(JointId joint);
     // Other limits, motor or spring for a joint of the same kind.
     Status set_joint(JointId joint, const JointKind& kind);
+    // How it is solved from the next step on; empty: as the world says. Wakes nobody.
+    Status set_joint_solver(JointId joint, std::optional<JointSolver> solver);
     bool contains(JointId joint) const;
     Result<JointState> joint(JointId joint) const;
     std::vector<JointId> joints() const;
@@ -208,6 +210,8 @@ public:
     Vec3 gravity() const;
     Status set_gravity(Vec3 gravity);  // m/s^2; wakes every body when it changes
     int substeps() const;
+    JointSolver joint_solver() const;
+    Status set_joint_solver(JointSolver solver);  // from the next step on; wakes nobody
     Status set_threads(
         int threads);  // not part of the state: changes nothing but the time a step takes
 

@@ -74,7 +74,7 @@ bool DirectGroup::prepare(std::int64_t most_work) {
     for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
     for (const DirectJoint& joint : joints)
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
-    if (pattern == pattern_) return true;
+    if (pattern == pattern_) return matrix_.work() <= most_work;
     pattern_.clear();
     if (!find_pattern(most_work)) return false;
     pattern_ = std::move(pattern);
@@ -90,6 +90,8 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
             if (bodies[as_index(body)].pushed)
                 of_body[as_index(body)].push_back(static_cast<int>(k));
     }
+    for (const std::vector<int>& list : of_body)
+        if (clique_work(list.size(), 1) > most_work) return false;
     std::vector<BlockLdl::Edge> edges;
     for (const std::vector<int>& list : of_body)
         for (std::size_t i = 0; i < list.size(); i++)

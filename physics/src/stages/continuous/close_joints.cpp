@@ -79,12 +79,14 @@ public:
         for (int k = 0; k < joints; k++)
             for (const int body : {joints_[as_index(k)].a, joints_[as_index(k)].b})
                 if (!bodies_[as_index(body)].held) of_body_[as_index(body)].push_back(k);
+        const std::int64_t most = std::int64_t{tuning::direct_work} * joints * rows * rows * rows;
         std::vector<BlockLdl::Edge> edges;
+        for (const std::vector<int>& list : of_body_)
+            if (clique_work(list.size(), rows) > most) return false;
         for (const std::vector<int>& list : of_body_)
             for (std::size_t i = 0; i < list.size(); i++)
                 for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-        return matrix_.analyze(std::vector<int>(as_index(joints), rows), edges,
-                               std::int64_t{tuning::direct_work} * joints * rows * rows * rows);
+        return matrix_.analyze(std::vector<int>(as_index(joints), rows), edges, most);
     }
 
     void take_back() {

@@ -20,6 +20,7 @@
 #include "constraints/direct/block_ldl.h"
 #include "constraints/direct/direct_body.h"
 #include "constraints/direct/direct_joint.h"
+#include "constraints/direct/joint_couplings.h"
 
 namespace jostle::physics {
 
@@ -52,11 +53,6 @@ public:
     const Count& count() const { return count_; }
 
 private:
-    struct Coupling {  // of two joints by a body that both push
-        int at;        // of the block
-        int later, sooner, body;
-        bool later_b, sooner_b;  // whether it is their b
-    };
     struct SavedBody {
         Vec3 x, p, l;
         Quat q;
@@ -136,7 +132,7 @@ private:
     static constexpr int bound_rounds = 4;
 
     BlockLdl matrix_;
-    std::vector<Coupling> couplings_;
+    std::vector<JointCoupling> couplings_;
     std::vector<int> pattern_;        // bodies and rows of each joint, of which the pattern is
     std::vector<double> right_side_;  // by the matrix's rows
     std::vector<Vec3> before_guess_;  // momenta

@@ -82,40 +82,21 @@ bool DirectGroup::prepare(std::int64_t most_work) {
 }
 
 bool DirectGroup::find_pattern(std::int64_t most_work) {
-    std::vector<std::vector<int>> of_body(bodies.size());
+    std::vector<JointEnds> ends;
     std::vector<int> rows;
-    for (std::size_t k = 0; k < joints.size(); k++) {
-        rows.push_back(joints[k].rows());
-        for (const int body : {joints[k].a, joints[k].b})
-            if (bodies[as_index(body)].pushed)
-                of_body[as_index(body)].push_back(static_cast<int>(k));
+    std::vector<std::uint8_t> pushed;
+    for (const DirectJoint& joint : joints) {
+        ends.push_back({joint.a, joint.b});
+        rows.push_back(joint.rows());
     }
-    for (const std::vector<int>& list : of_body)
-        if (clique_work(list.size(), 1) > most_work) return false;
-    std::vector<BlockLdl::Edge> edges;
-    for (const std::vector<int>& list : of_body)
-        for (std::size_t i = 0; i < list.size(); i++)
-            for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-    if (!matrix_.analyze(rows, edges, most_work)) return false;
+    for (const DirectBody& body : bodies) pushed.push_back(body.pushed ? 1 : 0);
+    if (!couple_joints(ends, rows, pushed, most_work, matrix_, couplings_)) return false;
     right_side_.assign(as_index(matrix_.rows()), 0);
-    couplings_.clear();
-    for (std::size_t body = 0; body < bodies.size(); body++) {
-        const std::vector<int>& list = of_body[body];
-        for (std::size_t i = 0; i < list.size(); i++)
-            for (std::size_t k = 0; k <= i; k++) {
-                const bool first_later = matrix_.is_later(list[i], list[k]);
-                const int later = first_later ? list[i] : list[k];
-                const int sooner = first_later ? list[k] : list[i];
-                const int number = static_cast<int>(body);
-                couplings_.push_back({matrix_.block_at(later, sooner), later, sooner, number,
-                                      joints[as_index(later)].b == number,
-                                      joints[as_index(sooner)].b == number});
-            }
-    }
     // Blocks are then summed up one after the other.
-    std::sort(couplings_.begin(), couplings_.end(), [](const Coupling& x, const Coupling& y) {
-        return std::pair(x.at, x.body) < std::pair(y.at, y.body);
-    });
+    std::sort(couplings_.begin(), couplings_.end(),
+              [](const JointCoupling& x, const JointCoupling& y) {
+                  return std::pair(x.at, x.body) < std::pair(y.at, y.body);
+              });
     return true;
 }
 
@@ -126,7 +107,7 @@ bool DirectGroup::find_pattern(std::int64_t most_work) {
 void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
     double* const values = matrix_.values().data();
-    for (const Coupling& c : couplings_) {
+    for (const JointCoupling& c : couplings_) {
         const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
         const DirectBody& body = bodies[as_index(c.body)];
         const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;

@@ -75,7 +75,7 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         }
     }
     for (int k = 0; k < batch.joint_count; k++) {
-        const JointPattern::Ends& ends = batch.ends[k];
+        const JointEnds& ends = batch.ends[k];
         const BatchBody &a = batch.bodies[ends.a], &b = batch.bodies[ends.b];
         BatchJoint& joint = batch.joints[k];
         const Wide3 at_a = load3(a.v) + cross(load3(a.w), load3(joint.lever_a));
@@ -98,7 +98,7 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         store3(body.w, Wide3{splat(0), splat(0), splat(0)});
     }
     for (int k = 0; k < batch.joint_count; k++) {
-        const JointPattern::Ends& ends = batch.ends[k];
+        const JointEnds& ends = batch.ends[k];
         BatchBody &a = batch.bodies[ends.a], &b = batch.bodies[ends.b];
         BatchJoint& joint = batch.joints[k];
         const Wide3 impulse = load3(joint.unknown);
@@ -106,7 +106,7 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         store3(a.w, load3(a.w) - cross(load3(joint.lever_a), impulse));
         store3(b.v, load3(b.v) + impulse);
         store3(b.w, load3(b.w) + cross(load3(joint.lever_b), impulse));
-        keep_impulse(batch, joint, load4(ends.by_a ? a.rotation : b.rotation), impulse,
+        keep_impulse(batch, joint, load4(carrier_of(batch, k).rotation), impulse,
                      kPass == BatchPass::relax);
     }
     for (int k = 0; k < batch.body_count; k++) {

@@ -74,6 +74,12 @@ JOSTLE_INLINE void add_response(const BatchBody& body, Wide3 later, Wide3 sooner
     }
 }
 
+// In whose axes the joint's impulse is kept: of b, unless it cannot be pushed.
+JOSTLE_INLINE const BatchBody& carrier_of(const BatchView& batch, int joint) {
+    const JointEnds& ends = batch.ends[joint];
+    return batch.bodies[batch.pushed[ends.b] != 0 ? ends.b : ends.a];
+}
+
 JOSTLE_INLINE void find_rows(const BatchBody& body, const HotBody* bodies, const float* rows[8]) {
     for (int k = 0; k < 8; k++) rows[k] = bodies[body.hot[k]].v;
 }
@@ -215,30 +221,24 @@ inline void factor_batch(const BatchView& batch, const HotBody* bodies, const Jo
         BatchJoint& joint = batch.joints[k];
         BatchBody &a = batch.bodies[batch.ends[k].a], &b = batch.bodies[batch.ends[k].b];
         load_levers(joint, a, b);
-        const Wide3 impulse =
-            rotate(load4(batch.ends[k].by_a ? a.rotation : b.rotation), load3(joint.impulse));
+        const Wide3 impulse = rotate(load4(carrier_of(batch, k).rotation), load3(joint.impulse));
         stiffen(a, -impulse, load3(joint.lever_a));
         stiffen(b, impulse, load3(joint.lever_b));
     }
     for (int k = 0; k < batch.body_count; k++)
         if (batch.pushed[k] != 0) stiffen_inertia(batch.bodies[k], step);
-    for (int k = 0; k < batch.joint_count; k++) {
-        const int at = batch.node[k];
-        const BatchJoint& joint = batch.joints[at];
-        WideValue* const diagonal = batch.values + batch.diagonal[k];
-        const Wide3 lever_a = load3(joint.lever_a), lever_b = load3(joint.lever_b);
-        add_response(batch.bodies[batch.ends[at].a], lever_a, lever_a, 1, diagonal);
-        add_response(batch.bodies[batch.ends[at].b], lever_b, lever_b, 1, diagonal);
-        // As it is before the elimination: kept where its inverse will be.
-        WideValue* const kept = batch.inverse + 6 * k;
-        kept[0] = diagonal[0], kept[1] = diagonal[4], kept[2] = diagonal[8];
-    }
     for (int k = 0; k < batch.coupling_count; k++) {
-        const JointPattern::Coupling& c = batch.couplings[k];
+        const JointCoupling& c = batch.couplings[k];
         const BatchJoint &later = batch.joints[c.later], &sooner = batch.joints[c.sooner];
         add_response(batch.bodies[c.body], load3(c.later_b ? later.lever_b : later.lever_a),
                      load3(c.sooner_b ? sooner.lever_b : sooner.lever_a),
                      c.later_b == c.sooner_b ? 1.0f : -1.0f, batch.values + c.at);
+    }
+    for (int k = 0; k < batch.joint_count; k++) {
+        // As it is before the elimination: kept where its inverse will be.
+        const WideValue* const diagonal = batch.values + batch.diagonal[k];
+        WideValue* const kept = batch.inverse + 6 * k;
+        kept[0] = diagonal[0], kept[1] = diagonal[4], kept[2] = diagonal[8];
     }
     for (int k = 0; k < batch.joint_count; k++) eliminate(batch, k);
 }

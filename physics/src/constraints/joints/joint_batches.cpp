@@ -84,24 +84,12 @@ struct Numbering {
     }
 };
 
-void find_couplings(JointPattern& pattern, std::int64_t most) {
-    std::vector<std::vector<int>> of_body(pattern.pushed.size());
-    for (std::size_t k = 0; k < pattern.joints.size(); k++)
-        for (const int body : {pattern.joints[k].a, pattern.joints[k].b})
-            if (pattern.pushed[as_index(body)] != 0)
-                of_body[as_index(body)].push_back(static_cast<int>(k));
-    pattern.most_work = most;
-    pattern.too_dense = std::any_of(of_body.begin(), of_body.end(), [&](const auto& list) {
-        return clique_work(list.size(), rows) > most;
-    });
-    if (pattern.too_dense) return;
-    std::vector<BlockLdl::Edge> edges;
-    for (const std::vector<int>& list : of_body)
-        for (std::size_t i = 0; i < list.size(); i++)
-            for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
+void find_matrix(JointPattern& pattern, std::int64_t most) {
     const std::size_t joints = pattern.joints.size();
     BlockLdl matrix;
-    pattern.too_dense = !matrix.analyze(std::vector<int>(joints, rows), edges, most);
+    pattern.most_work = most;
+    pattern.too_dense = !couple_joints(pattern.joints, std::vector<int>(joints, rows),
+                                       pattern.pushed, most, matrix, pattern.couplings);
     if (pattern.too_dense) return;
     pattern.work = matrix.work();
     pattern.values = matrix.value_count();
@@ -120,19 +108,6 @@ void find_couplings(JointPattern& pattern, std::int64_t most) {
     }
     pattern.first_below.push_back(static_cast<int>(pattern.below.size()));
     pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
-    for (std::size_t body = 0; body < of_body.size(); body++) {
-        const std::vector<int>& list = of_body[body];
-        for (std::size_t i = 0; i < list.size(); i++)
-            for (std::size_t k = 0; k < i; k++) {
-                const bool first_later = matrix.is_later(list[i], list[k]);
-                const int later = first_later ? list[i] : list[k];
-                const int sooner = first_later ? list[k] : list[i];
-                const int number = static_cast<int>(body);
-                pattern.couplings.push_back({matrix.block_at(later, sooner), later, sooner, number,
-                                             pattern.joints[as_index(later)].b == number,
-                                             pattern.joints[as_index(sooner)].b == number});
-            }
-    }
 }
 
 // Null if it takes more than `most`.
@@ -144,12 +119,12 @@ JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>&
         found->pushed = pushed;
         for (std::size_t k = 0; k < batches.key.size(); k += 2) {
             const int a = batches.key[k] >> 1, b = batches.key[k + 1] >> 1;
-            found->joints.push_back({a, b, pushed[as_index(b)] == 0});
+            found->joints.push_back({a, b});
         }
-        find_couplings(*found, most);
+        find_matrix(*found, most);
     }
     found->used = batches.count;
-    if (found->too_dense && most > found->most_work) find_couplings(*found, most);
+    if (found->too_dense && most > found->most_work) find_matrix(*found, most);
     return found->too_dense || found->work > most ? nullptr : found.get();
 }
 

@@ -3,9 +3,9 @@
 // Joints that hold bodies together point to point, in groups whose points are solved at once: by
 // L D L^T of J M^-1 J^T, in float, eight groups of one pattern side by side. The rest of these
 // joints, their limits and motors and axes, is swept as that of others, and so are contacts; the
-// points are solved exactly after each sweep. What float leaves is taken away by the next solve.
-// (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996; R. Tamis, Solverkit's notes
-// on block solvers; constraints/direct/block_ldl.h for the pattern.)
+// points are solved exactly before and after each sweep. What float leaves is taken away by the
+// next solve. (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996; for the pattern
+// constraints/direct/block_ldl.h.)
 //
 // Made anew each step, by task of the solver; patterns are kept.
 #pragma once
@@ -18,7 +18,7 @@
 
 #include "constraint_graph/joint_levels.h"
 #include "constraint_graph/joint_wishes.h"
-#include "constraints/direct/block_ldl.h"
+#include "constraints/direct/joint_couplings.h"
 #include "jostle/physics/joint_defs.h"
 
 namespace jostle::physics {
@@ -26,18 +26,9 @@ namespace jostle::physics {
 // What groups have in common that tie their bodies in the same way. Joints are numbered in their
 // order, bodies in the order in which joints name them.
 struct JointPattern {
-    struct Ends {
-        int a, b;
-        bool by_a;  // a carries the impulses: b cannot be pushed
-    };
-    // Of two joints by a body that both push.
-    struct Coupling {
-        int at, later, sooner, body;
-        bool later_b, sooner_b;  // whether it is their b
-    };
-    std::vector<Ends> joints;
+    std::vector<JointEnds> joints;
     std::vector<std::uint8_t> pushed;  // by body
-    std::vector<Coupling> couplings;
+    std::vector<JointCoupling> couplings;
     // The matrix, three rows a joint; by elimination order.
     std::vector<int> node, diagonal, first_below, first_update;
     std::vector<BlockLdl::Below> below;
@@ -86,9 +77,9 @@ struct BatchView {
     BatchJoint* joints;
     BatchBody* bodies;
     WideValue *values, *inverse, *column;
-    const JointPattern::Ends* ends;
+    const JointEnds* ends;
     const std::uint8_t* pushed;
-    const JointPattern::Coupling* couplings;
+    const JointCoupling* couplings;
     const int *node, *diagonal, *first_below, *first_update;
     const BlockLdl::Below* below;
     const BlockLdl::Update* updates;

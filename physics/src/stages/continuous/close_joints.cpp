@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "constraints/direct/block_ldl.h"
+#include "constraints/direct/joint_couplings.h"
 #include "constraints/joints/joint_batches.h"
 #include "foundation/tuning.h"
 #include "stages/continuous/toi_body.h"
@@ -26,7 +26,7 @@ struct TiedBody {
     Vec3 push, twist;  // of this round
 };
 struct TiedJoint {
-    int a = 0, b = 0;
+    JointEnds ends;
     Vec3 local_a, local_b;  // arms in the bodies' axes, m
     Vec3 arm_a, arm_b, gap;
 };
@@ -62,7 +62,8 @@ public:
     double widest() {
         double most = 0;
         for (TiedJoint& joint : joints_) {
-            const TiedBody &a = bodies_[as_index(joint.a)], &b = bodies_[as_index(joint.b)];
+            const TiedBody &a = bodies_[as_index(joint.ends.a)],
+                           &b = bodies_[as_index(joint.ends.b)];
             joint.arm_a = a.axes * joint.local_a;
             joint.arm_b = b.axes * joint.local_b;
             joint.gap = (b.center + joint.arm_b) - (a.center + joint.arm_a);
@@ -75,18 +76,13 @@ public:
     bool prepare() {
         const int joints = static_cast<int>(joints_.size());
         if (joints == 0 || is_net(joints, static_cast<int>(bodies_.size()))) return false;
-        of_body_.assign(bodies_.size(), {});
-        for (int k = 0; k < joints; k++)
-            for (const int body : {joints_[as_index(k)].a, joints_[as_index(k)].b})
-                if (!bodies_[as_index(body)].held) of_body_[as_index(body)].push_back(k);
-        const std::int64_t most = std::int64_t{tuning::direct_work} * joints * rows * rows * rows;
-        std::vector<BlockLdl::Edge> edges;
-        for (const std::vector<int>& list : of_body_)
-            if (clique_work(list.size(), rows) > most) return false;
-        for (const std::vector<int>& list : of_body_)
-            for (std::size_t i = 0; i < list.size(); i++)
-                for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-        return matrix_.analyze(std::vector<int>(as_index(joints), rows), edges, most);
+        std::vector<JointEnds> ends;
+        std::vector<std::uint8_t> pushed;
+        for (const TiedJoint& joint : joints_) ends.push_back(joint.ends);
+        for (const TiedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
+        return couple_joints(ends, std::vector<int>(as_index(joints), rows), pushed,
+                             std::int64_t{tuning::direct_work} * joints * rows * rows * rows,
+                             matrix_, couplings_);
     }
 
     void take_back() {
@@ -101,7 +97,8 @@ public:
         for (std::size_t k = 0; k < joints_.size(); k++) {
             const double* const at = x.data() + matrix_.row_of(static_cast<int>(k));
             const Vec3 push{at[0], at[1], at[2]};
-            TiedBody &a = bodies_[as_index(joints_[k].a)], &b = bodies_[as_index(joints_[k].b)];
+            const JointEnds& ends = joints_[k].ends;
+            TiedBody &a = bodies_[as_index(ends.a)], &b = bodies_[as_index(ends.b)];
             a.push -= push;
             a.twist -= cross(joints_[k].arm_a, push);
             b.push += push;
@@ -164,8 +161,8 @@ private:
                                 : frame.position - world_.bodies.cold[body].local_center;
         };
         TiedJoint to;
-        to.a = number_of(joint.body_a, placed);
-        to.b = number_of(joint.body_b, placed);
+        to.ends.a = number_of(joint.body_a, placed);
+        to.ends.b = number_of(joint.body_b, placed);
         to.local_a = arm(joint.body_a, joint.frame_a);
         to.local_b = arm(joint.body_b, joint.frame_b);
         joints_.push_back(to);
@@ -174,29 +171,22 @@ private:
     // J M^-1 J^T.
     void assemble() {
         matrix_.clear();
-        for (std::size_t n = 0; n < bodies_.size(); n++) {
-            const TiedBody& body = bodies_[n];
-            const std::vector<int>& list = of_body_[n];
-            for (const int first : list)
-                for (const int second : list) {
-                    if (first != second && !matrix_.is_later(first, second)) continue;
-                    const TiedJoint &later = joints_[as_index(first)],
-                                    &sooner = joints_[as_index(second)];
-                    const bool later_b = later.b == static_cast<int>(n),
-                               sooner_b = sooner.b == static_cast<int>(n);
-                    const double sign = later_b == sooner_b ? 1 : -1;
-                    const Vec3 at = later_b ? later.arm_b : later.arm_a;
-                    const Vec3 by = sooner_b ? sooner.arm_b : sooner.arm_a;
-                    double* const block = matrix_.values().data() + matrix_.block_at(first, second);
-                    for (int column = 0; column < rows; column++) {
-                        Vec3 unit;
-                        unit[column] = 1;
-                        const Vec3 moved = unit * body.inverse_mass +
-                                           cross(body.inverse_inertia * cross(by, unit), at);
-                        for (int row = 0; row < rows; row++)
-                            block[row * rows + column] += sign * moved[row];
-                    }
-                }
+        for (const JointCoupling& c : couplings_) {
+            const TiedBody& body = bodies_[as_index(c.body)];
+            const TiedJoint &later = joints_[as_index(c.later)],
+                            &sooner = joints_[as_index(c.sooner)];
+            const double sign = c.later_b == c.sooner_b ? 1 : -1;
+            const Vec3 at = c.later_b ? later.arm_b : later.arm_a;
+            const Vec3 by = c.sooner_b ? sooner.arm_b : sooner.arm_a;
+            double* const block = matrix_.values().data() + c.at;
+            for (int column = 0; column < rows; column++) {
+                Vec3 unit;
+                unit[column] = 1;
+                const Vec3 moved =
+                    unit * body.inverse_mass + cross(body.inverse_inertia * cross(by, unit), at);
+                for (int row = 0; row < rows; row++)
+                    block[row * rows + column] += sign * moved[row];
+            }
         }
     }
 
@@ -204,7 +194,7 @@ private:
     std::vector<std::uint8_t>& seen_;
     std::vector<TiedBody> bodies_;
     std::vector<TiedJoint> joints_;
-    std::vector<std::vector<int>> of_body_;
+    std::vector<JointCoupling> couplings_;
     BlockLdl matrix_;
 };
 

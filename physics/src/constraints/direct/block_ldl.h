@@ -30,6 +30,11 @@ inline bool is_net(int joints, int bodies) {
     return joints > 512 && 2 * joints > 3 * bodies;
 }
 
+// Whether so many joints tie so few bodies that many of their rows say what others say.
+inline bool is_redundant(int joints, int bodies) {
+    return 4 * joints > 5 * bodies;
+}
+
 // What a factor takes at least in which so many nodes of so many rows all meet each other, as the
 // joints of one body do: known without a list of their edges, of which there are as many as
 // squares.

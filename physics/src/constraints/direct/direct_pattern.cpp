@@ -34,6 +34,9 @@ void DirectGroup::list_what_acts() {
                                    body.inverse_masses.y == 0 || body.inverse_masses.z == 0);
         body.spring_square = 0;
     }
+    std::size_t pushed = 0;
+    for (const DirectBody& body : bodies) pushed += body.pushed ? 1 : 0;
+    looped_ = joints.size() > pushed;
     double arms = 0;
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
@@ -137,8 +140,20 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     }
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
+    if (resorting_ && degenerate_) regularize();
     count_.left_out = matrix_.factor();
+    degenerate_ |= count_.left_out > 0;
     count_.factors++;
+}
+
+// Rows that depend on others no longer do.
+void DirectGroup::regularize() {
+    double* const values = matrix_.values().data();
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        const int node = static_cast<int>(k), rows = joints[k].rows();
+        double* const block = values + matrix_.block_at(node, node);
+        for (int r = 0; r < rows; r++) block[r * (rows + 1)] *= 1 + proximal;
+    }
 }
 
 // What is no more than the rounding of axes across those that may move, 1/kg.

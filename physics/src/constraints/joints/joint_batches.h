@@ -37,6 +37,7 @@ struct JointPattern {
     bool too_dense = false;      // then there is no more than that
     std::int64_t most_work = 0;  // for which
     std::int64_t work = 0;
+    float give = 0;  // part of a row's own response by which it gives way: nets have rows to spare
     std::uint64_t used = 0;  // when, by JointBatches::count
 };
 
@@ -84,6 +85,7 @@ struct BatchView {
     const BlockLdl::Below* below;
     const BlockLdl::Update* updates;
     JointConstraintWide* blocks;
+    float give;
 };
 BatchView view_of(JointBatch& batch, JointLevels& levels);
 

@@ -190,9 +190,9 @@ inline constexpr double direct_joint_correction = 0.5;
 inline constexpr int direct_work = 64;
 // Where a group asks to be solved directly: multiplications of one factorisation of all joints of a
 // world.
-inline constexpr std::int64_t most_direct_work = 100'000'000;
+inline constexpr std::int64_t most_direct_work = 20'000'000;
 // A net of more joints is not even looked at: to find out what it costs would take long.
-inline constexpr int most_net_joints = 8192;
+inline constexpr int most_net_joints = 2048;
 // Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
 // part of that speed, the more the further it turns in a sub-step.
 inline constexpr double joint_push_speed = 10;  // m/s

@@ -16,7 +16,7 @@ constexpr double followed_turn = 1;  // rad
 constexpr double followed_spring = 0.35;  // rad
 constexpr int most_spring_parts = 64, springs_followed = 8;
 constexpr int most_halvings = 6, most_steps = 1024;
-constexpr double burst = 1.1;  // of the energy that there may be
+constexpr double burst = 0.01;  // of the energy that there is
 // After so many sub-steps a longer one is tried again.
 constexpr int steps_at_halvings = 4;
 // Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
@@ -73,11 +73,11 @@ void DirectGroup::restore(int depth) {
     energy_ = false;
 }
 
-// Rows that hardly differ from what others say pull as hard as one likes: a net whose joints hold at
-// the end of a step may move at any speed. It shows as energy from nowhere since `before`.
+// Rows that hardly differ from what others say pull as hard as one likes: a net whose joints hold
+// at the end of a step may move at any speed. It shows as energy from nowhere since `before`.
 bool DirectGroup::has_burst(double h, const Saved& before) {
     if (!looped_ || !smooth_ || sprung_) return false;
-    double had = 0, has = 0;  // J, kinetic; `had` with all that acts could add
+    double had = 0, has = 0, work = 0, scale = 0;  // J; of what is kinetic
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const DirectBody& body = bodies[k];
         if (!body.pushed && body.v == Vec3{} && body.w == Vec3{}) continue;
@@ -86,13 +86,16 @@ bool DirectGroup::has_burst(double h, const Saved& before) {
         const Vec3 spin_then = rotate(conjugate(was.q), was.l);
         const Vec3 kick = body.force * h, twist = body.torque * h;
         had += 0.5 * dot(was.p, was.p) * body.inverse_mass +
-               0.5 * dot(scaled(spin_then, body.inverse_moments), spin_then) +
-               absolute(dot(body.force, body.x - was.x)) + dot(kick, kick) * body.inverse_mass +
-               absolute(dot(twist, spin(body))) + dot(twist, body.inverse_inertia * twist);
+               0.5 * dot(scaled(spin_then, body.inverse_moments), spin_then);
         has += 0.5 * dot(body.p, body.p) * body.inverse_mass + 0.5 * dot(body.l, spin(body));
+        const double pushed = dot(body.force, body.x - was.x), turned = dot(twist, spin(body));
+        work += pushed + turned;
+        scale += absolute(pushed) + absolute(turned) + dot(kick, kick) * body.inverse_mass +
+                 dot(twist, body.inverse_inertia * twist);
     }
-    degenerate_ |= !(has <= burst * had);
-    return !(has <= burst * had);
+    const bool bursts = !(has - had - work <= burst * (had + scale));
+    degenerate_ |= bursts;
+    return bursts;
 }
 
 bool DirectGroup::compose(double h) {
@@ -199,7 +202,7 @@ void DirectGroup::resort_to_velocities(double h) {
     kick(h, false);
     kick(h, true);
     project_velocities(h, 0.2 / h);
-    const int rounds = degenerate_ && smooth_ ? proximal_rounds : 1;
+    const int rounds = looped_ && smooth_ ? proximal_rounds : 1;
     for (int round = 1; round < rounds; round++) project_velocities(h, 0.2 / h, false);
     time_ += h;
     for (DirectBody& body : bodies) {

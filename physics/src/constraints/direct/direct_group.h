@@ -148,17 +148,17 @@ private:
     bool damped_ = false;  // bodies or springs are
     bool sprung_ = false;  // ... and what of that is damped:
     bool damped_springs_ = false;
-    bool gripped_ = false;    // by motors or friction
-    bool locked_ = false;     // axes of bodies are
-    bool energy_ = false;     // the step under way is an energy-momentum one
-    double spring_rate_ = 0;  // rad/s: no spring swings faster
-    double step_ = 0;         // s: of the step under way, for springs
-    double time_ = 0;         // s since advance() began
-    int halvings_ = 0;        // at which a step is begun
-    bool resorting_ = false;  // for the rest of the advance
+    bool gripped_ = false;     // by motors or friction
+    bool locked_ = false;      // axes of bodies are
+    bool energy_ = false;      // the step under way is an energy-momentum one
+    double spring_rate_ = 0;   // rad/s: no spring swings faster
+    double step_ = 0;          // s: of the step under way, for springs
+    double time_ = 0;          // s since advance() began
+    int halvings_ = 0;         // at which a step is begun
+    bool resorting_ = false;   // for the rest of the advance
     bool looped_ = false;      // there are more joints than bodies that they push
     bool degenerate_ = false;  // rows of the advance depend on others, all but or altogether
-    double reach_ = 0;        // m: a length of the group's
+    double reach_ = 0;         // m: a length of the group's
     Count count_;
 };
 

@@ -140,9 +140,8 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     }
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
-    if (resorting_ && degenerate_) regularize();
+    if (resorting_ && looped_) regularize();
     count_.left_out = matrix_.factor();
-    degenerate_ |= count_.left_out > 0;
     count_.factors++;
 }
 

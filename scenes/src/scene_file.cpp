@@ -88,6 +88,8 @@ private:
         out.world.broad_phase = broad_phase(m.broad_phase());
         if (m.has_hit_speed())
             out.world.hit_speed = number("world.hit_speed", m.hit_speed(), 0, 1e6);
+        if (const auto solver = read_solver(*this, "world.joint_solver", m.joint_solver()))
+            out.world.joint_solver = *solver;
     }
 
     BroadPhase broad_phase(v1::BroadPhase kind) {
@@ -281,6 +283,8 @@ v1::Scene to_message(const SceneDescription& scene) {
     if (scene.world.broad_phase == BroadPhase::uniform_grid)
         out.mutable_world()->set_broad_phase(v1::BROAD_PHASE_UNIFORM_GRID);
     out.mutable_world()->set_hit_speed(scene.world.hit_speed);
+    if (scene.world.joint_solver != JointSolver::automatic)
+        out.mutable_world()->set_joint_solver(message_of(scene.world.joint_solver));
     out.mutable_world()->set_substeps(static_cast<std::uint32_t>(scene.world.substeps));
     out.mutable_world()->set_hz(scene.hz);
     out.mutable_world()->set_sleeping(scene.world.sleeping);

@@ -64,6 +64,37 @@ void write(v1::Frame& out, const Transform& frame) {
 
 }  // namespace
 
+std::optional<JointSolver> read_solver(FieldReader& in, const std::string& path,
+                                       v1::JointSolver solver) {
+    switch (solver) {
+        case v1::JOINT_SOLVER_UNSPECIFIED:
+            return {};
+        case v1::JOINT_SOLVER_AUTOMATIC:
+            return JointSolver::automatic;
+        case v1::JOINT_SOLVER_ITERATIVE:
+            return JointSolver::iterative;
+        case v1::JOINT_SOLVER_DIRECT:
+            return JointSolver::direct;
+        default:
+            in.note(path, "is " + std::to_string(solver) +
+                              "; give JOINT_SOLVER_AUTOMATIC, JOINT_SOLVER_ITERATIVE or "
+                              "JOINT_SOLVER_DIRECT");
+    }
+    return {};
+}
+
+v1::JointSolver message_of(JointSolver solver) {
+    switch (solver) {
+        case JointSolver::automatic:
+            return v1::JOINT_SOLVER_AUTOMATIC;
+        case JointSolver::iterative:
+            return v1::JOINT_SOLVER_ITERATIVE;
+        case JointSolver::direct:
+            return v1::JOINT_SOLVER_DIRECT;
+    }
+    return v1::JOINT_SOLVER_UNSPECIFIED;
+}
+
 void read_joint(FieldReader& in, SceneDescription& scene, const std::string& path,
                 const v1::Joint& m) {
     SceneJoint joint{.name = m.name(),
@@ -81,6 +112,7 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
     def.collide_connected = m.collide_connected();
     def.break_force = in.number(path + ".break_force", m.break_force(), 0, 1e15);
     def.break_torque = in.number(path + ".break_torque", m.break_torque(), 0, 1e15);
+    def.solver = read_solver(in, path + ".solver", m.solver());
     const Transform frame = read_frame(in, path + ".frame", m.frame());
     def.frame_a = read_frame(in, path + ".frame_a", m.frame_a());
     def.frame_b = read_frame(in, path + ".frame_b", m.frame_b());
@@ -121,6 +153,7 @@ void write_joint(v1::Joint& out, const SceneDescription& scene, const SceneJoint
     out.set_collide_connected(joint.joint.collide_connected);
     out.set_break_force(joint.joint.break_force);
     out.set_break_torque(joint.joint.break_torque);
+    if (joint.joint.solver) out.set_solver(message_of(*joint.joint.solver));
 }
 
 }  // namespace jostle::scenes

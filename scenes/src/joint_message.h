@@ -3,16 +3,25 @@
 // jostle.v1.Joint to SceneJoint and back.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "field_reader.h"
 #include "jostle/scenes/scene.h"
 
 namespace jostle::v1 {
 class Joint;
-}
+enum JointSolver : int;
+}  // namespace jostle::v1
 
 namespace jostle::scenes {
 
 inline constexpr std::size_t joints_max = 200000;  // after repeats
+
+// Empty where the message says nothing, or no solver that there is, which is noted.
+std::optional<physics::JointSolver> read_solver(FieldReader& in, const std::string& path,
+                                                v1::JointSolver solver);
+v1::JointSolver message_of(physics::JointSolver solver);
 
 // Appends the joint and its copies to scene.joints. The scene's bodies are all there.
 void read_joint(FieldReader& in, SceneDescription& scene, const std::string& path,

@@ -7,6 +7,8 @@
 // tolerances of rounding) stand beside it.
 #pragma once
 
+#include <cstdint>
+
 namespace jostle::physics::tuning {
 
 // --- sizes ---
@@ -203,6 +205,11 @@ inline constexpr double direct_joint_correction = 0.5;
 // their rows, is solved sweep by sweep. A chain takes 3, a net of 10 x 10 balls 48 and one of
 // 45 x 45 590, whose step would take a hundred times as long as by sweeps.
 inline constexpr int direct_work = 64;
+// Where a group asks to be solved directly: multiplications of one factorisation of all joints of a
+// world.
+inline constexpr std::int64_t most_direct_work = 20'000'000;
+// A net of more joints is not even looked at: to find out what it costs would take long.
+inline constexpr int most_net_joints = 2048;
 // Ends that are apart come together at this speed at most. What turns while it is pulled keeps a
 // part of that speed, the more the further it turns in a sub-step.
 inline constexpr double joint_push_speed = 10;  // m/s

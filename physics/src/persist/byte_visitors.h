@@ -57,7 +57,7 @@ template <class T>
 constexpr std::uint64_t largest_value() {
     if constexpr (std::is_same_v<T, Combine>) return 4;
     if constexpr (std::is_same_v<T, SolverTier>) return tier_count;  // asleep
-    return 2;                                                        // BodyType, BodySet
+    return 2;  // BodyType, BodySet, JointSolver
 }
 
 struct Loader {

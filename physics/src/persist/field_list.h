@@ -11,6 +11,8 @@
 // hash as it was; v.unhashed, likewise, which no hash sees; and kLoading.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "jostle/physics/joint_fields.h"
@@ -297,6 +299,18 @@ void visit_kind(V& v, JointKind& joint) {
         joint);
 }
 
+// 0: as the world says.
+template <class V>
+void visit_solver(V& v, std::optional<JointSolver>& solver) {
+    std::uint8_t number = solver ? static_cast<std::uint8_t>(static_cast<int>(*solver) + 1) : 0;
+    v.optional("solver", number, 13);
+    if constexpr (V::kLoading) {
+        if (number > static_cast<int>(JointSolver::direct) + 1)
+            return v.fail("solver", "is not one of its values");
+        if (number > 0) solver = static_cast<JointSolver>(number - 1);
+    }
+}
+
 template <class V>
 void visit_fields(V& v, Joint& j) {
     v.field("body_a", j.body_a);
@@ -308,6 +322,7 @@ void visit_fields(V& v, Joint& j) {
     v.field("break_force", j.break_force);
     v.field("break_torque", j.break_torque);
     v.field("user_data", j.user_data);
+    visit_solver(v, j.solver);
     visit(v, "point", j.point);
     visit(v, "angular", j.angular);
     v.field("lower", j.lower);
@@ -542,6 +557,7 @@ void visit_world(V& v, WorldState& world) {
     v.field("hit_speed", world.def.hit_speed);
     v.optional("tolerance", world.def.tolerance, 13);
     v.optional("substep_budget", world.def.substep_budget, 13);
+    v.optional("joint_solver", world.def.joint_solver, 13);
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
     v.leave();

@@ -33,7 +33,7 @@ void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t 
         island.first = body;
     island.last = body;
     island.bodies++;
-    island.joints_too_dense = false;
+    island.too_dense_for = -1;
     island.mass += cold.mass;
 }
 
@@ -53,7 +53,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
     cold.island = cold.island_prev = cold.island_next = none;
     ASSERT(island.bodies > 0);
     island.mass -= world.bodies.cold[body].mass;
-    island.joints_too_dense = false;
+    island.too_dense_for = -1;
     if (--island.bodies == 0) {
         island = Island{};
         world.islands.ids.give_back(index);
@@ -86,7 +86,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     world.bodies.cold[from.first].island_prev = into.last;
     into.last = from.last;
     into.bodies += from.bodies;
-    into.joints_too_dense = false;
+    into.too_dense_for = -1;
     into.may_be_split = into.may_be_split || from.may_be_split;
     into.uneven = into.uneven || from.uneven;
     into.split_at = std::max(into.split_at, from.split_at);

@@ -35,7 +35,7 @@ void forget_density(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
     for (const std::uint32_t body : {j.body_a, j.body_b})
         if (is_dynamic(world, body) && world.bodies.cold[body].island != none)
-            world.islands.islands[world.bodies.cold[body].island].joints_too_dense = false;
+            world.islands.islands[world.bodies.cold[body].island].too_dense_for = -1;
 }
 
 void link_joint(WorldState& world, std::uint32_t joint) {

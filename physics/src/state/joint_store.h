@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "constraint_graph/joint_memory.h"
@@ -22,6 +23,7 @@ struct Joint {
     Transform frame_a, frame_b;
     JointKind kind;
     bool collide_connected = false;
+    std::optional<JointSolver> solver;
     double break_force = 0, break_torque = 0;
     std::uint64_t user_data = 0;
 

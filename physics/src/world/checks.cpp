@@ -37,9 +37,16 @@ Status check_world(const WorldDef& def) {
             check_range("substep_budget", static_cast<double>(def.substep_budget), 0, 4294967295.0);
         !s.ok())
         return s;
+    if (Status s = check_joint_solver("joint_solver", def.joint_solver); !s.ok()) return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;
     return check_range("threads", def.threads, 1, limits::max_threads);
+}
+
+Status check_joint_solver(const char* name, JointSolver solver) {
+    if (solver <= JointSolver::direct) return {};
+    return invalid(std::string(name) + " is " + std::to_string(static_cast<int>(solver)) +
+                   "; it must be automatic (0), iterative (1) or direct (2)");
 }
 
 Status check_body(const BodyDef& def) {

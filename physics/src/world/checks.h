@@ -19,6 +19,7 @@ Status check_mass(double mass);  // 0 is none
 // Finite, and a rotation that is not zero.
 Status check_pose(const char* name, const Transform& pose);
 Status check_world(const WorldDef& def);
+Status check_joint_solver(const char* name, JointSolver solver);
 Status check_body(const BodyDef& def);
 // What a planar world asks of poses, velocities and shapes besides: all of it in the xy plane.
 Status check_flat(const char* name, const Transform& pose);

@@ -33,6 +33,8 @@ Status check_joint(const WorldState& world, const JointDef& def) {
     if (Status s = check_pose("frame_b", def.frame_b); !s.ok()) return s;
     if (Status s = check_range("break_force", def.break_force, 0, 1e15); !s.ok()) return s;
     if (Status s = check_range("break_torque", def.break_torque, 0, 1e15); !s.ok()) return s;
+    if (def.solver)
+        if (Status s = check_joint_solver("solver", *def.solver); !s.ok()) return s;
     return check_kind(def.kind);
 }
 
@@ -45,7 +47,8 @@ JointDef def_of(const WorldState& world, const Joint& j) {
             .collide_connected = j.collide_connected,
             .break_force = j.break_force,
             .break_torque = j.break_torque,
-            .user_data = j.user_data};
+            .user_data = j.user_data,
+            .solver = j.solver};
 }
 
 // "cone-twist": as people write it.
@@ -92,6 +95,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.break_force = def.break_force;
     j.break_torque = def.break_torque;
     j.user_data = def.user_data;
+    j.solver = def.solver;
     link_joint(world, index);
     return joint_id(world, index);
 }
@@ -120,6 +124,16 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     forget_density(world, id.index);
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
+    return {};
+}
+
+Status World::set_joint_solver(JointId id, std::optional<JointSolver> solver) {
+    WorldState& world = *state_;
+    if (Status s = check_id(world, id); !s.ok()) return s;
+    if (solver)
+        if (Status s = check_joint_solver("solver", *solver); !s.ok()) return s;
+    world.joints.joints[id.index].solver = solver;
+    forget_density(world, id.index);
     return {};
 }
 

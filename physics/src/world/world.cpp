@@ -85,6 +85,17 @@ int World::substeps() const {
     return state_->def.substeps;
 }
 
+JointSolver World::joint_solver() const {
+    return state_->def.joint_solver;
+}
+
+Status World::set_joint_solver(JointSolver solver) {
+    if (Status s = check_joint_solver("joint_solver", solver); !s.ok()) return s;
+    state_->def.joint_solver = solver;
+    for (Island& island : state_->islands.islands) island.too_dense_for = -1;
+    return {};
+}
+
 Status World::set_gravity(Vec3 gravity) {
     WorldState& world = *state_;
     WorldDef def = world.def;

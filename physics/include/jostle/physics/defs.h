@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jostle/physics/geometry.h"
+#include "jostle/physics/joint_solver.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::physics {
@@ -148,6 +149,8 @@ struct WorldDef {
     BroadPhase broad_phase = BroadPhase::dynamic_tree;
     // m/s, 0 to 1e6: contacts that begin at this speed or faster are listed in Events::hits.
     double hit_speed = 1;
+    // How joints are solved that do not say so themselves (JointDef::solver): joint_solver.h.
+    JointSolver joint_solver = JointSolver::automatic;
 };
 
 }  // namespace jostle::physics

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "jostle/physics/boxed.h"
 #include "jostle/physics/ids.h"
+#include "jostle/physics/joint_solver.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::physics {
@@ -263,6 +265,8 @@ struct JointDef {
     double break_force = 0;          // N; 0: never breaks
     double break_torque = 0;         // N m; 0: never breaks
     std::uint64_t user_data = 0;
+    // How it is solved, and what it shares a group with; empty: as WorldDef::joint_solver says.
+    std::optional<JointSolver> solver = {};
 };
 
 struct JointState {

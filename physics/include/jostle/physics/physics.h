@@ -16,6 +16,7 @@
 #include "jostle/physics/instruction_set.h"
 #include "jostle/physics/island_effort.h"
 #include "jostle/physics/joint_defs.h"
+#include "jostle/physics/joint_solver.h"
 #include "jostle/physics/limits.h"
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/mesh.h"

@@ -161,6 +161,8 @@ public:
     Status destroy_joint(JointId joint);
     // Other limits, motor or spring for a joint of the same kind.
     Status set_joint(JointId joint, const JointKind& kind);
+    // How it is solved from the next step on; empty: as the world says. Wakes nobody.
+    Status set_joint_solver(JointId joint, std::optional<JointSolver> solver);
     bool contains(JointId joint) const;
     Result<JointState> joint(JointId joint) const;
     std::vector<JointId> joints() const;
@@ -211,6 +213,8 @@ public:
     int substeps() const;
     double tolerance() const;  // m; 0: none
     std::int64_t substep_budget() const;
+    JointSolver joint_solver() const;
+    Status set_joint_solver(JointSolver solver);  // from the next step on; wakes nobody
     Status set_threads(
         int threads);  // not part of the state: changes nothing but the time a step takes
 

@@ -30,6 +30,20 @@ inline bool is_net(int joints, int bodies) {
     return joints > 512 && 2 * joints > 3 * bodies;
 }
 
+// Whether so many joints tie so few bodies that many of their rows say what others say.
+inline bool is_redundant(int joints, int bodies) {
+    return 4 * joints > 5 * bodies;
+}
+
+// What a factor takes at least in which so many nodes of so many rows all meet each other, as the
+// joints of one body do: known without a list of their edges, of which there are as many as
+// squares.
+inline std::int64_t clique_work(std::size_t nodes, int rows) {
+    if (nodes > 1'000'000) return std::numeric_limits<std::int64_t>::max();
+    const auto n = static_cast<std::int64_t>(nodes), m = std::int64_t{rows};
+    return m * m * m * (n + (n - 1) * n * (n + 1) / 6);
+}
+
 class BlockLdl {
 public:
     static constexpr int most_rows = 8;  // of a node
@@ -84,7 +98,8 @@ private:
         return std::span(all).subspan(as_index(begin), as_index(end - begin));
     }
     int find(int row, int column) const;  // by elimination order
-    std::vector<int> order_by_degree(std::span<const Edge> edges) const;
+    std::vector<int> order_by_degree(std::span<const int> rows_of_node, std::span<const Edge> edges,
+                                     std::int64_t most_work) const;
     void fill(std::span<const Edge> edges, const std::vector<int>& order);
     void count_work();
     void lay_out();

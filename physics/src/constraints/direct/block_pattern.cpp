@@ -11,8 +11,28 @@
 #include "foundation/check.h"
 
 namespace jostle::physics {
+namespace {
 
-std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
+// Of a node of so many rows, and those below it.
+std::int64_t work_of(std::int64_t rows, std::span<const int> nodes_below,
+                     std::span<const int> rows_of) {
+    std::int64_t below = 0, squares = 0;
+    for (const int node : nodes_below) {
+        const std::int64_t m = rows_of[as_index(node)];
+        below += m;
+        squares += m * m;
+    }
+    // Of each two of those below, and each with itself.
+    return rows * rows * rows + rows * (below * below + squares) / 2;
+}
+
+}  // namespace
+
+// Ends early, with some of the nodes, when they alone take more than `most_work`: the factor has
+// below each what is still near it.
+std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
+                                           std::span<const Edge> edges,
+                                           std::int64_t most_work) const {
     const std::size_t n = position_.size();
     std::vector<std::vector<int>> near(n);  // sorted
     for (const auto& [a, b] : edges)
@@ -25,11 +45,13 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const Edge> edges) const {
     for (std::size_t i = 0; i < n; i++) queue.insert({near[i].size(), static_cast<int>(i)});
     std::vector<int> order, others, merged;
     order.reserve(n);
-    while (!queue.empty()) {
+    std::int64_t work = 0;
+    while (!queue.empty() && work <= most_work) {
         const int node = queue.begin()->second;
         queue.erase(queue.begin());
         order.push_back(node);
         others = std::exchange(near[as_index(node)], {});
+        work += work_of(rows_of_node[as_index(node)], others, rows_of_node);
         // They meet each other from now on.
         for (const int a : others) {
             std::vector<int>& list = near[as_index(a)];
@@ -75,17 +97,7 @@ void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) 
 
 void BlockLdl::count_work() {
     work_ = 0;
-    for (std::size_t k = 0; k < rows_.size(); k++) {
-        std::int64_t below = 0, squares = 0;
-        for (const int row : filled_[k]) {
-            const std::int64_t m = rows_[as_index(row)];
-            below += m;
-            squares += m * m;
-        }
-        // Of each two of those below, and each with itself.
-        const std::int64_t m = rows_[k];
-        work_ += m * m * m + m * (below * below + squares) / 2;
-    }
+    for (std::size_t k = 0; k < rows_.size(); k++) work_ += work_of(rows_[k], filled_[k], rows_);
 }
 
 void BlockLdl::lay_out() {
@@ -125,7 +137,8 @@ bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> 
                        std::int64_t most_work) {
     const std::size_t n = rows_of_node.size();
     position_.assign(n, 0);
-    const std::vector<int> order = order_by_degree(edges);
+    const std::vector<int> order = order_by_degree(rows_of_node, edges, most_work);
+    if (order.size() < n) return false;
     fill(edges, order);
     rows_.resize(n);
     begin_.assign(n + 1, 0);

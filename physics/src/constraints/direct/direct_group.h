@@ -74,6 +74,7 @@ private:
     void list_what_acts();
     bool find_pattern(std::int64_t most_work);
     void assemble(double linear, const Mat3 DirectBody::*response);
+    void regularize();
     double least_response(const DirectJoint& joint) const;
     void drop_locked();
     void soften(double h);  // the rows of springs, in the energy-momentum step or at velocities
@@ -82,6 +83,7 @@ private:
     void step(double h, int depth);
     int parts_of(double dt, int substeps);
     bool compose(double h);
+    bool has_burst(double h, const Saved& before);
     double fastest_turn() const;  // rad/s
     double tolerance(double h) const;
     void save(int depth);
@@ -128,6 +130,9 @@ private:
     bool find_energy_way(double h, double tolerance);
     double stiffest();  // rad/s: no swing is faster
 
+    // Part of a row's own response by which it gives way in a group of dependent rows, and rounds.
+    static constexpr double proximal = 1e-4;
+    static constexpr int proximal_rounds = 3;
     // How often a step is taken again because a limit or a motor's most was met.
     static constexpr int bound_rounds = 4;
 
@@ -143,15 +148,17 @@ private:
     bool damped_ = false;  // bodies or springs are
     bool sprung_ = false;  // ... and what of that is damped:
     bool damped_springs_ = false;
-    bool gripped_ = false;    // by motors or friction
-    bool locked_ = false;     // axes of bodies are
-    bool energy_ = false;     // the step under way is an energy-momentum one
-    double spring_rate_ = 0;  // rad/s: no spring swings faster
-    double step_ = 0;         // s: of the step under way, for springs
-    double time_ = 0;         // s since advance() began
-    int halvings_ = 0;        // at which a step is begun
-    bool resorting_ = false;  // for the rest of the advance
-    double reach_ = 0;        // m: a length of the group's
+    bool gripped_ = false;     // by motors or friction
+    bool locked_ = false;      // axes of bodies are
+    bool energy_ = false;      // the step under way is an energy-momentum one
+    double spring_rate_ = 0;   // rad/s: no spring swings faster
+    double step_ = 0;          // s: of the step under way, for springs
+    double time_ = 0;          // s since advance() began
+    int halvings_ = 0;         // at which a step is begun
+    bool resorting_ = false;   // for the rest of the advance
+    bool looped_ = false;      // there are more joints than bodies that they push
+    bool degenerate_ = false;  // rows of the advance depend on others, all but or altogether
+    double reach_ = 0;         // m: a length of the group's
     Count count_;
 };
 

@@ -34,6 +34,9 @@ void DirectGroup::list_what_acts() {
                                    body.inverse_masses.y == 0 || body.inverse_masses.z == 0);
         body.spring_square = 0;
     }
+    std::size_t pushed = 0;
+    for (const DirectBody& body : bodies) pushed += body.pushed ? 1 : 0;
+    looped_ = joints.size() > pushed;
     double arms = 0;
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
@@ -74,7 +77,7 @@ bool DirectGroup::prepare(std::int64_t most_work) {
     for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
     for (const DirectJoint& joint : joints)
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
-    if (pattern == pattern_) return true;
+    if (pattern == pattern_) return matrix_.work() <= most_work;
     pattern_.clear();
     if (!find_pattern(most_work)) return false;
     pattern_ = std::move(pattern);
@@ -137,8 +140,19 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     }
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
+    if (resorting_ && looped_) regularize();
     count_.left_out = matrix_.factor();
     count_.factors++;
+}
+
+// Rows that depend on others no longer do.
+void DirectGroup::regularize() {
+    double* const values = matrix_.values().data();
+    for (std::size_t k = 0; k < joints.size(); k++) {
+        const int node = static_cast<int>(k), rows = joints[k].rows();
+        double* const block = values + matrix_.block_at(node, node);
+        for (int r = 0; r < rows; r++) block[r * (rows + 1)] *= 1 + proximal;
+    }
 }
 
 // What is no more than the rounding of axes across those that may move, 1/kg.

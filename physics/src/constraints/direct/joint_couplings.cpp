@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "constraints/direct/joint_couplings.h"
 
+#include <algorithm>
+
 #include "foundation/check.h"
 
 namespace jostle::physics {
@@ -13,11 +15,16 @@ bool couple_joints(std::span<const JointEnds> joints, std::span<const int> rows,
     for (std::size_t k = 0; k < joints.size(); k++)
         for (const int body : {joints[k].a, joints[k].b})
             if (pushed[as_index(body)] != 0) of_body[as_index(body)].push_back(static_cast<int>(k));
+    couplings.clear();
+    for (const std::vector<int>& list : of_body) {
+        int least = BlockLdl::most_rows;
+        for (const int joint : list) least = std::min(least, rows[as_index(joint)]);
+        if (clique_work(list.size(), least) > most_work) return false;
+    }
     std::vector<BlockLdl::Edge> edges;
     for (const std::vector<int>& list : of_body)
         for (std::size_t i = 0; i < list.size(); i++)
             for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-    couplings.clear();
     if (!matrix.analyze(rows, edges, most_work)) return false;
     for (std::size_t n = 0; n < of_body.size(); n++) {
         const std::vector<int>& list = of_body[n];

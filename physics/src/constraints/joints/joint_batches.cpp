@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::size_t kept_patterns = 64;
 constexpr int rows = 3;
+// In float rows of a net that depend on others are not told from those that hardly do. All give
+// way a little, and each solve takes away what the one before it left (J. Carpentier et al.,
+// "Proximal and sparse resolution of constrained dynamic equations", 2021).
+constexpr float net_give = 1e-3f;
 
 std::size_t place(std::int32_t i) {
     return static_cast<std::size_t>(i);
@@ -31,7 +35,8 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
 
 // The first joint of each group is its root; the others follow it in `next`, in order.
 void link_groups(JointBatches& batches, const JointLevels& levels,
-                 std::span<const std::uint8_t> is_point, std::size_t bodies) {
+                 std::span<const std::uint8_t> is_point, std::size_t bodies,
+                 std::span<const JointWishes> wishes) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
     parent.resize(joints);
@@ -57,6 +62,7 @@ void link_groups(JointBatches& batches, const JointLevels& levels,
         const std::int32_t root = root_of(parent, joint);
         JointBatches::Size& size = batches.size[place(root)];
         size.joints++;
+        if (!wishes.empty()) size.wishes |= wishes[k];
         for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b})
             if (hot > 0 && first[place(hot)] == joint) size.bodies++;
         if (last[place(root)] >= 0) batches.next[place(last[place(root)])] = joint;
@@ -82,14 +88,16 @@ struct Numbering {
     }
 };
 
-void find_matrix(JointPattern& pattern) {
+void find_matrix(JointPattern& pattern, std::int64_t most) {
     const std::size_t joints = pattern.joints.size();
     BlockLdl matrix;
-    pattern.too_dense = !couple_joints(
-        pattern.joints, std::vector<int>(joints, rows), pattern.pushed,
-        std::int64_t{tuning::direct_work} * static_cast<std::int64_t>(joints) * rows * rows * rows,
-        matrix, pattern.couplings);
+    pattern.most_work = most;
+    const auto pushed = std::count(pattern.pushed.begin(), pattern.pushed.end(), 1);
+    pattern.give = is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_give : 0;
+    pattern.too_dense = !couple_joints(pattern.joints, std::vector<int>(joints, rows),
+                                       pattern.pushed, most, matrix, pattern.couplings);
     if (pattern.too_dense) return;
+    pattern.work = matrix.work();
     pattern.values = matrix.value_count();
     pattern.node.resize(joints);
     for (std::size_t k = 0; k < joints; k++) {
@@ -108,7 +116,9 @@ void find_matrix(JointPattern& pattern) {
     pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
 }
 
-JointPattern& pattern_of(JointBatches& batches, const std::vector<std::uint8_t>& pushed) {
+// Null if it takes more than `most`.
+JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>& pushed,
+                         std::int64_t most) {
     std::unique_ptr<JointPattern>& found = batches.patterns[batches.key];
     if (found == nullptr) {
         found = std::make_unique<JointPattern>();
@@ -117,10 +127,11 @@ JointPattern& pattern_of(JointBatches& batches, const std::vector<std::uint8_t>&
             const int a = batches.key[k] >> 1, b = batches.key[k + 1] >> 1;
             found->joints.push_back({a, b});
         }
-        find_matrix(*found);
+        find_matrix(*found, most);
     }
     found->used = batches.count;
-    return *found;
+    if (found->too_dense && most > found->most_work) find_matrix(*found, most);
+    return found->too_dense || found->work > most ? nullptr : found.get();
 }
 
 void forget_patterns(JointBatches& batches) {
@@ -130,6 +141,19 @@ void forget_patterns(JointBatches& batches) {
 }
 
 // ---- batches ----
+
+// What a factor of a group's matrix may take; 0: its joints are swept.
+std::int64_t most_work_of(const JointBatches::Size& group, const JointAsks& asks) {
+    const JointSolver solver = solver_of(group.wishes, asks.of_world);
+    if (solver == JointSolver::iterative) return 0;
+    const bool wanted = solver == JointSolver::direct;
+    // A single point is solved exactly by the sweeps, too.
+    if (group.joints < 2 && !wanted) return 0;
+    if (is_net(group.joints, group.bodies) && !(wanted && group.joints <= tuning::most_net_joints))
+        return 0;
+    return most_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
+                     wanted ? asks.budget : 0);
+}
 
 // The one of that pattern with a free lane, or a new one.
 JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
@@ -166,30 +190,35 @@ bool holds_point(const JointKind& kind) {
 }
 
 void find_batches(JointBatches& batches, JointLevels& levels,
-                  std::span<const std::uint8_t> is_point, std::size_t bodies) {
+                  std::span<const std::uint8_t> is_point, std::size_t bodies,
+                  const JointAsks& asks) {
     ASSERT(is_point.size() == levels.joints.size());
+    ASSERT(asks.wishes.empty() || asks.wishes.size() == levels.joints.size());
+    batches.found.assign(levels.joints.size(), 0);
     batches.used = 0;
     batches.count++;
-    link_groups(batches, levels, is_point, bodies);
+    link_groups(batches, levels, is_point, bodies, asks.wishes);
     batches.first.assign(bodies, -1);
     for (std::size_t root = 0; root < levels.joints.size(); root++) {
-        if (is_point[root] == 0 || batches.parent[root] != static_cast<std::int32_t>(root) ||
-            batches.next[root] < 0 || is_net(batches.size[root].joints, batches.size[root].bodies))
+        if (is_point[root] == 0 || batches.parent[root] != static_cast<std::int32_t>(root))
             continue;
+        const std::int64_t most = most_work_of(batches.size[root], asks);
+        if (most == 0) continue;
         Numbering number{batches.first, {}, {}};
         batches.key.clear();
         for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[place(k)])
             for (const std::int32_t hot : {levels.joints[place(k)].a, levels.joints[place(k)].b})
                 batches.key.push_back(number(hot) * 2 + (hot > 0 ? 1 : 0));
-        const JointPattern& pattern = pattern_of(batches, number.pushed);
-        if (pattern.too_dense) continue;
-        JointBatch& batch = batch_of(batches, pattern);
+        const JointPattern* const pattern = pattern_of(batches, number.pushed, most);
+        if (pattern == nullptr) continue;
+        JointBatch& batch = batch_of(batches, *pattern);
         const auto lane = as_index(batch.groups++);
         for (std::size_t body = 0; body < batch.bodies.size(); body++)
             batch.bodies[body].hot[lane] = number.hot[body];
         std::size_t at = 0;
         for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[place(k)]) {
             levels.metas[place(levels.joints[place(k)].block)].in_batch++;
+            batches.found[place(k)] = 1;
             batch.joints[at].block[lane] = levels.joints[place(k)].block;
             batch.joints[at++].lane[lane] = levels.joints[place(k)].lane;
         }
@@ -220,7 +249,8 @@ BatchView view_of(JointBatch& batch, JointLevels& levels) {
             .first_update = pattern.first_update.data(),
             .below = pattern.below.data(),
             .updates = pattern.updates.data(),
-            .blocks = levels.blocks.data()};
+            .blocks = levels.blocks.data(),
+            .give = pattern.give};
 }
 
 void load_batch(JointBatch& batch, const JointLevels& levels) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "constraint_graph/joint_levels.h"
+#include "constraint_graph/joint_wishes.h"
 #include "constraints/direct/joint_couplings.h"
 #include "jostle/physics/joint_defs.h"
 
@@ -33,7 +34,10 @@ struct JointPattern {
     std::vector<BlockLdl::Below> below;
     std::vector<BlockLdl::Update> updates;
     int values = 0, most_below = 0;
-    bool too_dense = false;  // then there is no more than that
+    bool too_dense = false;      // then there is no more than that
+    std::int64_t most_work = 0;  // for which
+    std::int64_t work = 0;
+    float give = 0;  // part of a row's own response by which it gives way: nets have rows to spare
     std::uint64_t used = 0;  // when, by JointBatches::count
 };
 
@@ -81,6 +85,7 @@ struct BatchView {
     const BlockLdl::Below* below;
     const BlockLdl::Update* updates;
     JointConstraintWide* blocks;
+    float give;
 };
 BatchView view_of(JointBatch& batch, JointLevels& levels);
 
@@ -95,21 +100,27 @@ struct JointBatches {
     // Scratch.
     struct Size {
         int joints = 0, bodies = 0;
+        JointWishes wishes = 0;
     };
     std::vector<std::int32_t> parent, first, next, last;
     std::vector<Size> size;  // by root
     std::vector<std::int32_t> key;
     std::vector<std::uint8_t> is_point;
+    std::vector<JointWishes> wishes;
+
+    std::vector<std::uint8_t> found;  // by place in JointLevels::joints: is in a batch
+    int refused = 0;                  // joints that asked for it and are not
 };
 
 // Kinds whose two ends are held together as stiffly as can be.
 bool holds_point(const JointKind& kind);
 
 // Finds the groups among the joints of `levels` for which `is_point` (by place in levels.joints)
-// holds: those of two joints or more that bodies tie together. After assign_levels(). `bodies`: how
-// many hot indices there are.
+// holds: those of two joints or more that bodies tie together and that ask for nothing else, and
+// single ones that ask for it. After assign_levels(). `bodies`: how many hot indices there are.
 void find_batches(JointBatches& batches, JointLevels& levels,
-                  std::span<const std::uint8_t> is_point, std::size_t bodies);
+                  std::span<const std::uint8_t> is_point, std::size_t bodies,
+                  const JointAsks& asks = {});
 // Once the blocks of the levels are written.
 void load_batch(JointBatch& batch, const JointLevels& levels);
 

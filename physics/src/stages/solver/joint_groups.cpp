@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "constraint_graph/joint_wishes.h"
 #include "constraints/joints/write_joint.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
@@ -34,11 +35,32 @@ bool is_pushed(const WorldState& world, std::uint32_t body) {
     return body != none && is_dynamic(world, body);
 }
 
-// Figures with cones fall and tumble until they touch something, and are many: the sweeps with
-// their points solved at once take a quarter of the time, and nobody sees the difference.
 bool is_known(const WorldState& world, const Joint& joint) {
-    return supported(joint.kind) && !std::holds_alternative<ConeTwistJoint>(joint.kind) &&
+    return supported(joint.kind) &&
            (is_pushed(world, joint.body_a) || is_pushed(world, joint.body_b));
+}
+
+// Figures with cones fall and tumble until they touch something, and are many: the sweeps with
+// their points solved at once take a quarter of the time, and nobody sees the difference. Who does
+// asks for it.
+bool is_left_to_sweeps(const Joint& joint) {
+    return std::holds_alternative<ConeTwistJoint>(joint.kind);
+}
+
+// Multiplications that each joint of an island may take because they ask for it; -1: none of them
+// is to be solved directly.
+std::int64_t budget_of(const WorldState& world, const JointGroupScratch& scratch,
+                       std::uint32_t island) {
+    switch (solver_of(scratch.wishes[island], world.def.joint_solver)) {
+        case JointSolver::direct:
+            return direct_budget(world.joints.ids.alive_count());
+        case JointSolver::automatic:
+            if (scratch.left_to_sweeps[island] == 0) return 0;
+            break;
+        case JointSolver::iterative:
+            break;
+    }
+    return -1;
 }
 
 // Islands with a body or a joint of which groups know nothing are refused.
@@ -46,9 +68,9 @@ void look_at_islands(StepContext& step) {
     const WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
     const std::size_t islands = world.islands.ids.size();
-    scratch.refused.resize(islands);
-    for (std::size_t i = 0; i < islands; i++)
-        scratch.refused[i] = world.islands.islands[i].joints_too_dense ? 1 : 0;
+    scratch.refused.assign(islands, 0);
+    scratch.wishes.assign(islands, 0);
+    scratch.left_to_sweeps.assign(islands, 0);
     scratch.active.clear();
     if (scratch.of_island.size() < islands) scratch.of_island.resize(islands);
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -60,8 +82,11 @@ void look_at_islands(StepContext& step) {
         }
         if (cold.first_joint == none) continue;
         bool known = true;
-        for_each_joint(world.joints, cold, [&](std::uint32_t joint) {
-            known = known && is_known(world, world.joints.joints[joint]);
+        for_each_joint(world.joints, cold, [&](std::uint32_t index) {
+            const Joint& joint = world.joints.joints[index];
+            known = known && is_known(world, joint);
+            scratch.wishes[cold.island] |= wish_of(joint.solver);
+            if (is_left_to_sweeps(joint)) scratch.left_to_sweeps[cold.island] = 1;
         });
         if (!known)
             scratch.refused[cold.island] = 1;
@@ -71,7 +96,10 @@ void look_at_islands(StepContext& step) {
     std::sort(scratch.active.begin(), scratch.active.end());
     scratch.active.erase(std::unique(scratch.active.begin(), scratch.active.end()),
                          scratch.active.end());
-    std::erase_if(scratch.active, [&](std::uint32_t i) { return scratch.refused[i] != 0; });
+    std::erase_if(scratch.active, [&](std::uint32_t i) {
+        return scratch.refused[i] != 0 ||
+               budget_of(world, scratch, i) <= world.islands.islands[i].too_dense_for;
+    });
 }
 
 // ---- gather ----
@@ -202,7 +230,7 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
 }
 
 // False if it is too dense to be solved directly.
-bool gather(StepContext& step, std::uint32_t island) {
+bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
     WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
     if (scratch.of_island[island] == nullptr)
@@ -210,7 +238,8 @@ bool gather(StepContext& step, std::uint32_t island) {
     JointGroup& group = *scratch.of_island[island];
     list_joints(world, world.islands.islands[island], group);
     if (is_net(static_cast<int>(group.joints.size()),
-               static_cast<int>(world.islands.islands[island].bodies)))
+               static_cast<int>(world.islands.islands[island].bodies)) &&
+        (budget == 0 || group.joints.size() > tuning::most_net_joints))
         return false;
     list_bodies(world, group, scratch.number_of);
     group.substeps = step.contacts[index_of(world.islands.islands[island].colour_set)].substeps;
@@ -226,7 +255,7 @@ bool gather(StepContext& step, std::uint32_t island) {
     std::int64_t cubes = 0;
     for (const DirectJoint& joint : group.solver.joints)
         cubes += std::int64_t{joint.rows()} * joint.rows() * joint.rows();
-    return group.solver.prepare(tuning::direct_work * cubes);
+    return group.solver.prepare(most_work(cubes, group.joints.size(), budget));
 }
 
 // ---- scatter ----
@@ -302,8 +331,9 @@ void find_joint_groups(StepContext& step) {
     scratch.number_of.assign(world.bodies.cold.size() + 1, -1);
     scratch.grouped.assign(world.bodies.awake.size(), 0);
     std::erase_if(scratch.active, [&](std::uint32_t island) {
-        if (!gather(step, island)) {
-            step.world.islands.islands[island].joints_too_dense = true;
+        const std::int64_t budget = budget_of(world, scratch, island);
+        if (!gather(step, island, budget)) {
+            step.world.islands.islands[island].too_dense_for = budget;
             scratch.of_island[island] = nullptr;
             return true;
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <utility>
 
 #include "constraints/joints/couple_ends.h"
 #include "constraints/joints/write_joint.h"
@@ -241,6 +242,8 @@ void break_joints(StepContext& step) {
         levels.joints.clear();
         levels.metas.clear();
     }
+    for (JointBatches& batches : step.scratch.solver.joint_batches)
+        world.profile.joints_refused += std::exchange(batches.refused, 0);
     JointGroupScratch& groups = step.scratch.solver.groups;
     for (const std::uint32_t island : groups.active) {
         const JointGroup& group = *groups.of_island[island];

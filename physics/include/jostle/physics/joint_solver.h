@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// How joints are solved: WorldDef::joint_solver for all of a world's, JointDef::solver for one.
+// How many were solved in which way says the profile: joints, joints_direct, joints_together,
+// joints_refused.
+#pragma once
+
+#include <cstdint>
+
+namespace jostle::physics {
+
+// What joints tie together is solved in one way, a joint group. Its solver is what its joints ask
+// for: a joint's own wish goes before the world's, and of several own wishes `direct` before
+// `iterative` before `automatic`. In the air a group is an island: bodies that touched lately count
+// until it is split. Beside contacts it is what balls, hinges, cones and rigid fixed joints tie.
+enum class JointSolver : std::uint8_t {
+    // Directly where that is affordable: in the air at most 64 times the work of joints that know
+    // nothing of each other, and no figures with cone-twists; beside contacts at most as much for
+    // the points of two joints or more. Else iteratively.
+    automatic,
+    // One joint after the other, sub-step by sub-step, with the contacts: as soft as the sub-step
+    // is long, in time that only the number of joints decides. Nothing is solved directly.
+    iterative,
+    // All joints of a group at once, by a factorisation, with cone-twists and however dense, up to
+    // a ceiling: so dense a group as limits::max_direct_work allows, and of all groups beyond what
+    // `automatic` would solve as many, in order of their islands, as that allows together. Falls
+    // back to `automatic`
+    //   above that ceiling;
+    //   where a listener of sub-steps is there, or a body has exactly one locked turn;
+    //   for gears, racks, pulleys, paths, grabs and velocity rows, orientations that are driven,
+    //   balls and cone-twists that rub, springy fixed joints and ropes of no length;
+    //   beside contacts, for all but the points of balls, hinges, cone-twists and rigid fixed
+    //   joints.
+    direct,
+};
+
+}  // namespace jostle::physics

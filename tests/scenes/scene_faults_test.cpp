@@ -191,6 +191,15 @@ TEST(SceneFaults, a_joint_has_one_kind_and_one_way_to_say_where) {
                    "the others");
 }
 
+TEST(SceneFaults, a_joint_solver_is_one_that_there_is) {
+    expect_refused(links(neighbours + "\"ball\": {},\n\"solver\": 4"),
+                   "line 6: joints[0].solver: must be one of JOINT_SOLVER_AUTOMATIC, "
+                   "JOINT_SOLVER_ITERATIVE, JOINT_SOLVER_DIRECT");
+    expect_refused("{\"name\": \"a\",\n\"world\": {\"joint_solver\": -1}}",
+                   "line 2: world.joint_solver: must be one of JOINT_SOLVER_AUTOMATIC, "
+                   "JOINT_SOLVER_ITERATIVE, JOINT_SOLVER_DIRECT");
+}
+
 TEST(SceneFaults, a_limit_has_its_lower_end_below_its_upper) {
     expect_refused(links(neighbours + R"("hinge": {"limit": {
 "lower": 1,

@@ -21,7 +21,7 @@
 
 namespace jostle::physics {
 
-inline constexpr std::uint32_t saved_world_version = 13;
+inline constexpr std::uint32_t saved_world_version = 14;
 
 struct Saver {
     static constexpr bool kLoading = false;

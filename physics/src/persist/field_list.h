@@ -303,7 +303,7 @@ void visit_kind(V& v, JointKind& joint) {
 template <class V>
 void visit_solver(V& v, std::optional<JointSolver>& solver) {
     std::uint8_t number = solver ? static_cast<std::uint8_t>(static_cast<int>(*solver) + 1) : 0;
-    v.optional("solver", number, 13);
+    v.optional("solver", number, 14);
     if constexpr (V::kLoading) {
         if (number > static_cast<int>(JointSolver::direct) + 1)
             return v.fail("solver", "is not one of its values");
@@ -555,9 +555,9 @@ void visit_world(V& v, WorldState& world) {
     v.field("continuous", world.def.continuous);
     v.field("planar", world.def.planar);
     v.field("hit_speed", world.def.hit_speed);
+    v.optional("joint_solver", world.def.joint_solver, 14);
     v.optional("tolerance", world.def.tolerance, 13);
     v.optional("substep_budget", world.def.substep_budget, 13);
-    v.optional("joint_solver", world.def.joint_solver, 13);
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
     v.leave();

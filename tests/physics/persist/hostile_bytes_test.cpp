@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <optional>
+#include <tuple>
 
 #include "foundation/hash.h"
 #include "support/test_scenes.h"
@@ -125,6 +127,53 @@ TEST(HostileBytes, joints_out_of_their_range_are_refused_by_name) {
         restamp(bytes);
         expect_refused(bytes, name);
     }
+}
+
+// The byte after a number that is there once.
+std::size_t after(const Bytes& bytes, std::uint64_t word) {
+    std::size_t found = 0;
+    for (std::size_t at = header_bytes; at + 8 <= bytes.size(); at++)
+        if (word_at(bytes, at) == word) found = at + 8;
+    return found;
+}
+
+// How joints are solved stands behind hit_speed and behind a joint's user data: worlds of version
+// 13 lack it and are read, and a number that is no solver is refused by name.
+TEST(HostileBytes, joint_solvers_are_read_or_refused_and_older_worlds_have_none) {
+    constexpr double speed = 321.4375;
+    constexpr std::uint64_t data = 0x123456789abcdef1;
+    World world = make_world({.hit_speed = speed, .joint_solver = JointSolver::iterative});
+    const BodyId box = add(world, {.position = {0, 3, 0}});
+    const JointId joint =
+        must(world.create_joint({.body_b = box, .user_data = data, .solver = JointSolver::direct}));
+    const Bytes bytes = save(world);
+    std::uint64_t speed_bits = 0;
+    std::memcpy(&speed_bits, &speed, 8);
+    const std::size_t of_world = after(bytes, speed_bits), of_joint = after(bytes, data);
+    ASSERT_EQ(bytes[of_world], std::byte{1});
+    ASSERT_EQ(bytes[of_joint], std::byte{3});
+    const World loaded = must(load(bytes));
+    EXPECT_EQ(loaded.joint_solver(), JointSolver::iterative);
+    EXPECT_EQ(must(loaded.joint(joint)).def.solver, JointSolver::direct);
+    for (const auto& [at, value, name] :
+         {std::tuple{of_world, 3, "world.joint_solver"}, {of_joint, 4, "joints[0].solver"}}) {
+        Bytes forged = bytes;
+        forged[at] = static_cast<std::byte>(value);
+        restamp(forged);
+        expect_refused(forged, name);
+    }
+    Bytes older = bytes;
+    older.erase(older.begin() + static_cast<std::ptrdiff_t>(of_joint));
+    older.erase(older.begin() + static_cast<std::ptrdiff_t>(of_world));
+    older[8] = std::byte{13};
+    restamp(older);
+    const World old = must(load(older));
+    EXPECT_EQ(old.joint_solver(), JointSolver::automatic);
+    EXPECT_EQ(must(old.joint(joint)).def.solver, std::nullopt);
+    World silent = make_world({.hit_speed = speed});
+    must(silent.create_joint({.body_b = add(silent, {.position = {0, 3, 0}}), .user_data = data}));
+    EXPECT_EQ(state_hash(old), state_hash(silent)) << "and the hash that it had";
+    EXPECT_NE(state_hash(loaded), state_hash(silent));
 }
 
 TEST(HostileBytes, every_flipped_bit_is_noticed) {

@@ -72,6 +72,8 @@ TEST_F(BadInput, world_definitions) {
     refused({.tolerance = 1e-3, .substep_budget = -1}, "substep_budget");
     refused({.substeps = 0}, "substeps");
     refused({.substeps = 65}, "substeps");
+    refused({.joint_solver = static_cast<JointSolver>(3)},
+            "joint_solver is 3; it must be automatic (0), iterative (1) or direct (2)");
     refused({.threads = 0}, "threads");
     refused({.threads = 65}, "threads");
     refused({.threads = -1}, "threads");

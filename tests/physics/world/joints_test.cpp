@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "support/near.h"
 #include "support/world_builder.h"
@@ -45,6 +46,32 @@ TEST(JointCalls, a_joint_is_read_as_it_was_given) {
     EXPECT_EQ(state.def.user_data, 9u);
     EXPECT_EQ(state.def.kind, def.kind);
     EXPECT_NEAR(state.separation, 0.5, 1e-12);
+}
+
+// What it asks of the solver is kept as it is said, and what is no solver is refused.
+TEST(JointCalls, a_joint_says_how_it_is_solved) {
+    Pair pair;
+    JointDef def = pair.def();
+    const JointId silent = must(pair.world.create_joint(def));
+    EXPECT_EQ(must(pair.world.joint(silent)).def.solver, std::nullopt);
+    def.solver = JointSolver::iterative;
+    const JointId joint = must(pair.world.create_joint(def));
+    EXPECT_EQ(must(pair.world.joint(joint)).def.solver, JointSolver::iterative);
+    must(pair.world.set_joint_solver(joint, JointSolver::direct));
+    EXPECT_EQ(must(pair.world.joint(joint)).def.solver, JointSolver::direct);
+    const Status wrong = pair.world.set_joint_solver(joint, static_cast<JointSolver>(7));
+    ASSERT_FALSE(wrong.ok());
+    EXPECT_EQ(wrong.error().message,
+              "solver is 7; it must be automatic (0), iterative (1) or direct (2)");
+    EXPECT_EQ(must(pair.world.joint(joint)).def.solver, JointSolver::direct);
+    must(pair.world.set_joint_solver(joint, {}));
+    EXPECT_EQ(must(pair.world.joint(joint)).def.solver, std::nullopt);
+    def.solver = static_cast<JointSolver>(9);
+    EXPECT_THAT(pair.error_of(def), HasSubstr("solver is 9"));
+    EXPECT_FALSE(pair.world.set_joint_solver(static_cast<JointSolver>(3)).ok());
+    EXPECT_EQ(pair.world.joint_solver(), JointSolver::automatic);
+    must(pair.world.destroy_joint(joint));
+    EXPECT_FALSE(pair.world.set_joint_solver(joint, JointSolver::direct).ok());
 }
 
 TEST(JointCalls, angles_are_those_of_the_frames) {

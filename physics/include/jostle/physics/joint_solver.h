@@ -22,15 +22,16 @@ enum class JointSolver : std::uint8_t {
     // is long, in time that only the number of joints decides. Nothing is solved directly.
     iterative,
     // All joints of a group at once, by a factorisation, with cone-twists and however dense, up to
-    // a ceiling: so dense a group as limits::max_direct_work allows, and of all groups beyond what
-    // `automatic` would solve as many, in order of their islands, as that allows together. Falls
-    // back to `automatic`
-    //   above that ceiling;
+    // a ceiling: where the world has n joints a group of k may take 2e7 k / n multiplications for
+    // each factorisation (a net of 30 x 30 balls alone in its world), so that all of them together
+    // take no more. Falls back to `automatic`
+    //   above that ceiling, and for nets of more than 2048 joints;
     //   where a listener of sub-steps is there, or a body has exactly one locked turn;
     //   for gears, racks, pulleys, paths, grabs and velocity rows, orientations that are driven,
     //   balls and cone-twists that rub, springy fixed joints and ropes of no length;
     //   beside contacts, for all but the points of balls, hinges, cone-twists and rigid fixed
     //   joints.
+    // What the continuous stage does to joints that an impact parted is not asked.
     direct,
 };
 

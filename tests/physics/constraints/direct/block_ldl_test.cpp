@@ -183,6 +183,9 @@ TEST(BlockLdl, of_a_dense_pattern_is_refused_by_its_work) {
     EXPECT_TRUE(ldl.analyze(rows, edges, work));
     EXPECT_EQ(ldl.work(), work);
     EXPECT_FALSE(ldl.analyze(rows, edges, work - 1));
+    EXPECT_EQ(physics::clique_work(8, 1), work) << "known without the edges";
+    EXPECT_EQ(physics::clique_work(1, 3), 27);
+    EXPECT_GT(physics::clique_work(std::size_t{1} << 40, 1), std::int64_t{1} << 60);
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ JointLevels levels_of(const std::vector<std::pair<int, int>>& ends, std::size_t 
     return levels;
 }
 
-JointBatches batches_of(JointLevels& levels, std::size_t bodies) {
+JointBatches batches_of(JointLevels& levels, std::size_t bodies, const JointAsks& asks = {}) {
     JointBatches batches;
     const std::vector<std::uint8_t> all(levels.joints.size(), 1);
-    find_batches(batches, levels, all, bodies);
+    find_batches(batches, levels, all, bodies, asks);
     return batches;
 }
 
@@ -78,6 +78,30 @@ TEST(JointBatches, leave_nets_alone) {
         }
     JointLevels levels = levels_of(ends, n * n + 1);
     EXPECT_EQ(batches_of(levels, n * n + 1).used, 0);
+    JointLevels again = levels_of(ends, n * n + 1);
+    EXPECT_EQ(batches_of(again, n * n + 1, {{}, JointSolver::direct, 1'000'000}).used, 1)
+        << "unless they ask";
+    JointLevels poor = levels_of(ends, n * n + 1);
+    EXPECT_EQ(batches_of(poor, n * n + 1, {{}, JointSolver::direct, 2000}).used, 0)
+        << "and may cost so much";
+}
+
+// Of a pair, a chain of three and another chain whose middle joint wishes for what it says.
+TEST(JointBatches, are_what_the_joints_ask_for) {
+    const std::vector<std::pair<int, int>> ends{{1, 2}, {3, 4}, {4, 5}, {5, 6},
+                                                {7, 8}, {8, 9}, {9, 10}};
+    const auto found = [&](std::optional<JointSolver> middle, JointSolver of_world) {
+        JointLevels levels = levels_of(ends, 11);
+        std::vector<JointWishes> wishes(ends.size());
+        wishes[5] = wish_of(middle);
+        return batches_of(levels, 11, {wishes, of_world, 1000}).found;
+    };
+    using Found = std::vector<std::uint8_t>;
+    EXPECT_EQ(found({}, JointSolver::automatic), (Found{0, 1, 1, 1, 1, 1, 1}));
+    EXPECT_EQ(found({}, JointSolver::iterative), (Found{0, 0, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(found({}, JointSolver::direct), (Found{1, 1, 1, 1, 1, 1, 1}));
+    EXPECT_EQ(found(JointSolver::iterative, JointSolver::automatic), (Found{0, 1, 1, 1, 0, 0, 0}));
+    EXPECT_EQ(found(JointSolver::automatic, JointSolver::iterative), (Found{0, 0, 0, 0, 1, 1, 1}));
 }
 
 // Forty links of 1 kg under a pivot, a load of 1000 kg at their end, all with random velocities:

@@ -16,7 +16,7 @@ constexpr std::size_t shown_islands = 8;
 
 struct Sum {
     int islands = 0, bodies = 0, contacts = 0, joints = 0, direct = 0, short_of = 0;
-    double drift = 0;
+    double error = 0;
 };
 
 std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
@@ -29,7 +29,7 @@ std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
         sum.joints += e.joints;
         sum.direct += e.direct ? 1 : 0;
         sum.short_of += e.wanted_substeps > e.substeps ? 1 : 0;
-        sum.drift = std::max(sum.drift, e.drift);
+        sum.error = std::max(sum.error, e.error);
     }
     return sums;
 }
@@ -39,22 +39,22 @@ std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
 std::string to_text(const std::vector<IslandEffort>& efforts) {
     if (efforts.empty()) return {};
     std::string out =
-        "islands by sub-steps; drift: m off in a second, the worst; short: want more than the "
+        "islands by sub-steps; error: m in a second, the worst; short: want more than the "
         "budget gives\n"
-        "  sub-steps islands  bodies contacts  joints  direct   short    drift\n";
+        "  sub-steps islands  bodies contacts  joints  direct   short    error\n";
     for (const auto& [substeps, s] : sums_of(efforts))
         out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
-                           s.contacts, s.joints, s.direct, s.short_of, s.drift);
+                           s.contacts, s.joints, s.direct, s.short_of, s.error);
     std::vector<IslandEffort> worst = efforts;
     std::stable_sort(worst.begin(), worst.end(), [](const IslandEffort& x, const IslandEffort& y) {
-        return x.drift > y.drift;
+        return x.error > y.error;
     });
     worst.resize(std::min(worst.size(), shown_islands));
-    if (worst.front().drift == 0) return out;
+    if (worst.front().error == 0) return out;
     out += "furthest off:\n";
     for (const IslandEffort& e : worst)
         out += format_text("  body %u with %d others: %.2g m, %d sub-steps%s\n", e.body.index,
-                           e.bodies - 1, e.drift, e.substeps,
+                           e.bodies - 1, e.error, e.substeps,
                            e.wanted_substeps > e.substeps ? ", wants more" : "");
     return out;
 }
@@ -69,7 +69,7 @@ std::string to_json(const std::vector<IslandEffort>& efforts) {
                        {"direct", e.direct},
                        {"substeps", e.substeps},
                        {"wanted_substeps", e.wanted_substeps},
-                       {"drift_m", e.drift}});
+                       {"error_m", e.error}});
     return all.dump(2) + "\n";
 }
 

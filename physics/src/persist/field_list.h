@@ -454,10 +454,10 @@ void visit_fields(V& v, Island& island) {
     v.field("mass", island.mass);
     v.field("kept_load", island.kept_load);
     v.optional("dt", island.dt, 11);
-    v.optional("drift", island.error.drift, 13);
+    v.optional("error_estimate", island.error.estimate, 13);
     v.optional("wanted_rung", island.error.wanted, 13);
     v.optional("easy", island.error.easy, 13);
-    v.optional("fresh_drift", island.error.fresh, 13);
+    v.optional("fresh_estimate", island.error.fresh, 13);
     visit_all(v, "sleepers", island.sleepers, [&](BodyWarm& b) { visit_fields(v, b); });
     visit_all(v, "manifolds", island.manifolds, [&](SavedContact& m) { visit_fields(v, m); });
 }

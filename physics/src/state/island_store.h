@@ -19,7 +19,7 @@ namespace jostle::physics {
 // In a world with a tolerance: what is known of how far the sub-steps lead from the motion that
 // endlessly many would give (stages/solver/error_trial.h).
 struct IslandError {
-    double drift = 0;         // m in a second of such steps; 0: not known
+    double estimate = 0;      // m in a second of such steps; 0: not known
     std::uint8_t wanted = 0;  // the rung that the tolerance asks for, whatever the budget
     std::uint8_t easy = 0;    // looks in a row that a coarser one would have passed
     bool fresh = false;       // measured, and not yet acted upon

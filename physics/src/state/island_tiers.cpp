@@ -35,7 +35,7 @@ void move_contacts(WorldState& world, std::uint32_t body, float scale, bool even
 
 // Errors go with the length of a sub-step at least.
 void follow_substeps(IslandError& error, double scale) {
-    error.drift *= scale;
+    error.estimate *= scale;
     error.easy = 0;
 }
 

@@ -64,7 +64,7 @@ namespace {
 
 // What is not known of one is not known of both.
 IslandError joined(const IslandError& a, const IslandError& b) {
-    return {.drift = a.drift == 0 || b.drift == 0 ? 0 : maximum(a.drift, b.drift),
+    return {.estimate = a.estimate == 0 || b.estimate == 0 ? 0 : maximum(a.estimate, b.estimate),
             .wanted = std::max(a.wanted, b.wanted)};
 }
 

@@ -374,7 +374,7 @@ Fault check_islands(const WorldState& world) {
         if (!is_step_length(island.dt) || island.kept_load < 0 || island.kept_load > 1 ||
             island.calm > tuning::tier_patience || island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
-        if (island.error.drift < 0 || island.error.wanted >= batch_count ||
+        if (island.error.estimate < 0 || island.error.wanted >= batch_count ||
             island.error.easy > tuning::rung_patience)
             return at("islands", i, "has an error, a rung or a patience out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))

@@ -16,7 +16,7 @@ IslandEffort effort_of(const WorldState& world, const Island& island) {
     IslandEffort effort{.body = body_id(world, island.first),
                         .bodies = static_cast<int>(island.bodies),
                         .substeps = substeps_of(set, world.def),
-                        .drift = island.error.drift};
+                        .error = island.error.estimate};
     effort.wanted_substeps = controls_error(world.def)
                                  ? substeps_of({set.tier, island.error.wanted}, world.def)
                                  : effort.substeps;

@@ -135,7 +135,7 @@ struct WorldDef {
     double tolerance = 0;
     // With a tolerance: sub-steps that a step may take, summed over the bodies with contacts or
     // joints; 0: any number; up to 4294967295. Where it does not suffice, islands go without in
-    // which that does least harm. No island takes less than its first rung, whatever the budget.
+    // which that does least harm; two sub-steps they all take, whatever the budget.
     std::int64_t substep_budget = 0;
     // Threads per step, 1 to 64. The result has the same bits for any number. Steps of less than
     // two milliseconds use them only where a trial shows that they help (thread_trials.h).

@@ -16,7 +16,7 @@ struct IslandEffort {
     int wanted_substeps = 0;  // more than that only where the budget falls short
     // m: how far, in a second of steps like the last that was measured, it leads from where
     // endlessly many sub-steps would: an estimate. 0: not known, as in a world without a tolerance.
-    double drift = 0;
+    double error = 0;
 };
 
 }  // namespace jostle::physics

@@ -30,17 +30,17 @@ double growth(const WorldState& world, const Island& island, std::uint8_t rung) 
 // Answers a measurement.
 void choose_wanted(const WorldState& world, Island& island) {
     IslandError& error = island.error;
-    ASSERT(error.fresh && error.drift > 0);
+    ASSERT(error.fresh && error.estimate > 0);
     error.fresh = false;
     const std::uint8_t now = island.colour_set.batch;
     const double tolerance = world.def.tolerance;
-    if (error.drift > tolerance) {
+    if (error.estimate > tolerance) {
         error.wanted = std::min<std::uint8_t>(now + 1, finest);
         error.easy = 0;
         return;
     }
-    const bool easy =
-        now > 0 && error.drift * growth(world, island, now - 1) <= tuning::rung_reserve * tolerance;
+    const bool easy = now > 0 && error.estimate * growth(world, island, now - 1) <=
+                                     tuning::rung_reserve * tolerance;
     error.easy = easy ? static_cast<std::uint8_t>(error.easy + 1) : 0;
     error.wanted = now;
     if (error.easy < tuning::rung_patience) return;
@@ -52,7 +52,7 @@ void choose_wanted(const WorldState& world, Island& island) {
 struct TiedGroup {
     std::vector<std::uint32_t> islands;
     std::uint8_t rung = 0;  // that it is to have
-    double drift = 0;
+    double error = 0;
     std::int64_t bodies = 0;
 };
 
@@ -61,8 +61,8 @@ TiedGroup group_of(const WorldState& world, std::vector<std::uint32_t> islands) 
     for (const std::uint32_t i : group.islands) {
         const Island& island = world.islands.islands[i];
         group.rung = std::max(group.rung, island.error.wanted);
-        group.drift =
-            maximum(group.drift, island.error.drift > 0 ? island.error.drift : world.def.tolerance);
+        group.error = maximum(
+            group.error, island.error.estimate > 0 ? island.error.estimate : world.def.tolerance);
         group.bodies += island.bodies;
     }
     return group;
@@ -102,7 +102,7 @@ void share_budget(const WorldState& world, std::vector<TiedGroup>& groups) {
     };
     const auto harm = [&](const TiedGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];
-        return group.drift * growth(world, island, group.rung - 1);
+        return group.error * growth(world, island, group.rung - 1);
     };
     std::int64_t spent = 0;
     for (const TiedGroup& group : groups) spent += spends(group);
@@ -145,7 +145,7 @@ void choose_rungs(StepContext& step) {
     for (const BodyWarm& warm : world.bodies.awake) {
         if (!is_held(world.bodies.cold[warm.body])) continue;
         const Island& island = world.islands.islands[world.bodies.cold[warm.body].island];
-        if (island.error.drift == 0) unknown[index_of(island.colour_set)] = 1;
+        if (island.error.estimate == 0) unknown[index_of(island.colour_set)] = 1;
     }
 }
 

@@ -5,7 +5,7 @@
 // tolerance. Finer at once, coarser with some patience: contacts move from set to set.
 //
 // With a budget (WorldDef::substep_budget) what islands want is dealt out: the one that a coarser
-// rung would harm least, by the drift it would have, gives in first. An island alone then no longer
+// rung would harm least, by the error it would have, gives in first. An island alone then no longer
 // decides what it gets.
 //
 // Reads: Island::error. Writes: it, Island::colour_set, contacts, impulses. Leaves in scratch, for

@@ -15,8 +15,8 @@ namespace {
 
 // Exact both ways.
 constexpr float longer = 2, shorter = 0.5f;
-constexpr double most_drift = 1e6;     // m: what is not a number, too
-constexpr double least_drift = 1e-12;  // m: 0 says that nothing is known
+constexpr double most_error = 1e6;     // m: what is not a number, too
+constexpr double least_error = 1e-12;  // m: 0 says that nothing is known
 
 // With contacts, always in the same order.
 template <class Visit>
@@ -46,7 +46,7 @@ void note_overlaps(WorldState& world, std::size_t first, std::size_t last) {
                 const Contact& c = world.contacts.contacts[colour.metas[k].contact[lane]];
                 const double overlap =
                     -double{least} - tuning::contact_slop * scale_of_pair(world.bodies, c);
-                note_drift(world.islands.islands[world.bodies.cold[c.body_a].island], overlap);
+                note_error(world.islands.islands[world.bodies.cold[c.body_a].island], overlap);
             }
     });
 }
@@ -94,17 +94,17 @@ void end_trial(StepContext& step, std::size_t first, std::size_t last,
     scale_all(step, jointed, double{shorter});
 }
 
-double drift_of(double shift, double change, double dt, ErrorLife life) {
+double second_error(double shift, double change, double dt, ErrorLife life) {
     // s: half a second in the mean of one.
     const double lasts = life == ErrorLife::all ? 0.5 : tuning::velocity_error_life;
     const double seconds = 1;
     return (shift + change * lasts) * seconds / dt;
 }
 
-void note_drift(Island& island, double drift) {
+void note_error(Island& island, double error) {
     // A maximum that takes what is not a number for the most.
-    const double known = drift < most_drift ? maximum(drift, least_drift) : most_drift;
-    island.error.drift = island.error.fresh ? maximum(island.error.drift, known) : known;
+    const double known = error < most_error ? maximum(error, least_error) : most_error;
+    island.error.estimate = island.error.fresh ? maximum(island.error.estimate, known) : known;
     island.error.fresh = true;
 }
 
@@ -126,8 +126,8 @@ void compare_trial(StepContext& step, std::size_t first, std::size_t last,
         const double change =
             minimum(length_between(now.v, then.v) + cold.radius * length_between(now.w, then.w),
                     2 * shift / step.dt);
-        note_drift(world.islands.islands[cold.island],
-                   drift_of(shift, change, step.dt, ErrorLife::short_));
+        note_error(world.islands.islands[cold.island],
+                   second_error(shift, change, step.dt, ErrorLife::short_));
     }
     note_overlaps(world, first, last);
 }

@@ -36,7 +36,7 @@ void compare_trial(StepContext& step, std::size_t first, std::size_t last,
 enum class ErrorLife { all, short_ };
 // m: by how much a second of steps is off, each of which is off by so much: `shift` of a place in
 // m, `change` of a velocity in m/s.
-double drift_of(double shift, double change, double dt, ErrorLife life);
-void note_drift(Island& island, double drift);
+double second_error(double shift, double change, double dt, ErrorLife life);
+void note_error(Island& island, double error);
 
 }  // namespace jostle::physics

@@ -54,7 +54,7 @@ TEST(Rungs,
     ASSERT_EQ(efforts.size(), 21u);
     for (const BodyId box : boxes) {
         EXPECT_EQ(of(efforts, box).substeps, 2);
-        EXPECT_LT(of(efforts, box).drift, 1e-3);
+        EXPECT_LT(of(efforts, box).error, 1e-3);
     }
     EXPECT_GE(of(efforts, link).substeps, 16);
     EXPECT_TRUE(of(efforts, link).direct);
@@ -98,7 +98,7 @@ TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
     EXPECT_EQ(kept, 100);
     const std::vector<IslandEffort> efforts = world.island_efforts();
     EXPECT_GE(of(efforts, heavy).wanted_substeps, of(efforts, heavy).substeps);
-    for (const IslandEffort& e : efforts) EXPECT_LE(e.drift, of(efforts, heavy).drift);
+    for (const IslandEffort& e : efforts) EXPECT_LE(e.error, of(efforts, heavy).error);
 }
 
 TEST(Rungs, without_a_tolerance_nothing_is_tried_and_nothing_known) {
@@ -110,7 +110,7 @@ TEST(Rungs, without_a_tolerance_nothing_is_tried_and_nothing_known) {
         EXPECT_EQ(world.profile().trial_substeps, 0);
     }
     ASSERT_EQ(world.island_efforts().size(), 1u);
-    EXPECT_EQ(world.island_efforts()[0].drift, 0);
+    EXPECT_EQ(world.island_efforts()[0].error, 0);
     EXPECT_EQ(world.island_efforts()[0].substeps, 8);
     EXPECT_EQ(world.profile().body_substeps, 8);
 }

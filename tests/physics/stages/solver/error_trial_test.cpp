@@ -58,18 +58,18 @@ TEST(ErrorTrial, changes_no_bit_of_the_motion) {
 TEST(ErrorTrial, a_second_of_steps_is_off_by_what_each_is_and_by_what_its_velocity_leads_to) {
     // A place that is 1 mm further at each of 60 steps; a velocity of 1 mm/s more each, which after
     // a second is 60 mm/s, and has led 30 mm away.
-    EXPECT_NEAR(drift_of(0.001, 0, 1.0 / 60, ErrorLife::all), 0.060, 1e-12);
-    EXPECT_NEAR(drift_of(0, 0.001, 1.0 / 60, ErrorLife::all), 0.030, 1e-12);
-    EXPECT_LT(drift_of(0, 0.001, 1.0 / 60, ErrorLife::short_), 0.010);
+    EXPECT_NEAR(second_error(0.001, 0, 1.0 / 60, ErrorLife::all), 0.060, 1e-12);
+    EXPECT_NEAR(second_error(0, 0.001, 1.0 / 60, ErrorLife::all), 0.030, 1e-12);
+    EXPECT_LT(second_error(0, 0.001, 1.0 / 60, ErrorLife::short_), 0.010);
 }
 
 TEST(ErrorTrial, what_is_no_number_is_the_worst_there_is) {
     Island island;
-    note_drift(island, 0.5);
-    note_drift(island, 0.2);
-    EXPECT_EQ(island.error.drift, 0.5);
-    note_drift(island, std::numeric_limits<double>::quiet_NaN());
-    EXPECT_GT(island.error.drift, 1e5);
+    note_error(island, 0.5);
+    note_error(island, 0.2);
+    EXPECT_EQ(island.error.estimate, 0.5);
+    note_error(island, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_GT(island.error.estimate, 1e5);
     EXPECT_TRUE(island.error.fresh);
 }
 

@@ -38,7 +38,7 @@ const std::vector<EngineKind>& kinds() {
          "double outside, float in the inner loops; so many sub-steps, or as many as a tolerance "
          "in "
          "metres asks for; sweeps as by default",
-         {"sub8", "sub1", "sub4", "sub16", "tol1e-2", "tol1e-3", "tol1e-4"},
+         {"sub8", "sub1", "sub4", "sub16", "tol1e-2", "tol1e-3"},
          make_jostle_engine},
         {"bullet",
          "double precision; sequential impulses or nonlinear conjugate gradients with so many "

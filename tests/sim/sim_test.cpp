@@ -52,7 +52,8 @@ TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
         EXPECT_GE(island["substeps"].get<int>(), 2);
         EXPECT_GT(island["joints"].get<int>() + island["contacts"].get<int>(), 0);
     }
-    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --efforts -"), 0);
+    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --efforts -"),
+              0);
     EXPECT_NE(output().find("furthest off:"), std::string::npos) << output();
     EXPECT_NE(output().find("wants more"), std::string::npos) << output();
     EXPECT_EQ(run("machines --seconds 1 --error-tolerance -1"), 2);

@@ -127,15 +127,16 @@ struct WorldDef {
     // x2, mass ratio of 100 or more on top x4.
     int substeps = 8;
     // m, 0 or 1e-9 to 1e3. Above 0: each island takes as many sub-steps as keep its bodies within
-    // so far, after a second, of where endlessly many would bring them: 2, 6, 16 or 48, more where
-    // it is tall or carries what is heavy, at most 64; `substeps` is not read. What the length of
-    // the step itself does to the motion is not part of it. Every eighth step of an island is then
-    // taken twice, with half of its sub-steps first: that measures it. Not where a listener hears
-    // of sub-steps. World::island_efforts() says what was found and spent.
+    // so far, after a second, of where endlessly many would bring them: 2, 6, 16 or 48, three to
+    // eight times as many where it is slender or carries what is heavy, at most 64; `substeps` is
+    // not read. What the length of the step itself does to the motion is not part of it. Every
+    // eighth step of an island is then taken twice, with half of its sub-steps first: that measures
+    // it. Not where a listener hears of sub-steps. World::island_efforts() says what was found and
+    // spent.
     double tolerance = 0;
     // With a tolerance: sub-steps that a step may take, summed over the bodies with contacts or
     // joints; 0: any number; up to 4294967295. Where it does not suffice, islands go without in
-    // which that does least harm; two sub-steps they all take, whatever the budget.
+    // which that does least harm; the least above they all take, whatever the budget.
     std::int64_t substep_budget = 0;
     // Threads per step, 1 to 64. The result has the same bits for any number. Steps of less than
     // two milliseconds use them only where a trial shows that they help (thread_trials.h).

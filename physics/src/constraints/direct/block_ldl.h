@@ -24,10 +24,11 @@ inline std::size_t as_index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Whether so many joints tie so few bodies that their matrix is sure to be dense, as that of a
-// cloth is: known without a look at its pattern.
+// Whether so many joints tie so few bodies that their matrix is dense, as that of a cloth is, and
+// nearly singular as soon as the cloth bends: known without a look at its pattern. A few joints on
+// one body (a door on three hinges) are none.
 inline bool is_net(int joints, int bodies) {
-    return joints > 512 && 2 * joints > 3 * bodies;
+    return joints > 8 && 2 * joints > 3 * bodies;
 }
 
 // Whether so many joints tie so few bodies that many of their rows say what others say.

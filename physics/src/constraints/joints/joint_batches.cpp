@@ -17,7 +17,7 @@ constexpr int rows = 3;
 // In float rows of a net that depend on others are not told from those that hardly do. All give
 // way a little, and each solve takes away what the one before it left (J. Carpentier et al.,
 // "Proximal and sparse resolution of constrained dynamic equations", 2021).
-constexpr float net_give = 1e-3f;
+constexpr float net_give = 1e-2f;
 
 std::size_t place(std::int32_t i) {
     return static_cast<std::size_t>(i);

@@ -83,6 +83,21 @@ TEST(Rungs, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
     }
 }
 
+TEST(Rungs, a_stack_of_ten_does_not_sway_at_any_tolerance) {
+    // With two sub-steps it did, from nothing, within two seconds: nobody saw it coming.
+    for (const double tolerance : {1.0, 1e-2, 1e-3}) {
+        World world = make_mixed_world(tolerance);
+        add_floor(world);
+        std::vector<BodyId> boxes;
+        for (int k = 0; k < 10; k++) boxes.push_back(add(world, {.position = {0, 0.5 + k, 0}}));
+        run(world, 10);
+        const BodyState top = must(world.body(boxes.back()));
+        EXPECT_LT(length(top.pose.position - Vec3{0, 9.5, 0}), 0.002) << tolerance;
+        EXPECT_LT(length(top.linear_velocity), 1e-3) << tolerance;
+        EXPECT_EQ(world.island_efforts()[0].substeps, 6) << tolerance;
+    }
+}
+
 TEST(Rungs, within_a_budget_those_give_in_whom_it_harms_least) {
     World world = make_mixed_world(1e-4, 400);
     add_floor(world);

@@ -169,7 +169,7 @@ TEST(Bodies, box_of_an_inertia_has_it) {
     EXPECT_LT(length(box_of_inertia(2, box_inertia(2, half)) - half), 1e-12);
     // A plate without thickness becomes as thin as can be, and keeps its largest moment.
     const Vec3 plate = box_of_inertia(1, {0.05, 0.05, 0.1});
-    EXPECT_DOUBLE_EQ(plate.z, physics::min_shape_size);
+    EXPECT_DOUBLE_EQ(plate.z, jostle::physics::min_shape_size);
     EXPECT_NEAR(box_inertia(1, plate).z, 0.1, 1e-12);
 }
 

@@ -238,7 +238,7 @@ inline void factor_batch(const BatchView& batch, const HotBody* bodies, const Jo
         // As it is before the elimination: kept where its inverse will be.
         WideValue* const diagonal = batch.values + batch.diagonal[k];
         if (batch.give > 0)
-            for (const int n : {0, 4, 8})
+            for (int n = 0; n < 9; n += 4)
                 store(diagonal[n].lane, load(diagonal[n].lane) * splat(1 + batch.give));
         WideValue* const kept = batch.inverse + 6 * k;
         kept[0] = diagonal[0], kept[1] = diagonal[4], kept[2] = diagonal[8];

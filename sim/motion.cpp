@@ -50,6 +50,7 @@ struct Sum {
 physics::Result<Motion> run_motion(scenes::SceneDescription scene, const Setting& setting,
                                    const Samples& samples) {
     scene.world.substeps = setting.substeps;
+    scene.world.tolerance = 0;  // it would choose them
     scene.world.threads = 1;
     auto built = scenes::build_scene(scene);
     if (!built) return built.error();

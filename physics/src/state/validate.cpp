@@ -420,6 +420,11 @@ Fault check_answers(const WorldState& world) {
 }  // namespace
 
 std::optional<std::string> find_fault(const WorldState& world) {
+    const double tolerance = world.def.tolerance;
+    if (tolerance != 0 && (tolerance < 1e-9 || tolerance > 1e3))
+        return "world.tolerance is out of range";
+    if (world.def.substep_budget < 0 || world.def.substep_budget > 4294967295)
+        return "world.substep_budget is out of range";
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
     if (!is_step_length(world.last_dt)) return "world.last_dt is out of range";

@@ -15,8 +15,9 @@ namespace jostle::physics {
 // until it is split. Beside contacts it is what balls, hinges, cones and rigid fixed joints tie.
 enum class JointSolver : std::uint8_t {
     // Directly where that is affordable: in the air at most 64 times the work of joints that know
-    // nothing of each other, and neither figures with cone-twists nor nets; beside contacts at most
-    // as much for the points of two joints or more. Else iteratively.
+    // nothing of each other, and no figures with cone-twists; beside contacts at most as much for
+    // the points of two joints or more. Nets (more than eight joints, and three for two bodies) are
+    // not: nearly singular as they bend. Else iteratively.
     automatic,
     // One joint after the other, sub-step by sub-step, with the contacts: as soft as the sub-step
     // is long, in time that only the number of joints decides. Nothing is solved directly.

@@ -96,7 +96,7 @@ void end_trial(StepContext& step, std::size_t first, std::size_t last,
 
 double second_error(double shift, double change, double dt, ErrorLife life) {
     // s: half a second in the mean of one.
-    const double lasts = life == ErrorLife::all ? 0.5 : tuning::velocity_error_life;
+    const double lasts = life == ErrorLife::lasting ? 0.5 : tuning::velocity_error_life;
     const double seconds = 1;
     return (shift + change * lasts) * seconds / dt;
 }
@@ -127,7 +127,7 @@ void compare_trial(StepContext& step, std::size_t first, std::size_t last,
             minimum(length_between(now.v, then.v) + cold.radius * length_between(now.w, then.w),
                     2 * shift / step.dt);
         note_error(world.islands.islands[cold.island],
-                   second_error(shift, change, step.dt, ErrorLife::short_));
+                   second_error(shift, change, step.dt, ErrorLife::damped));
     }
     note_overlaps(world, first, last);
 }

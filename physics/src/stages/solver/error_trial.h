@@ -33,7 +33,7 @@ void compare_trial(StepContext& step, std::size_t first, std::size_t last,
 
 // How long an error of a velocity goes on: for good in what swings freely; contacts and sweeps take
 // it back.
-enum class ErrorLife { all, short_ };
+enum class ErrorLife { lasting, damped };
 // m: by how much a second of steps is off, each of which is off by so much: `shift` of a place in
 // m, `change` of a velocity in m/s.
 double second_error(double shift, double change, double dt, ErrorLife life);

@@ -286,7 +286,7 @@ void compare(const StepContext& step, const JointGroup& group, const DirectGroup
         const double change =
             length(velocity(now) - velocity(then)) + radius * length(spin(now) - spin(then));
         // All kinds of its steps are of second order at least.
-        note_error(island, second_error(shift, change, step.dt, ErrorLife::all) / 3);
+        note_error(island, second_error(shift, change, step.dt, ErrorLife::lasting) / 3);
     }
 }
 

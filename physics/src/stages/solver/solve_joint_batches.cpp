@@ -36,6 +36,7 @@ void find_joint_batches(StepContext& step, const JointTask& task) {
     const JointSolver of_world = world.def.joint_solver;
     find_batches(task.batches, levels, is_point, step.scratch.solver.hot.size(),
                  {wishes, of_world, direct_budget(world.joints.ids.alive_count())});
+    task.batches.refused = 0;
     for (std::size_t k = 0; k < wishes.size(); k++)
         if (solver_of(wishes[k], of_world) == JointSolver::direct && task.batches.found[k] == 0)
             task.batches.refused++;

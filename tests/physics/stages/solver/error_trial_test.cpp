@@ -58,9 +58,9 @@ TEST(ErrorTrial, changes_no_bit_of_the_motion) {
 TEST(ErrorTrial, a_second_of_steps_is_off_by_what_each_is_and_by_what_its_velocity_leads_to) {
     // A place that is 1 mm further at each of 60 steps; a velocity of 1 mm/s more each, which after
     // a second is 60 mm/s, and has led 30 mm away.
-    EXPECT_NEAR(second_error(0.001, 0, 1.0 / 60, ErrorLife::all), 0.060, 1e-12);
-    EXPECT_NEAR(second_error(0, 0.001, 1.0 / 60, ErrorLife::all), 0.030, 1e-12);
-    EXPECT_LT(second_error(0, 0.001, 1.0 / 60, ErrorLife::short_), 0.010);
+    EXPECT_NEAR(second_error(0.001, 0, 1.0 / 60, ErrorLife::lasting), 0.060, 1e-12);
+    EXPECT_NEAR(second_error(0, 0.001, 1.0 / 60, ErrorLife::lasting), 0.030, 1e-12);
+    EXPECT_LT(second_error(0, 0.001, 1.0 / 60, ErrorLife::damped), 0.010);
 }
 
 TEST(ErrorTrial, what_is_no_number_is_the_worst_there_is) {

@@ -120,8 +120,8 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
                               "Seconds of processor time; runs that would cost more are left out")
                    ->capture_default_str()
                    ->check(between(0.1, 1e6)));
-    for (const char* other :
-         {"--threads", "--trace", "--trace-every", "--save", "--load", "--write-scene"})
+    for (const char* other : {"--error-tolerance", "--substep-budget", "--efforts", "--threads",
+                              "--trace", "--trace-every", "--save", "--load", "--write-scene"})
         converge->excludes(app.get_option(other));
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/ball_net.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -138,27 +139,9 @@ TEST(JointSolvers, may_change_while_a_chain_swings) {
     EXPECT_EQ(state_hash(again), state_hash(world));
 }
 
-// n by n balls, each tied to those before it in its row and its column, the last row heavy.
+// A net of n by n balls that lies flat, 0.3 m from one to the next.
 void hang_net(World& world, int n, double y, double end_density) {
-    std::vector<BodyId> balls;
-    const auto tie = [&](BodyId a, BodyId b, Vec3 way) {
-        must(world.create_joint({.body_a = a,
-                                 .body_b = b,
-                                 .frame_a = {.position = way * 0.5},
-                                 .frame_b = {.position = way * -0.5}}));
-    };
-    for (int row = 0; row < n; row++)
-        for (int column = 0; column < n; column++) {
-            balls.push_back(
-                add(world, {.geometry = Sphere{0.1},
-                            .position = {0.3 * column, y, 0.3 * row},
-                            .density = row + 1 == n ? end_density : 1000,
-                            .type = row == 0 ? BodyType::static_body : BodyType::dynamic}));
-            const std::size_t here = balls.size() - 1;
-            const auto above = here - static_cast<std::size_t>(n);
-            if (row > 0) tie(balls[above], balls[here], {0, 0, 0.3});
-            if (row > 0 && column > 0) tie(balls[here - 1], balls[here], {0.3, 0, 0});
-        }
+    add_ball_net(world, n, {0, y, 0}, {0, 0, 0.3}, {0.3, 0, 0}, end_density);
 }
 
 // 16 by 16, a hundred balls' mass on each of the last row: too dense for a world that says nothing.

@@ -137,6 +137,21 @@ std::size_t after(const Bytes& bytes, std::uint64_t word) {
     return found;
 }
 
+// A forged tolerance, as wide as it likes or negative, is refused by name.
+TEST(HostileBytes, tolerances_out_of_their_range_are_refused) {
+    constexpr double tolerance = 0.0123456789;
+    const Bytes bytes = save(make_world({.tolerance = tolerance}));
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &tolerance, 8);
+    const std::size_t at = after(bytes, bits) - 8;
+    for (const double forged : {-0.01, 1e-10, 1e4}) {
+        Bytes other = bytes;
+        std::memcpy(other.data() + at, &forged, 8);
+        restamp(other);
+        expect_refused(other, "world.tolerance");
+    }
+}
+
 // How joints are solved stands behind hit_speed and behind a joint's user data: worlds of version
 // 13 lack it and are read, and a number that is no solver is refused by name.
 TEST(HostileBytes, joint_solvers_are_read_or_refused_and_older_worlds_have_none) {

@@ -55,6 +55,23 @@ TEST(ErrorTrial, changes_no_bit_of_the_motion) {
     }
 }
 
+TEST(ErrorTrial, counts_a_refused_joint_once) {
+    // A slider beside a contact cannot be solved at once, whoever asks.
+    World world =
+        make_world({.tolerance = 1e-3, .sleeping = false, .joint_solver = JointSolver::direct});
+    add_floor(world);
+    const BodyId box = add(world, {.position = {0, 0.5, 0}});
+    must(world.create_joint({.body_b = box, .frame_a = {{0, 0.5, 0}, {}}, .kind = SliderJoint{}}));
+    std::int64_t tried = 0;
+    run(world, 0.2);
+    for (int k = 0; k < 16; k++) {
+        must(world.step(1.0 / 60));
+        tried += world.profile().trial_substeps;
+        EXPECT_EQ(world.profile().joints_refused, 1) << k;
+    }
+    EXPECT_GT(tried, 0);
+}
+
 TEST(ErrorTrial, a_second_of_steps_is_off_by_what_each_is_and_by_what_its_velocity_leads_to) {
     // A place that is 1 mm further at each of 60 steps; a velocity of 1 mm/s more each, which after
     // a second is 60 mm/s, and has led 30 mm away.

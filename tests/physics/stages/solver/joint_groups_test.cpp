@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/ball_net.h"
 #include "support/near.h"
 #include "support/world_builder.h"
 
@@ -49,28 +50,10 @@ TEST(JointGroups, are_what_hangs_together_and_touches_nothing) {
 TEST(JointGroups, are_not_made_of_cloth_until_it_is_cut) {
     World world = make_world();
     constexpr int n = 20;
-    std::vector<BodyId> balls;
-    std::vector<JointId> across;
-    const auto tie = [&](BodyId a, BodyId b, Vec3 way) {
-        return must(world.create_joint({.body_a = a,
-                                        .body_b = b,
-                                        .frame_a = {.position = way * 0.5},
-                                        .frame_b = {.position = way * -0.5}}));
-    };
-    for (int row = 0; row < n; row++)
-        for (int column = 0; column < n; column++) {
-            balls.push_back(
-                add(world, {.geometry = Sphere{0.1},
-                            .position = {1.0 * column, -1.0 * row, 0},
-                            .type = row == 0 ? BodyType::static_body : BodyType::dynamic}));
-            const std::size_t here = balls.size() - 1;
-            if (row > 0) tie(balls[here - n], balls[here], {0, -1, 0});
-            if (row > 0 && column > 0)
-                across.push_back(tie(balls[here - 1], balls[here], {1, 0, 0}));
-        }
+    const BallNet net = add_ball_net(world, n, {}, {0, -1, 0}, {1, 0, 0});
     EXPECT_EQ(direct(world), 0);
     EXPECT_EQ(direct(world), 0);
-    for (const JointId joint : across) must(world.destroy_joint(joint));
+    for (const JointId joint : net.across) must(world.destroy_joint(joint));
     run(world, 0.5);  // islands are cut one after the other
     EXPECT_EQ(world.profile().joints_direct, n * (n - 1));
 }

@@ -37,7 +37,7 @@ std::map<int, Sum> sums_of(const std::vector<IslandEffort>& efforts) {
 }  // namespace
 
 std::string to_text(const std::vector<IslandEffort>& efforts) {
-    if (efforts.empty()) return {};
+    if (efforts.empty()) return "islands by sub-steps: none with contacts or joints is awake\n";
     std::string out =
         "islands by sub-steps; error: m in a second, the worst; short: want more than the "
         "budget gives\n"

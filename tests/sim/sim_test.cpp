@@ -56,6 +56,8 @@ TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
               0);
     EXPECT_NE(output().find("furthest off:"), std::string::npos) << output();
     EXPECT_NE(output().find("wants more"), std::string::npos) << output();
+    ASSERT_EQ(run("stack --seconds 3 --efforts -"), 0);
+    EXPECT_NE(output().find("none with contacts or joints is awake"), std::string::npos);
     EXPECT_EQ(run("machines --converge --error-tolerance 1e-3"), 2) << "which chooses for itself";
     EXPECT_EQ(run("machines --seconds 1 --error-tolerance -1"), 2);
     EXPECT_NE(output().find("is not a number from 0 to 1000"), std::string::npos) << output();

@@ -18,6 +18,7 @@ if(JOSTLE_RPC)
     find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC AND JOSTLE_SERVER)
+    find_package(OpenSSL 3.0 REQUIRED)    # gRPC's own
     find_package(CLI11 REQUIRED)
 endif()
 # Engines that jostle-bench compares Jostle with (MuJoCo, Box2D and Bullet's double precision: in accuracy and stability alone). Each is optional: without it the program says "not built in".

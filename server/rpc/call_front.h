@@ -3,7 +3,8 @@
 // All RPCs but the play streams, behind one door: each call is bounded in size, time and number
 // before any work is done for it, the work waits in short queues, and what has no room is told to
 // come again. One thread takes calls, requests and endings off a completion queue; answers are made
-// on the threads of two pools, one for what asks and one for what changes worlds.
+// on the threads of three pools: what is quick, what asks worlds and what changes them, so that
+// health and lists never wait for a question or a scene.
 #pragma once
 
 #include <grpcpp/completion_queue.h>
@@ -18,16 +19,16 @@
 #include <vector>
 
 #include "base/clock.h"
+#include "base/work_pool.h"
 #include "rpc/call_method.h"
 #include "rpc/connection_table.h"
-#include "rpc/work_pool.h"
 
 namespace jostle::server {
 
 struct CallLimits {
-    std::size_t calls_max = 256;         // open at once
+    std::size_t calls_max = 256;          // open at once
     std::size_t calls_per_peer_max = 32;  // of one connection
-    std::size_t queue_max = 64;          // that wait for a thread, of each pool
+    std::size_t queue_max = 64;           // that wait for a thread, of each pool
     std::size_t watches_max = 64;
     double answer_bytes_max = 64e6;  // made but not yet taken by their clients
     // For a request to come in, and for an answer to be taken.
@@ -42,7 +43,8 @@ public:
     grpc::AsyncGenericService& service() { return service_; }
     // After the server was started; the queue is one of its builder's. `connections` outlives the
     // front.
-    void start(std::unique_ptr<grpc::ServerCompletionQueue> queue, const ConnectionTable& connections);
+    void start(std::unique_ptr<grpc::ServerCompletionQueue> queue,
+               const ConnectionTable& connections);
     // After the server was shut down.
     void stop();
 
@@ -74,7 +76,7 @@ private:
     std::size_t open_ = 0, watches_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false}, pools_stopped_{false};
-    WorkPool asking_, changing_;
+    WorkPool quick_, asking_, changing_;
     std::thread thread_;
 };
 

@@ -34,9 +34,9 @@ struct ConnectionMeter {
 
 struct ConnectionTableLimits {
     std::size_t total_max = 4000;
-    std::size_t per_address_max = 512;       // of one IPv4 address or IPv6 /64
-    double unread_bytes_max = 8.0 * 1024 * 1024;         // of one connection
-    double unread_total_max = 64.0 * 1024 * 1024;        // of all; beyond it the largest is cut
+    std::size_t per_address_max = 512;             // of one IPv4 address or IPv6 /64
+    double unread_bytes_max = 8.0 * 1024 * 1024;   // of one connection
+    double unread_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
 };
 
 class ConnectionTable {
@@ -77,10 +77,5 @@ private:
     std::map<std::string, std::size_t> of_address_;
     std::atomic<std::uint64_t> cut_{0};
 };
-
-// As gRPC names a peer: "ipv4:127.0.0.1:4711", "ipv6:%5B::1%5D:4711".
-std::string peer_name(const sockaddr_storage& address);
-// What counts as one address: "127.0.0.1", "2001:db8:0:1::/64".
-std::string address_key(const sockaddr_storage& address);
 
 }  // namespace jostle::server

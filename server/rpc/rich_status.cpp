@@ -14,7 +14,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int retry_seconds = 1;          // when there was no room
+constexpr int retry_seconds = 1;            // when there was no room
 constexpr int retry_elsewhere_seconds = 5;  // when the server goes down or a world is busy
 
 std::string_view reason_of(ErrorCode code) {
@@ -40,8 +40,6 @@ std::string_view reason_of(ErrorCode code) {
             return "ENDED";
         case ErrorCode::unavailable:
             return "UNAVAILABLE";
-        case ErrorCode::unimplemented:
-            return "NO_SUCH_METHOD";
         case ErrorCode::internal:
             return "FAULT_OF_THE_SERVER";
     }
@@ -55,8 +53,8 @@ std::string_view field_of(std::string_view message) {
                std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
                c == '[' || c == ']';
     };
-    const auto end = static_cast<std::size_t>(
-        std::ranges::find_if_not(message, belongs) - message.begin());
+    const auto end =
+        static_cast<std::size_t>(std::ranges::find_if_not(message, belongs) - message.begin());
     const std::string_view rest = message.substr(end);
     const bool is_field = end > 0 && (rest.starts_with(": ") || rest.starts_with(" is ") ||
                                       rest.starts_with(" has "));

@@ -50,6 +50,8 @@ struct TlsSettings {
     std::string certificate;  // the server's own, then what links it to its root
     std::string key;          // without a passphrase
     std::string client_ca;    // who shows a certificate of it is an admin
+
+    bool operator==(const TlsSettings&) const = default;
 };
 
 // Whose tokens are believed, and what those may do who show none (docs/security.md).
@@ -57,8 +59,10 @@ struct AuthSettings {
     std::string issuer, audience;  // "iss" and "aud" of every token
     std::string keys;              // JWKS file; empty: no token is believed
     std::string anonymous_role;    // none, viewer, player, director, admin; empty: see exposure.h
-    double leeway_seconds = 30;    // by which clocks may differ
+    int leeway_seconds = 30;       // by which clocks may differ
     std::string audit_log;         // a file; empty: standard error
+
+    bool operator==(const AuthSettings&) const = default;
 };
 
 // How much one subject may ask for; what flows in at once is a minute's worth, of queries a
@@ -71,6 +75,8 @@ struct QuotaSettings {
     double refused_logins_per_minute = 30;    // of an address, before its tokens are not looked at
     double refusals_audited_per_minute = 60;  // of an address; the others are counted
     int buckets_max = 20000;                  // counted subjects and addresses; the idlest goes
+
+    bool operator==(const QuotaSettings&) const = default;
 };
 
 struct Config {

@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
-#include <spdlog/fmt/chrono.h>
-#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,13 +25,6 @@ constexpr std::size_t queue_max = 4096;    // lines
 constexpr std::size_t piece_bytes = 4096;  // a pipe that is ready takes so much without waiting
 constexpr auto look_again = 100ms;         // at a file that takes nothing
 constexpr auto between_summaries = 1s;
-
-std::string rfc3339(WallTime time) {
-    const auto ms = std::chrono::floor<std::chrono::milliseconds>(time);
-    const auto s = std::chrono::floor<std::chrono::seconds>(ms);
-    return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
-                       fmt::gmtime(std::chrono::system_clock::to_time_t(s)), (ms - s).count());
-}
 
 // At most 256 bytes, and no character in part.
 std::string clipped(std::string_view text) {
@@ -163,7 +154,7 @@ bool AuditLog::wait_for_work(std::vector<std::string>& lines) {
 void AuditLog::write_line(const std::string& line) {
     for (std::size_t offset = 0; offset < line.size();) {
         if (write_part(line, offset)) continue;
-        if (!wait_a_little(look_again)) return;
+        if (!wait_a_little()) return;
         const int before = file_;
         take_new_file();
         if (file_ != before) offset = 0;  // no half lines in the new file
@@ -213,10 +204,15 @@ void AuditLog::take_new_file() {
 }
 
 // False: the log comes to its end.
-bool AuditLog::wait_a_little(Clock::duration time) {
+bool AuditLog::wait_a_little() {
     std::unique_lock lock(mutex_);
-    if (stop_ && Clock::now() >= give_up_) return false;
-    work_.wait_for(lock, stop_ ? Clock::duration(10ms) : time, [&] { return stop_ || reopen_; });
+    if (!stop_) {
+        work_.wait_for(lock, look_again, [&] { return stop_ || reopen_; });
+        return true;
+    }
+    if (Clock::now() >= give_up_) return false;
+    lock.unlock();
+    std::this_thread::sleep_for(look_again / 10);
     return true;
 }
 

@@ -67,7 +67,7 @@ private:
     bool write_part(const std::string& line, std::size_t& offset);
     void write_unwritten();
     void take_new_file();
-    bool wait_a_little(Clock::duration time);
+    bool wait_a_little();
     void say_once_that_it_fails(int error);
 
     const std::string path_;

@@ -27,9 +27,10 @@ Error too_often(std::string_view what, Clock::duration wait) {
             static_cast<int>(to_ms(wait))};
 }
 
-// For whom tickets are counted: all who are anonymous are one subject, but not one person.
+// For whom tickets are counted: all who are anonymous are one subject, but not one person. The
+// words keep a subject apart that is written as an address is.
 std::string account_of(const Identity& who, std::string_view address) {
-    return who.anonymous ? network_of(address) : who.subject;
+    return who.anonymous ? "address " + network_of(address) : "subject " + who.subject;
 }
 std::string_view quota_subject_of(const Identity& who) {
     return who.anonymous ? std::string_view{} : std::string_view(who.subject);
@@ -146,7 +147,7 @@ Result<std::unique_ptr<Gate>> Gate::open(const Config& config) {
 Gate::Gate(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit)
     : rules_{.issuer = config.auth.issuer,
              .audience = config.auth.audience,
-             .leeway = std::chrono::seconds(static_cast<int>(config.auth.leeway_seconds))},
+             .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
       anonymous_role_(role_named(anonymous_role(config)).value_or(Role::none)),
       keys_(std::move(keys)),
       audit_(std::move(audit)),

@@ -4,10 +4,11 @@
 // right, quota and audit line goes by. A value; any thread.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/wall_time.h"
 
 namespace jostle::server {
 
@@ -25,7 +26,7 @@ struct Identity {
     std::string subject{anonymous_subject};  // the owner of the worlds that it creates
     Role role = Role::none;
     bool anonymous = true;
-    std::chrono::system_clock::time_point expires = std::chrono::system_clock::time_point::max();
+    WallTime expires = WallTime::max();
     std::string world;     // id or name of the only world that it may touch; empty: any
     std::string token_id;  // "jti", for the audit log; empty: the token has none
 };

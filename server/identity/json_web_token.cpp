@@ -17,7 +17,6 @@ using std::chrono::seconds;
 
 constexpr std::size_t depth_max = 4;
 constexpr std::size_t audiences_max = 32;
-constexpr double year_10000 = 253402300800;  // seconds; later than any clock that is right
 
 Error refused(std::string message) {
     return {ErrorCode::unauthenticated, std::move(message)};
@@ -48,12 +47,6 @@ Result<json> read_object(std::string_view encoded, const std::string& what) {
     return object;
 }
 
-// A member that is a string; null: it is missing or something else.
-const std::string* text_of(const json& object, const char* name) {
-    const auto at = object.find(name);
-    return at == object.end() ? nullptr : at->get_ptr<const std::string*>();
-}
-
 // The key that the header names.
 Result<const VerifyKey*> choose_key(const json& header, const VerifyKeys& keys) {
     const std::string* algorithm = text_of(header, "alg");
@@ -76,7 +69,7 @@ Result<std::optional<WallTime>> time_of(const json& claims, const char* name) {
     const auto at = claims.find(name);
     if (at == claims.end()) return std::optional<WallTime>();
     const double value = at->is_number() ? at->get<double>() : -1;
-    if (!(value >= 0 && value < year_10000))
+    if (!(value >= 0 && value < wall_seconds_max))
         return refused(std::string("the token's ") + name + " is no time in seconds since 1970");
     return std::optional(WallTime(seconds(static_cast<std::int64_t>(value))));
 }

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/wall_time.h"
 #include "identity/identity.h"
-#include "identity/moment.h"
 #include "identity/verify_key.h"
 #include "jostle/base/result.h"
 

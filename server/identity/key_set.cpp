@@ -22,29 +22,30 @@ Error broken(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
 
-// A member that is a string; empty: it is missing or something else.
-std::string text_of(const json& key, const char* name) {
-    const auto at = key.find(name);
-    return at != key.end() && at->is_string() ? at->get<std::string>() : std::string();
+// A member that is that text.
+bool says(const json& key, const char* name, std::string_view text) {
+    const std::string* found = text_of(key, name);
+    return found && *found == text;
 }
 
 // Why a key cannot check tokens; empty: it can.
 std::string why_not(const json& key) {
     if (!key.is_object()) return "it is no JSON object";
-    if (text_of(key, "kty") != "EC" || text_of(key, "crv") != "P-256")
+    if (!says(key, "kty", "EC") || !says(key, "crv", "P-256"))
         return "it is no EC key on the curve P-256";
     if (key.contains("d")) return "it is a private key, which belongs with the issuer alone";
-    if (key.contains("use") && text_of(key, "use") != "sig") return "its use is not sig";
-    if (key.contains("alg") && text_of(key, "alg") != "ES256") return "its alg is not ES256";
-    const std::string id = text_of(key, "kid");
-    if (id.empty() || id.size() > id_bytes_max) return "it has no kid of 1 to 256 bytes";
+    if (key.contains("use") && !says(key, "use", "sig")) return "its use is not sig";
+    if (key.contains("alg") && !says(key, "alg", "ES256")) return "its alg is not ES256";
+    const std::string* id = text_of(key, "kid");
+    if (!id || id->empty() || id->size() > id_bytes_max) return "it has no kid of 1 to 256 bytes";
     return {};
 }
 
 std::optional<VerifyKey> point_of(const json& key) {
-    const std::optional<std::string> x = from_base64url(text_of(key, "x")),
-                                     y = from_base64url(text_of(key, "y"));
-    return x && y ? VerifyKey::from_point(*x, *y) : std::nullopt;
+    const std::string *x = text_of(key, "x"), *y = text_of(key, "y");
+    if (!x || !y) return std::nullopt;
+    const std::optional<std::string> x_bytes = from_base64url(*x), y_bytes = from_base64url(*y);
+    return x_bytes && y_bytes ? VerifyKey::from_point(*x_bytes, *y_bytes) : std::nullopt;
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ Result<KeySetText> read_key_set(std::string_view text) {
             out.warnings.push_back(fmt::format("key {} is left out: {}", i + 1, fault));
             continue;
         }
-        if (!out.keys.emplace(text_of(key, "kid"), *point).second)
+        if (!out.keys.emplace(*text_of(key, "kid"), *point).second)
             return broken(fmt::format("key {} has the kid of one before it", i + 1));
     }
     if (out.keys.empty()) return broken("it holds no EC key on P-256 with a kid");

@@ -5,10 +5,9 @@
 #pragma once
 
 #include "base/clock.h"
+#include "base/wall_time.h"
 
 namespace jostle::server {
-
-using WallTime = std::chrono::system_clock::time_point;
 
 struct Moment {
     Clock::time_point steady;

@@ -16,6 +16,8 @@ template <class Value>
 class RecentMap {
 public:
     explicit RecentMap(std::size_t size_max) : size_max_(size_max) {}
+    RecentMap(const RecentMap&) = delete;  // places_ points into entries_
+    RecentMap& operator=(const RecentMap&) = delete;
 
     // The value of that key, made by `make()` if there is none. Good until the next call.
     template <class Make>

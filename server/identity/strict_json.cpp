@@ -2,7 +2,6 @@
 #include "identity/strict_json.h"
 
 #include <set>
-#include <string>
 #include <vector>
 
 namespace jostle::server {
@@ -59,6 +58,11 @@ Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t dept
     if (!nlohmann::json::sax_parse(text, &checker))
         return Error{ErrorCode::invalid_argument, checker.fault};
     return nlohmann::json::parse(text, nullptr, false);
+}
+
+const std::string* text_of(const nlohmann::json& object, const char* name) {
+    const auto at = object.find(name);
+    return at == object.end() ? nullptr : at->get_ptr<const std::string*>();
 }
 
 }  // namespace jostle::server

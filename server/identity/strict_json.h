@@ -5,6 +5,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 #include "jostle/base/result.h"
@@ -13,5 +14,8 @@ namespace jostle::server {
 
 // Errors say what is wrong and quote nothing of the text.
 Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t depth_max);
+
+// A member of an object that is a string; null: it is missing or something else.
+const std::string* text_of(const nlohmann::json& object, const char* name);
 
 }  // namespace jostle::server

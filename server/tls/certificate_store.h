@@ -25,7 +25,6 @@ namespace jostle::server {
 
 class CertificateStore {
 public:
-    using WallTime = std::chrono::system_clock::time_point;
     enum class Change { none, taken, refused };
 
     // The files must be good the first time.

@@ -18,8 +18,6 @@ namespace jostle::server {
 
 namespace {
 
-using WallTime = std::chrono::system_clock::time_point;
-
 constexpr std::size_t file_bytes_max = 1 << 20;
 constexpr std::size_t chain_max = 10;
 constexpr std::size_t client_cas_max = 100;
@@ -93,27 +91,22 @@ Result<Chain> read_certificates(const std::string& path, std::size_t count_max) 
     return chain;
 }
 
+// Certificates without an end are good until the year 9999.
 WallTime to_wall(const ASN1_TIME* time) {
     std::tm parts{};
     ASN1_TIME_to_tm(time, &parts);
-    return std::chrono::system_clock::from_time_t(::timegm(&parts));
-}
-
-std::string day_of(WallTime time) {
-    const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
-    std::tm parts{};
-    ::gmtime_r(&seconds, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
-    return text;
+    const std::time_t seconds = ::timegm(&parts);
+    return seconds < wall_seconds_max ? std::chrono::system_clock::from_time_t(seconds)
+                                      : WallTime::max();
 }
 
 Status check_times(const Chain& chain, const std::string& path, WallTime now) {
     for (const Certificate& one : chain) {
         const WallTime begins = to_wall(X509_get0_notBefore(one.get())),
                        ends = to_wall(X509_get0_notAfter(one.get()));
-        if (now < begins) return wrong(path, name_of(one) + " is good only from " + day_of(begins));
-        if (now >= ends) return wrong(path, name_of(one) + " has expired on " + day_of(ends));
+        if (now < begins)
+            return wrong(path, name_of(one) + " is good only from " + rfc3339(begins));
+        if (now >= ends) return wrong(path, name_of(one) + " has expired on " + rfc3339(ends));
     }
     return {};
 }
@@ -141,11 +134,14 @@ Status check_pair(const Chain& chain, const Key& key, const TlsSettings& files) 
     if (X509_check_purpose(own, X509_PURPOSE_SSL_SERVER, 0) != 1)
         return wrong(files.certificate, name_of(chain.front()) + " is not one for servers");
     const std::unique_ptr<SSL_CTX, FreeWith<SSL_CTX_free>> trial(SSL_CTX_new(TLS_server_method()));
-    if (!trial || SSL_CTX_use_certificate(trial.get(), own) != 1 ||
-        SSL_CTX_use_PrivateKey(trial.get(), key.get()) != 1)
-        return wrong(files.certificate, "OpenSSL does not take " + name_of(chain.front()) + ": " +
-                                            ERR_reason_error_string(ERR_peek_last_error()));
-    return {};
+    bool taken = trial && SSL_CTX_use_certificate(trial.get(), own) == 1 &&
+                 SSL_CTX_use_PrivateKey(trial.get(), key.get()) == 1;
+    for (std::size_t i = 1; taken && i < chain.size(); ++i)
+        taken = SSL_CTX_add1_chain_cert(trial.get(), chain[i].get()) == 1;
+    if (taken) return {};
+    const char* reason = ERR_reason_error_string(ERR_peek_last_error());
+    return wrong(files.certificate,
+                 std::string("OpenSSL does not take it: ") + (reason ? reason : "no reason given"));
 }
 
 Status check_authorities(const Chain& authorities, const std::string& path) {

@@ -52,7 +52,7 @@ struct CertificateDef {
     std::string name = "localhost";  // common name; servers are good for localhost and 127.0.0.1
     bool authority = false;
     std::string usage = "serverAuth";  // clientAuth for those of clients
-    int begins_in_s = -3600, ends_in_s = 86400;
+    std::int64_t begins_in_s = -3600, ends_in_s = 86400;
 };
 
 inline void add_extension(X509* certificate, X509* issuer, int kind, const std::string& value) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "grpc/health/v1/health.pb.h"
@@ -167,6 +168,26 @@ TEST(AccessTable, rights_are_these) {
         }
     }
     EXPECT_EQ(count, access_table().size()) << "a row is missing in this test";
+}
+
+// The line of docs/operations.md that is for that role.
+std::string documented(const std::string& rights) {
+    std::ifstream in(OPERATIONS_PAGE);
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with("| " + rights + " | `")) return line;
+    return {};
+}
+
+TEST(AccessTable, the_page_for_operators_has_every_row) {
+    for (const AccessRow& row : access_table()) {
+        std::string rights =
+            row.least == Role::none ? "everybody" : std::string(name_of(row.least));
+        if (row.scope == Scope::own_world) rights += ", own worlds";
+        std::string call(row.call);  // without its package
+        if (is_rpc(call)) call = call.substr(call.rfind('.', call.find('/')) + 1);
+        EXPECT_NE(documented(rights).find("`" + call + "`"), std::string::npos)
+            << row.call << " does not stand in the line of " << rights;
+    }
 }
 
 }  // namespace

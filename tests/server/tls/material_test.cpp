@@ -101,6 +101,13 @@ TEST_F(MaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
               0u);
 }
 
+TEST_F(MaterialTest, a_certificate_without_an_end_is_good) {
+    const TestCertificate endless = make_certificate({.ends_in_s = 250'000'000'000}, &root);
+    const Result<Material> material = read(endless.pem(), endless.key_pem());
+    ASSERT_TRUE(material.ok()) << material.error().message;
+    EXPECT_EQ(material->expires, WallTime::max()) << "in the year 9948";
+}
+
 TEST_F(MaterialTest, files_that_are_none_are_named) {
     EXPECT_EQ(fault_of("", leaf.key_pem()), "chain.pem: there is no certificate in PEM form");
     EXPECT_EQ(fault_of(leaf.pem(), ""), "key.pem: there is no private key in PEM form");
@@ -135,7 +142,7 @@ TEST_F(MaterialTest, certificates_of_clients_and_weak_ones_are_not_for_servers) 
     X509_set_pubkey(weak.x509.get(), weak.key.get());
     X509_sign(weak.x509.get(), middle.key.get(), EVP_sha256());
     EXPECT_EQ(fault_of(weak.pem(), weak.key_pem()),
-              "chain.pem: OpenSSL does not take the certificate of CN=localhost: ee key too small");
+              "chain.pem: OpenSSL does not take it: ee key too small");
 }
 
 TEST_F(MaterialTest, authorities_of_clients_are_checked_as_well) {

@@ -109,7 +109,7 @@ Status KeySet::read() {
     Result<KeySetText> read = read_key_set(*text);
     if (!read.ok()) return broken("the key set " + path_ + " is broken: " + read.error().message);
     for (const std::string& warning : read->warnings) log_warn("{}: {}", path_, warning);
-    log_info("{} keys for tokens are in force", read->keys.size());
+    log_info("keys for tokens in force: {}", read->keys.size());
     auto keys = std::make_shared<const VerifyKeys>(std::move(read->keys));
     const std::lock_guard lock(mutex_);
     keys_ = std::move(keys);

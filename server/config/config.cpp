@@ -65,8 +65,19 @@ Status check(const Config& c) {
         {"world.bodies_max", c.world.bodies_max, 1, 1000000},
         {"world.clients_max", c.world.clients_max, 1, 100000},
         {"world.command_queue_max", c.world.command_queue_max, 16, 1 << 20},
+        {"connection.total_max", c.connection.total_max, 8, 1 << 20},
+        {"connection.per_address_max", c.connection.per_address_max, 1, 1 << 20},
+        {"connection.bytes_per_second", c.connection.bytes_per_second, 1024, 1e10},
+        {"connection.burst_bytes", c.connection.burst_bytes, 65536, 1e10},
+        {"connection.idle_seconds", c.connection.idle_seconds, 1, 86400},
+        {"scene.joints_max", c.scene.joints_max, 0, 10000000},
+        {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},
+        {"scene.outline_bytes_max", c.scene.outline_bytes_max, 1024, 1e10},
+        {"scene.body_outline_bytes_max", c.scene.body_outline_bytes_max, 1024, 1 << 20},
+        {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
         {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
+        {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"stream.ack_window_min", c.stream.ack_window_min, 1, 1000},
         {"stream.ack_window_max", c.stream.ack_window_max, 1, 1000},
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
@@ -94,6 +105,8 @@ Status check(const Config& c) {
     if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
         return invalid("log_level is \"" + c.log_level +
                        "\"; it must be trace, debug, info, warn or error");
+    if (c.log_format != "text" && c.log_format != "json")
+        return invalid("log_format is \"" + c.log_format + "\"; it must be text or json");
     if (c.scenes.empty()) return invalid("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid("scenes names more worlds than world.worlds_max");

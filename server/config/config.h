@@ -30,11 +30,23 @@ struct WorldLimits {
     int command_queue_max = 8192;  // commands waiting for a tick; full: the input is refused
 };
 
+// What a scene may cost that is to be hosted (host/scene_budget.h says what each bounds).
+struct SceneLimits {
+    int joints_max = 20000;
+    int joints_per_pair_max = 64;
+    double outline_bytes_max = 32e6;
+    int body_outline_bytes_max = 65536;
+    double work_per_second_max = 2e8;
+};
+
 struct TickSettings {
     // When late, up to this many ticks run at once to catch up; what is later than that is skipped
     // and counted as late, so that a stall of the machine is not followed by a burst.
     int catch_up_max = 4;
     int physics_threads = 1;  // per world
+    // A step that takes longer is interrupted and its world paused, so that it holds up nobody
+    // else.
+    double step_seconds_max = 2;
 };
 
 struct StreamSettings {
@@ -79,6 +91,15 @@ struct QuotaSettings {
     bool operator==(const QuotaSettings&) const = default;
 };
 
+// Connections to one port. What a server can hold is what the system gives it in descriptors.
+struct ConnectionLimits {
+    int total_max = 4000;              // more are closed at once
+    int per_address_max = 512;         // of one IPv4 address or IPv6 /64
+    double bytes_per_second = 262144;  // what one may send in the long run; beyond it is cut
+    double burst_bytes = 16e6;         // what it may send at once: a few scenes
+    double idle_seconds = 300;         // without a call
+};
+
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
@@ -87,10 +108,16 @@ struct Config {
     std::vector<std::string> allowed_origins;       // pages from elsewhere that may use this server
     std::vector<std::string> allowed_hosts;         // own names, beside IP addresses and localhost
     std::string log_level = "info";                 // trace, debug, info, warn, error
-    double drain_seconds = 5;                       // after SIGTERM, for clients to leave
-    int network_threads = 1;                        // gRPC play streams; each owns its clients
+    std::string log_format = "text";                // text, json
+    // The host name that clients are sent to, for a server that listens on all addresses; empty:
+    // the name of the machine.
+    std::string advertise;
+    double drain_seconds = 5;  // after SIGTERM, for clients to leave
+    int network_threads = 1;   // gRPC play streams; each owns its clients
     ClientLimits client;
+    ConnectionLimits connection;
     WorldLimits world;
+    SceneLimits scene;
     TickSettings tick;
     StreamSettings stream;
     TlsSettings tls;

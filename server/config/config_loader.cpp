@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 namespace jostle::server {
 
@@ -63,6 +64,8 @@ Setters setters_of(Config& c) {
         {"allowed_hosts", into(c.allowed_hosts)},
         {"insecure", into(c.insecure)},
         {"log_level", into(c.log_level)},
+        {"log_format", into(c.log_format)},
+        {"advertise", into(c.advertise)},
         {"drain_seconds", into(c.drain_seconds)},
         {"network_threads", into(c.network_threads)},
         {"client.messages_per_second", into(c.client.messages_per_second)},
@@ -72,12 +75,23 @@ Setters setters_of(Config& c) {
         {"client.inputs_per_batch_max", into(c.client.inputs_per_batch_max)},
         {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
         {"client.keep_bodies_after_leave", into(c.client.keep_bodies_after_leave)},
+        {"connection.total_max", into(c.connection.total_max)},
+        {"connection.per_address_max", into(c.connection.per_address_max)},
+        {"connection.bytes_per_second", into(c.connection.bytes_per_second)},
+        {"connection.burst_bytes", into(c.connection.burst_bytes)},
+        {"connection.idle_seconds", into(c.connection.idle_seconds)},
+        {"scene.joints_max", into(c.scene.joints_max)},
+        {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},
+        {"scene.outline_bytes_max", into(c.scene.outline_bytes_max)},
+        {"scene.body_outline_bytes_max", into(c.scene.body_outline_bytes_max)},
+        {"scene.work_per_second_max", into(c.scene.work_per_second_max)},
         {"world.worlds_max", into(c.world.worlds_max)},
         {"world.bodies_max", into(c.world.bodies_max)},
         {"world.clients_max", into(c.world.clients_max)},
         {"world.command_queue_max", into(c.world.command_queue_max)},
         {"tick.catch_up_max", into(c.tick.catch_up_max)},
         {"tick.physics_threads", into(c.tick.physics_threads)},
+        {"tick.step_seconds_max", into(c.tick.step_seconds_max)},
         {"stream.ack_window_min", into(c.stream.ack_window_min)},
         {"stream.ack_window_max", into(c.stream.ack_window_max)},
         {"stream.hello_seconds", into(c.stream.hello_seconds)},
@@ -142,6 +156,26 @@ Status load_config_text(Config& config, const std::string& text, const std::stri
         return Error{ErrorCode::invalid_argument, name + ": " + s.error().message};
     config = changed;
     return {};
+}
+
+Status load_settings(Config& config, const std::vector<std::string>& settings) {
+    std::string lines;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos || setting.find('\n') != std::string::npos)
+            return Error{ErrorCode::invalid_argument,
+                         "\"" + setting + "\" is no KEY=VALUE, as in client.bodies_owned_max=10"};
+        const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
+        try {
+            static_cast<void>(toml::parse(setting));
+            lines += setting + "\n";
+        } catch (const toml::parse_error&) {
+            std::ostringstream text;
+            text << toml::value<std::string>(value);
+            lines += key + " = " + text.str() + "\n";
+        }
+    }
+    return load_config_text(config, lines, "--set");
 }
 
 Status load_config(Config& config, const std::string& path) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gateway/gateway.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
@@ -13,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/log.h"
 #include "gateway/http_session.h"
 #include "gateway/websocket_session.h"
 
@@ -105,7 +104,7 @@ void Gateway::Impl::accept() {
 void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     if (ending || error == asio::error::operation_aborted) return;
     if (error) {
-        spdlog::warn("http: cannot take a connection: {}", error.message());
+        log_warn("http: cannot take a connection: {}", error.message());
         accept_again.expires_after(accept_pause);
         accept_again.async_wait([this](beast::error_code stopped) {
             if (!stopped && !ending) accept();

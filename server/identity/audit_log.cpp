@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/log.h"
+#include "base/text.h"
 
 namespace jostle::server {
 
@@ -25,14 +26,6 @@ constexpr std::size_t queue_max = 4096;    // lines
 constexpr std::size_t piece_bytes = 4096;  // a pipe that is ready takes so much without waiting
 constexpr auto look_again = 100ms;         // at a file that takes nothing
 constexpr auto between_summaries = 1s;
-
-// At most 256 bytes, and no character in part.
-std::string clipped(std::string_view text) {
-    if (text.size() <= text_bytes_max) return std::string(text);
-    std::size_t end = text_bytes_max;
-    while (end > 0 && (text[end] & 0xc0) == 0x80) --end;  // not within a character
-    return std::string(text.substr(0, end));
-}
 
 // Beyond ASCII all is escaped, so that no terminal or reader is led astray by what it shows.
 std::string to_line(const nlohmann::ordered_json& json) {
@@ -55,7 +48,7 @@ std::string audit_line(const AuditEntry& e) {
           std::pair("subject", e.subject), std::pair("role", e.role),
           std::pair("token_id", e.token_id), std::pair("address", e.address),
           std::pair("call", e.call), std::pair("world", e.world), std::pair("reason", e.reason)})
-        json[name] = clipped(text);
+        json[name] = std::string(clip_utf8(text, text_bytes_max));
     return to_line(json);
 }
 

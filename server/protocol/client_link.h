@@ -12,6 +12,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,6 +71,7 @@ private:
 
     void check_timeouts(Clock::time_point now);
     void send(std::string message);
+    void drop_waiting();
     void finish(Status status, Clock::time_point now);
     void leave_world();
     void collect_results();
@@ -78,6 +80,7 @@ private:
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
     std::optional<OutMessage> take_events();
+    void tell_entities(const std::shared_ptr<const EntityList>& entities);
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
@@ -86,7 +89,8 @@ private:
     Clock::time_point last_received_;
     std::optional<Status> end_;
     Clock::time_point end_time_{};
-    std::deque<OutMessage> waiting_;  // to send, not yet taken; bounded
+    std::deque<OutMessage> waiting_;   // to send, not yet taken
+    std::size_t replies_waiting_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
 
     // From here on: of a client that sent its Hello.
@@ -105,6 +109,7 @@ private:
 
     BaselineTracker baselines_;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
+    std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     bool wants_events_ = false;
     std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;  // since the last that were sent

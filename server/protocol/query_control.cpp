@@ -64,6 +64,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
         case v1::Shape::kMesh:
         case v1::Shape::kHeightField:
         case v1::Shape::kCompound:
+        case v1::Shape::kGeometry:
         case v1::Shape::KIND_NOT_SET:
             return invalid(
                 fmt::format("{} is {}; ask with a sphere, capsule, box, cylinder, cone or hull",

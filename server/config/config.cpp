@@ -29,6 +29,26 @@ struct Range {
     double value, low, high;
 };
 
+// Settings that only make sense together, or with one of a few words.
+Status check_access(const Config& c) {
+    if (c.tls.certificate.empty() != c.tls.key.empty())
+        return invalid("tls.certificate and tls.key belong together; set both or neither");
+    if (!c.tls.client_ca.empty() && c.tls.certificate.empty())
+        return invalid("tls.client_ca is set without tls.certificate and tls.key");
+    if (!c.auth.keys.empty() && (c.auth.issuer.empty() || c.auth.audience.empty()))
+        return invalid(
+            "auth.keys is set without auth.issuer and auth.audience: say whose tokens for whom");
+    static constexpr std::array roles = {"", "none", "viewer", "player", "director", "admin"};
+    if (std::find(roles.begin(), roles.end(), c.auth.anonymous_role) == roles.end())
+        return invalid("auth.anonymous_role is \"" + c.auth.anonymous_role +
+                       "\"; it must be none, viewer, player, director or admin");
+    for (const std::string& host : c.allowed_hosts)
+        if (host.empty() || host.find_first_of("/ ") != std::string::npos)
+            return invalid("allowed_hosts names \"" + host +
+                           "\"; write a host's name alone, as play.example.org");
+    return {};
+}
+
 }  // namespace
 
 Status check(const Config& c) {
@@ -63,6 +83,14 @@ Status check(const Config& c) {
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
+        {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},
+        {"quota.creates_per_minute", c.quota.creates_per_minute, 1, 1e6},
+        {"quota.joins_per_minute", c.quota.joins_per_minute, 1, 1e6},
+        {"quota.queries_per_second", c.quota.queries_per_second, 1, 1e6},
+        {"quota.address_factor", c.quota.address_factor, 1, 1e6},
+        {"quota.refused_logins_per_minute", c.quota.refused_logins_per_minute, 1, 1e6},
+        {"quota.refusals_audited_per_minute", c.quota.refusals_audited_per_minute, 1, 1e6},
+        {"quota.buckets_max", c.quota.buckets_max, 100, 10'000'000},
     };
     for (const Range& r : ranges)
         if (!(r.low <= r.value && r.value <= r.high))
@@ -82,7 +110,7 @@ Status check(const Config& c) {
     if (c.scenes.empty()) return invalid("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid("scenes names more worlds than world.worlds_max");
-    return {};
+    return check_access(c);
 }
 
 Result<HostPort> parse_host_port(const std::string& address) {

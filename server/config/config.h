@@ -57,6 +57,40 @@ struct StreamSettings {
     double stats_per_second = 10;
 };
 
+// Certificates of both listeners, PEM; read again when they change.
+struct TlsSettings {
+    std::string certificate;  // the server's own, then what links it to its root
+    std::string key;          // without a passphrase
+    std::string client_ca;    // who shows a certificate of it is an admin
+
+    bool operator==(const TlsSettings&) const = default;
+};
+
+// Whose tokens are believed, and what those may do who show none (docs/security.md).
+struct AuthSettings {
+    std::string issuer, audience;  // "iss" and "aud" of every token
+    std::string keys;              // JWKS file; empty: no token is believed
+    std::string anonymous_role;    // none, viewer, player, director, admin; empty: see exposure.h
+    int leeway_seconds = 30;       // by which clocks may differ
+    std::string audit_log;         // a file; empty: standard error
+
+    bool operator==(const AuthSettings&) const = default;
+};
+
+// How much one subject may ask for; what flows in at once is a minute's worth, of queries a
+// second's. Who is anonymous is counted by address alone.
+struct QuotaSettings {
+    double creates_per_minute = 20;
+    double joins_per_minute = 120;
+    double queries_per_second = 100;
+    double address_factor = 10;  // an address may hold several people: so many times as much
+    double refused_logins_per_minute = 30;    // of an address, before its tokens are not looked at
+    double refusals_audited_per_minute = 60;  // of an address; the others are counted
+    int buckets_max = 20000;                  // counted subjects and addresses; the idlest goes
+
+    bool operator==(const QuotaSettings&) const = default;
+};
+
 // Connections to one port. What a server can hold is what the system gives it in descriptors.
 struct ConnectionLimits {
     int total_max = 4000;       // more are closed at once
@@ -74,6 +108,7 @@ struct Config {
     std::string web_root = "clients/web/dist";
     std::vector<std::string> scenes = {"sandbox"};  // one world each: catalogue names or files
     std::vector<std::string> allowed_origins;       // pages from elsewhere that may use this server
+    std::vector<std::string> allowed_hosts;         // own names, beside IP addresses and localhost
     std::string log_level = "info";                 // trace, debug, info, warn, error
     std::string log_format = "text";                // text, json
     // The host name that clients are sent to, for a server that listens on all addresses; empty:
@@ -87,6 +122,10 @@ struct Config {
     SceneLimits scene;
     TickSettings tick;
     StreamSettings stream;
+    TlsSettings tls;
+    AuthSettings auth;
+    QuotaSettings quota;
+    bool insecure = false;  // reachable by strangers without TLS or tokens, on purpose
 };
 
 // Errors name the key and its range.

@@ -11,6 +11,8 @@ if(JOSTLE_SERVER)
     find_package(spdlog REQUIRED)
     find_package(tomlplusplus REQUIRED)
     find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # headers only: linear_systems/
+    find_package(OpenSSL 3.0 REQUIRED)    # tokens and certificates
+    find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC)
     find_package(Protobuf 3.21 REQUIRED)  # MODULE mode: Debian ships no CONFIG for it
@@ -18,7 +20,6 @@ if(JOSTLE_RPC)
     find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC AND JOSTLE_SERVER)
-    find_package(OpenSSL 3.0 REQUIRED)    # gRPC's own
     find_package(CLI11 REQUIRED)
 endif()
 # Engines that jostle-bench compares Jostle with (MuJoCo, Box2D and Bullet's double precision: in accuracy and stability alone). Each is optional: without it the program says "not built in".

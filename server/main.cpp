@@ -16,7 +16,8 @@ constexpr const char* examples = R"(
 Examples:
   jostle-server                                   the sandbox; viewer at http://localhost:8080
   jostle-server --scene pyramid --scene my.json   two worlds, one from a scene file
-  jostle-server --config server.toml --log-level debug
+  jostle-server --scene a=pyramid --scene b=pyramid
+  jostle-server --config server.toml --log-level debug --set world.worlds_max=4
   jostle-server --config server.toml --health     exits with 0 when that server serves
 
 SIGTERM or Ctrl-C tells clients goodbye and exits with 0; a second one exits at once.
@@ -24,20 +25,23 @@ A flag wins over its environment variable, and that over the config file.
 Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 
 struct Flags {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
     bool list_scenes = false, health = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--scene", flags.scenes,
-                   "World to host: a scene's name or a scene file; may be given several times");
+                   "World to host: a scene's name or a scene file, with NAME= before it for a name "
+                   "of its own; may be given several times");
     app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one")
         ->envname("JOSTLE_LISTEN");
     app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT")
         ->envname("JOSTLE_HTTP");
     app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings")
         ->envname("JOSTLE_CONFIG");
+    app.add_option("--set", flags.settings,
+                   "A setting of the config file, KEY=VALUE, as in client.bodies_owned_max=10");
     app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
     app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error")
         ->envname("JOSTLE_LOG_LEVEL");
@@ -87,13 +91,18 @@ int main(int argc, char** argv) {
             return 2;
         }
     }
+    if (const auto set = jostle::server::load_settings(config, flags.settings); !set.ok()) {
+        std::fprintf(stderr, "jostle-server: %s\n", set.error().message.c_str());
+        return 2;
+    }
     overlay(config, flags);
     if (const auto checked = jostle::server::check(config); !checked.ok()) {
         std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());
         return 2;
     }
     if (flags.health) return jostle::server::run_health_probe(config);
-    spdlog::set_level(spdlog::level::from_str(config.log_level));
-    spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-    return jostle::server::run_server(config, flags.port_file);
+    jostle::server::start_log({.level = config.log_level, .json = config.log_format == "json"});
+    const int status = jostle::server::run_server(config, flags.port_file);
+    jostle::server::stop_log();
+    return status;
 }

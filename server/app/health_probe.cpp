@@ -136,7 +136,7 @@ Result<HealthTarget> health_target(const Config& config) {
     if (!grpc.ok()) return grpc.error();
     const Result<HostPort> http = reachable("http", config.http);
     if (!http.ok()) return http.error();
-    return HealthTarget{.grpc = *grpc, .http = *http};
+    return HealthTarget{.grpc = *grpc, .http = *http, .tls = !config.tls.certificate.empty()};
 }
 
 Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds patience) {

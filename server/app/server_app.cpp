@@ -1,22 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "app/server_app.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mutex>
+#include <optional>
+#include <random>
+#include <thread>
 
 #include "base/log.h"
 #include "gateway/gateway.h"
+#include "host/world_watch.h"
 #include "jostle/scenes/scene_file.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
 #include "rpc/grpc_server.h"
+#include "rpc/query_methods.h"
+#include "rpc/world_methods.h"
 
 namespace jostle::server {
 namespace {
@@ -25,6 +38,9 @@ namespace asio = boost::asio;
 
 constexpr auto poll_period = std::chrono::milliseconds(20);
 constexpr auto goodbye_time = std::chrono::milliseconds(100);
+// From the end of the drain: sockets, threads and worlds are taken down within this, or else.
+constexpr auto orderly_end_max = std::chrono::milliseconds(2500);
+constexpr int hard_exit_status = 3;
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
@@ -48,7 +64,13 @@ private:
 };
 
 WorldHostSettings host_settings(const Config& config, Wakers& wakers) {
-    return {.limits = {.bodies_max = config.world.bodies_max,
+    const SceneLimits& scene = config.scene;
+    return {.limits = {.scene = {.bodies_max = config.world.bodies_max,
+                                 .joints_max = scene.joints_max,
+                                 .joints_per_pair_max = scene.joints_per_pair_max,
+                                 .outline_bytes_max = scene.outline_bytes_max,
+                                 .body_outline_bytes_max = scene.body_outline_bytes_max,
+                                 .work_per_second_max = scene.work_per_second_max},
                        .bodies_owned_max = config.client.bodies_owned_max},
             .command_queue_max = config.world.command_queue_max,
             .catch_up_max = config.tick.catch_up_max,
@@ -56,16 +78,51 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers) {
             .on_frame = [&wakers] { wakers.wake(); }};
 }
 
+// "pyramid", "my.json" or, for a name of its own, "arena=pyramid".
 Status start_worlds(const Config& config, WorldDirectory& worlds) {
-    for (const std::string& name : config.scenes) {
+    for (const std::string& wanted : config.scenes) {
         const auto failed = [&](const Error& error) {
-            return Error{error.code, fmt::format("scene \"{}\": {}", name, error.message)};
+            return Error{error.code, fmt::format("scene \"{}\": {}", wanted, error.message)};
         };
-        const auto scene = scenes::load_scene(name);
+        const std::size_t equals = wanted.find('=');
+        const bool named = equals != std::string::npos;
+        const auto scene = scenes::load_scene(named ? wanted.substr(equals + 1) : wanted);
         if (!scene.ok()) return failed(scene.error());
-        if (const auto world = worlds.create({}, *scene); !world.ok()) return failed(world.error());
+        if (const auto world = worlds.create(named ? wanted.substr(0, equals) : "", *scene);
+            !world.ok())
+            return failed(world.error());
     }
     return {};
+}
+
+// What tells this process's worlds from those of another one behind the same address.
+std::string process_word() {
+    std::random_device random;
+    return fmt::format("{:08x}", static_cast<std::uint32_t>(random()));
+}
+
+// Below what the process can have, of which HTTP, worlds and files take their part.
+ConnectionTableLimits connection_limits(const ConnectionLimits& wanted) {
+    rlimit limit{};
+    const bool known = getrlimit(RLIMIT_NOFILE, &limit) == 0;
+    constexpr rlim_t others = 1200;
+    const rlim_t most = known && limit.rlim_cur > 2 * others ? limit.rlim_cur - others
+                        : known                              ? limit.rlim_cur / 2
+                                                             : 512;
+    return {.total_max = std::min(static_cast<std::size_t>(wanted.total_max),
+                                  static_cast<std::size_t>(most)),
+            .per_address_max = static_cast<std::size_t>(wanted.per_address_max),
+            .unread_bytes_max = wanted.unread_bytes_max,
+            .unread_total_max = wanted.unread_total_bytes_max};
+}
+
+// As many descriptors as the system lets us have: running out of them deafens a server.
+void raise_descriptor_limit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
+    limit.rlim_cur = limit.rlim_max;
+    if (setrlimit(RLIMIT_NOFILE, &limit) != 0)
+        log_warn("cannot raise the limit of open files above {}", limit.rlim_cur);
 }
 
 // As given; when that leads nowhere from the current folder, as seen from the project that the
@@ -82,9 +139,13 @@ std::filesystem::path find_web_root(const std::string& given) {
     return given;
 }
 
-// What a person types to reach a server that listens on all addresses.
-std::string reachable(const std::string& host) {
-    if (host == "0.0.0.0" || host == "::") return "localhost";
+// What others type to reach a server that listens there.
+std::string reachable(const std::string& host, const std::string& advertise) {
+    if (!advertise.empty()) return advertise;
+    if (host == "0.0.0.0" || host == "::") {
+        char name[256] = {};
+        return gethostname(name, sizeof name - 1) == 0 ? name : "localhost";
+    }
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
@@ -115,7 +176,7 @@ private:
     void begin() {
         log_info("going down: telling {} clients", context_.sessions.clients());
         context_.draining = true;
-        grpc_.drain();
+        grpc_.drain(drain_);
         grpc_.wake();
         gateway_.wake();
         signals_.async_wait([this](const boost::system::error_code& error, int) {
@@ -149,39 +210,84 @@ private:
     Clock::time_point deadline_{};
 };
 
+// Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
+class HardExit {
+public:
+    explicit HardExit(Clock::duration patience)
+        : thread_([this, patience] {
+              std::unique_lock lock(mutex_);
+              if (ended_.wait_for(lock, patience, [this] { return done_; })) return;
+              log_error("something did not end in time: exit at once");
+              stop_log();
+              std::_Exit(hard_exit_status);
+          }) {}
+    ~HardExit() {
+        {
+            const std::lock_guard lock(mutex_);
+            done_ = true;
+        }
+        ended_.notify_all();
+        thread_.join();
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool done_ = false;
+    std::thread thread_;
+};
+
 }  // namespace
 
 int run_server(const Config& config, const std::string& port_file) {
     Wakers wakers;
     SessionDirectory sessions(config.world.clients_max);
-    WorldDirectory worlds(host_settings(config, wakers), config.world.worlds_max);
+    raise_descriptor_limit();
+    WorldDirectory worlds(host_settings(config, wakers), config.world.worlds_max, process_word());
     const auto failed = [](const Error& error) {
         log_error("{}", error.message);
         return 1;
     };
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
+    WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
     const QueryControl queries(context);
+    const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
     const HttpRoutes routes(control, queries,
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
-                             .is_ready = [&] { return !context.draining.load(); }});
+                             .is_draining = [&] { return context.draining.load(); },
+                             .trouble = [&]() -> std::optional<std::string> {
+                                 const Clock::time_point now = Clock::now();
+                                 if (!watch.all_tick(now)) return "a tick hangs";
+                                 return grpc_to_ask ? grpc_to_ask->trouble(now) : std::nullopt;
+                             }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
-    GrpcServer grpc(
-        context, control, queries,
-        {.host = listen.host, .port = listen.port, .network_threads = config.network_threads});
+    std::vector<CallMethod> methods = world_methods(control);
+    std::ranges::move(query_methods(queries), std::back_inserter(methods));
+    const auto is_healthy = [&] { return watch.all_tick(Clock::now()); };
+    GrpcServer grpc(context, std::move(methods), is_healthy,
+                    {.host = listen.host,
+                     .port = listen.port,
+                     .network_threads = config.network_threads,
+                     .connections = connection_limits(config.connection),
+                     .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,
         {.host = http.host,
          .port = http.port,
+         .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
+    grpc_to_ask = &grpc;
     if (Status s = gateway.start(); !s.ok()) return failed(s.error());
-    const std::string web = fmt::format("{}:{}", reachable(http.host), gateway.port());
-    control.set_addresses({.grpc = fmt::format("{}:{}", reachable(listen.host), grpc.port()),
-                           .websocket = "ws://" + web + "/play"});
+    const std::string web =
+        fmt::format("{}:{}", reachable(http.host, config.advertise), gateway.port());
+    control.set_addresses(
+        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertise), grpc.port()),
+         .websocket = "ws://" + web + "/play"});
     wakers.set(&grpc, &gateway);
     if (Status s = write_ports(port_file, grpc.port(), gateway.port()); !s.ok()) {
         wakers.set(nullptr, nullptr);
@@ -191,6 +297,7 @@ int run_server(const Config& config, const std::string& port_file) {
 
     Shutdown(config.drain_seconds, grpc, gateway, context).wait();
 
+    const HardExit hard_exit(orderly_end_max);
     wakers.set(nullptr, nullptr);
     gateway.stop();
     grpc.stop();

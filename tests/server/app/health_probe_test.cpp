@@ -7,10 +7,8 @@
 #include <gmock/gmock.h>
 #include <grpcpp/server_builder.h>
 #include <gtest/gtest.h>
-#include <openssl/evp.h>
-#include <openssl/pem.h>
-#include <openssl/x509.h>
 
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/read_until.hpp>
@@ -21,15 +19,18 @@
 
 #include "base/clock.h"
 #include "gateway/gateway.h"
+#include "grpc/health/v1/health.grpc.pb.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
 #include "rpc/grpc_server.h"
+#include "support/certificates.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
 using testing::HasSubstr;
+using testing::StartsWith;
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
@@ -44,7 +45,8 @@ public:
         gateway_.stop();
         grpc_.stop();
     }
-    void drain() { grpc_.drain(); }
+    void fall_ill() { healthy_ = false; }
+    void drain() { grpc_.drain(1s); }
     HealthTarget target() const {
         return {.grpc = {"127.0.0.1", grpc_.port()},
                 .http = {"127.0.0.1", static_cast<std::uint16_t>(gateway_.port())}};
@@ -57,12 +59,14 @@ private:
     PlayContext context_{.config = config_, .worlds = worlds_, .sessions = sessions_};
     WorldControl control_{context_};
     const QueryControl queries_{context_};
-    const HttpRoutes routes_{
-        control_, queries_, {.web_root = ".", .allowed_origins = {}, .is_ready = [] {
-                                 return true;
-                             }}};
-    GrpcServer grpc_{
-        context_, control_, queries_, {.host = "127.0.0.1", .port = 0, .network_threads = 1}};
+    const HttpRoutes routes_{control_,
+                             queries_,
+                             {.web_root = ".",
+                              .allowed_origins = {},
+                              .is_draining = [] { return false; },
+                              .trouble = [] { return std::nullopt; }}};
+    std::atomic<bool> healthy_{true};
+    GrpcServer grpc_{context_, {}, [this] { return healthy_.load(); }, {.port = 0}};
     Gateway gateway_{context_, routes_, {.host = "127.0.0.1", .port = 0}};
 };
 
@@ -125,10 +129,13 @@ TEST(HealthProbe, a_server_whose_doors_both_serve_is_healthy) {
                           "/healthz serve");
 }
 
-TEST(HealthProbe, one_that_goes_down_is_not) {
+TEST(HealthProbe, one_whose_ticks_hang_or_that_goes_down_is_not) {
     Doors doors;
+    const std::string grpc = "gRPC on " + text(doors.target().grpc) + ": ";
+    doors.fall_ill();
+    EXPECT_EQ(error_of(doors.target()), grpc + "NOT_SERVING");
     doors.drain();
-    EXPECT_EQ(error_of(doors.target()), "gRPC on " + text(doors.target().grpc) + ": NOT_SERVING");
+    EXPECT_THAT(error_of(doors.target()), StartsWith(grpc));
 }
 
 TEST(HealthProbe, a_shut_door_is_told_at_once) {
@@ -183,48 +190,23 @@ TEST(HealthProbe, what_listens_everywhere_is_asked_on_loopback) {
     EXPECT_THAT(health_target(config).error().message, HasSubstr("http is 127.0.0.1:0"));
 }
 
-// A key and a certificate for a name that is not loopback's, signed by itself.
-struct Identity {
-    std::string key, certificate;
+// gRPC's health service, serving.
+class Serving final : public grpc::health::v1::Health::Service {
+    grpc::Status Check(grpc::ServerContext*, const grpc::health::v1::HealthCheckRequest*,
+                       grpc::health::v1::HealthCheckResponse* response) override {
+        response->set_status(grpc::health::v1::HealthCheckResponse::SERVING);
+        return grpc::Status::OK;
+    }
 };
 
-std::string contents(BIO* bio) {
-    char* bytes = nullptr;
-    const auto size = BIO_get_mem_data(bio, &bytes);
-    std::string out(bytes, static_cast<std::size_t>(size));
-    BIO_free(bio);
-    return out;
-}
-
-Identity make_identity() {
-    EVP_PKEY* key = EVP_EC_gen("P-256");
-    X509* certificate = X509_new();
-    X509_set_version(certificate, X509_VERSION_3);
-    ASN1_INTEGER_set(X509_get_serialNumber(certificate), 1);
-    X509_gmtime_adj(X509_getm_notBefore(certificate), 0);
-    X509_gmtime_adj(X509_getm_notAfter(certificate), 3600);
-    X509_set_pubkey(certificate, key);
-    X509_NAME* name = X509_get_subject_name(certificate);
-    const auto* common_name = reinterpret_cast<const unsigned char*>("play.example.org");
-    X509_NAME_add_entry_by_txt(name, "CN", MBSTRING_ASC, common_name, -1, -1, 0);
-    X509_set_issuer_name(certificate, name);
-    X509_sign(certificate, key, EVP_sha256());
-    BIO* key_text = BIO_new(BIO_s_mem());
-    PEM_write_bio_PrivateKey(key_text, key, nullptr, nullptr, 0, nullptr, nullptr);
-    BIO* certificate_text = BIO_new(BIO_s_mem());
-    PEM_write_bio_X509(certificate_text, certificate);
-    X509_free(certificate);
-    EVP_PKEY_free(key);
-    return {contents(key_text), contents(certificate_text)};
-}
-
-// The server's certificate names play.example.org: on loopback the probe does not insist.
+// The certificate is signed by nobody that is known, and has expired: to start the server anew, as
+// who probes it would, mends neither.
 TEST(HealthProbe, doors_that_speak_tls_are_understood) {
-    const Identity identity = make_identity();
-    HealthService service({});
-    service.set_serving(true);
+    const test::TestCertificate certificate =
+        test::make_certificate({.name = "play.example.org", .ends_in_s = -10});
+    Serving service;
     grpc::SslServerCredentialsOptions options;
-    options.pem_key_cert_pairs.push_back({identity.key, identity.certificate});
+    options.pem_key_cert_pairs.push_back({certificate.key_pem(), certificate.pem()});
     int port = 0;
     grpc::ServerBuilder builder;
     builder.AddListeningPort("127.0.0.1:0", grpc::SslServerCredentials(options), &port);
@@ -232,8 +214,8 @@ TEST(HealthProbe, doors_that_speak_tls_are_understood) {
     const auto grpc = builder.BuildAndStart();
 
     asio::ssl::context tls(asio::ssl::context::tls_server);
-    tls.use_private_key(asio::buffer(identity.key), asio::ssl::context::pem);
-    tls.use_certificate_chain(asio::buffer(identity.certificate));
+    tls.use_private_key(asio::buffer(certificate.key_pem()), asio::ssl::context::pem);
+    tls.use_certificate_chain(asio::buffer(certificate.pem()));
     const Answer http("HTTP/1.1 200 OK\r\nContent-Length: 3\r\n\r\nok\n", &tls);
 
     const HealthTarget target{.grpc = {"127.0.0.1", static_cast<std::uint16_t>(port)},

@@ -7,6 +7,7 @@
 #include "app/server_app.h"
 #include "base/log.h"
 #include "config/config_loader.h"
+#include "config/exposure.h"
 #include "jostle/scenes/catalog.h"
 
 namespace {
@@ -24,7 +25,7 @@ Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 struct Flags {
     std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
-    bool list_scenes = false;
+    bool list_scenes = false, insecure = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -39,6 +40,8 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
     app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error");
     app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
+    app.add_flag("--insecure", flags.insecure,
+                 "Lets strangers in: listens beyond this machine without TLS and tokens");
     app.add_flag("--list-scenes", flags.list_scenes,
                  "Names every scene of the catalogue and exits");
     app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION);
@@ -51,6 +54,7 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
         if (!flag.empty()) setting = flag;
     };
     if (!flags.scenes.empty()) config.scenes = flags.scenes;
+    if (flags.insecure) config.insecure = true;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
     take(config.web_root, flags.web_root);
@@ -86,7 +90,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     overlay(config, flags);
-    if (const auto checked = jostle::server::check(config); !checked.ok()) {
+    jostle::Status checked = jostle::server::check(config);
+    if (checked.ok()) checked = jostle::server::check_exposure(config);
+    if (!checked.ok()) {
         std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());
         return 2;
     }

@@ -30,6 +30,7 @@
 #include "rpc/grpc_server.h"
 #include "rpc/query_methods.h"
 #include "rpc/world_methods.h"
+#include "tls/certificate_store.h"
 
 namespace jostle::server {
 namespace {
@@ -210,6 +211,48 @@ private:
     Clock::time_point deadline_{};
 };
 
+// Looks every second whether keys and certificates have changed, and reads them at once on SIGHUP.
+class Rereader {
+public:
+    Rereader(Gate& gate, CertificateStore* certificates)
+        : gate_(gate), certificates_(certificates), thread_([this] {
+              wait_for_signal();
+              look_again();
+              io_.run();
+          }) {}
+    ~Rereader() {
+        io_.stop();
+        thread_.join();
+    }
+
+private:
+    void wait_for_signal() {
+        signals_.async_wait([this](const boost::system::error_code& error, int) {
+            if (error) return;
+            log_info("SIGHUP: keys and certificates are read again");
+            gate_.reload();
+            if (certificates_) certificates_->reload(std::chrono::system_clock::now());
+            wait_for_signal();
+        });
+    }
+    void look_again() {
+        timer_.expires_after(std::chrono::seconds(1));
+        timer_.async_wait([this](const boost::system::error_code& error) {
+            if (error) return;
+            gate_.poll();
+            if (certificates_) certificates_->poll(std::chrono::system_clock::now());
+            look_again();
+        });
+    }
+
+    Gate& gate_;
+    CertificateStore* const certificates_;
+    asio::io_context io_{1};
+    asio::signal_set signals_{io_, SIGHUP};
+    asio::steady_timer timer_{io_};
+    std::thread thread_;  // the last, so that all of the above is there
+};
+
 // Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
 class HardExit {
 public:
@@ -251,13 +294,23 @@ int run_server(const Config& config, const std::string& port_file) {
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
     WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const auto opened = Gate::open(config);
+    if (!opened.ok()) return failed(opened.error());
+    Gate& gate = **opened;
+    std::unique_ptr<CertificateStore> certificates;
+    if (!config.tls.certificate.empty()) {
+        auto store = CertificateStore::open(config.tls, std::chrono::system_clock::now());
+        if (!store.ok()) return failed(store.error());
+        certificates = *std::move(store);
+    }
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = gate};
     WorldControl control(context);
     const QueryControl queries(context);
     const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
     const HttpRoutes routes(control, queries,
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
+                             .allowed_hosts = config.allowed_hosts,
                              .is_draining = [&] { return context.draining.load(); },
                              .trouble = [&]() -> std::optional<std::string> {
                                  const Clock::time_point now = Clock::now();
@@ -265,19 +318,21 @@ int run_server(const Config& config, const std::string& port_file) {
                                  return grpc_to_ask ? grpc_to_ask->trouble(now) : std::nullopt;
                              }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
-    std::vector<CallMethod> methods = world_methods(control);
-    std::ranges::move(query_methods(queries), std::back_inserter(methods));
+    std::vector<CallMethod> methods = world_methods(control, worlds);
+    std::ranges::move(query_methods(queries, worlds), std::back_inserter(methods));
     const auto is_healthy = [&] { return watch.all_tick(Clock::now()); };
     GrpcServer grpc(context, std::move(methods), is_healthy,
                     {.host = listen.host,
                      .port = listen.port,
                      .network_threads = config.network_threads,
+                     .certificates = certificates.get(),
                      .connections = connection_limits(config.connection),
                      .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,
         {.host = http.host,
          .port = http.port,
+         .certificates = certificates.get(),
          .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
@@ -293,9 +348,13 @@ int run_server(const Config& config, const std::string& port_file) {
         wakers.set(nullptr, nullptr);
         return failed(s.error());
     }
-    log_info("gRPC on {}:{}, viewer at http://{}", listen.host, grpc.port(), web);
+    log_info("gRPC on {}:{}, viewer at {}://{}", listen.host, grpc.port(),
+             certificates ? "https" : "http", web);
 
-    Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+    {
+        const Rereader rereader(gate, certificates.get());
+        Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+    }
 
     const HardExit hard_exit(orderly_end_max);
     wakers.set(nullptr, nullptr);

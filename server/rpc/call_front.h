@@ -37,7 +37,8 @@ struct CallLimits {
 
 class CallFront {
 public:
-    CallFront(std::vector<CallMethod> methods, CallLimits limits);
+    // The gate outlives the front.
+    CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits);
     ~CallFront();
 
     grpc::AsyncGenericService& service() { return service_; }
@@ -64,9 +65,12 @@ private:
     void finish(Call& call, const Status& status);
     void tell_watches();
     void housekeep(Clock::time_point now);
-    Status admit(const Call& call) const;
+    Status admit(Call& call) const;
+    Status let_in(Call& call) const;
+    CallContext context_of(const Call& call) const;
 
     const std::map<std::string, CallMethod> methods_;  // by path
+    Gate& gate_;
     const CallLimits limits_;
     grpc::AsyncGenericService service_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;

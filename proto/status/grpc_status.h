@@ -29,7 +29,6 @@ inline constexpr GrpcCode grpc_codes[] = {
     {ErrorCode::deadline_exceeded, grpc::StatusCode::DEADLINE_EXCEEDED},
     {ErrorCode::aborted, grpc::StatusCode::ABORTED},
     {ErrorCode::unavailable, grpc::StatusCode::UNAVAILABLE},
-    {ErrorCode::unimplemented, grpc::StatusCode::UNIMPLEMENTED},
     {ErrorCode::internal, grpc::StatusCode::INTERNAL},
 };
 

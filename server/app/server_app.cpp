@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -14,7 +15,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -25,6 +28,8 @@
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
 #include "rpc/grpc_server.h"
+#include "rpc/query_methods.h"
+#include "rpc/world_methods.h"
 
 namespace jostle::server {
 namespace {
@@ -96,6 +101,21 @@ std::string process_word() {
     return fmt::format("{:08x}", static_cast<std::uint32_t>(random()));
 }
 
+// Below what the process can have, of which HTTP, worlds and files take their part.
+ConnectionTableLimits connection_limits(const ConnectionLimits& wanted) {
+    rlimit limit{};
+    const bool known = getrlimit(RLIMIT_NOFILE, &limit) == 0;
+    constexpr rlim_t others = 1200;
+    const rlim_t most = known && limit.rlim_cur > 2 * others ? limit.rlim_cur - others
+                        : known                              ? limit.rlim_cur / 2
+                                                             : 512;
+    return {.total_max = std::min(static_cast<std::size_t>(wanted.total_max),
+                                  static_cast<std::size_t>(most)),
+            .per_address_max = static_cast<std::size_t>(wanted.per_address_max),
+            .unread_bytes_max = wanted.unread_bytes_max,
+            .unread_total_max = wanted.unread_total_bytes_max};
+}
+
 // As many descriptors as the system lets us have: running out of them deafens a server.
 void raise_descriptor_limit() {
     rlimit limit{};
@@ -156,7 +176,7 @@ private:
     void begin() {
         log_info("going down: telling {} clients", context_.sessions.clients());
         context_.draining = true;
-        grpc_.drain();
+        grpc_.drain(drain_);
         grpc_.wake();
         gateway_.wake();
         signals_.async_wait([this](const boost::system::error_code& error, int) {
@@ -234,21 +254,34 @@ int run_server(const Config& config, const std::string& port_file) {
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
     const QueryControl queries(context);
-    const HttpRoutes routes(
-        control, queries,
-        {.web_root = find_web_root(config.web_root),
-         .allowed_origins = config.allowed_origins,
-         .is_ready = [&] { return !context.draining.load() && watch.all_tick(Clock::now()); }});
+    const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
+    const HttpRoutes routes(control, queries,
+                            {.web_root = find_web_root(config.web_root),
+                             .allowed_origins = config.allowed_origins,
+                             .is_draining = [&] { return context.draining.load(); },
+                             .trouble = [&]() -> std::optional<std::string> {
+                                 const Clock::time_point now = Clock::now();
+                                 if (!watch.all_tick(now)) return "a tick hangs";
+                                 return grpc_to_ask ? grpc_to_ask->trouble(now) : std::nullopt;
+                             }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
-    GrpcServer grpc(
-        context, control, queries,
-        {.host = listen.host, .port = listen.port, .network_threads = config.network_threads});
+    std::vector<CallMethod> methods = world_methods(control);
+    std::ranges::move(query_methods(queries), std::back_inserter(methods));
+    const auto is_healthy = [&] { return watch.all_tick(Clock::now()); };
+    GrpcServer grpc(context, std::move(methods), is_healthy,
+                    {.host = listen.host,
+                     .port = listen.port,
+                     .network_threads = config.network_threads,
+                     .connections = connection_limits(config.connection),
+                     .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,
         {.host = http.host,
          .port = http.port,
+         .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
+    grpc_to_ask = &grpc;
     if (Status s = gateway.start(); !s.ok()) return failed(s.error());
     const std::string web =
         fmt::format("{}:{}", reachable(http.host, config.advertise), gateway.port());

@@ -100,6 +100,7 @@ private:
 };
 
 std::shared_ptr<LineWriter> writer;
+std::uint64_t overruns_before = 0;  // of the queue, when it was stopped
 
 }  // namespace
 
@@ -107,6 +108,7 @@ void start_log(const LogSettings& settings) {
     std::signal(SIGPIPE, SIG_IGN);
     spdlog::init_thread_pool(queue_lines, 1);
     writer = std::make_shared<LineWriter>(settings.descriptor, settings.json);
+    overruns_before = 0;
     const auto logger = std::make_shared<spdlog::async_logger>(
         "jostle", writer, spdlog::thread_pool(), spdlog::async_overflow_policy::overrun_oldest);
     logger->set_level(spdlog::level::from_str(settings.level));
@@ -114,14 +116,20 @@ void start_log(const LogSettings& settings) {
 }
 
 void stop_log() {
-    if (!writer) return;
+    const auto pool = spdlog::thread_pool();
+    if (!pool) return;
     writer->close_soon();
-    spdlog::shutdown();  // the queue, then the thread
+    overruns_before = pool->overrun_counter();
+    // Whoever still logs does so without a queue; the last holder of the pool empties it.
+    spdlog::drop("jostle");
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>(
+        "late", std::make_shared<LineWriter>(STDOUT_FILENO, false)));
+    spdlog::details::registry::instance().set_tp(nullptr);
 }
 
 std::uint64_t log_lines_dropped() {
     const auto pool = spdlog::thread_pool();
-    return (writer ? writer->dropped() : 0) + (pool ? pool->overrun_counter() : 0);
+    return (writer ? writer->dropped() : 0) + (pool ? pool->overrun_counter() : overruns_before);
 }
 
 }  // namespace jostle::server

@@ -93,11 +93,13 @@ struct QuotaSettings {
 
 // Connections to one port. What a server can hold is what the system gives it in descriptors.
 struct ConnectionLimits {
-    int total_max = 4000;              // more are closed at once
-    int per_address_max = 512;         // of one IPv4 address or IPv6 /64
-    double bytes_per_second = 262144;  // what one may send in the long run; beyond it is cut
-    double burst_bytes = 16e6;         // what it may send at once: a few scenes
-    double idle_seconds = 300;         // without a call
+    int total_max = 4000;       // more are closed at once
+    int per_address_max = 512;  // of one IPv4 address or IPv6 /64
+    // Sent but not (yet) a message: of one connection, and of all together. Beyond it the one with
+    // the most is cut.
+    double unread_bytes_max = 8e6;
+    double unread_total_bytes_max = 64e6;
+    double idle_seconds = 300;  // without a call
 };
 
 struct Config {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What each HTTP path answers: health, worlds and queries as JSON, the viewer's files. Knows
-// nothing of sockets. Any thread may call answer(); requests under /api may take as long as
-// building a world, so the gateway calls them on its worker.
+// nothing of sockets. Any thread may call answer(), which may take as long as building a world.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +23,9 @@ struct RouteSettings {
     std::filesystem::path web_root;
     // Pages of these origins ("https://play.example.org") may use the server besides its own.
     std::vector<std::string> allowed_origins;
-    std::function<bool()> is_ready;  // false before the first world runs and while draining
+    std::function<bool()> is_draining;
+    // What is wrong with the server; nothing: it is well.
+    std::function<std::optional<std::string>()> trouble;
 };
 
 class HttpRoutes {
@@ -32,7 +34,11 @@ public:
     HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
     HttpResponse answer(const HttpRequest& request) const;
-    static bool may_take_long(const HttpRequest& request);
+    // Who answers: the gateway's own thread, or one for what asks worlds or changes them.
+    enum class Work { at_once, asks, changes };
+    static Work work_of(const HttpRequest& request);
+    // Whether the request may have a body as large as a scene.
+    static bool takes_large_body(const HttpRequest& request);
 
     // A browser sends Origin with every WebSocket and every request that changes something. A page
     // from elsewhere must not use the visitor's browser to reach a server that only the visitor can

@@ -28,7 +28,6 @@ inline constexpr HttpCode http_codes[] = {
     {ErrorCode::deadline_exceeded, 504, "DEADLINE_EXCEEDED"},
     {ErrorCode::aborted, 409, "ABORTED"},
     {ErrorCode::unavailable, 503, "UNAVAILABLE"},
-    {ErrorCode::unimplemented, 501, "UNIMPLEMENTED"},
     {ErrorCode::internal, 500, "INTERNAL"},
 };
 

@@ -10,8 +10,6 @@ namespace jostle::server {
 namespace {
 
 constexpr auto period = std::chrono::milliseconds(100);
-// Not looked for so long: the process or the machine stood still, and so did the worlds.
-constexpr auto pause_of_ours = std::chrono::milliseconds(500);
 
 }  // namespace
 

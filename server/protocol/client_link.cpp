@@ -216,6 +216,18 @@ void ClientLink::on_peer_closed(Clock::time_point now) {
     if (!end_) finish({}, now);
 }
 
+void ClientLink::on_fault(Clock::time_point now) {
+    drop_waiting();
+    results_.clear();
+    finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
+}
+
+void ClientLink::on_pause(Clock::duration pause) {
+    begun_ += pause;
+    last_received_ += pause;
+    if (writing_since_) *writing_since_ += pause;
+}
+
 // --- how it ends ---
 
 void ClientLink::refuse(Error error, Clock::time_point now) {
@@ -294,6 +306,7 @@ void ClientLink::drop_waiting() {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    writing_since_.reset();
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
         if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
@@ -314,7 +327,13 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
 
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
+    if (!writing_since_) writing_since_ = now;
     check_timeouts(now);
+    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
+        refuse(Error{ErrorCode::resource_exhausted,
+                     fmt::format("nothing was read for {:g} s",
+                                 context_.config.stream.silence_seconds)},
+               now);
     if (feed_ && !end_) collect_results();
 }
 

@@ -43,6 +43,10 @@ public:
     void on_peer_closed(Clock::time_point now);
     // The transport met what it cannot take: a notice, then the end.
     void refuse(Error error, Clock::time_point now);
+    // A message could not be read or made by a fault of ours: nothing is sent any more.
+    void on_fault(Clock::time_point now);
+    // We did not listen for so long: that was not the client's silence.
+    void on_pause(Clock::duration pause);
 
     // The next message to write. Nothing: call again when a message arrived, a world has a new
     // frame or time passed.
@@ -85,7 +89,7 @@ private:
 
     PlayContext& context_;
     const std::string peer_;
-    const Clock::time_point begun_;
+    Clock::time_point begun_;
     Clock::time_point last_received_;
     std::optional<Status> end_;
     Clock::time_point end_time_{};
@@ -116,6 +120,7 @@ private:
     std::uint32_t seen_tick_ = 0;      // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_waits_ = false;
+    std::optional<Clock::time_point> writing_since_;  // what the client does not take
     std::uint32_t skipped_waiting_ = 0;
 };
 

@@ -61,7 +61,7 @@ public:
         if (entity.color) to.set_color(*entity.color);
         to.set_name(entity.name);
         to.set_mass(entity.mass);
-        count(to.ByteSizeLong());
+        count(to.ByteSizeLong() + frame_bytes);
     }
     RosterMessages take() {
         flush();
@@ -70,6 +70,7 @@ public:
 
 private:
     static constexpr std::size_t id_bytes = 5;
+    static constexpr std::size_t frame_bytes = 4;  // tag and length of an entity
 
     v1::Roster& roster() { return *message_.mutable_roster(); }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/log.h"
+#include "base/text.h"
 #include "rpc/message_bytes.h"
 #include "rpc/rich_status.h"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr auto housekeeping_period = std::chrono::milliseconds(50);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr int calls_asked_for = 16;
-constexpr int asking_threads = 1, changing_threads = 1;
 // Who asks stands back behind who plays.
 constexpr int asking_niceness = 10, changing_niceness = 5;
 
@@ -63,8 +63,9 @@ CallFront::CallFront(std::vector<CallMethod> methods, CallLimits limits)
           return by_path;
       }()),
       limits_(limits),
-      asking_(asking_threads, limits.queue_max, asking_niceness),
-      changing_(changing_threads, limits.queue_max, changing_niceness) {}
+      quick_(1, limits.queue_max, 0),
+      asking_(1, limits.queue_max, asking_niceness),
+      changing_(1, limits.queue_max, changing_niceness) {}
 
 CallFront::~CallFront() {
     stop();
@@ -81,6 +82,7 @@ void CallFront::start(std::unique_ptr<grpc::ServerCompletionQueue> queue,
 // The pools first: what they answer begins an operation, which a queue that shuts down forbids.
 void CallFront::stop() {
     if (stopping_.exchange(true)) return;
+    quick_.stop();
     asking_.stop();
     changing_.stop();
     pools_stopped_ = true;
@@ -154,7 +156,7 @@ void CallFront::forget(Call& call) {
     if (call.begun) {
         open_--;
         if (call.meter) call.meter->calls--;
-        if (call.method && call.method->kind == CallKind::watch) watches_--;
+        if (call.method && call.method->work == CallWork::watch) watches_--;
         if (const auto count = of_peer_.find(call.peer); --count->second == 0)
             of_peer_.erase(count);
     }
@@ -162,12 +164,10 @@ void CallFront::forget(Call& call) {
 }
 
 Status CallFront::admit(const Call& call) const {
-    if (!call.method)
-        return Error{ErrorCode::unimplemented, "there is no such method: " + call.context.method()};
     if (open_ > limits_.calls_max) return too_much("too many calls are open");
     if (of_peer_.at(call.peer) > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
-    if (call.method->kind == CallKind::watch && watches_ > limits_.watches_max)
+    if (call.method->work == CallWork::watch && watches_ > limits_.watches_max)
         return too_much("too many watch already");
     return {};
 }
@@ -181,7 +181,13 @@ void CallFront::begin(Call& call) {
     of_peer_[call.peer]++;
     const auto known = methods_.find(call.context.method());
     if (known != methods_.end()) call.method = &known->second;
-    if (call.method && call.method->kind == CallKind::watch) watches_++;
+    if (call.method && call.method->work == CallWork::watch) watches_++;
+    if (!call.method) {
+        call.finishing = true;
+        return call.stream.Finish({grpc::StatusCode::UNIMPLEMENTED,
+                                   "there is no method " + printable(call.context.method(), 200)},
+                                  &call.finished);
+    }
     if (Status s = admit(call); !s.ok()) return finish(call, s);
     call.wait_for_client();
     call.stream.Read(&call.incoming, &call.read);
@@ -190,7 +196,7 @@ void CallFront::begin(Call& call) {
 void CallFront::on_read(Call& call, bool ok) {
     if (!ok) {
         // The client sends no more: of a stream that is the end, of others it is too early.
-        if (call.method->kind == CallKind::stream) return finish(call, {});
+        if (call.method->work == CallWork::stream) return finish(call, {});
         return finish(call, Error{ErrorCode::invalid_argument, "the request is missing"});
     }
     const std::size_t size = call.incoming.Length();
@@ -202,11 +208,13 @@ void CallFront::on_read(Call& call, bool ok) {
     copy_bytes(call.request, call.incoming);
     call.incoming.Clear();
     call.asked = true;
-    if (call.method->kind != CallKind::watch) enqueue(call);
+    if (call.method->work != CallWork::watch) enqueue(call);
 }
 
 void CallFront::enqueue(Call& call) {
-    WorkPool& pool = call.method->kind == CallKind::control ? changing_ : asking_;
+    WorkPool& pool = call.method->work == CallWork::control ? changing_
+                     : call.method->work == CallWork::query ? asking_
+                                                            : quick_;
     if (unsent_bytes_ > limits_.answer_bytes_max)
         return finish(call, too_much("answers wait for clients that do not read"));
     if (!pool.add([this, &call] { answer(call); }))
@@ -215,14 +223,15 @@ void CallFront::enqueue(Call& call) {
 
 // On a thread of a pool. The last operation it begins hands the call back.
 void CallFront::answer(Call& call) {
-    const Caller caller{call.peer, call.context.deadline(), [&] { return call.gave_up.load(); }};
+    const CallContext context{call.peer, call.context.deadline(),
+                              [&] { return call.gave_up.load(); }};
     Status status;
     AnswerBytes bytes;
     try {
-        if (caller.is_too_late())
+        if (context.is_too_late())
             status = Error{ErrorCode::deadline_exceeded, "the deadline has passed"};
         else
-            status = call.method->run(caller, call.request, bytes);
+            status = call.method->run(context, call.request, bytes);
     } catch (const std::exception& error) {
         // Out of memory, say: this call fails and nothing else does.
         log_error("{} failed: {}", call.method->path, error.what());
@@ -234,7 +243,7 @@ void CallFront::answer(Call& call) {
     unsent_bytes_.fetch_add(call.unsent);
     call.wait_for_client();
     const grpc::ByteBuffer buffer = to_byte_buffer({{}, bytes});
-    if (call.method->kind == CallKind::stream)
+    if (call.method->work == CallWork::stream)
         call.stream.Write(buffer, &call.wrote);
     else
         call.stream.WriteAndFinish(buffer, {}, grpc::Status::OK, &call.finished);
@@ -243,7 +252,7 @@ void CallFront::answer(Call& call) {
 void CallFront::on_wrote(Call& call, bool ok) {
     if (!ok || call.gave_up)
         return finish(call, Error{ErrorCode::unavailable, "the connection is gone"});
-    if (call.method->kind != CallKind::stream) return;
+    if (call.method->work != CallWork::stream) return;
     call.wait_for_client();
     call.stream.Read(&call.incoming, &call.read);
 }
@@ -257,16 +266,16 @@ void CallFront::finish(Call& call, const Status& status) {
 void CallFront::tell_watches() {
     for (const auto& entry : calls_) {
         Call& call = *entry;
-        if (!call.asked || call.finishing || call.writing || call.method->kind != CallKind::watch)
+        if (!call.asked || call.finishing || call.writing || call.method->work != CallWork::watch)
             continue;
         if (call.gave_up) {
             finish(call, Error{ErrorCode::aborted, "the client left"});
             continue;
         }
         AnswerBytes now;
-        const Caller caller{call.peer, call.context.deadline(),
-                            [&] { return call.gave_up.load(); }};
-        if (const Status s = call.method->run(caller, call.request, now); !s.ok()) {
+        const CallContext context{call.peer, call.context.deadline(),
+                                  [&] { return call.gave_up.load(); }};
+        if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
             finish(call, s);
         } else if (!call.told || *call.told != *now) {
             call.told = now;

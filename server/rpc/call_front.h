@@ -3,7 +3,8 @@
 // All RPCs but the play streams, behind one door: each call is bounded in size, time and number
 // before any work is done for it, the work waits in short queues, and what has no room is told to
 // come again. One thread takes calls, requests and endings off a completion queue; answers are made
-// on the threads of two pools, one for what asks and one for what changes worlds.
+// on the threads of three pools: what is quick, what asks worlds and what changes them, so that
+// health and lists never wait for a question or a scene.
 #pragma once
 
 #include <grpcpp/completion_queue.h>
@@ -18,9 +19,9 @@
 #include <vector>
 
 #include "base/clock.h"
+#include "base/work_pool.h"
 #include "rpc/call_method.h"
 #include "rpc/connection_table.h"
-#include "rpc/work_pool.h"
 
 namespace jostle::server {
 
@@ -75,7 +76,7 @@ private:
     std::size_t open_ = 0, watches_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false}, pools_stopped_{false};
-    WorkPool asking_, changing_;
+    WorkPool quick_, asking_, changing_;
     std::thread thread_;
 };
 

@@ -18,7 +18,7 @@
 namespace jostle::server {
 
 // Who calls, and until when the answer is of use.
-struct Caller {
+struct CallContext {
     std::string peer;  // as gRPC names it
     std::chrono::system_clock::time_point deadline;
     std::function<bool()> gave_up;  // nobody waits for the answer any more
@@ -28,8 +28,9 @@ struct Caller {
 
 using AnswerBytes = std::shared_ptr<const std::string>;
 
-enum class CallKind {
-    unary,    // one request, one answer
+enum class CallWork {
+    quick,    // one request, one answer at once
+    query,    // likewise, on the threads of what asks worlds
     control,  // likewise, on the threads of what changes worlds
     stream,   // an answer for each request, until the client ends it
     watch,    // one request, then an answer whenever there is another one
@@ -37,27 +38,28 @@ enum class CallKind {
 
 struct CallMethod {
     std::string path;  // "/jostle.v1.WorldService/ListWorlds"
-    CallKind kind = CallKind::unary;
+    CallWork work = CallWork::quick;
     std::size_t request_bytes_max = 64 * 1024;
-    // On a thread of the pool; a watch's on that of the front, again and again.
-    std::function<Status(const Caller&, std::string_view request, AnswerBytes& answer)> run;
+    // On a thread of a pool; a watch's on that of the front, again and again.
+    std::function<Status(const CallContext&, std::string_view request, AnswerBytes& answer)> run;
 };
 
-// `work` is called as Status(const Caller&, const Request&, Response&).
-template <class Request, class Response, class Work>
-CallMethod unary_method(std::string path, CallKind kind, std::size_t request_bytes_max, Work work) {
-    auto run = [work = std::move(work)](const Caller& caller, std::string_view bytes,
-                                        AnswerBytes& answer) -> Status {
+// `handle` is called as Status(const CallContext&, const Request&, Response&).
+template <class Request, class Response, class Handle>
+CallMethod unary_method(std::string path, CallWork work, std::size_t request_bytes_max,
+                        Handle handle) {
+    auto run = [handle = std::move(handle)](const CallContext& context, std::string_view bytes,
+                                            AnswerBytes& answer) -> Status {
         Request request;
         if (!request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
             return Error{ErrorCode::invalid_argument,
                          "the request is no " + request.GetDescriptor()->full_name()};
         Response response;
-        if (Status s = work(caller, request, response); !s.ok()) return s;
+        if (Status s = handle(context, request, response); !s.ok()) return s;
         answer = std::make_shared<const std::string>(response.SerializeAsString());
         return {};
     };
-    return {std::move(path), kind, request_bytes_max, std::move(run)};
+    return {std::move(path), work, request_bytes_max, std::move(run)};
 }
 
 }  // namespace jostle::server

@@ -92,6 +92,11 @@ void ConnectionAcceptor::stop() {
     if (listener_ >= 0) ::close(std::exchange(listener_, -1));
 }
 
+bool ConnectionAcceptor::is_listening(Clock::time_point now) const {
+    const auto since = [&](Clock::rep at) { return now - Clock::time_point(Clock::duration(at)); };
+    return since(looked_) < std::chrono::seconds(1) && since(starved_) > 2 * accept_pause;
+}
+
 void ConnectionAcceptor::run() {
     while (!stopping_) {
         if (closed_ && listener_ >= 0) ::close(std::exchange(listener_, -1));
@@ -104,6 +109,7 @@ void ConnectionAcceptor::run() {
         }
         if (ready[1].revents != 0 && !closed_) accept_all();
         const Clock::time_point now = Clock::now();
+        looked_ = now.time_since_epoch().count();
         table_.sweep(now);
         tell_refusals(now);
     }
@@ -122,6 +128,7 @@ void ConnectionAcceptor::accept_all() {
         }
         if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) {
             log_warn("gRPC: cannot take a connection: {}", std::strerror(errno));
+            starved_ = Clock::now().time_since_epoch().count();
             accept_again_ = Clock::now() + accept_pause;
         }
         if (errno != EINTR && errno != ECONNABORTED) return;

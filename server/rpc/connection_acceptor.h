@@ -31,6 +31,9 @@ public:
     void stop();
 
     ConnectionTable& table() { return table_; }
+    // Any thread: false while it cannot take connections for want of descriptors or memory, and
+    // when its thread has not looked for a second.
+    bool is_listening(Clock::time_point now) const;
 
 private:
     void run();
@@ -44,6 +47,7 @@ private:
     int wake_ = -1;  // an eventfd
     std::uint16_t port_ = 0;
     std::atomic<bool> closed_{false}, stopping_{false};
+    std::atomic<Clock::rep> looked_{0}, starved_{0};  // when it did last, when it failed last
     std::uint64_t refused_ = 0, refused_told_ = 0;
     Clock::time_point told_{}, accept_again_{};
     std::thread thread_;

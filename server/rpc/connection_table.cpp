@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "rpc/connection_table.h"
 
-#include <arpa/inet.h>
 #include <netinet/in.h>
 // Not netinet/tcp.h, whose tcp_info is older than tcpi_bytes_received.
 #include <linux/tcp.h>
 
 #include <algorithm>
-#include <cstring>
 
+#include "base/address.h"
 #include "base/log.h"
 
 namespace jostle::server {
@@ -35,36 +34,7 @@ std::optional<std::uint64_t> bytes_received(int descriptor) {
     return info.tcpi_bytes_received;
 }
 
-// IPv4, also when it came by an IPv6 socket.
-std::optional<in_addr> ipv4_of(const sockaddr_storage& address) {
-    if (address.ss_family == AF_INET) return reinterpret_cast<const sockaddr_in&>(address).sin_addr;
-    const auto& six = reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
-    if (address.ss_family != AF_INET6 || !IN6_IS_ADDR_V4MAPPED(&six)) return std::nullopt;
-    in_addr four{};
-    std::memcpy(&four, six.s6_addr + 12, 4);
-    return four;
-}
-
-std::string text_of(int family, const void* address) {
-    char text[INET6_ADDRSTRLEN] = {};
-    return inet_ntop(family, address, text, sizeof text) ? text : "unknown";
-}
-
 }  // namespace
-
-std::string peer_name(const sockaddr_storage& address) {
-    const auto& six = reinterpret_cast<const sockaddr_in6&>(address);  // ports lie alike
-    const std::string port = std::to_string(ntohs(six.sin6_port));
-    if (const auto four = ipv4_of(address)) return "ipv4:" + text_of(AF_INET, &*four) + ":" + port;
-    return "ipv6:%5B" + text_of(AF_INET6, &six.sin6_addr) + "%5D:" + port;
-}
-
-std::string address_key(const sockaddr_storage& address) {
-    if (const auto four = ipv4_of(address)) return text_of(AF_INET, &*four);
-    in6_addr net = reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
-    std::memset(net.s6_addr + 8, 0, 8);
-    return text_of(AF_INET6, &net) + "/64";
-}
 
 std::optional<ConnectionTable::Refusal> ConnectionTable::admit(int descriptor,
                                                                const sockaddr_storage& peer) {
@@ -80,7 +50,7 @@ std::optional<ConnectionTable::Refusal> ConnectionTable::admit(int descriptor,
     if (const auto refusal = full()) return refusal;
     Connection connection{.descriptor = descriptor,
                           .cookie = cookie_of(descriptor).value_or(0),
-                          .peer = peer_name(peer),
+                          .peer = grpc_peer_name(peer),
                           .address = address,
                           .meter = std::make_shared<ConnectionMeter>(),
                           .looked = Clock::now()};

@@ -78,9 +78,4 @@ private:
     std::atomic<std::uint64_t> cut_{0};
 };
 
-// As gRPC names a peer: "ipv4:127.0.0.1:4711", "ipv6:%5B::1%5D:4711".
-std::string peer_name(const sockaddr_storage& address);
-// What counts as one address: "127.0.0.1", "2001:db8:0:1::/64".
-std::string address_key(const sockaddr_storage& address);
-
 }  // namespace jostle::server

@@ -14,6 +14,7 @@
 
 #include "jostle/v1/play.grpc.pb.h"
 #include "protocol/client_link.h"
+#include "rpc/connection_table.h"
 
 namespace jostle::server {
 
@@ -33,11 +34,12 @@ class PlayStream {
 public:
     // Asks gRPC for the next call; the accepted event tells that it came.
     PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue);
+    ~PlayStream();
     PlayStream(const PlayStream&) = delete;
     PlayStream& operator=(const PlayStream&) = delete;
 
     // A client is there: begins the conversation.
-    void begin(PlayContext& context, Clock::time_point now);
+    void begin(PlayContext& context, const ConnectionTable& connections, Clock::time_point now);
     void on_read(bool ok, Clock::time_point now);
     void on_wrote(bool ok, Clock::time_point now);
     void on_finished();
@@ -55,6 +57,8 @@ public:
 
 private:
     void start_read();
+    template <class Work>
+    void guarded(Clock::time_point now, const Work& work);
 
     grpc::ServerContext context_;
     grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_;
@@ -63,6 +67,7 @@ private:
     PlayTag wrote_{this, PlayTag::Event::wrote};
     PlayTag finished_tag_{this, PlayTag::Event::finished};
     std::unique_ptr<ClientLink> link_;
+    std::shared_ptr<ConnectionMeter> meter_;
     grpc::ByteBuffer incoming_;
     std::string incoming_bytes_;
     bool reading_ = false, writing_ = false, finishing_ = false, finished_ = false;

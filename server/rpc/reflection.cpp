@@ -65,7 +65,7 @@ void answer(const reflection::ServerReflectionRequest& request,
 
 std::vector<CallMethod> reflection_methods(std::vector<std::string> services) {
     const auto run = [services = std::move(services)](
-                         const Caller&, const reflection::ServerReflectionRequest& request,
+                         const CallContext&, const reflection::ServerReflectionRequest& request,
                          reflection::ServerReflectionResponse& response) -> Status {
         response.set_valid_host(request.host());
         *response.mutable_original_request() = request;
@@ -78,7 +78,7 @@ std::vector<CallMethod> reflection_methods(std::vector<std::string> services) {
             unary_method<reflection::ServerReflectionRequest, reflection::ServerReflectionResponse>(
                 std::string("/grpc.reflection.") + version +
                     ".ServerReflection/ServerReflectionInfo",
-                CallKind::stream, request_bytes_max, run));
+                CallWork::stream, request_bytes_max, run));
     return methods;
 }
 

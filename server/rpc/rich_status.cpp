@@ -40,8 +40,6 @@ std::string_view reason_of(ErrorCode code) {
             return "ENDED";
         case ErrorCode::unavailable:
             return "UNAVAILABLE";
-        case ErrorCode::unimplemented:
-            return "NO_SUCH_METHOD";
         case ErrorCode::internal:
             return "FAULT_OF_THE_SERVER";
     }

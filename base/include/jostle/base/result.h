@@ -28,7 +28,6 @@ enum class ErrorCode {
     deadline_exceeded,    // the other side was silent for too long
     aborted,              // the other side ended it, as when a world is closed
     unavailable,          // not there, or going down: try later
-    unimplemented,        // there is no such method
     internal,             // a mistake of Jostle's own
 };
 

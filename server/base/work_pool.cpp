@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rpc/work_pool.h"
+#include "base/work_pool.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -15,6 +15,7 @@ import sys
 import time
 import traceback
 
+from .net import Closed
 from .player import TRANSPORTS, HonestPlayer
 from .server import DRAIN_SECONDS, Server, cpu_seconds, grpc_answers, http_answers, newcomer_joins
 
@@ -101,6 +102,8 @@ class Arena:
 def _call(pipe, function, i, arguments):
     try:
         pipe.send(function(i, *arguments))
+    except (OSError, Closed):
+        pass  # it was cut off: that is no fault of the attack
     except Exception:
         traceback.print_exc()
 
@@ -148,7 +151,8 @@ def run(spec, binary):
         _judge_what_works(server, verdict)
         _judge_shutdown(server, verdict)
         verdict.rss_mb, verdict.threads = server.max_rss_mb, server.max_threads
-        verdict.require(verdict.rss_mb < RSS_MAX_MB, f"{verdict.rss_mb:.0f} MB of memory")
+        verdict.require(verdict.rss_mb < RSS_MAX_MB,
+                        f"{verdict.rss_mb:.0f} MB of memory" + (", and was killed by us" if server.killed else ""))
     except RuntimeError as error:
         verdict.faults.append(str(error))
     finally:
@@ -161,6 +165,7 @@ def run(spec, binary):
 
 def _attack(spec, server, honest, verdict):
     busy = _Busy(server, honest)
+    server.begin_attack()
     ours, theirs = CONTEXT.Pipe()
     began = time.monotonic()
     process = CONTEXT.Process(target=_attack_process, args=(spec, server, theirs))
@@ -233,8 +238,8 @@ def _judge_honest(spec, player, began, ended, verdict):
 
 def _judge_what_works(server, verdict):
     if not server.alive():
-        why = f"reached {server.max_rss_mb:.0f} MB and was killed by us" if server.killed else f"ended with status {server.process.returncode}"
-        verdict.faults.append(f"the server is dead: it {why}")
+        if not server.killed:
+            verdict.faults.append(f"the server is dead: it ended with status {server.process.returncode}")
         return
     for holds, what in (http_answers(server.ports), http_answers(server.ports, "/readyz"), grpc_answers(server.ports),
                         newcomer_joins(server.ports)):
@@ -245,6 +250,8 @@ def _judge_shutdown(server, verdict):
     if not server.alive():
         return
     took, status = server.shutdown(SHUTDOWN_MAX + 5)
+    if server.killed:
+        return
     verdict.shutdown_seconds = took
     verdict.require(took is not None, f"SIGTERM did not end it within {SHUTDOWN_MAX + 5} s")
     if took is not None:

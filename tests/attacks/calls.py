@@ -30,7 +30,7 @@ def call_again_and_again(number, ports, seconds, path, request, connections=1, a
             for connection in open_ones:
                 for stream_number, stream in list(connection.streams.items()):
                     if stream.ended is not None:
-                        ends[stream.status] += 1
+                        ends[f"{stream.status} {stream.headers.get('grpc-message', '')[:60]}".strip()] += 1
                         del connection.streams[stream_number]
                 while len(connection.streams) < at_once:
                     stream_number = connection.open(path, keep=False)
@@ -74,7 +74,8 @@ def ball_of_points(count):
 @attack("hull-casts", seconds=8, target=MANY_BOXES)
 def hull_casts(arena):
     """20 clients each cast 100 hulls of 1,000 points through 10,000 boxes, in a loop."""
-    moving = nested(1, messages.hull(ball_of_points(1000)) + nested(5, messages.vector(-100, 1, -90))) + nested(2, messages.vector(200, 0, 180))
+    points = ball_of_points(250) + [tuple(0.9 * x for x in point) for point in ball_of_points(750)]  # 252 corners are allowed
+    moving = nested(1, messages.hull(points) + nested(5, messages.vector(-100, 1, -90))) + nested(2, messages.vector(200, 0, 180))
     flood(arena, 20, messages.CAST_SHAPES, messages.text(1, "target") + nested(2, moving) * 100 + uint(3, 3), at_once=1)
 
 

@@ -62,7 +62,7 @@ def _garble(number, ports, seconds):
                 else:
                     link = open_link(ports, TRANSPORTS[done % 2], "127.0.3.1", timeout=1.0)
                 link.send(message)
-                link.receive(time.monotonic() + 0.02)
+                link.receive(time.monotonic() + 0.005)
                 link.close()
             except (OSError, Closed):
                 pass
@@ -71,7 +71,7 @@ def _garble(number, ports, seconds):
             player = Player(ports, TRANSPORTS[done % 2])
             for one in wild_inputs():
                 player.act(one)
-                player.receive(time.monotonic() + 0.01)
+                player.receive(time.monotonic() + 0.002)
             player.close()
         except (OSError, Closed):
             pass
@@ -137,7 +137,7 @@ def _abuse(number, ports, seconds):
                 if rng.random() < 0.5:
                     link.send(messages.hello("target"))
                 link.send_raw(data)
-                link.receive(time.monotonic() + 0.02)
+                link.receive(time.monotonic() + 0.005)
                 link.close()
             except (OSError, Closed):
                 pass
@@ -213,7 +213,8 @@ def http_abuse(arena):
     for path in ("/../../../../etc/passwd", "/..%2f..%2f..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
                  "/assets/../../../../../etc/passwd", "/..\\..\\etc\\passwd", "/%00/etc/passwd", "/api/worlds/..%2f..", "/proc/self/environ"):
         status, answer = request(arena.ports, f"GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n".encode())
-        arena.check(b"root:" not in answer and status in (400, 403, 404), f"GET {path}: {status}")
+        if b"root:" in answer or status not in (400, 403, 404):
+            arena.check(False, f"GET {path}: {status}")
     create = b'{"name": "stolen", "sceneName": "pyramid"}'
     expected = [
         ("a POST from another origin", post("/api/worlds", create, host, Origin="http://evil.example"), (403,)),
@@ -233,7 +234,8 @@ def http_abuse(arena):
     ]
     for what, data, wanted in expected:
         status, _ = request(arena.ports, data.replace(b"Transfer_Encoding", b"Transfer-Encoding"))
-        arena.check(status in wanted, f"{what}: {status}, expected {' or '.join(map(str, wanted))}")
+        if status not in wanted:
+            arena.check(False, f"{what}: {status}, expected {' or '.join(map(str, wanted))}")
 
 
 def _unfinished_bodies(number, ports, seconds, count):

@@ -113,19 +113,27 @@ class Stream:
 
 class Connection:
     def __init__(self, port, source=ATTACKER, timeout=5.0, window=BIGGEST_WINDOW, receive_buffer=None):
-        self.sock = connect(port, source, timeout, receive_buffer)
+        self.sock, self.timeout = connect(port, source, timeout, receive_buffer), timeout
         self.streams, self.buffer, self.next_id = {}, bytearray(), 1
         self.peer_window, self.peer_stream_window, self.gone = 65535, 65535, None
         hello = PREFACE + settings(header_table_size=0, enable_push=0, initial_window=window)
         if window > 65535:
             hello += frame(WINDOW_UPDATE, 0, 0, struct.pack(">I", window - 65535))
-        self.sock.sendall(hello)
+        self.send(hello)
+
+    def send(self, data):
+        """All of it; a peer that does not take it in time has left half a frame behind, so the connection is over."""
+        self.sock.settimeout(self.timeout)
+        try:
+            self.sock.sendall(data)
+        except TimeoutError:
+            raise Closed("the server does not read") from None
 
     def open(self, path, end=False, keep=True, **headers):
         number, self.next_id = self.next_id, self.next_id + 2
         self.streams[number] = stream = Stream(keep)
         stream.window = self.peer_stream_window
-        self.sock.sendall(frame(HEADERS, END_HEADERS | (END_STREAM if end else 0), number, request_headers(path, **headers)))
+        self.send(frame(HEADERS, END_HEADERS | (END_STREAM if end else 0), number, request_headers(path, **headers)))
         return number
 
     def send_data(self, number, payload, end=False, patience=5.0):
@@ -135,7 +143,7 @@ class Connection:
             room = min(16384, self.peer_window, stream.window, len(payload) - sent)
             last = sent + room == len(payload)
             if room > 0 or len(payload) == 0:
-                self.sock.sendall(frame(DATA, END_STREAM if end and last else 0, number, payload[sent:sent + room]))
+                self.send(frame(DATA, END_STREAM if end and last else 0, number, payload[sent:sent + room]))
                 sent += room
                 self.peer_window -= room
                 stream.window -= room
@@ -178,9 +186,9 @@ class Connection:
                     for known in self.streams.values():
                         known.window += value - self.peer_stream_window
                     self.peer_stream_window = value
-            self.sock.sendall(frame(SETTINGS, ACK, 0))
+            self.send(frame(SETTINGS, ACK, 0))
         elif kind == PING and not flags & ACK:
-            self.sock.sendall(frame(PING, ACK, 0, payload))
+            self.send(frame(PING, ACK, 0, payload))
         elif kind == WINDOW_UPDATE:
             more = int.from_bytes(payload, "big") & 0x7FFFFFFF
             if number == 0:

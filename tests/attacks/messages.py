@@ -98,6 +98,15 @@ def mesh(vertices, indices):
     return nested(13, b"".join(nested(1, vector(*vertex)) for vertex in vertices) + packed_uints(2, indices))
 
 
+def compound(children):
+    return nested(15, b"".join(nested(1, child) for child in children))
+
+
+def never_meets_its_like():
+    """A field of Shape: bodies with it do not collide with each other."""
+    return nested(22, uint(3, 1))  # group -1
+
+
 def grid_mesh(side, height=0.0):
     """A flat square of side * side vertices: about 29 bytes a vertex and 14 a triangle pair."""
     vertices = [(0.1 * i, height + 0.01 * ((i * 7 + j * 3) % 5), 0.1 * j) for i in range(side) for j in range(side)]
@@ -135,8 +144,8 @@ def floor():
     return body(plane(), "floor", STATIC)
 
 
-def ball_joint(a, b):
-    return text(2, a) + text(3, b) + nested(7, b"")
+def ball_joint(a, b, direct=False):
+    return text(2, a) + text(3, b) + nested(7, b"") + (uint(25, 3) if direct else b"")
 
 
 def scene(bodies, name="attack", joints=(), substeps=None, hz=None):

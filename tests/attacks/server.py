@@ -33,7 +33,8 @@ DEFAULT_TARGET = {"name": "target", "bodies": [
 
 
 class Server:
-    """`stdout`: "file"; "unread", a pipe that nobody reads; "closed", a pipe whose reader goes away."""
+    """`stdout`: "file"; "unread", a pipe that nobody reads; "closed", a pipe whose reader
+    goes away when the attack begins."""
 
     def __init__(self, binary, target=None, stdout="file", settings="", log_level="info"):
         self.folder = tempfile.TemporaryDirectory(prefix="jostle-attack-")
@@ -44,23 +45,21 @@ class Server:
             f'drain_seconds = {DRAIN_SECONDS}\nlog_level = "{log_level}"\n{settings}\n')
         self.log_path, self.max_rss_mb, self.max_threads, self.killed = folder / "log", 0.0, 0, False
         log = open(self.log_path, "wb")
-        reader = None
-        if stdout == "file":
-            out = log
-        else:
-            reader, out = os.pipe()
+        self.reader, out = None, log
+        if stdout != "file":
+            # A process of its own holds the reading end: ours would be inherited by all that we fork.
+            end, out = os.pipe()
+            self.reader = subprocess.Popen(["sleep", "600"], stdin=end)
+            os.close(end)
         hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
         self.process = subprocess.Popen(
             [binary, "--config", folder / "server.toml", "--port-file", folder / "ports.json"], stdout=out, stderr=log,
             stdin=subprocess.DEVNULL, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (SOFT_FILES, hard)))
         log.close()
-        if reader is not None:
+        if self.reader:
             os.close(out)
-        self.unread = reader  # kept open, never read
+        self.closes_stdout = stdout == "closed"
         self.ports = self._wait_for_ports(folder / "ports.json")
-        if stdout == "closed":
-            os.close(reader)
-            self.unread = None
         self.watcher = threading.Thread(target=self._watch, daemon=True)
         self.watcher.start()
 
@@ -89,6 +88,15 @@ class Server:
                     self.killed = True
                     self.process.kill()
             time.sleep(0.05)
+
+    def begin_attack(self):
+        if self.closes_stdout:
+            self._end_reader()
+
+    def _end_reader(self):
+        if self.reader:
+            self.reader.kill()
+            self.reader.wait()
 
     @property
     def pid(self):
@@ -121,8 +129,7 @@ class Server:
 
     def close(self):
         self.kill()
-        if self.unread is not None:
-            os.close(self.unread)
+        self._end_reader()
         self.folder.cleanup()
 
 

@@ -30,7 +30,7 @@ def upgrade(port, path="/play", **headers):
 
 class WebSocket:
     def __init__(self, port, source=ATTACKER, timeout=5.0, receive_buffer=None, **headers):
-        self.sock = connect(port, source, timeout, receive_buffer)
+        self.sock, self.timeout = connect(port, source, timeout, receive_buffer), timeout
         self.buffer = bytearray()
         try:
             self.sock.sendall(upgrade(port, **headers))
@@ -46,9 +46,10 @@ class WebSocket:
             raise Closed(head.split(b"\r\n")[0].decode("latin-1"))
 
     def send(self, message):
-        self.sock.sendall(frame(message))
+        self.send_raw(frame(message))
 
     def send_raw(self, data):
+        self.sock.settimeout(self.timeout)
         self.sock.sendall(data)
 
     def receive(self, until):

@@ -8,7 +8,7 @@ import time
 from . import messages
 from .arena import attack
 from .http2 import call
-from .net import ATTACKER, Closed
+from .net import Closed
 from .player import TRANSPORTS, Crowd, GrpcStream, Player
 from .protobuf import all_of, as_double, field, uint
 from .server import DEFAULT_TARGET
@@ -137,8 +137,8 @@ def non_readers(arena):
     """60 clients that never read: mute ones, ones that ping, ones that acknowledge blindly. All must be cut."""
     def link(i):
         if i % 2:
-            return GrpcStream(arena.ports.grpc, ATTACKER, window=65535, receive_buffer=4096)
-        return WebSocket(arena.ports.http, ATTACKER, receive_buffer=4096)
+            return GrpcStream(arena.ports.grpc, window=65535, receive_buffer=4096)
+        return WebSocket(arena.ports.http, receive_buffer=4096)
 
     links = [link(i) for i in range(60)]
     for each in links:
@@ -222,7 +222,7 @@ def close_reasons(arena):
     for letter in ("ä", "€", "𝄞"):
         for shift in range(4):
             try:
-                link = WebSocket(arena.ports.http, ATTACKER)
+                link = WebSocket(arena.ports.http)
                 link.send(messages.hello(world="x" * shift + letter * 80))
                 while link.receive(time.monotonic() + 2) is not None:
                     pass

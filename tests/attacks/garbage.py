@@ -60,7 +60,7 @@ def _garble(number, ports, seconds):
                 if rng.random() < 0.5:
                     link = Player(ports, TRANSPORTS[done % 2]).link
                 else:
-                    link = open_link(ports, TRANSPORTS[done % 2], "127.0.3.1", timeout=1.0)
+                    link = open_link(ports, TRANSPORTS[done % 2], timeout=1.0)
                 link.send(message)
                 link.receive(time.monotonic() + 0.005)
                 link.close()

@@ -8,7 +8,7 @@ is used and ignored where an attack writes frames itself.
 import struct
 import time
 
-from .net import ATTACKER, Closed, connect
+from .net import Closed, connect
 
 PREFACE = b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"
 DATA, HEADERS, PRIORITY, RST_STREAM, SETTINGS, PUSH_PROMISE, PING, GOAWAY, WINDOW_UPDATE, CONTINUATION = range(10)
@@ -112,7 +112,7 @@ class Stream:
 
 
 class Connection:
-    def __init__(self, port, source=ATTACKER, timeout=5.0, window=BIGGEST_WINDOW, receive_buffer=None):
+    def __init__(self, port, source=None, timeout=5.0, window=BIGGEST_WINDOW, receive_buffer=None):
         self.sock, self.timeout = connect(port, source, timeout, receive_buffer), timeout
         self.streams, self.buffer, self.next_id = {}, bytearray(), 1
         self.peer_window, self.peer_stream_window, self.gone = 65535, 65535, None
@@ -227,7 +227,7 @@ class Connection:
         self.sock.close()
 
 
-def call(port, path, payload=b"", timeout=5.0, source=ATTACKER):
+def call(port, path, payload=b"", timeout=5.0, source=None):
     """A connection for one call. An end of the connection is a status too."""
     try:
         connection = Connection(port, source, timeout)

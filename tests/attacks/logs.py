@@ -5,6 +5,7 @@ import time
 
 from . import messages
 from .arena import attack
+from .http2 import call
 from .net import Closed
 from .player import TRANSPORTS, Player
 from .websocket import WebSocket
@@ -26,7 +27,6 @@ def knock(ports, transport="websocket", **hello):
 @attack("log-forgery", seconds=6)
 def log_forgery(arena):
     """Names with line ends and escape codes in hellos, tickets, worlds and scenes; then the log is read."""
-    from .http2 import call
     tricks = ["x\n2026-01-01 info FORGED", "x\r\nFORGED", "x\x1b[2J\x1b[31mFORGED", "x\u2028FORGED\u0085FORGED", "x\0FORGED", "{}{:n}%s%n FORGED"]
     for trick in tricks:
         for transport in TRANSPORTS:

@@ -6,7 +6,7 @@ import time
 
 from . import messages
 from .http2 import Connection, grpc_message
-from .net import ATTACKER, HONEST, Closed
+from .net import HONEST, Closed
 from .protobuf import field, fields
 from .websocket import WebSocket
 
@@ -14,7 +14,7 @@ from .websocket import WebSocket
 class GrpcStream:
     """A Play stream with the face of a WebSocket. A connection may carry several."""
 
-    def __init__(self, port, source=ATTACKER, timeout=5.0, connection=None, **options):
+    def __init__(self, port, source=None, timeout=5.0, connection=None, **options):
         self.connection = connection or Connection(port, source, timeout, **options)
         self.number = self.connection.open(messages.PLAY)
         self.stream = self.connection.streams[self.number]
@@ -43,7 +43,7 @@ class GrpcStream:
 TRANSPORTS = ("websocket", "grpc")
 
 
-def open_link(ports, transport, source, **options):
+def open_link(ports, transport, source=None, **options):
     if transport == "grpc":
         return GrpcStream(ports.grpc, source, **options)
     return WebSocket(ports.http, source, **options)
@@ -52,7 +52,7 @@ def open_link(ports, transport, source, **options):
 class Player:
     """Says hello, acknowledges snapshots and counts what it is sent by kind. Raises Closed or OSError when it is thrown out."""
 
-    def __init__(self, ports, transport="websocket", source=ATTACKER, world="target", link=None, keyframes=False,
+    def __init__(self, ports, transport="websocket", source=None, world="target", link=None, keyframes=False,
                  receive_buffer=None, **hello):
         self.link = link or open_link(ports, transport, source, receive_buffer=receive_buffer)
         self.keyframes, self.counts, self.bytes, self.largest = keyframes, {}, 0, 0

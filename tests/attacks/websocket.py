@@ -3,7 +3,7 @@
 import struct
 import time
 
-from .net import ATTACKER, Closed, connect
+from .net import Closed, connect
 
 CONTINUATION, TEXT, BINARY, CLOSE, PING, PONG = 0, 1, 2, 8, 9, 10
 
@@ -29,7 +29,7 @@ def upgrade(port, path="/play", **headers):
 
 
 class WebSocket:
-    def __init__(self, port, source=ATTACKER, timeout=5.0, receive_buffer=None, **headers):
+    def __init__(self, port, source=None, timeout=5.0, receive_buffer=None, **headers):
         self.sock, self.timeout = connect(port, source, timeout, receive_buffer), timeout
         self.buffer = bytearray()
         try:

@@ -6,7 +6,7 @@ from . import messages
 from .arena import attack
 from .http2 import Connection, call
 from .messages import body, box, create_world, floor, scene, sphere
-from .net import ATTACKER, Closed
+from .net import Closed
 from .player import TRANSPORTS, Player
 from .protobuf import field
 from .server import DEFAULT_TARGET
@@ -34,7 +34,7 @@ def join(arena, world, seconds=6.0):
     """Players of both transports come in and are told all there is, in messages that stock clients take."""
     for transport in TRANSPORTS:
         try:
-            player = Player(arena.ports, transport, ATTACKER, world)
+            player = Player(arena.ports, transport, world=world)
             joined = player.until(messages.SNAPSHOT, seconds)
             arena.check(joined and player.largest <= STOCK_MESSAGE_MAX,
                         f"joining it ({transport}): {'a snapshot' if joined else 'none'}, {player.bytes:,} bytes in all, {player.largest:,} in the largest message")
@@ -74,7 +74,7 @@ def stuck_world(arena, name, scene_bytes):
     players = []
     for i in range(40):
         try:
-            players.append(Player(arena.ports, TRANSPORTS[i % 2], ATTACKER, name, name="leaver"))
+            players.append(Player(arena.ports, TRANSPORTS[i % 2], world=name, name="leaver"))
         except (OSError, Closed):
             pass
     for _ in range(5):  # 300 inputs a second each: more than the queue of a world that does not take them

@@ -80,13 +80,13 @@ def fill_log(arena):
     arena.note(f"{sum(each or 0 for each in done):,} refusals, each a line")
 
 
-@attack("log-unread", seconds=8, stdout="unread", log_level="debug")
+@attack("log-unread", seconds=8, output="unread", log_level="debug")
 def log_unread(arena):
-    """Standard output is a pipe that nobody reads, and clients fill it."""
+    """Standard output and error are a pipe that nobody reads, and clients fill it."""
     fill_log(arena)
 
 
-@attack("log-closed", seconds=6, stdout="closed", log_level="debug")
+@attack("log-closed", seconds=6, output="closed", log_level="debug")
 def log_closed(arena):
-    """Standard output is a pipe whose reader is gone: the next line is a SIGPIPE."""
+    """Standard output and error are a pipe whose reader is gone: the next line is a SIGPIPE."""
     fill_log(arena)

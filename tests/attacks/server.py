@@ -33,10 +33,10 @@ DEFAULT_TARGET = {"name": "target", "bodies": [
 
 
 class Server:
-    """`stdout`: "file"; "unread", a pipe that nobody reads; "closed", a pipe whose reader
-    goes away when the attack begins."""
+    """`output`, standard output and error: "file"; "unread", a pipe that nobody reads; "closed", a pipe whose reader goes
+    away when the attack begins. The server keeps the default of all settings but those written here."""
 
-    def __init__(self, binary, target=None, stdout="file", settings="", log_level="info"):
+    def __init__(self, binary, target=None, output="file", settings="", log_level="info"):
         self.folder = tempfile.TemporaryDirectory(prefix="jostle-attack-")
         folder = pathlib.Path(self.folder.name)
         (folder / "target.json").write_text(json.dumps(target or DEFAULT_TARGET))
@@ -46,19 +46,19 @@ class Server:
         self.log_path, self.max_rss_mb, self.max_threads, self.killed = folder / "log", 0.0, 0, False
         log = open(self.log_path, "wb")
         self.reader, out = None, log
-        if stdout != "file":
+        if output != "file":
             # A process of its own holds the reading end: ours would be inherited by all that we fork.
             end, out = os.pipe()
             self.reader = subprocess.Popen(["sleep", "600"], stdin=end)
             os.close(end)
         hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
         self.process = subprocess.Popen(
-            [binary, "--config", folder / "server.toml", "--port-file", folder / "ports.json"], stdout=out, stderr=log,
+            [binary, "--config", folder / "server.toml", "--port-file", folder / "ports.json"], stdout=out, stderr=out,
             stdin=subprocess.DEVNULL, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (SOFT_FILES, hard)))
         log.close()
         if self.reader:
             os.close(out)
-        self.closes_stdout = stdout == "closed"
+        self.closes_output = output == "closed"
         self.ports = self._wait_for_ports(folder / "ports.json")
         self.watcher = threading.Thread(target=self._watch, daemon=True)
         self.watcher.start()
@@ -90,7 +90,7 @@ class Server:
             time.sleep(0.05)
 
     def begin_attack(self):
-        if self.closes_stdout:
+        if self.closes_output:
             self._end_reader()
 
     def _end_reader(self):

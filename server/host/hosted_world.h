@@ -46,6 +46,8 @@ public:
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
 
     const physics::World& world() const { return state_.world; }
+    // As estimated when it was created (scene_budget.h).
+    double work_per_second() const { return work_per_second_; }
 
 private:
     explicit HostedWorld(HostedState state) : state_(std::move(state)) {}
@@ -53,6 +55,7 @@ private:
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
+    double work_per_second_ = 0;
     ModuleChunks chunks_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told

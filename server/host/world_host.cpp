@@ -39,6 +39,7 @@ WorldHost::WorldHost(std::string id, std::string name, const scenes::SceneDescri
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      watch_(settings.metrics, name_),
       timer_(std::make_unique<Timer>()) {
     recent_step_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
@@ -62,7 +63,7 @@ FramePtr WorldHost::frame() const {
 void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
-    queries_.close();
+    close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
 }
@@ -85,17 +86,22 @@ void WorldHost::run() {
     } catch (const std::exception& error) {
         log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
         stopping_.store(true);
-        queries_.close();
+        close_doors();
     }
 }
 
 // One tick of one world. Nothing outside this thread ever touches world_.
 void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
+    watch_.begin_tick();
     tick_++;
     commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
     results_.clear();
     for (const Command& command : batch_) results_.push_back(world_.apply(command, tick_));
-    if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
+    const bool steps = gate_.begin_tick();
+    watch_.begin_step();
+    if (!steps) {
+        // It is paused: what was asked is done, and no time passes.
+    } else if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
         record_events();
         warn_of_quarantine();
         warn_of_large_chunks();
@@ -109,9 +115,14 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     frame->late_ticks = late_ticks;
     frame->events = events_;
     world_.copy_into(*frame);
+    if (!steps) frame->step_ms = 0;
     measure(*frame);
+    const FramePtr shown = frame;
     publish(std::move(frame));
     serve_queries();  // players first
+    gate_.end_tick();
+    visits_.admit(world_);
+    watch_.end_tick(*shown, steps ? &world_.world().profile() : nullptr, batch_.size());
 }
 
 // Readers hold what they were given, so each tick with events makes a new list of the newest ones.
@@ -152,6 +163,13 @@ void WorldHost::warn_of_large_chunks() {
 void WorldHost::serve_queries() {
     if (const CopyParts parts = queries_.begin_tick(tick_, Clock::now()))
         queries_.put(world_.query_frame(tick_, parts));
+}
+
+void WorldHost::close_doors() {
+    queries_.close();
+    gate_.close();
+    watch_.close();
+    visits_.close();
 }
 
 void WorldHost::measure(Frame& frame) {

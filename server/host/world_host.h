@@ -15,6 +15,9 @@
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
 #include "host/tick_clock.h"
+#include "host/tick_gate.h"
+#include "host/tick_watch.h"
+#include "host/world_visits.h"
 
 namespace jostle::server {
 
@@ -25,6 +28,7 @@ struct WorldHostSettings {
     int physics_threads = 1;
     // Called on the world's thread after each frame; must only wake somebody.
     std::function<void()> on_frame;
+    Metrics* metrics = nullptr;  // null: nobody counts
 };
 
 class WorldHost {
@@ -47,6 +51,10 @@ public:
     void remove_event_listener() { event_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
+    // Any thread: what operators do; each says in its header who may and what it costs.
+    TickGate& gate() { return gate_; }
+    TickWatch& watch() { return watch_; }
+    WorldVisits& visits() { return visits_; }
     // Ends the thread; the last frame stays readable.
     void stop();
 
@@ -68,6 +76,7 @@ private:
     void warn_of_quarantine();
     void warn_of_large_chunks();
     void serve_queries();
+    void close_doors();  // nobody waits for this world any longer
 
     const std::string id_, name_, scene_;
     const double hz_;
@@ -85,6 +94,9 @@ private:
 
     BoundedQueue<Command> commands_;
     QueryBroker queries_;
+    TickGate gate_;
+    TickWatch watch_;
+    WorldVisits visits_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;

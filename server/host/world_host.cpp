@@ -68,6 +68,24 @@ void WorldHost::stop() {
     if (thread_.joinable()) thread_.join();
 }
 
+void WorldHost::pause(std::string reason) {
+    const std::lock_guard lock(pause_mutex_);
+    paused_ = std::move(reason);
+}
+
+void WorldHost::resume() {
+    {
+        const std::lock_guard lock(pause_mutex_);
+        paused_.reset();
+    }
+    steps_.withdraw();
+}
+
+std::optional<std::string> WorldHost::paused() const {
+    const std::lock_guard lock(pause_mutex_);
+    return paused_;
+}
+
 void WorldHost::run() {
     TickClock clock(Clock::now(), hz_, settings_.catch_up_max);
     std::function<void()> wait = [&] {
@@ -96,11 +114,19 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     tick_++;
     commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
     results_.clear();
-    for (const Command& command : batch_) results_.push_back(world_.apply(command, tick_));
-    const bool steps = gate_.begin_tick();
+    const std::optional<std::string> why = paused();
+    for (const Command& command : batch_)
+        if (why && !std::holds_alternative<LeaveCommand>(command.action))
+            results_.push_back(
+                {.sequence = command.sequence,
+                 .status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *why},
+                 .tick = tick_});
+        else
+            results_.push_back(world_.apply(command, tick_));
+    const bool steps = !why || steps_.begin_step();
     watch_.begin_step();
     if (!steps) {
-        // It is paused: what was asked is done, and no time passes.
+        // It is paused, and no time passes.
     } else if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
         record_events();
         warn_of_quarantine();
@@ -120,7 +146,7 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     const FramePtr shown = frame;
     publish(std::move(frame));
     serve_queries();  // players first
-    gate_.end_tick();
+    steps_.end_tick();
     visits_.admit(world_);
     watch_.end_tick(*shown, steps ? &world_.world().profile() : nullptr, batch_.size());
 }
@@ -167,7 +193,7 @@ void WorldHost::serve_queries() {
 
 void WorldHost::close_doors() {
     queries_.close();
-    gate_.close();
+    steps_.close();
     watch_.close();
     visits_.close();
 }

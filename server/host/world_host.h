@@ -8,14 +8,15 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
+#include "host/step_allowance.h"
 #include "host/tick_clock.h"
-#include "host/tick_gate.h"
 #include "host/tick_watch.h"
 #include "host/world_visits.h"
 
@@ -51,8 +52,12 @@ public:
     void remove_event_listener() { event_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
-    // Any thread: what operators do; each says in its header who may and what it costs.
-    TickGate& gate() { return gate_; }
+    // Any thread. A paused world is seen and may be left, but does not step and takes no inputs.
+    void pause(std::string reason);
+    void resume();
+    std::optional<std::string> paused() const;  // why
+    // Any thread: what else operators do.
+    StepAllowance& steps() { return steps_; }
     TickWatch& watch() { return watch_; }
     WorldVisits& visits() { return visits_; }
     // Ends the thread; the last frame stays readable.
@@ -94,7 +99,9 @@ private:
 
     BoundedQueue<Command> commands_;
     QueryBroker queries_;
-    TickGate gate_;
+    mutable std::mutex pause_mutex_;
+    std::optional<std::string> paused_;
+    StepAllowance steps_;
     TickWatch watch_;
     WorldVisits visits_;
     std::atomic<int> event_listeners_{0};

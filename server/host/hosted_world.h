@@ -12,6 +12,7 @@
 
 #include "host/apply_action.h"
 #include "host/command.h"
+#include "host/export_scene.h"
 #include "host/frame.h"
 #include "host/module_chunks.h"
 #include "host/query_frame.h"
@@ -40,6 +41,10 @@ public:
         return chunks_.newly_too_large();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
+    // As it is now; `origin` is the scene that it was created of.
+    ExportedScene exported(const scenes::SceneDescription& origin) {
+        return export_scene(state_, origin, ids_);
+    }
 
     const physics::World& world() const { return state_.world; }
 
@@ -49,6 +54,7 @@ private:
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
+    SceneIds ids_;
     ModuleChunks chunks_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told

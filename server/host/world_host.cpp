@@ -33,7 +33,7 @@ WorldHost::WorldHost(std::string id, std::string name, const scenes::SceneDescri
                      const WorldHostSettings& settings, HostedWorld world)
     : id_(std::move(id)),
       name_(std::move(name)),
-      scene_(scene.name),
+      scene_(std::make_shared<const scenes::SceneDescription>(scene)),
       hz_(scene.hz),
       gravity_(scene.world.gravity),
       settings_(settings),

@@ -65,7 +65,8 @@ public:
 
     const std::string& id() const { return id_; }
     const std::string& name() const { return name_; }
-    const std::string& scene() const { return scene_; }
+    const std::string& scene() const { return scene_->name; }
+    const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
     physics::Vec3 gravity() const { return gravity_; }
 
@@ -83,7 +84,8 @@ private:
     void serve_queries();
     void close_doors();  // nobody waits for this world any longer
 
-    const std::string id_, name_, scene_;
+    const std::string id_, name_;
+    const std::shared_ptr<const scenes::SceneDescription> scene_;
     const double hz_;
     const physics::Vec3 gravity_;
     const WorldHostSettings settings_;

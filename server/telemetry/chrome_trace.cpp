@@ -2,6 +2,7 @@
 #include "telemetry/chrome_trace.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace jostle::server {
 
@@ -26,11 +27,12 @@ void append_text(std::string& out, std::string_view text) {
     out += '"';
 }
 
-// To a thousandth: the clock's nanoseconds, when the unit is a microsecond.
+// To a thousandth at most: the clock's nanoseconds, when the unit is a microsecond.
 void append_number(std::string& out, double number) {
     char text[40];
+    const int digits = number == std::floor(number) ? 0 : 3;
     const auto [end, error] =
-        std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, 3);
+        std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, digits);
     if (error == std::errc{})
         out.append(text, end);
     else

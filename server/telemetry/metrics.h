@@ -80,6 +80,8 @@ struct Metrics {
     Gauges queue_depth = gauges("jostle_world_queue_depth",
                                 "Inputs that waited for a world when its last tick began; "
                                 "world.command_queue_max is the most.");
+    Gauges paused = gauges("jostle_world_paused",
+                           "1 while a world takes no steps: it is paused, or they are refused.");
     Gauges clients = gauges("jostle_clients", "Clients that play in a world or watch it.");
 
     // --- the solver, all worlds together: label stage ---
@@ -104,6 +106,8 @@ struct Metrics {
         counters("jostle_refusals_total",
                  "Conversations that the server ended because of what the client did or asked."),
         "reason"};
+
+    Gauge& clients_max = one(gauges("jostle_clients_max", "Most clients that may be connected."));
 
     // --- the doors: label listener ---
     Gauges connections = gauges("jostle_connections", "Open connections of a listener.");

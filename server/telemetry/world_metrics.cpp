@@ -27,6 +27,7 @@ WorldMetrics::Series WorldMetrics::hold() {
             .bodies = &metrics_.bodies.Add(labels),
             .awake_bodies = &metrics_.awake_bodies.Add(labels),
             .queue_depth = &metrics_.queue_depth.Add(labels),
+            .paused = &metrics_.paused.Add(labels),
             .clients = &metrics_.clients.Add(labels)};
 }
 
@@ -40,6 +41,7 @@ WorldMetrics::~WorldMetrics() {
     metrics_.bodies.Remove(series_.bodies);
     metrics_.awake_bodies.Remove(series_.awake_bodies);
     metrics_.queue_depth.Remove(series_.queue_depth);
+    metrics_.paused.Remove(series_.paused);
     metrics_.clients.Remove(series_.clients);
 }
 
@@ -51,6 +53,7 @@ void WorldMetrics::count_tick(const TickCount& tick) {
     series_.bodies->Set(static_cast<double>(tick.bodies));
     series_.awake_bodies->Set(static_cast<double>(tick.awake));
     series_.queue_depth->Set(static_cast<double>(tick.queued));
+    series_.paused->Set(tick.stage_ms.empty() ? 1 : 0);
     if (tick.late_ticks != late_counted_) {
         series_.late_ticks->Increment(tick.late_ticks - late_counted_);
         late_counted_ = tick.late_ticks;

@@ -40,7 +40,7 @@ private:
     struct Series {
         prometheus::Histogram* tick_seconds;
         prometheus::Counter* late_ticks;
-        prometheus::Gauge *bodies, *awake_bodies, *queue_depth, *clients;
+        prometheus::Gauge *bodies, *awake_bodies, *queue_depth, *paused, *clients;
     };
     Series hold();
 

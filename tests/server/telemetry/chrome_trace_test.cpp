@@ -18,8 +18,8 @@ TEST(ChromeTrace, spans_are_events_with_microseconds_and_titles) {
 {"ph":"M","pid":1,"tid":0,"name":"process_name","args":{"name":"arena"}},
 {"ph":"M","pid":1,"tid":0,"name":"thread_name","args":{"name":"ticks"}},
 {"ph":"M","pid":1,"tid":1,"name":"thread_name","args":{"name":"stages"}},
-{"ph":"X","pid":1,"tid":0,"name":"tick","ts":0.000,"dur":1200.500,"args":{"bodies":3.000}},
-{"ph":"X","pid":1,"tid":1,"name":"solve","ts":100.250,"dur":1000.000}
+{"ph":"X","pid":1,"tid":0,"name":"tick","ts":0,"dur":1200.500,"args":{"bodies":3}},
+{"ph":"X","pid":1,"tid":1,"name":"solve","ts":100.250,"dur":1000}
 ]}
 )");
 }

@@ -84,6 +84,7 @@ TEST_F(MetricsTest, a_world_has_its_series_for_as_long_as_somebody_holds_them) {
         EXPECT_EQ(value("jostle_world_bodies" + label + "}"), 41);
         EXPECT_EQ(value("jostle_world_awake_bodies" + label + "}"), 0);
         EXPECT_EQ(value("jostle_late_ticks_total" + label + "}"), 3);
+        EXPECT_EQ(value("jostle_world_paused" + label + "}"), 1) << "the last one took no step";
         EXPECT_EQ(value("jostle_clients" + label + "}"), 1);
         EXPECT_EQ(value("jostle_tick_duration_seconds_count" + label + "}"), 2);
         EXPECT_EQ(value("jostle_tick_duration_seconds_bucket" + label + ",le=\"0.001\"}"), 1);
@@ -168,7 +169,7 @@ TEST_F(MetricsTest, names_and_help_are_what_promtool_wants) {
             EXPECT_EQ(type == "counter", family.ends_with("_total")) << family;
         }
     }
-    EXPECT_EQ(families, 26) << "those of the table, each with a series";
+    EXPECT_EQ(families, 28) << "those of the table, each with a series";
 }
 
 }  // namespace

@@ -159,6 +159,15 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .server_time_us = to_us(now),
          .gravity = world->gravity()}));
     snapshot_due_ = true;  // the first one goes out at once
+    watch_.entered({.id = client_,
+                    .name = hello.name,
+                    .subject = {},
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .address = peer_,
+                    .spectator = hello.spectator,
+                    .since = now},
+                   *world);
     log_info("client {} \"{}\" of {} joined world {}{}", client_, hello.name, peer_, world->id(),
              hello.spectator ? " as a spectator" : "");
 }
@@ -222,6 +231,7 @@ void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
     log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
              error.message);
+    watch_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));
     finish(std::move(error), now);
 }
@@ -236,6 +246,7 @@ void ClientLink::finish(Status status, Clock::time_point now) {
 
 void ClientLink::leave_world() {
     if (client_ == 0) return;
+    watch_.left();
     context_.sessions.leave(client_);
     if (wants_events_) feed_->host().remove_event_listener();
     const Command leave{.client = client_,
@@ -263,6 +274,8 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         }
         return;
     }
+    if (const auto why = watch_.kicked())
+        return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
     if (now - last_received_ > from_seconds(limits.silence_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
@@ -286,6 +299,12 @@ void ClientLink::send(std::string message) {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    std::optional<OutMessage> message = next_message(now);
+    if (message) watch_.sent(*message, now);
+    return message;
+}
+
+std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
         if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
@@ -318,6 +337,7 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     }
     seen_tick_ = frame.tick;
     snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
+    watch_.saw_frame(*flow_, skipped_waiting_);
     collect_results();
 }
 
@@ -333,6 +353,7 @@ std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
     for (const InputResult& result : results_) {
         answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
+    watch_.answered(results_);
     OutMessage message{encode_input_results(results_), nullptr};
     results_.clear();
     return message;
@@ -384,7 +405,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
             waiting_.push_back({{}, std::move(bytes)});
         }
         entity_list_ = frame->entity_list;
-        if (!waiting_.empty()) return take_message(now);
+        if (!waiting_.empty()) return next_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
     const Private own{.input_sequence = answered_sequence_,
@@ -395,6 +416,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
     OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
+    watch_.sent_snapshot(message.size());
     return message;
 }
 

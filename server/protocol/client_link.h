@@ -20,6 +20,7 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/link_watch.h"
 #include "protocol/out_message.h"
 #include "protocol/play_context.h"
 #include "replication/baseline_tracker.h"
@@ -74,6 +75,7 @@ private:
     void leave_world();
     void collect_results();
 
+    std::optional<OutMessage> next_message(Clock::time_point now);
     std::optional<OutMessage> take_results(Clock::time_point now);
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
@@ -81,6 +83,7 @@ private:
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
+    LinkWatch watch_{context_};
     const std::string peer_;
     const Clock::time_point begun_;
     Clock::time_point last_received_;

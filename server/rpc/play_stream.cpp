@@ -21,6 +21,7 @@ PlayStream::PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& que
 }
 
 void PlayStream::begin(PlayContext& context, Clock::time_point now) {
+    metrics_ = context.rpc_metrics;
     link_ = std::make_unique<ClientLink>(context, context_.peer(), now);
     start_read();
 }
@@ -76,7 +77,9 @@ void PlayStream::advance(Clock::time_point now) {
     }
     if (const std::optional<Status>& end = link_->end()) {
         finishing_ = true;
-        stream_.Finish(to_grpc(*end), &finished_tag_);
+        const grpc::Status status = to_grpc(*end);
+        if (metrics_) metrics_->handled("/jostle.v1.PlayService/Play", status.error_code(), 0);
+        stream_.Finish(status, &finished_tag_);
     }
 }
 

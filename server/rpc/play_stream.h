@@ -63,6 +63,7 @@ private:
     PlayTag wrote_{this, PlayTag::Event::wrote};
     PlayTag finished_tag_{this, PlayTag::Event::finished};
     std::unique_ptr<ClientLink> link_;
+    RpcMetrics* metrics_ = nullptr;
     grpc::ByteBuffer incoming_;
     std::string incoming_bytes_;
     bool reading_ = false, writing_ = false, finishing_ = false, finished_ = false;

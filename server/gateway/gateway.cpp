@@ -38,10 +38,10 @@ std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
 }  // namespace
 
 struct Gateway::Impl {
-    Impl(PlayContext& play_context, const HttpRoutes& http_routes, GatewaySettings gateway_settings)
+    Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
         : context(play_context),
           settings(std::move(gateway_settings)),
-          services{http_routes, settings, worker,
+          services{handler, settings, worker, slow,
                    [this](beast::tcp_stream stream, WebSocketSession::Request request) {
                        begin_play(std::move(stream), request);
                    }} {}
@@ -52,12 +52,14 @@ struct Gateway::Impl {
     void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
     void schedule_housekeeping();
     void advance_all();
+    void count_open();
     void abort_all();
 
     PlayContext& context;
     const GatewaySettings settings;
     asio::io_context io{1};
-    asio::thread_pool worker{1};
+    asio::thread_pool worker{static_cast<std::size_t>(settings.workers)};
+    std::atomic<int> slow{0};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own
@@ -75,8 +77,8 @@ Status Gateway::Impl::listen() {
     const auto failure = [&](std::string_view what, const beast::error_code& error) {
         return Error{
             ErrorCode::unavailable,
-            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT", what,
-                        settings.host, settings.port, error.message())};
+            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with {} HOST:PORT", what,
+                        settings.host, settings.port, error.message(), settings.flag)};
     };
     beast::error_code error;
     tcp::resolver resolver(io);
@@ -113,7 +115,10 @@ void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
         return;
     }
     // Above the limit the socket is closed again at once: the cheapest answer there is.
-    if (drop_gone(http_sessions) + drop_gone(play_sessions) < settings.connections_max) {
+    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
+    if (settings.metrics && open >= settings.connections_max)
+        settings.metrics->refused(ConnectionRefusal::limit).Increment();
+    if (open < settings.connections_max) {
         socket.set_option(tcp::no_delay(true), error);
         const auto session = std::make_shared<HttpSession>(std::move(socket), services);
         http_sessions.push_back(session);
@@ -135,6 +140,7 @@ void Gateway::Impl::schedule_housekeeping() {
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
         advance_all();
+        count_open();
         schedule_housekeeping();
     });
 }
@@ -149,6 +155,12 @@ void Gateway::Impl::advance_all() {
         // advance() starts operations only, so no session can end or begin while we walk.
         if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
     }
+}
+
+void Gateway::Impl::count_open() {
+    if (!settings.metrics) return;
+    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
+    settings.metrics->open.Set(static_cast<double>(open));
 }
 
 void Gateway::Impl::abort_all() {
@@ -167,7 +179,7 @@ void Gateway::Impl::abort_all() {
     }
 }
 
-Gateway::Gateway(PlayContext& context, const HttpRoutes& routes, GatewaySettings settings)
+Gateway::Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
     : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
 
 Gateway::~Gateway() {

@@ -99,8 +99,12 @@ HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteS
       settings_(std::move(settings)),
       files_(settings_.web_root) {}
 
-bool HttpRoutes::may_take_long(const HttpRequest& request) {
+bool HttpRoutes::may_take_long(const HttpRequest& request) const {
     return path_of(request.target).starts_with("/api/");
+}
+
+bool HttpRoutes::takes_players(const HttpRequest& request) const {
+    return path_of(request.target) == "/play";
 }
 
 bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gateway/http_message.h"
+#include "gateway/http_handler.h"
 #include "gateway/web_files.h"
 #include "jostle/base/result.h"
 #include "protocol/query_control.h"
@@ -26,18 +26,19 @@ struct RouteSettings {
     std::function<bool()> is_ready;  // false before the first world runs and while draining
 };
 
-class HttpRoutes {
+class HttpRoutes final : public HttpHandler {
 public:
     // Both outlive the routes.
     HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
-    HttpResponse answer(const HttpRequest& request) const;
-    static bool may_take_long(const HttpRequest& request);
+    HttpResponse answer(const HttpRequest& request) const override;
+    bool may_take_long(const HttpRequest& request) const override;
+    bool takes_players(const HttpRequest& request) const override;
 
     // A browser sends Origin with every WebSocket and every request that changes something. A page
     // from elsewhere must not use the visitor's browser to reach a server that only the visitor can
     // reach. No Origin: not a page.
-    bool origin_is_allowed(const HttpRequest& request) const;
+    bool origin_is_allowed(const HttpRequest& request) const override;
 
 private:
     HttpResponse answer_api(const HttpRequest& request, std::string_view path) const;

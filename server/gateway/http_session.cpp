@@ -72,13 +72,13 @@ void HttpSession::on_read(beast::error_code error) {
     if (error) return refuse(400, "This is not an HTTP request.\n");
 
     HttpRequest request = plain_request(parser_->get());
-    if (beast::websocket::is_upgrade(parser_->get()) && path_of(request.target) == "/play") {
+    if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.takes_players(request)) {
         if (!services_.routes.origin_is_allowed(request)) {
             return refuse(403, "A page from another origin may not play on this server.\n");
         }
         return services_.upgrade(std::move(stream_), parser_->release());
     }
-    if (HttpRoutes::may_take_long(request)) return answer_on_worker(std::move(request));
+    if (services_.routes.may_take_long(request)) return answer_on_worker(std::move(request));
     write(services_.routes.answer(request));
 }
 
@@ -92,9 +92,18 @@ void HttpSession::refuse(int status, std::string text) {
 }
 
 void HttpSession::answer_on_worker(HttpRequest request) {
+    if (services_.slow.fetch_add(1) >= services_.settings.slow_requests_max) {
+        services_.slow--;
+        if (services_.settings.metrics)
+            services_.settings.metrics->refused(ConnectionRefusal::busy).Increment();
+        HttpResponse busy{.status = 503, .body = "Too many requests wait already; try again.\n"};
+        busy.headers.emplace_back("Retry-After", "1");
+        return write(busy);
+    }
     stream_.expires_never();  // however long the world takes to build
     asio::post(services_.worker, [self = shared_from_this(), request = std::move(request)] {
         HttpResponse answer = self->services_.routes.answer(request);
+        self->services_.slow--;
         asio::dispatch(self->stream_.get_executor(),
                        [self, answer = std::move(answer)] { self->write(answer); });
     });

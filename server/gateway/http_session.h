@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// One HTTP connection: reads a request at a time, has HttpRoutes answer it, writes the answer;
+// One HTTP connection: reads a request at a time, has its handler answer it, writes the answer;
 // hands the socket over when the request asks for a WebSocket at /play. Lives on the gateway's
 // thread; kept alive by its operation in flight.
 #pragma once
 
+#include <atomic>
 #include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
@@ -16,7 +17,7 @@
 #include <optional>
 
 #include "gateway/gateway_settings.h"
-#include "gateway/http_routes.h"
+#include "gateway/http_handler.h"
 
 namespace jostle::server {
 
@@ -27,9 +28,10 @@ public:
         std::function<void(boost::beast::tcp_stream, boost::beast::http::request<Body>)>;
 
     struct Services {
-        const HttpRoutes& routes;
+        const HttpHandler& routes;
         const GatewaySettings& settings;
         boost::asio::thread_pool& worker;  // for requests that take long
+        std::atomic<int>& slow;            // how many of them there are
         Upgrade upgrade;                   // takes the socket of a WebSocket client
     };
 

@@ -22,6 +22,7 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_clients(static_cast<std::uint32_t>(sessions.clients_in(world.id())));
     info.set_tick(frame->tick);
     info.set_step_ms_mean(frame->step_ms_mean);
+    if (const auto why = world.paused()) info.set_paused(*why);
 }
 
 Error no_such_world(const std::string& world) {

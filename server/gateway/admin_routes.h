@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// What the operators' port answers: metrics, health, and profiles. Knows nothing of sockets. Any
+// thread may call answer(); a profile holds it up for as long as it was asked to last, so the port
+// calls that on its worker.
+#pragma once
+
+#include <functional>
+#include <mutex>
+
+#include "gateway/http_handler.h"
+#include "protocol/admin_control.h"
+#include "telemetry/metrics.h"
+
+namespace jostle::server {
+
+struct AdminRouteSettings {
+    std::function<bool()> is_healthy, is_ready;
+    // Before metrics are read: brings what is counted elsewhere up to date. May be empty.
+    std::function<void()> refresh;
+};
+
+class AdminRoutes final : public HttpHandler {
+public:
+    // Both outlive the routes.
+    AdminRoutes(AdminControl& control, Metrics& metrics, AdminRouteSettings settings)
+        : control_(control), metrics_(metrics), settings_(std::move(settings)) {}
+
+    HttpResponse answer(const HttpRequest& request) const override;
+    bool may_take_long(const HttpRequest& request) const override;
+    bool takes_players(const HttpRequest&) const override { return false; }
+    // No page has business here.
+    bool origin_is_allowed(const HttpRequest& request) const override {
+        return request.origin.empty();
+    }
+
+private:
+    HttpResponse metrics() const;
+    HttpResponse profile(const HttpRequest& request) const;
+
+    AdminControl& control_;
+    Metrics& metrics_;
+    AdminRouteSettings settings_;
+    mutable std::mutex metrics_mutex_;
+};
+
+}  // namespace jostle::server

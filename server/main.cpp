@@ -3,6 +3,7 @@
 // jostle-server: flags over the config file over the defaults, then run.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <optional>
 
 #include "app/server_app.h"
 #include "base/log.h"
@@ -23,6 +24,7 @@ Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 struct Flags {
     std::vector<std::string> scenes;
     std::string listen, http, config, web_root, log_level, port_file;
+    std::optional<std::string> admin;
     bool list_scenes = false;
 };
 
@@ -31,6 +33,8 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "World to host: a scene's name or a scene file; may be given several times");
     app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one");
     app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT");
+    app.add_option("--admin", flags.admin,
+                   "Address of metrics and profiles, HOST:PORT; \"\" for none");
     app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings");
     app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
     app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error");
@@ -49,6 +53,7 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
     if (!flags.scenes.empty()) config.scenes = flags.scenes;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
+    if (flags.admin) config.admin = *flags.admin;
     take(config.web_root, flags.web_root);
     take(config.log_level, flags.log_level);
 }
@@ -84,5 +89,5 @@ int main(int argc, char** argv) {
     }
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-    return jostle::server::run_server(config, flags.port_file);
+    return jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
 }

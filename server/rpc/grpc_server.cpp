@@ -7,6 +7,8 @@
 
 #include <chrono>
 
+#include "rpc/rpc_counter.h"
+
 namespace jostle::server {
 
 namespace {
@@ -36,7 +38,9 @@ GrpcServer::GrpcServer(PlayContext& context, WorldControl& worlds, const QueryCo
       world_service_(worlds),
       query_service_(queries),
       health_service_(
-          {"jostle.v1.PlayService", "jostle.v1.QueryService", "jostle.v1.WorldService"}) {}
+          {"jostle.v1.PlayService", "jostle.v1.QueryService", "jostle.v1.WorldService"}) {
+    if (settings_.admin) admin_service_.emplace(*settings_.admin);
+}
 
 GrpcServer::~GrpcServer() {
     stop();
@@ -52,9 +56,12 @@ Status GrpcServer::start() {
     builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
     builder.SetMaxReceiveMessageSize(settings_.message_bytes_max);
     set_keepalive(builder);
+    if (context_.rpc_metrics)
+        builder.experimental().SetInterceptorCreators(rpc_counters(*context_.rpc_metrics));
     builder.RegisterService(&play_service_);
     builder.RegisterService(&world_service_);
     builder.RegisterService(&query_service_);
+    if (admin_service_) builder.RegisterService(&*admin_service_);
     builder.RegisterService(&health_service_);
     for (int i = 0; i < settings_.network_threads; ++i) {
         shards_.push_back(

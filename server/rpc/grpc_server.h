@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// The gRPC port: play streams on shards of their own, WorldService, QueryService, health and
-// reflection. start(), then drain() and stop() in that order; each from one thread.
+// The gRPC port: play streams on shards of their own, WorldService, QueryService, AdminService,
+// health and reflection. start(), then drain() and stop() in that order; each from one thread.
 #pragma once
 
 #include <grpcpp/server.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "rpc/admin_service.h"
 #include "rpc/health_service.h"
 #include "rpc/play_shard.h"
 #include "rpc/query_service.h"
@@ -25,6 +27,7 @@ struct GrpcSettings {
     int network_threads = 1;
     int message_bytes_max =
         4 * 1024 * 1024;  // a scene in CreateWorld; play streams have a smaller limit of their own
+    AdminControl* admin = nullptr;  // outlives the server; null: AdminService is not served
 };
 
 class GrpcServer {
@@ -51,6 +54,7 @@ private:
     RawPlayService play_service_;
     WorldService world_service_;
     QueryService query_service_;
+    std::optional<AdminService> admin_service_;
     HealthService health_service_;
     std::vector<std::unique_ptr<PlayShard>> shards_;
     std::unique_ptr<grpc::Server> server_;

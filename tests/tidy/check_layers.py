@@ -48,6 +48,7 @@ FLOORS = {
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/status", "generated"],
     "clients/bot": ["clients/cpp", "generated"],
+    "clients/ctl": ["proto/status", "generated"],
     "clients/load": ["clients/cpp", "clients/bot", "generated"],
 }
 # Only host/ includes the World; scene.h brings it to those who build worlds.

@@ -28,6 +28,7 @@ namespace asio = boost::asio;
 
 constexpr auto poll_period = std::chrono::milliseconds(20);
 constexpr auto goodbye_time = std::chrono::milliseconds(100);
+constexpr auto hung_after = std::chrono::seconds(2);  // a world without a frame for so long
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
@@ -65,6 +66,13 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& m
             .physics_threads = config.tick.physics_threads,
             .on_frame = [&wakers] { wakers.wake(); },
             .metrics = &metrics};
+}
+
+// Whether every world has shown a frame of late.
+bool all_tick(const WorldDirectory& worlds, Clock::time_point now) {
+    for (const auto& world : worlds.list())
+        if (now - world->frame()->due > hung_after) return false;
+    return true;
 }
 
 // Few and small: Prometheus, a probe, an operator or two.
@@ -218,7 +226,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                              .is_ready = [&] { return !context.draining.load(); }});
     AdminControl admin_control(context);
     const AdminRoutes admin_routes(admin_control, metrics,
-                                   {.is_healthy = [] { return true; },
+                                   {.is_healthy = [&] { return all_tick(worlds, Clock::now()); },
                                     .is_ready = [&] { return !context.draining.load(); },
                                     .refresh = {}});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);

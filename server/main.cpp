@@ -3,7 +3,6 @@
 // jostle-server: flags over the config file over the defaults, then run.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <optional>
 
 #include "app/server_app.h"
 #include "base/log.h"
@@ -16,26 +15,27 @@ constexpr const char* examples = R"(
 Examples:
   jostle-server                                   the sandbox; viewer at http://localhost:8080
   jostle-server --scene pyramid --scene my.json   two worlds, one from a scene file
-  jostle-server --config server.toml --log-level debug
+  jostle-server --scene a=pyramid --scene b=pyramid
+  jostle-server --config server.toml --log-level debug --set world.worlds_max=4
 
 SIGTERM or Ctrl-C tells clients goodbye and exits with 0; a second one exits at once.
 Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 
 struct Flags {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
-    std::optional<std::string> admin;
     bool list_scenes = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--scene", flags.scenes,
-                   "World to host: a scene's name or a scene file; may be given several times");
+                   "World to host: a scene's name or a scene file, with NAME= before it for a name "
+                   "of its own; may be given several times");
     app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one");
     app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT");
-    app.add_option("--admin", flags.admin,
-                   "Address of metrics and profiles, HOST:PORT; \"\" for none");
     app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings");
+    app.add_option("--set", flags.settings,
+                   "A setting of the config file, KEY=VALUE, as in client.bodies_owned_max=10");
     app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
     app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error");
     app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
@@ -53,7 +53,6 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
     if (!flags.scenes.empty()) config.scenes = flags.scenes;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
-    if (flags.admin) config.admin = *flags.admin;
     take(config.web_root, flags.web_root);
     take(config.log_level, flags.log_level);
 }
@@ -82,12 +81,17 @@ int main(int argc, char** argv) {
             return 2;
         }
     }
+    if (const auto set = jostle::server::load_settings(config, flags.settings); !set.ok()) {
+        std::fprintf(stderr, "jostle-server: %s\n", set.error().message.c_str());
+        return 2;
+    }
     overlay(config, flags);
     if (const auto checked = jostle::server::check(config); !checked.ok()) {
         std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());
         return 2;
     }
-    spdlog::set_level(spdlog::level::from_str(config.log_level));
-    spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-    return jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
+    jostle::server::start_log({.level = config.log_level, .json = config.log_format == "json"});
+    const int status = jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
+    jostle::server::stop_log();
+    return status;
 }

@@ -24,10 +24,6 @@ HttpResponse text(int status, std::string_view body) {
         .status = status, .headers = {{"Cache-Control", "no-store"}}, .body = std::string(body)};
 }
 
-HttpResponse yes_or_no(bool yes, std::string_view when_yes, std::string_view when_no) {
-    return yes ? text(200, when_yes) : text(503, when_no);
-}
-
 // "5" or "2.5"; nothing else.
 std::optional<double> number_of(const std::string& text) {
     double number = 0;
@@ -49,8 +45,8 @@ std::string file_name_of(const std::string& world) {
 
 }  // namespace
 
-bool AdminRoutes::may_take_long(const HttpRequest& request) const {
-    return path_of(request.target) == profile_path;
+HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
+    return path_of(request.target) == profile_path ? HttpWork::asks : HttpWork::at_once;
 }
 
 HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
@@ -64,11 +60,15 @@ HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     if (path == "/") return text(200, index);
     if (path == "/metrics") return metrics();
-    if (path == "/healthz")
-        return yes_or_no(settings_.is_healthy(), "ok\n", "a world does not tick\n");
-    if (path == "/readyz") return yes_or_no(settings_.is_ready(), "ready\n", "not ready\n");
+    if (path == "/healthz" || path == "/readyz") return health(path);
     if (path == profile_path) return profile(request);
     return text(404, "There is no such path; / lists those there are.\n");
+}
+
+HttpResponse AdminRoutes::health(std::string_view path) const {
+    if (const auto trouble = settings_.trouble()) return text(503, *trouble + "\n");
+    if (path == "/healthz") return text(200, "ok\n");
+    return settings_.is_draining() ? text(503, "the server is going down\n") : text(200, "ready\n");
 }
 
 HttpResponse AdminRoutes::metrics() const {

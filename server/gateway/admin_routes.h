@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
+#include <string>
 
 #include "gateway/http_handler.h"
 #include "protocol/admin_control.h"
@@ -15,7 +17,9 @@
 namespace jostle::server {
 
 struct AdminRouteSettings {
-    std::function<bool()> is_healthy, is_ready;
+    std::function<bool()> is_draining;
+    // What is wrong with the server; nothing: it is well.
+    std::function<std::optional<std::string>()> trouble;
     // Before metrics are read: brings what is counted elsewhere up to date. May be empty.
     std::function<void()> refresh;
 };
@@ -27,7 +31,8 @@ public:
         : control_(control), metrics_(metrics), settings_(std::move(settings)) {}
 
     HttpResponse answer(const HttpRequest& request) const override;
-    bool may_take_long(const HttpRequest& request) const override;
+    HttpWork work_of(const HttpRequest& request) const override;
+    bool takes_large_body(const HttpRequest&) const override { return false; }
     bool takes_players(const HttpRequest&) const override { return false; }
     // No page has business here.
     bool origin_is_allowed(const HttpRequest& request) const override {
@@ -35,6 +40,7 @@ public:
     }
 
 private:
+    HttpResponse health(std::string_view path) const;
     HttpResponse metrics() const;
     HttpResponse profile(const HttpRequest& request) const;
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gateway/gateway.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
@@ -13,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/address.h"
+#include "base/log.h"
+#include "base/work_pool.h"
 #include "gateway/http_session.h"
 #include "gateway/websocket_session.h"
 
@@ -29,6 +30,9 @@ constexpr auto housekeeping_period = std::chrono::milliseconds(20);
 // When no file descriptor is left, trying again at once would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
 
+// Who asks stands back behind who plays.
+constexpr int asking_niceness = 10, changing_niceness = 5;
+
 template <class Session>
 std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
     std::erase_if(sessions, [](const auto& session) { return session.expired(); });
@@ -41,7 +45,11 @@ struct Gateway::Impl {
     Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
         : context(play_context),
           settings(std::move(gateway_settings)),
-          services{handler, settings, worker, slow,
+          services{handler,
+                   settings,
+                   asking,
+                   changing,
+                   body_bytes,
                    [this](beast::tcp_stream stream, WebSocketSession::Request request) {
                        begin_play(std::move(stream), request);
                    }} {}
@@ -49,17 +57,21 @@ struct Gateway::Impl {
     Status listen();
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
+    bool make_room(const tcp::socket& socket);
     void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
     void schedule_housekeeping();
     void advance_all();
     void count_open();
+    void count_refused(ConnectionRefusal why);
     void abort_all();
+    void run();
 
     PlayContext& context;
     const GatewaySettings settings;
     asio::io_context io{1};
-    asio::thread_pool worker{static_cast<std::size_t>(settings.workers)};
-    std::atomic<int> slow{0};
+    double body_bytes = 0;  // of requests that are being received or answered
+    WorkPool asking{settings.asking_threads, settings.work_queue_max, asking_niceness},
+        changing{1, settings.work_queue_max, changing_niceness};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own
@@ -67,7 +79,8 @@ struct Gateway::Impl {
     // The sessions keep themselves alive; these only know them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
     std::vector<std::weak_ptr<WebSocketSession>> play_sessions;
-    std::size_t first = 0;           // whose write starts first this time
+    std::size_t first = 0;  // whose write starts first this time
+    Clock::time_point advanced = Clock::now();
     std::atomic<bool> awake{false};  // a wake-up is on its way
     std::uint16_t real_port = 0;
     std::thread thread;
@@ -107,24 +120,56 @@ void Gateway::Impl::accept() {
 void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     if (ending || error == asio::error::operation_aborted) return;
     if (error) {
-        spdlog::warn("http: cannot take a connection: {}", error.message());
+        log_warn("http: cannot take a connection: {}", error.message());
         accept_again.expires_after(accept_pause);
         accept_again.async_wait([this](beast::error_code stopped) {
             if (!stopped && !ending) accept();
         });
         return;
     }
-    // Above the limit the socket is closed again at once: the cheapest answer there is.
-    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
-    if (settings.metrics && open >= settings.connections_max)
-        settings.metrics->refused(ConnectionRefusal::limit).Increment();
-    if (open < settings.connections_max) {
+    if (make_room(socket)) {
         socket.set_option(tcp::no_delay(true), error);
         const auto session = std::make_shared<HttpSession>(std::move(socket), services);
         http_sessions.push_back(session);
         session->start();
     }
     accept();
+}
+
+// False: the socket is to be closed at once, which is the cheapest answer there is. Of HTTP
+// connections the one that has been silent for longest goes first; players are never sent away.
+bool Gateway::Impl::make_room(const tcp::socket& socket) {
+    const std::size_t players = drop_gone(play_sessions), others = drop_gone(http_sessions);
+    beast::error_code error;
+    const auto endpoint = socket.remote_endpoint(error);
+    if (error) return false;
+    const std::string address = address_key(endpoint.address().to_string());
+    std::size_t of_address = 0;
+    std::shared_ptr<HttpSession> oldest, oldest_of_address;
+    const auto is_older = [](const auto& a, const auto& b) {
+        return !b || *a->idle_since() < *b->idle_since();
+    };
+    for (const auto& known : play_sessions)
+        if (const auto session = known.lock()) of_address += session->address() == address ? 1 : 0;
+    for (const auto& known : http_sessions) {
+        const auto session = known.lock();
+        if (!session) continue;
+        const bool same = session->address() == address;
+        of_address += same ? 1 : 0;
+        if (!session->idle_since()) continue;
+        if (is_older(session, oldest)) oldest = session;
+        if (same && is_older(session, oldest_of_address)) oldest_of_address = session;
+    }
+    if (of_address >= settings.per_address_max) {
+        count_refused(ConnectionRefusal::address_limit);
+        if (!oldest_of_address) return false;
+        oldest_of_address->abort();
+    } else if (players + others >= settings.connections_max) {
+        count_refused(ConnectionRefusal::limit);
+        if (!oldest) return false;
+        oldest->abort();
+    }
+    return true;
 }
 
 void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request) {
@@ -147,9 +192,14 @@ void Gateway::Impl::schedule_housekeeping() {
 
 // Each round begins with the next client, so that not always the same one is written to last.
 void Gateway::Impl::advance_all() {
+    const Clock::time_point now = Clock::now();
+    const Clock::duration since = now - std::exchange(advanced, now);
     const std::size_t count = drop_gone(play_sessions);
     if (count == 0) return;
-    const Clock::time_point now = Clock::now();
+    // Who was silent while we did not listen is not to blame.
+    if (since > pause_of_ours)
+        for (const auto& known : play_sessions)
+            if (const auto session = known.lock()) session->on_pause(since);
     first = (first + 1) % count;
     for (std::size_t i = 0; i < count; ++i) {
         // advance() starts operations only, so no session can end or begin while we walk.
@@ -161,6 +211,11 @@ void Gateway::Impl::count_open() {
     if (!settings.metrics) return;
     const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
     settings.metrics->open.Set(static_cast<double>(open));
+}
+
+// Who came or who had to go for it.
+void Gateway::Impl::count_refused(ConnectionRefusal why) {
+    if (settings.metrics) settings.metrics->refused(why).Increment();
 }
 
 void Gateway::Impl::abort_all() {
@@ -179,6 +234,18 @@ void Gateway::Impl::abort_all() {
     }
 }
 
+// Memory may run out while a request or a message is read: its session ends and no other does.
+void Gateway::Impl::run() {
+    for (;;) {
+        try {
+            io.run();
+            return;
+        } catch (const std::exception& error) {
+            log_error("http: a connection failed: {}", error.what());
+        }
+    }
+}
+
 Gateway::Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
     : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
 
@@ -190,7 +257,7 @@ Status Gateway::start() {
     if (Status s = impl_->listen(); !s.ok()) return s;
     impl_->accept();
     impl_->schedule_housekeeping();
-    impl_->thread = std::thread([impl = impl_.get()] { impl->io.run(); });
+    impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
     return {};
 }
 
@@ -210,9 +277,10 @@ void Gateway::wake() {
 // let go of the sessions, so the io_context runs out of work and its thread ends.
 void Gateway::stop() {
     if (!impl_->thread.joinable()) return;
+    impl_->asking.stop();
+    impl_->changing.stop();
     asio::post(impl_->io, [impl = impl_.get()] { impl->abort_all(); });
     impl_->thread.join();
-    impl_->worker.join();
 }
 
 }  // namespace jostle::server

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // One port for browsers: the viewer's files, the worlds as JSON, health, and at /play the same
-// conversation as gRPC's over a WebSocket; with another handler, a port for operators. Has a thread
-// of its own for the sockets and one for requests that take long. Everything here is bounded:
-// connections, header, body and message sizes, and how long a peer may be silent.
+// conversation as gRPC's over a WebSocket. Has a thread of its own for the sockets and
+// two for requests that take long. Everything here is bounded: connections, header, body and
+// message sizes, and how long a peer may be silent.
 #pragma once
 
 #include <cstdint>

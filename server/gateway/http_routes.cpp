@@ -74,11 +74,12 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
 // Reads a question, asks it, writes the answer.
 template <class Request, class Response>
 HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
-                 Status (QueryControl::*method)(const Request&, Response&) const) {
+                 Status (QueryControl::*method)(const Request&, Response&, const StillWanted&)
+                     const) {
     Request message;
     if (const auto refused = read_json(message, request)) return *refused;
     Response response;
-    const Status status = (queries.*method)(message, response);
+    const Status status = (queries.*method)(message, response, QueryControl::always);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
@@ -99,12 +100,20 @@ HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteS
       settings_(std::move(settings)),
       files_(settings_.web_root) {}
 
-bool HttpRoutes::may_take_long(const HttpRequest& request) const {
-    return path_of(request.target).starts_with("/api/");
+HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    if (path.starts_with(query_path)) return HttpWork::asks;
+    const bool reads = request.method == "GET" || request.method == "HEAD";
+    return reads || !path.starts_with("/api/") ? HttpWork::at_once : HttpWork::changes;
 }
 
 bool HttpRoutes::takes_players(const HttpRequest& request) const {
     return path_of(request.target) == "/play";
+}
+
+bool HttpRoutes::takes_large_body(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
 }
 
 bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
@@ -116,9 +125,11 @@ bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
 
 HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
-    if (path == "/healthz") return text(200, "ok\n");
-    if (path == "/readyz") {
-        return settings_.is_ready() ? text(200, "ready\n") : text(503, "not ready\n");
+    if (path == "/healthz" || path == "/readyz") {
+        if (const auto trouble = settings_.trouble()) return text(503, *trouble + "\n");
+        if (path == "/healthz") return text(200, "ok\n");
+        return settings_.is_draining() ? text(503, "the server is going down\n")
+                                       : text(200, "ready\n");
     }
     if (path == "/api" || path.starts_with("/api/")) return answer_api(request, path);
     if (path == "/play") {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What each HTTP path answers: health, worlds and queries as JSON, the viewer's files. Knows
-// nothing of sockets. Any thread may call answer(); requests under /api may take as long as
-// building a world, so the gateway calls them on its worker.
+// nothing of sockets. Any thread may call answer(), which may take as long as building a world.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +23,9 @@ struct RouteSettings {
     std::filesystem::path web_root;
     // Pages of these origins ("https://play.example.org") may use the server besides its own.
     std::vector<std::string> allowed_origins;
-    std::function<bool()> is_ready;  // false before the first world runs and while draining
+    std::function<bool()> is_draining;
+    // What is wrong with the server; nothing: it is well.
+    std::function<std::optional<std::string>()> trouble;
 };
 
 class HttpRoutes final : public HttpHandler {
@@ -32,7 +34,8 @@ public:
     HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
     HttpResponse answer(const HttpRequest& request) const override;
-    bool may_take_long(const HttpRequest& request) const override;
+    HttpWork work_of(const HttpRequest& request) const override;
+    bool takes_large_body(const HttpRequest& request) const override;
     bool takes_players(const HttpRequest& request) const override;
 
     // A browser sends Origin with every WebSocket and every request that changes something. A page

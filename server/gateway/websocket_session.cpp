@@ -9,6 +9,9 @@
 #include <chrono>
 #include <string_view>
 
+#include "base/address.h"
+#include "base/text.h"
+
 namespace jostle::server {
 
 namespace beast = boost::beast;
@@ -38,8 +41,8 @@ websocket::close_code close_code_of(ErrorCode code) {
 // A close frame has room for 123 bytes of reason.
 websocket::close_reason reason_of(const Status& end) {
     if (end.ok()) return websocket::close_code::normal;
-    return {close_code_of(end.error().code),
-            boost::string_view(end.error().message).substr(0, 120)};
+    const std::string_view reason = clip_utf8(end.error().message, 120);
+    return {close_code_of(end.error().code), boost::string_view(reason.data(), reason.size())};
 }
 
 std::string peer_name(const beast::tcp_stream& stream) {
@@ -54,6 +57,9 @@ std::string peer_name(const beast::tcp_stream& stream) {
 WebSocketSession::WebSocketSession(PlayContext& context, beast::tcp_stream stream,
                                    std::size_t message_bytes_max)
     : context_(context), socket_(std::move(stream)), peer_(peer_name(socket_.next_layer())) {
+    beast::error_code error;
+    const auto endpoint = socket_.next_layer().socket().remote_endpoint(error);
+    if (!error) address_ = address_key(endpoint.address().to_string());
     socket_.next_layer()
         .expires_never();  // from here on the WebSocket layer and the link keep time
     websocket::stream_base::timeout timeout{};

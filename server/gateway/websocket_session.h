@@ -34,6 +34,11 @@ public:
     void advance(Clock::time_point now);
     // The gateway stops: closes the socket at once.
     void abort();
+    // We did not listen for so long.
+    void on_pause(Clock::duration pause) {
+        if (link_) link_->on_pause(pause);
+    }
+    const std::string& address() const { return address_; }
 
 private:
     void on_accepted(boost::beast::error_code error);
@@ -44,7 +49,7 @@ private:
 
     PlayContext& context_;
     boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
-    std::string peer_;
+    std::string peer_, address_;
     std::optional<ClientLink> link_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;

@@ -13,10 +13,7 @@ using namespace physics;
 
 Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                         const HostLimits& limits, int threads) {
-    if (static_cast<int>(scene.bodies.size()) > limits.bodies_max)
-        return Error{ErrorCode::invalid_argument,
-                     "the scene has " + std::to_string(scene.bodies.size()) +
-                         " bodies; this server allows " + std::to_string(limits.bodies_max)};
+    if (Status s = check_description(scene, limits.scene); !s.ok()) return s.error();
     if (scene.modules.size() > scenes::modules_max)  // WIRE.md promises clients so
         return Error{ErrorCode::invalid_argument,
                      "the scene has " + std::to_string(scene.modules.size()) +
@@ -24,6 +21,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                          " in a world"};
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
+    if (Status s = check_work(scene, built->world, limits.scene); !s.ok()) return s.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
     HostedWorld hosted({.world = std::move(built->world), .limits = limits});
     for (std::size_t i = 0; i < built->bodies.size(); i++)

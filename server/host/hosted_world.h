@@ -23,13 +23,17 @@ namespace jostle::server {
 
 class HostedWorld {
 public:
+    // resource_exhausted: the scene costs more than the limits allow.
     static Result<HostedWorld> create(const scenes::SceneDescription& scene,
                                       const HostLimits& limits, int threads);
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);
-    // Pulls what is held, then steps.
+    // Pulls what is held, then steps. `aborted`: it took too long and was told to end.
     Status step(double dt);
+    // Any thread: physics::World::stop_stepping().
+    void stop_stepping() { state_.world.stop_stepping(); }
+    void resume_stepping() { state_.world.resume_stepping(); }
     // Fills what a world knows of a frame; the host adds times.
     void copy_into(Frame& frame);
     // What happened in the last step; nothing when nothing did. Before the next command.

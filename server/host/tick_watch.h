@@ -26,7 +26,7 @@ public:
     WorldMetrics* metrics() { return metrics_.get(); }  // null: nobody counts
 
     // The world's thread, in this order.
-    void begin_tick() { begun_ = Clock::now(); }
+    void begin_tick(Clock::time_point now) { begun_ = now; }
     void begin_step() {
         if (recorder_.wanted()) step_begun_ = Clock::now();
     }

@@ -7,10 +7,15 @@ namespace jostle::server {
 
 namespace {
 
-// "w" and digits: as a name it would hide the world that has, or will have, that id.
+constexpr std::size_t restarts_max = 3;  // within restart_span; after that it is given up
+constexpr auto restart_span = std::chrono::minutes(1);
+
+// "w" and digits, or these and "-" and more: as a name it would hide the world that has, or will
+// have, that id.
 bool looks_like_id(const std::string& name) {
-    return name.size() > 1 && name[0] == 'w' &&
-           name.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (name.size() < 2 || name[0] != 'w') return false;
+    const std::size_t end = name.find_first_not_of("0123456789", 1);
+    return end == std::string::npos || (end > 1 && name[end] == '-');
 }
 
 Status check_name(const std::string& name) {
@@ -44,8 +49,8 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
         worlds_.emplace(number,
                         nullptr);  // holds the place while the world is built without the lock
     }
-    const std::string id = "w" + std::to_string(number);
-    auto host = WorldHost::start(id, name, scene, settings_);
+    const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
+    auto host = start(id, name, std::make_shared<const scenes::SceneDescription>(scene));
     const std::lock_guard lock(mutex_);
     // Another call may have taken the name meanwhile.
     if (!host.ok() || find_locked(name)) {
@@ -90,6 +95,51 @@ std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name)
     world->stop();
     log_info("world {} \"{}\" was deleted", world->id(), world->name());
     return world;
+}
+
+void WorldDirectory::restart_failed(Clock::time_point now) {
+    std::vector<std::pair<std::uint32_t, std::shared_ptr<WorldHost>>> failed;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [number, world] : worlds_)
+            if (world && world->failed()) failed.emplace_back(number, world);
+    }
+    for (const auto& [number, world] : failed) restart(number, world, now);
+}
+
+void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
+                             Clock::time_point now) {
+    std::vector<Clock::time_point>& before = restarts_[number];
+    std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
+    failed->stop();
+    Result<std::shared_ptr<WorldHost>> host =
+        before.size() < restarts_max ? start(failed->id(), failed->name(), failed->description())
+                                     : Error{ErrorCode::resource_exhausted, "it ended too often"};
+    before.push_back(now);
+    const std::lock_guard lock(mutex_);
+    const auto at = worlds_.find(number);
+    if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
+    if (host.ok()) {
+        at->second = *host;
+        if (settings_.metrics) settings_.metrics->world_restarts.Increment();
+        log_warn("world {} \"{}\" was started anew from its scene", failed->id(), failed->name());
+    } else {
+        worlds_.erase(at);
+        restarts_.erase(number);
+        log_error("world {} \"{}\" is given up: {}", failed->id(), failed->name(),
+                  host.error().message);
+    }
+}
+
+// Memory may not suffice: that refuses this world and ends nothing else.
+Result<std::shared_ptr<WorldHost>> WorldDirectory::start(
+    std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene) const {
+    try {
+        return WorldHost::start(std::move(id), std::move(name), std::move(scene), settings_);
+    } catch (const std::exception& error) {
+        return Error{ErrorCode::resource_exhausted,
+                     std::string("the world cannot be built: ") + error.what()};
+    }
 }
 
 void WorldDirectory::stop_all() {

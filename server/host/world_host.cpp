@@ -18,30 +18,31 @@ struct WorldHost::Timer {
     asio::steady_timer due{io};
 };
 
-Result<std::shared_ptr<WorldHost>> WorldHost::start(std::string id, std::string name,
-                                                    const scenes::SceneDescription& scene,
-                                                    const WorldHostSettings& settings) {
+Result<std::shared_ptr<WorldHost>> WorldHost::start(
+    std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene,
+    const WorldHostSettings& settings) {
     Result<HostedWorld> world =
-        HostedWorld::create(scene, settings.limits, settings.physics_threads);
+        HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
-    std::shared_ptr<WorldHost> host(
-        new WorldHost(std::move(id), std::move(name), scene, settings, std::move(*world)));
+    std::shared_ptr<WorldHost> host(new WorldHost(std::move(id), std::move(name), std::move(scene),
+                                                  settings, std::move(*world)));
     return host;
 }
 
-WorldHost::WorldHost(std::string id, std::string name, const scenes::SceneDescription& scene,
+WorldHost::WorldHost(std::string id, std::string name,
+                     std::shared_ptr<const scenes::SceneDescription> scene,
                      const WorldHostSettings& settings, HostedWorld world)
     : id_(std::move(id)),
       name_(std::move(name)),
-      scene_(std::make_shared<const scenes::SceneDescription>(scene)),
-      hz_(scene.hz),
-      gravity_(scene.world.gravity),
+      scene_(std::move(scene)),
+      hz_(scene_->hz),
+      gravity_(scene_->world.gravity),
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
       watch_(settings.metrics, name_),
       timer_(std::make_unique<Timer>()) {
-    recent_step_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
+    recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
     first->tick = tick_ = 1;
     first->due = Clock::now();
@@ -63,9 +64,15 @@ FramePtr WorldHost::frame() const {
 void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
+    world_.stop_stepping();
     close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
+}
+
+void WorldHost::leave(ClientId client, bool keep_bodies) {
+    const std::lock_guard lock(leave_mutex_);
+    leavers_.push_back({.client = client, .action = LeaveCommand{keep_bodies}, .reply = nullptr});
 }
 
 void WorldHost::pause(std::string reason) {
@@ -81,9 +88,27 @@ void WorldHost::resume() {
     steps_.withdraw();
 }
 
+void WorldHost::close_doors() {
+    queries_.close();
+    steps_.close();
+    watch_.close();
+    visits_.close();
+}
+
 std::optional<std::string> WorldHost::paused() const {
     const std::lock_guard lock(pause_mutex_);
     return paused_;
+}
+
+std::optional<Clock::time_point> WorldHost::tick_began() const {
+    const Clock::rep began = tick_began_.load(std::memory_order_relaxed);
+    if (began == 0) return std::nullopt;
+    return Clock::time_point(Clock::duration(began));
+}
+
+void WorldHost::interrupt(std::string reason) {
+    pause(std::move(reason));
+    world_.stop_stepping();
 }
 
 void WorldHost::run() {
@@ -103,52 +128,80 @@ void WorldHost::run() {
         timer_->io.run();
     } catch (const std::exception& error) {
         log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
+        failed_.store(true);
         stopping_.store(true);
         close_doors();
     }
+    tick_began_.store(0, std::memory_order_relaxed);
 }
 
-// One tick of one world. Nothing outside this thread ever touches world_.
+// One tick of one world. Nothing outside this thread ever touches world_, but to stop its step.
 void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
-    watch_.begin_tick();
+    const Clock::time_point began = Clock::now();
+    tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
+    watch_.begin_tick(began);
     tick_++;
-    commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
-    results_.clear();
     const std::optional<std::string> why = paused();
-    for (const Command& command : batch_)
-        if (why && !std::holds_alternative<LeaveCommand>(command.action))
-            results_.push_back(
-                {.sequence = command.sequence,
-                 .status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *why},
-                 .tick = tick_});
-        else
-            results_.push_back(world_.apply(command, tick_));
-    const bool steps = !why || steps_.begin_step();
+    apply_commands(why);
+    const bool allowed = why && steps_.begin_step();
     watch_.begin_step();
-    if (!steps) {
-        // It is paused, and no time passes.
-    } else if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
-        record_events();
-        warn_of_quarantine();
-        warn_of_large_chunks();
-    } else if (!step_refused_) {
-        step_refused_ = true;  // said once; the world stands still but answers
-        log_error("world {}: step refused: {}", id_, stepped.error().message);
-    }
+    const bool stepped = (!why || allowed) && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
     frame->late_ticks = late_ticks;
     frame->events = events_;
+    frame->paused = why;
     world_.copy_into(*frame);
-    if (!steps) frame->step_ms = 0;
-    measure(*frame);
+    if (!stepped) frame->step_ms = 0;
+    measure(*frame, began);
     const FramePtr shown = frame;
     publish(std::move(frame));
     serve_queries();  // players first
     steps_.end_tick();
     visits_.admit(world_);
-    watch_.end_tick(*shown, steps ? &world_.world().profile() : nullptr, batch_.size());
+    watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
+    tick_began_.store(0, std::memory_order_relaxed);
+}
+
+// What was asked since the last tick, in order of arrival; then who left. A leaver's own commands
+// were pushed before, so those who left are taken first.
+void WorldHost::apply_commands(const std::optional<std::string>& paused) {
+    {
+        const std::lock_guard lock(leave_mutex_);
+        leavers_taken_.swap(leavers_);
+    }
+    commands_.drain_into(batch_);
+    results_.clear();
+    for (const Command& command : batch_)
+        if (paused)
+            results_.push_back(
+                {.sequence = command.sequence,
+                 .status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused},
+                 .tick = tick_});
+        else
+            results_.push_back(world_.apply(command, tick_));
+    for (const Command& command : leavers_taken_) world_.apply(command, tick_);
+    leavers_taken_.clear();
+}
+
+bool WorldHost::step(bool allowed) {
+    world_.resume_stepping();
+    // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
+    if (stopping_ || (paused() && !allowed)) return false;
+    if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
+        record_events();
+        warn_of_quarantine();
+        warn_of_large_chunks();
+        return true;
+    } else if (stepped.error().code == ErrorCode::aborted) {
+        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id_, name_,
+                  paused().value_or("the world is being closed"));
+    } else if (!step_refused_) {
+        step_refused_ = true;  // said once; the world stands still but answers
+        log_error("world {}: step refused: {}", id_, stepped.error().message);
+    }
+    return false;
 }
 
 // Readers hold what they were given, so each tick with events makes a new list of the newest ones.
@@ -191,19 +244,13 @@ void WorldHost::serve_queries() {
         queries_.put(world_.query_frame(tick_, parts));
 }
 
-void WorldHost::close_doors() {
-    queries_.close();
-    steps_.close();
-    watch_.close();
-    visits_.close();
-}
-
-void WorldHost::measure(Frame& frame) {
-    recent_step_ms_[recent_next_] = frame.step_ms;
-    recent_next_ = (recent_next_ + 1) % recent_step_ms_.size();
-    frame.step_ms_mean = std::accumulate(recent_step_ms_.begin(), recent_step_ms_.end(), 0.0) /
-                         static_cast<double>(recent_step_ms_.size());
-    frame.step_ms_max = *std::max_element(recent_step_ms_.begin(), recent_step_ms_.end());
+// The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
+void WorldHost::measure(Frame& frame, Clock::time_point began) {
+    recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
+    recent_next_ = (recent_next_ + 1) % recent_tick_ms_.size();
+    frame.tick_ms_mean = std::accumulate(recent_tick_ms_.begin(), recent_tick_ms_.end(), 0.0) /
+                         static_cast<double>(recent_tick_ms_.size());
+    frame.tick_ms_max = *std::max_element(recent_tick_ms_.begin(), recent_tick_ms_.end());
 }
 
 void WorldHost::publish(std::shared_ptr<Frame> frame) {

@@ -8,7 +8,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 
@@ -35,13 +34,21 @@ struct WorldHostSettings {
 class WorldHost {
 public:
     // Builds the world on the calling thread, then starts its own.
+    static Result<std::shared_ptr<WorldHost>> start(
+        std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene,
+        const WorldHostSettings& settings);
     static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
                                                     const scenes::SceneDescription& scene,
-                                                    const WorldHostSettings& settings);
+                                                    const WorldHostSettings& settings) {
+        return start(std::move(id), std::move(name),
+                     std::make_shared<const scenes::SceneDescription>(scene), settings);
+    }
     ~WorldHost();
 
     // Any thread. False: the queue is full, the command was not taken.
     bool push(Command command) { return commands_.push(std::move(command)); }
+    // Any thread; never waits and is never refused: the world takes it after what the client sent.
+    void leave(ClientId client, bool keep_bodies);
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
@@ -52,6 +59,11 @@ public:
     void remove_event_listener() { event_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
+    // Any thread: ... by an error.
+    bool failed() const { return failed_.load(std::memory_order_relaxed); }
+    // Ends the thread, also in the midst of a long step; the last frame stays readable.
+    void stop();
+
     // Any thread. A paused world is seen and may be left, but does not step and takes no inputs.
     void pause(std::string reason);
     void resume();
@@ -60,8 +72,12 @@ public:
     StepAllowance& steps() { return steps_; }
     TickWatch& watch() { return watch_; }
     WorldVisits& visits() { return visits_; }
-    // Ends the thread; the last frame stays readable.
-    void stop();
+    // Any thread: nobody waits for this world any longer, and nobody is answered.
+    void close_doors();
+    // Any thread: when the tick that runs began; nothing between two ticks.
+    std::optional<Clock::time_point> tick_began() const;
+    // Any thread: the step that runs leaves out what it still can, and the world is paused.
+    void interrupt(std::string reason);
 
     const std::string& id() const { return id_; }
     const std::string& name() const { return name_; }
@@ -71,18 +87,21 @@ public:
     physics::Vec3 gravity() const { return gravity_; }
 
 private:
-    WorldHost(std::string id, std::string name, const scenes::SceneDescription& scene,
+    WorldHost(std::string id, std::string name,
+              std::shared_ptr<const scenes::SceneDescription> scene,
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick(Clock::time_point due, std::uint32_t late_ticks);
+    void apply_commands(const std::optional<std::string>& paused);
+    // `allowed`: also when the world is paused. False: it took no step.
+    bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
-    void measure(Frame& frame);
+    void measure(Frame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
     void warn_of_large_chunks();
     void serve_queries();
-    void close_doors();  // nobody waits for this world any longer
 
     const std::string id_, name_;
     const std::shared_ptr<const scenes::SceneDescription> scene_;
@@ -94,22 +113,25 @@ private:
     std::uint32_t tick_ = 0;
     bool step_refused_ = false;
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
-    std::vector<Command> batch_;
+    std::vector<Command> batch_, leavers_taken_;
     std::vector<InputResult> results_;    // of batch_, one each
-    std::vector<double> recent_step_ms_;  // ring of the last second
+    std::vector<double> recent_tick_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
-    QueryBroker queries_;
+    std::mutex leave_mutex_;
+    std::vector<Command> leavers_;  // at most one of each client
     mutable std::mutex pause_mutex_;
     std::optional<std::string> paused_;
+    std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
+    QueryBroker queries_;
     StepAllowance steps_;
     TickWatch watch_;
     WorldVisits visits_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
-    std::atomic<bool> stopping_{false};
+    std::atomic<bool> stopping_{false}, failed_{false};
     std::mutex stop_mutex_;
     struct Timer;  // Asio's, kept out of this header
     std::unique_ptr<Timer> timer_;

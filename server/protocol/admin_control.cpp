@@ -75,8 +75,12 @@ void write(v1::ClientInfo& out, const ClientSight& sight) {
 
 }  // namespace
 
+void AdminControl::stop() {
+    for (const auto& world : context_.worlds.list()) world->close_doors();
+}
+
 Status AdminControl::list_clients(const v1::ListClientsRequest& request,
-                                  v1::ListClientsResponse& response) const {
+                                  v1::ListClientsResponse& response) {
     std::string world_id;
     if (!request.world().empty()) {
         const auto world = find_world(context_, request.world());

@@ -32,13 +32,15 @@ namespace jostle::server {
 
 class AdminControl {
 public:
-    static constexpr int waiting_max = 4;  // calls that wait for a world
+    static constexpr int waiting_max = 2;  // calls that wait for a world
     static constexpr double profile_seconds_max = 30;
 
     explicit AdminControl(PlayContext& context) : context_(context) {}
 
-    Status list_clients(const v1::ListClientsRequest& request,
-                        v1::ListClientsResponse& response) const;
+    // The server goes down: who waits for a world is answered at once.
+    void stop();
+
+    Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response);
     Status kick(const v1::KickRequest& request, v1::KickResponse& response);
     Status set_paused(const v1::SetPausedRequest& request, v1::SetPausedResponse& response);
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);

@@ -7,10 +7,10 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <thread>
 #include <utility>
 
 #include "base/log.h"
+#include "base/text.h"
 #include "protocol/event_message.h"
 #include "protocol/server_message.h"
 
@@ -22,8 +22,8 @@ namespace {
 
 // Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
 constexpr std::size_t events_bytes_max = 1 << 20;
-// Messages to send that were not taken: beyond this the client does not read what it asks for.
-constexpr std::size_t waiting_max = 256;
+// Answers that were not taken: beyond this the client does not read what it asks for.
+constexpr std::size_t replies_max = 256;
 constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
@@ -168,8 +168,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
                     .spectator = hello.spectator,
                     .since = now},
                    *world);
-    log_info("client {} \"{}\" of {} joined world {}{}", client_, hello.name, peer_, world->id(),
-             hello.spectator ? " as a spectator" : "");
+    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_,
+             world->id(), hello.spectator ? " as a spectator" : "");
 }
 
 void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
@@ -221,8 +221,20 @@ void ClientLink::on_message(const Leave&, Clock::time_point now) {
 }
 
 void ClientLink::on_peer_closed(Clock::time_point now) {
-    waiting_.clear();
+    drop_waiting();
     if (!end_) finish({}, now);
+}
+
+void ClientLink::on_fault(Clock::time_point now) {
+    drop_waiting();
+    results_.clear();
+    finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
+}
+
+void ClientLink::on_pause(Clock::duration pause) {
+    begun_ += pause;
+    last_received_ += pause;
+    if (writing_since_) *writing_since_ += pause;
 }
 
 // --- how it ends ---
@@ -249,10 +261,7 @@ void ClientLink::leave_world() {
     watch_.left();
     context_.sessions.leave(client_);
     if (wants_events_) feed_->host().remove_event_listener();
-    const Command leave{.client = client_,
-                        .action = LeaveCommand{context_.config.client.keep_bodies_after_leave}};
-    // A full queue empties within a tick. A world that stopped will never take it, and need not.
-    while (!feed_->host().stopped() && !feed_->host().push(leave)) std::this_thread::sleep_for(1ms);
+    feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
     client_ = 0;
 }
 
@@ -282,12 +291,17 @@ void ClientLink::check_timeouts(Clock::time_point now) {
                                         limits.silence_seconds)},
                       now);
     }
+    if (feed_->host().failed()) {
+        const char* why = "a fault of the server ended the world; it starts anew from its scene";
+        send(encode_notice(NoticeKind::world_restarted, why));
+        return finish(Error{ErrorCode::unavailable, why}, now);
+    }
     if (feed_->host().stopped()) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
-    if (waiting_.size() > waiting_max || results_.size() > results_max) {
-        waiting_.clear();
+    if (replies_waiting_ > replies_max || results_.size() > results_max) {
+        drop_waiting();
         refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }
 }
@@ -296,6 +310,12 @@ void ClientLink::check_timeouts(Clock::time_point now) {
 
 void ClientLink::send(std::string message) {
     waiting_.push_back({std::move(message), nullptr});
+    replies_waiting_++;
+}
+
+void ClientLink::drop_waiting() {
+    waiting_.clear();
+    replies_waiting_ = 0;
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
@@ -305,6 +325,7 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
 }
 
 std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
+    writing_since_.reset();
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
         if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
@@ -319,12 +340,19 @@ std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
     if (waiting_.empty()) return std::nullopt;
     OutMessage message = std::move(waiting_.front());
     waiting_.pop_front();
+    if (!message.shared) replies_waiting_--;
     return message;
 }
 
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
+    if (!writing_since_) writing_since_ = now;
     check_timeouts(now);
+    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
+        refuse(Error{ErrorCode::resource_exhausted,
+                     fmt::format("nothing was read for {:g} s",
+                                 context_.config.stream.silence_seconds)},
+               now);
     if (feed_ && !end_) collect_results();
 }
 
@@ -394,6 +422,17 @@ std::optional<OutMessage> ClientLink::take_events() {
     return std::nullopt;
 }
 
+// Shapes before the bodies that have them, each once in a stream.
+void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
+    const auto messages = feed_->entity_list_change(entity_list_, entities);
+    for (const auto& geometry : messages->geometry) {
+        if (!told_geometry_.insert(geometry->id).second) continue;
+        for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
+    }
+    for (const SharedBytes& roster : messages->rosters) waiting_.push_back({{}, roster});
+    entity_list_ = entities;
+}
+
 // A change of the entity list comes before the first snapshot that needs it, so when there is one
 // it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
 std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
@@ -401,10 +440,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= baselines_.last()) return std::nullopt;
     if (frame->entity_list != entity_list_) {
-        for (SharedBytes& bytes : feed_->entity_list_change(entity_list_, frame->entity_list)) {
-            waiting_.push_back({{}, std::move(bytes)});
-        }
-        entity_list_ = frame->entity_list;
+        tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));

@@ -21,8 +21,8 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_awake(static_cast<std::uint32_t>(frame->awake));
     info.set_clients(static_cast<std::uint32_t>(sessions.clients_in(world.id())));
     info.set_tick(frame->tick);
-    info.set_step_ms_mean(frame->step_ms_mean);
-    if (const auto why = world.paused()) info.set_paused(*why);
+    info.set_step_ms_mean(frame->tick_ms_mean);
+    info.set_paused(world.paused().value_or(""));
 }
 
 Error no_such_world(const std::string& world) {
@@ -72,12 +72,6 @@ Status WorldControl::create(const v1::CreateWorldRequest& request,
     if (context_.draining) return going_down();
     const Result<scenes::SceneDescription> scene = scene_of(request);
     if (!scene.ok()) return scene.error();
-    const WorldLimits& limits = context_.config.world;
-    if (scene->bodies.size() > static_cast<std::size_t>(limits.bodies_max)) {
-        return Error{ErrorCode::resource_exhausted,
-                     fmt::format("the scene has {} bodies; at most {} are allowed",
-                                 scene->bodies.size(), limits.bodies_max)};
-    }
     const auto world = context_.worlds.create(request.name(), *scene);
     if (!world.ok()) return world.error();
     describe(*response.mutable_world(), **world, context_.sessions);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace jostle::server {
 
@@ -17,8 +18,9 @@ constexpr std::size_t streams_without_hello_max = 256;
 }  // namespace
 
 PlayShard::PlayShard(PlayContext& context, RawPlayService& service,
+                     const ConnectionTable& connections,
                      std::unique_ptr<grpc::ServerCompletionQueue> queue)
-    : context_(context), service_(service), queue_(std::move(queue)) {}
+    : context_(context), service_(service), connections_(connections), queue_(std::move(queue)) {}
 
 PlayShard::~PlayShard() {
     stop();
@@ -60,7 +62,8 @@ void PlayShard::stop() {
 }
 
 void PlayShard::run() {
-    Clock::time_point housekeeping = Clock::now() + housekeeping_period;
+    kept_ = Clock::now();
+    Clock::time_point housekeeping = kept_ + housekeeping_period;
     bool shut_down = false;
     for (;;) {
         // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
@@ -88,8 +91,7 @@ void PlayShard::run() {
             }
         }
         if (now >= housekeeping && !stopping_) {
-            advance_all(now);
-            drop_finished();
+            housekeep(now);
             housekeeping = now + housekeeping_period;
         }
     }
@@ -110,7 +112,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             waiting_.erase(at);
             if (!ok) return;  // the server is going down
             ask_for_call();
-            owned->begin(context_, now);
+            owned->begin(context_, connections_, now);
             if (streams_.size() >= streams_max()) {
                 owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
             }
@@ -128,6 +130,15 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             stream.on_finished();
             break;
     }
+}
+
+// Who was silent while we did not listen is not to blame.
+void PlayShard::housekeep(Clock::time_point now) {
+    const Clock::duration since = now - std::exchange(kept_, now);
+    if (since > pause_of_ours)
+        for (const auto& stream : streams_) stream->link().on_pause(since);
+    advance_all(now);
+    drop_finished();
 }
 
 // Each round begins with the next client: with many of them the last one waits longest, and that

@@ -34,30 +34,29 @@ const prometheus::Histogram::BucketBoundaries seconds_buckets = {
 
 }  // namespace
 
-RpcMetrics::RpcMetrics(Metrics& metrics, const std::vector<RpcMethod>& unary,
-                       const std::vector<RpcMethod>& streaming)
-    : metrics_(metrics) {
-    for (const RpcMethod& name : unary) add(name, true);
-    for (const RpcMethod& name : streaming) add(name, false);
-    methods_[""].name = {"unknown", "unknown"};
+RpcMetrics::RpcMetrics(Metrics& metrics) : metrics_(metrics) {
+    methods_[""] = {.service = "unknown", .name = "unknown"};
 }
 
 // There at 0 from the start: a rate can only be seen of a series that was there before.
-void RpcMetrics::add(const RpcMethod& name, bool unary) {
-    Method& method = methods_["/" + name.service + "/" + name.method];
-    method.name = name;
+void RpcMetrics::add(const std::string& path, Kind kind) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t slash = path.rfind('/');
+    Method& method = methods_[path];
+    method.service = path.substr(1, slash - 1);
+    method.name = path.substr(slash + 1);
     counter_of(method, 0);
-    if (unary)
+    if (kind == Kind::unary)
         method.seconds = &metrics_.rpc_seconds.Add(
-            {{"grpc_service", name.service}, {"grpc_method", name.method}}, seconds_buckets);
+            {{"grpc_service", method.service}, {"grpc_method", method.name}}, seconds_buckets);
 }
 
 prometheus::Counter& RpcMetrics::counter_of(Method& method, int code) {
     prometheus::Counter*& counter = method.by_code[code];
     if (!counter)
         counter = &metrics_.rpcs_handled.Add(
-            {{"grpc_service", method.name.service},
-             {"grpc_method", method.name.method},
+            {{"grpc_service", method.service},
+             {"grpc_method", method.name},
              {"grpc_code", std::string(code_names[static_cast<std::size_t>(code)])}});
     return *counter;
 }

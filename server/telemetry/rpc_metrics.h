@@ -1,45 +1,38 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts gRPC calls by service, method and code. Only methods that were named at the start get
+// Counts gRPC calls by service, method and code. Only methods that were added get
 // series of their own: a stranger may call what there is not, and must not make a series of it.
 // Any thread.
 #pragma once
 
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "telemetry/metrics.h"
 
 namespace jostle::server {
 
-// "/jostle.v1.WorldService/ListWorlds" in its two parts.
-struct RpcMethod {
-    std::string service, method;
-};
-
 class RpcMetrics {
 public:
-    // `unary` and `streaming`: all methods that are served. Of streams the time is not measured:
-    // they last as long as a client stays.
-    RpcMetrics(Metrics& metrics, const std::vector<RpcMethod>& unary,
-               const std::vector<RpcMethod>& streaming);
+    explicit RpcMetrics(Metrics& metrics);
+
+    // A method that is served, by its path: "/jostle.v1.WorldService/ListWorlds". Of streams the
+    // time is not measured: they last as long as a client stays.
+    enum class Kind { unary, streaming };
+    void add(const std::string& path, Kind kind);
 
     // `path` as gRPC gives it; `code`: gRPC's number; `seconds` of a unary call.
     void handled(std::string_view path, int code, double seconds);
 
 private:
     struct Method {
-        RpcMethod name;
+        std::string service, name;
         prometheus::Histogram* seconds = nullptr;
         std::map<int, prometheus::Counter*> by_code;
     };
 
-    void add(const RpcMethod& name, bool unary);
     prometheus::Counter& counter_of(Method& method, int code);
 
     Metrics& metrics_;

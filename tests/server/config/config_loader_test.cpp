@@ -82,6 +82,10 @@ TEST(Config, the_example_file_holds_the_defaults) {
     config.client.bodies_owned_max = 99;
     config.world.clients_max = 99;
     config.stream.silence_seconds = 99;
+    config.insecure = true;
+    config.tls = {"a", "b", "c"};
+    config.auth = {"a", "b", "c", "viewer", 99, "d"};
+    config.quota = {99, 99, 99, 99, 99, 99, 999};
     const auto loaded = load_config(config, EXAMPLE_CONFIG);
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     const Config expected;
@@ -95,6 +99,10 @@ TEST(Config, the_example_file_holds_the_defaults) {
     EXPECT_EQ(config.tick.catch_up_max, expected.tick.catch_up_max);
     EXPECT_EQ(config.stream.silence_seconds, expected.stream.silence_seconds);
     EXPECT_EQ(config.stream.ack_window_max, expected.stream.ack_window_max);
+    EXPECT_EQ(config.insecure, expected.insecure);
+    EXPECT_EQ(config.tls, expected.tls);
+    EXPECT_EQ(config.auth, expected.auth);
+    EXPECT_EQ(config.quota, expected.quota);
 }
 
 }  // namespace

@@ -56,12 +56,12 @@ protected:
     PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .metrics = &metrics};
     AdminControl control{context};
-    bool healthy = true;
+    std::optional<std::string> trouble;
     int refreshed = 0;
     AdminRoutes routes{control,
                        metrics,
-                       {.is_healthy = [this] { return healthy; },
-                        .is_ready = [this] { return !context.draining.load(); },
+                       {.is_draining = [this] { return context.draining.load(); },
+                        .trouble = [this] { return trouble; },
                         .refresh = [this] { refreshed++; }}};
 };
 
@@ -79,8 +79,12 @@ TEST_F(AdminRoutesTest, metrics_are_prometheus_text_as_it_is_now) {
 TEST_F(AdminRoutesTest, health_says_yes_or_no) {
     EXPECT_EQ(get("/healthz").status, 200);
     EXPECT_EQ(get("/readyz").status, 200);
-    healthy = false;
     context.draining = true;
+    EXPECT_EQ(get("/healthz").status, 200);
+    EXPECT_EQ(get("/readyz").status, 503);
+    context.draining = false;
+    trouble = "a tick hangs";
+    EXPECT_EQ(get("/healthz").body, "a tick hangs\n");
     EXPECT_EQ(get("/healthz").status, 503);
     EXPECT_EQ(get("/readyz").status, 503);
 }
@@ -108,25 +112,27 @@ TEST_F(AdminRoutesTest, what_is_wrong_is_said) {
     EXPECT_NE(get("/").body.find("/debug/profile?world=NAME"), std::string::npos);
 }
 
-// Two workers and four that wait: while they are busy, Prometheus is answered as ever.
+// Two threads, and one request that may wait for them: while they are busy, Prometheus is answered
+// as ever.
 TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away) {
     ASSERT_TRUE(worlds.create("b", *scenes::find_scene("stack")).ok());
     Gateway gateway(context, routes,
                     {.host = "127.0.0.1",
                      .port = 0,
                      .metrics = &metrics.listener(Listener::admin),
-                     .slow_requests_max = 2,
-                     .workers = 2});
+                     .work_queue_max = 1,
+                     .asking_threads = 2});
     ASSERT_TRUE(gateway.start().ok());
     std::vector<std::thread> slow;
     std::atomic<int> served{0};
-    for (const char* world : {"my%20arena", "b"})
+    for (const char* world : {"my%20arena", "b", "nowhere"}) {
         slow.emplace_back([&, world] {
             const std::string answer =
                 ask(gateway.port(), std::string("/debug/profile?seconds=2&world=") + world);
             if (answer.starts_with("HTTP/1.1 200")) served++;
         });
-    std::this_thread::sleep_for(500ms);
+        std::this_thread::sleep_for(200ms);
+    }
     const auto begun = Clock::now();
     EXPECT_TRUE(ask(gateway.port(), "/metrics").starts_with("HTTP/1.1 200"));
     EXPECT_TRUE(ask(gateway.port(), "/healthz").starts_with("HTTP/1.1 200"));

@@ -18,9 +18,11 @@ TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
     PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
     WorldControl control(context);
     const QueryControl queries(context);
-    const HttpRoutes routes(
-        control, queries,
-        {.web_root = ".", .allowed_origins = {}, .is_ready = [] { return true; }});
+    const HttpRoutes routes(control, queries,
+                            {.web_root = ".",
+                             .allowed_origins = {},
+                             .is_draining = [] { return false; },
+                             .trouble = [] { return std::nullopt; }});
     for (int i = 0; i < 60; i++) {
         Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_TRUE(gateway.start().ok());

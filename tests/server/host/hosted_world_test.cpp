@@ -44,7 +44,7 @@ protected:
     }
 
     HostedWorld world = std::move(*HostedWorld::create(
-        *scenes::find_scene("stack"), {.bodies_max = 20, .bodies_owned_max = 3}, 1));
+        *scenes::find_scene("stack"), {.scene = {.bodies_max = 20}, .bodies_owned_max = 3}, 1));
     std::uint32_t sequence = 0, tick = 7;
 };
 

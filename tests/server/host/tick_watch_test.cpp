@@ -122,7 +122,7 @@ Cost cost_of_watching(const char* name, Metrics& metrics) {
     const auto seconds_of_a_tick = [&](int calls) {
         const double begun = thread_cpu_seconds();
         for (int i = 0; i < calls; i++) {
-            watch.begin_tick();
+            watch.begin_tick(Clock::now());
             watch.begin_step();
             watch.end_tick(frame, &world.world().profile(), 3);
         }

@@ -108,8 +108,9 @@ TEST_F(MetricsTest, a_name_that_is_used_again_keeps_its_series_until_the_last_ho
 }
 
 TEST_F(MetricsTest, calls_are_counted_by_method_and_code_and_strangers_make_no_series) {
-    RpcMetrics rpcs(metrics, {{"jostle.v1.WorldService", "ListWorlds"}},
-                    {{"jostle.v1.PlayService", "Play"}});
+    RpcMetrics rpcs(metrics);
+    rpcs.add("/jostle.v1.WorldService/ListWorlds", RpcMetrics::Kind::unary);
+    rpcs.add("/jostle.v1.PlayService/Play", RpcMetrics::Kind::streaming);
     const auto series = [](const char* service, const char* method, const char* code) {
         return std::string("grpc_server_handled_total{grpc_code=\"") + code + "\",grpc_method=\"" +
                method + "\",grpc_service=\"" + service + "\"}";
@@ -148,7 +149,8 @@ TEST_F(MetricsTest, the_process_is_described_as_it_is_now) {
 // promtool's rules, which it checks in scripts/observe-check: base units, counters end in _total.
 TEST_F(MetricsTest, names_and_help_are_what_promtool_wants) {
     const WorldMetrics world(metrics, "arena");
-    const RpcMetrics rpcs(metrics, {{"jostle.v1.WorldService", "ListWorlds"}}, {});
+    RpcMetrics rpcs(metrics);
+    rpcs.add("/jostle.v1.WorldService/ListWorlds", RpcMetrics::Kind::unary);
     metrics.certificate_expiry.Add({{"listener", "http"}}).Set(2e9);
     std::istringstream lines(metrics_text(metrics));
     const std::regex name("(jostle|grpc_server|process)_[a-z_]+");

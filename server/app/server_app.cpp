@@ -22,6 +22,7 @@
 #include <thread>
 
 #include "base/log.h"
+#include "config/exposure.h"
 #include "gateway/admin_routes.h"
 #include "gateway/gateway.h"
 #include "gateway/http_routes.h"
@@ -33,6 +34,7 @@
 #include "rpc/grpc_server.h"
 #include "rpc/query_methods.h"
 #include "rpc/world_methods.h"
+#include "tls/certificate_store.h"
 
 namespace jostle::server {
 namespace {
@@ -89,12 +91,28 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& m
             .metrics = &metrics};
 }
 
+// Before the metrics are read.
+void count_what_others_count(Metrics& metrics, const CertificateStore* certificates) {
+    raise_to(metrics.log_dropped, static_cast<double>(log_lines_dropped()));
+    if (!certificates) return;
+    const double expiry =
+        static_cast<double>(std::chrono::system_clock::to_time_t(certificates->expiry()));
+    for (const char* listener : {"grpc", "http"})
+        metrics.certificate_expiry.Add({{"listener", listener}}).Set(expiry);
+}
+
 // Few and small: Prometheus, a probe, an operator or two.
-GatewaySettings admin_settings(const HostPort& address, const Metrics& metrics) {
+// Beyond this machine it asks for certificates where there is an authority for them.
+GatewaySettings admin_settings(const Config& config, const Metrics& metrics,
+                               const CertificateStore* certificates) {
+    const HostPort address = *parse_host_port(config.admin);
+    const bool asks = !config.tls.client_ca.empty() && !is_loopback(address.host);
     return {.host = address.host,
             .port = address.port,
             .flag = "--admin",
             .metrics = &metrics.listener(Listener::admin),
+            .certificates = asks ? certificates : nullptr,
+            .require_certificates = asks,
             .connections_max = 32,
             .per_address_max = 32,
             .small_body_bytes_max = 1024,
@@ -251,6 +269,48 @@ private:
     Clock::time_point deadline_{};
 };
 
+// Looks every second whether keys and certificates have changed, and reads them at once on SIGHUP.
+class Rereader {
+public:
+    Rereader(Gate& gate, CertificateStore* certificates)
+        : gate_(gate), certificates_(certificates), thread_([this] {
+              wait_for_signal();
+              look_again();
+              io_.run();
+          }) {}
+    ~Rereader() {
+        io_.stop();
+        thread_.join();
+    }
+
+private:
+    void wait_for_signal() {
+        signals_.async_wait([this](const boost::system::error_code& error, int) {
+            if (error) return;
+            log_info("SIGHUP: keys and certificates are read again");
+            gate_.reload();
+            if (certificates_) certificates_->reload(std::chrono::system_clock::now());
+            wait_for_signal();
+        });
+    }
+    void look_again() {
+        timer_.expires_after(std::chrono::seconds(1));
+        timer_.async_wait([this](const boost::system::error_code& error) {
+            if (error) return;
+            gate_.poll();
+            if (certificates_) certificates_->poll(std::chrono::system_clock::now());
+            look_again();
+        });
+    }
+
+    Gate& gate_;
+    CertificateStore* const certificates_;
+    asio::io_context io_{1};
+    asio::signal_set signals_{io_, SIGHUP};
+    asio::steady_timer timer_{io_};
+    std::thread thread_;  // the last, so that all of the above is there
+};
+
 // Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
 class HardExit {
 public:
@@ -296,9 +356,19 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
     WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
+    const auto opened = Gate::open(config);
+    if (!opened.ok()) return failed(opened.error());
+    Gate& gate = **opened;
+    std::unique_ptr<CertificateStore> certificates;
+    if (!config.tls.certificate.empty()) {
+        auto store = CertificateStore::open(config.tls, std::chrono::system_clock::now());
+        if (!store.ok()) return failed(store.error());
+        certificates = *std::move(store);
+    }
     PlayContext context{.config = config,
                         .worlds = worlds,
                         .sessions = sessions,
+                        .gate = gate,
                         .metrics = &metrics,
                         .rpc_metrics = &rpc_metrics};
     WorldControl control(context);
@@ -313,24 +383,26 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     const HttpRoutes routes(control, queries,
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
+                             .allowed_hosts = config.allowed_hosts,
                              .is_draining = is_draining,
                              .trouble = trouble});
     AdminControl admin_control(context);
-    const auto count_what_others_count = [&] {
-        raise_to(metrics.log_dropped, static_cast<double>(log_lines_dropped()));
-    };
     const AdminRoutes admin_routes(
         admin_control, metrics,
-        {.is_draining = is_draining, .trouble = trouble, .refresh = count_what_others_count});
+        {.allowed_hosts = config.allowed_hosts,
+         .is_draining = is_draining,
+         .trouble = trouble,
+         .refresh = [&] { count_what_others_count(metrics, certificates.get()); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
-    std::vector<CallMethod> methods = world_methods(control);
-    std::ranges::move(query_methods(queries), std::back_inserter(methods));
-    std::ranges::move(admin_methods(admin_control), std::back_inserter(methods));
+    std::vector<CallMethod> methods = world_methods(control, worlds);
+    std::ranges::move(query_methods(queries, worlds), std::back_inserter(methods));
+    std::ranges::move(admin_methods(admin_control, worlds), std::back_inserter(methods));
     const auto is_healthy = [&] { return watch.all_tick(Clock::now()); };
     GrpcServer grpc(context, std::move(methods), is_healthy,
                     {.host = listen.host,
                      .port = listen.port,
                      .network_threads = config.network_threads,
+                     .certificates = certificates.get(),
                      .connections = connection_limits(config.connection),
                      .metrics = &metrics.listener(Listener::grpc),
                      .idle_max = from_seconds(config.connection.idle_seconds)});
@@ -339,6 +411,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         {.host = http.host,
          .port = http.port,
          .metrics = &metrics.listener(Listener::http),
+         .certificates = certificates.get(),
          .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
@@ -346,8 +419,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     if (Status s = gateway.start(); !s.ok()) return failed(s.error());
     std::optional<Gateway> admin;
     if (!config.admin.empty()) {
-        admin.emplace(context, admin_routes,
-                      admin_settings(*parse_host_port(config.admin), metrics));
+        admin.emplace(context, admin_routes, admin_settings(config, metrics, certificates.get()));
         if (Status s = admin->start(); !s.ok()) return failed(s.error());
     }
     const int admin_port = admin ? admin->port() : 0;
@@ -361,12 +433,16 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         wakers.set(nullptr, nullptr);
         return failed(s.error());
     }
-    log_info("gRPC on {}:{}, viewer at http://{}", listen.host, grpc.port(), web);
+    log_info("gRPC on {}:{}, viewer at {}://{}", listen.host, grpc.port(),
+             certificates ? "https" : "http", web);
     if (admin)
         log_info("metrics at http://{}:{}/metrics",
                  reachable(parse_host_port(config.admin)->host, {}), admin_port);
 
-    Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+    {
+        const Rereader rereader(gate, certificates.get());
+        Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+    }
 
     const HardExit hard_exit(orderly_end_max);
     wakers.set(nullptr, nullptr);

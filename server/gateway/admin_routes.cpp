@@ -5,7 +5,10 @@
 
 #include "gateway/http_routes.h"
 #include "gateway/percent_decode.h"
+#include "identity/access_table.h"
+#include "identity/allowed_hosts.h"
 #include "jostle/v1/admin.pb.h"
+#include "protocol/peer.h"
 #include "telemetry/metrics_text.h"
 
 namespace jostle::server {
@@ -50,8 +53,6 @@ HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
 }
 
 HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
-    if (!origin_is_allowed(request))
-        return text(403, "No page of a browser may use the operators' port.\n");
     if (request.method != "GET" && request.method != "HEAD") {
         HttpResponse refused = text(405, "This port takes GET.\n");
         refused.headers.emplace_back("Allow", "GET, HEAD");
@@ -61,8 +62,33 @@ HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
     if (path == "/") return text(200, index);
     if (path == "/metrics") return metrics();
     if (path == "/healthz" || path == "/readyz") return health(path);
-    if (path == profile_path) return profile(request);
+    if (path == profile_path) {
+        if (const auto refusal = refuse_page(request)) return text(403, *refusal + "\n");
+        return profile(request);
+    }
     return text(404, "There is no such path; / lists those there are.\n");
+}
+
+// Prometheus and probes come by whatever name they like, and read what names nobody.
+std::optional<std::string> AdminRoutes::refuse_page(const HttpRequest& request) const {
+    if (!request.origin.empty()) return "No page of a browser may use the operators' port.";
+    if (!host_is_allowed(request.host, settings_.allowed_hosts))
+        return "This server does not go by that name; the setting allowed_hosts holds its names.";
+    return std::nullopt;
+}
+
+// As an admin, by the access table.
+Status AdminRoutes::let_in(const HttpRequest& request, const std::string& world) const {
+    const AccessRow* const row = find_route(request.method, path_of(request.target));
+    if (!row) return Error{ErrorCode::not_found, "There is no such path."};
+    const Result<std::string_view> bearer = bearer_in(request.authorization);
+    if (!bearer.ok()) return bearer.error();
+    Gate& gate = control_.gate();
+    const Result<Identity> who = gate.identify(
+        {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
+    if (!who.ok()) return who.error();
+    const std::shared_ptr<WorldHost> host = control_.find(world);
+    return gate.admit(*who, {row->call, host ? asked_world(*host) : AskedWorld{}, request.address});
 }
 
 HttpResponse AdminRoutes::health(std::string_view path) const {
@@ -86,6 +112,7 @@ HttpResponse AdminRoutes::profile(const HttpRequest& request) const {
     if (!world || !seconds)
         return to_http(Error{ErrorCode::invalid_argument,
                              "Say which world and how long: /debug/profile?world=NAME&seconds=5"});
+    if (Status s = let_in(request, *world); !s.ok()) return to_http(s.error());
     v1::ProfileRequest message;
     message.set_world(*world);
     message.set_seconds(*seconds);

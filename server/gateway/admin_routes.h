@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gateway/http_handler.h"
 #include "protocol/admin_control.h"
@@ -17,6 +18,7 @@
 namespace jostle::server {
 
 struct AdminRouteSettings {
+    std::vector<std::string> allowed_hosts;  // names of this server, for what is more than to read
     std::function<bool()> is_draining;
     // What is wrong with the server; nothing: it is well.
     std::function<std::optional<std::string>()> trouble;
@@ -34,14 +36,12 @@ public:
     HttpWork work_of(const HttpRequest& request) const override;
     bool takes_large_body(const HttpRequest&) const override { return false; }
     bool takes_players(const HttpRequest&) const override { return false; }
-    // No page has business here.
-    bool origin_is_allowed(const HttpRequest& request) const override {
-        return request.origin.empty();
-    }
+    std::optional<std::string> refuse_page(const HttpRequest& request) const override;
 
 private:
     HttpResponse health(std::string_view path) const;
     HttpResponse metrics() const;
+    Status let_in(const HttpRequest& request, const std::string& world) const;
     HttpResponse profile(const HttpRequest& request) const;
 
     AdminControl& control_;

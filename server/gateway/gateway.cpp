@@ -15,6 +15,7 @@
 #include "base/log.h"
 #include "base/work_pool.h"
 #include "gateway/http_session.h"
+#include "gateway/tls_contexts.h"
 #include "gateway/websocket_session.h"
 
 namespace jostle::server {
@@ -50,7 +51,7 @@ struct Gateway::Impl {
                    asking,
                    changing,
                    body_bytes,
-                   [this](beast::tcp_stream stream, WebSocketSession::Request request) {
+                   [this](SocketStream stream, WebSocketSession::Request request) {
                        begin_play(std::move(stream), request);
                    }} {}
 
@@ -58,7 +59,7 @@ struct Gateway::Impl {
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
     bool make_room(const tcp::socket& socket);
-    void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
+    void begin_play(SocketStream stream, const WebSocketSession::Request& request);
     void schedule_housekeeping();
     void advance_all();
     void count_open();
@@ -75,6 +76,7 @@ struct Gateway::Impl {
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own
+    TlsContexts tls{settings.certificates, settings.require_certificates};
     const HttpSession::Services services;
     // The sessions keep themselves alive; these only know them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
@@ -129,7 +131,8 @@ void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     }
     if (make_room(socket)) {
         socket.set_option(tcp::no_delay(true), error);
-        const auto session = std::make_shared<HttpSession>(std::move(socket), services);
+        const auto session =
+            std::make_shared<HttpSession>(SocketStream(std::move(socket), tls.present()), services);
         http_sessions.push_back(session);
         session->start();
     }
@@ -143,18 +146,21 @@ bool Gateway::Impl::make_room(const tcp::socket& socket) {
     beast::error_code error;
     const auto endpoint = socket.remote_endpoint(error);
     if (error) return false;
-    const std::string address = address_key(endpoint.address().to_string());
+    const std::string network = network_of(endpoint.address().to_string());
+    const auto is_same = [&](const auto& session) {
+        return network_of(session->address()) == network;
+    };
     std::size_t of_address = 0;
     std::shared_ptr<HttpSession> oldest, oldest_of_address;
     const auto is_older = [](const auto& a, const auto& b) {
         return !b || *a->idle_since() < *b->idle_since();
     };
     for (const auto& known : play_sessions)
-        if (const auto session = known.lock()) of_address += session->address() == address ? 1 : 0;
+        if (const auto session = known.lock()) of_address += is_same(session) ? 1 : 0;
     for (const auto& known : http_sessions) {
         const auto session = known.lock();
         if (!session) continue;
-        const bool same = session->address() == address;
+        const bool same = is_same(session);
         of_address += same ? 1 : 0;
         if (!session->idle_since()) continue;
         if (is_older(session, oldest)) oldest = session;
@@ -172,7 +178,7 @@ bool Gateway::Impl::make_room(const tcp::socket& socket) {
     return true;
 }
 
-void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request) {
+void Gateway::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request) {
     const auto session =
         std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
     play_sessions.push_back(session);

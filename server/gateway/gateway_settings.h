@@ -12,11 +12,15 @@
 
 namespace jostle::server {
 
+class CertificateStore;
+
 struct GatewaySettings {
     std::string host = "127.0.0.1";
-    std::uint16_t port = 8080;                 // 0: any that is free
-    std::string flag = "--http";               // names the address when it cannot be had
-    const ListenerMetrics* metrics = nullptr;  // null: nobody counts
+    std::uint16_t port = 8080;                       // 0: any that is free
+    std::string flag = "--http";                     // names the address when it cannot be had
+    const ListenerMetrics* metrics = nullptr;        // null: nobody counts
+    const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the gateway
+    bool require_certificates = false;               // of every client
     // More close the one that has been silent for longest, so that who comes is heard.
     std::size_t connections_max = 1000;
     std::size_t per_address_max = 512;  // of one IPv4 address or IPv6 /64

@@ -4,6 +4,9 @@
 // viewer's port has HttpRoutes, the operators' has AdminRoutes.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "gateway/http_message.h"
 
 namespace jostle::server {
@@ -22,8 +25,8 @@ public:
     virtual bool takes_large_body(const HttpRequest& request) const = 0;
     // Whether a WebSocket client that comes with this request is to play.
     virtual bool takes_players(const HttpRequest& request) const = 0;
-    // A browser says with many requests whose page sends them; false: not for that page.
-    virtual bool origin_is_allowed(const HttpRequest& request) const = 0;
+    // Why no page of a browser may send this request; nothing: it is none, or it may.
+    virtual std::optional<std::string> refuse_page(const HttpRequest& request) const = 0;
 };
 
 }  // namespace jostle::server

@@ -34,7 +34,8 @@ Error name_taken(const std::string& name) {
 }  // namespace
 
 Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
-                                                          const scenes::SceneDescription& scene) {
+                                                          const scenes::SceneDescription& scene,
+                                                          const std::string& owner) {
     const std::string name = wanted.empty() ? scene.name : wanted;
     std::uint32_t number;
     {
@@ -50,7 +51,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
                         nullptr);  // holds the place while the world is built without the lock
     }
     const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
-    auto host = start(id, name, std::make_shared<const scenes::SceneDescription>(scene));
+    auto host = start({id, name, owner}, std::make_shared<const scenes::SceneDescription>(scene));
     const std::lock_guard lock(mutex_);
     // Another call may have taken the name meanwhile.
     if (!host.ok() || find_locked(name)) {
@@ -113,7 +114,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
     Result<std::shared_ptr<WorldHost>> host =
-        before.size() < restarts_max ? start(failed->id(), failed->name(), failed->description())
+        before.size() < restarts_max ? start(failed->label(), failed->description())
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
     const std::lock_guard lock(mutex_);
@@ -133,9 +134,9 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
 
 // Memory may not suffice: that refuses this world and ends nothing else.
 Result<std::shared_ptr<WorldHost>> WorldDirectory::start(
-    std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene) const {
+    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const {
     try {
-        return WorldHost::start(std::move(id), std::move(name), std::move(scene), settings_);
+        return WorldHost::start(std::move(label), std::move(scene), settings_);
     } catch (const std::exception& error) {
         return Error{ErrorCode::resource_exhausted,
                      std::string("the world cannot be built: ") + error.what()};

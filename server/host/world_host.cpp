@@ -19,28 +19,25 @@ struct WorldHost::Timer {
 };
 
 Result<std::shared_ptr<WorldHost>> WorldHost::start(
-    std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene,
+    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
     const WorldHostSettings& settings) {
     Result<HostedWorld> world =
         HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
-    std::shared_ptr<WorldHost> host(new WorldHost(std::move(id), std::move(name), std::move(scene),
-                                                  settings, std::move(*world)));
-    return host;
+    return std::shared_ptr<WorldHost>(
+        new WorldHost(std::move(label), std::move(scene), settings, std::move(*world)));
 }
 
-WorldHost::WorldHost(std::string id, std::string name,
-                     std::shared_ptr<const scenes::SceneDescription> scene,
+WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
                      const WorldHostSettings& settings, HostedWorld world)
-    : id_(std::move(id)),
-      name_(std::move(name)),
+    : label_(std::move(label)),
       scene_(std::move(scene)),
       hz_(scene_->hz),
       gravity_(scene_->world.gravity),
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
-      watch_(settings.metrics, name_),
+      watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
@@ -127,7 +124,7 @@ void WorldHost::run() {
     try {
         timer_->io.run();
     } catch (const std::exception& error) {
-        log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
+        log_error("world {} \"{}\" ends: {}", id(), name(), error.what());
         failed_.store(true);
         stopping_.store(true);
         close_doors();
@@ -195,11 +192,11 @@ bool WorldHost::step(bool allowed) {
         warn_of_large_chunks();
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
-        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id_, name_,
+        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
                   paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
         step_refused_ = true;  // said once; the world stands still but answers
-        log_error("world {}: step refused: {}", id_, stepped.error().message);
+        log_error("world {}: step refused: {}", id(), stepped.error().message);
     }
     return false;
 }
@@ -227,7 +224,7 @@ void WorldHost::warn_of_quarantine() {
         log_warn(
             "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
             "where it was, at rest",
-            id_, entity->id, entity->name);
+            id(), entity->id, entity->name);
 }
 
 void WorldHost::warn_of_large_chunks() {
@@ -236,7 +233,7 @@ void WorldHost::warn_of_large_chunks() {
             "world {}: the chunk of module \"{}\" has {} bytes; clients are sent {} at most, so it "
             "is "
             "left out of such ticks",
-            id_, tag, bytes, chunk_bytes_max);
+            id(), tag, bytes, chunk_bytes_max);
 }
 
 void WorldHost::serve_queries() {

@@ -31,16 +31,21 @@ struct WorldHostSettings {
     Metrics* metrics = nullptr;  // null: nobody counts
 };
 
+struct WorldLabel {
+    std::string id, name;
+    std::string owner;  // subject of who created it; empty: the server itself
+};
+
 class WorldHost {
 public:
     // Builds the world on the calling thread, then starts its own.
     static Result<std::shared_ptr<WorldHost>> start(
-        std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene,
+        WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
         const WorldHostSettings& settings);
     static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
                                                     const scenes::SceneDescription& scene,
                                                     const WorldHostSettings& settings) {
-        return start(std::move(id), std::move(name),
+        return start(WorldLabel{std::move(id), std::move(name), {}},
                      std::make_shared<const scenes::SceneDescription>(scene), settings);
     }
     ~WorldHost();
@@ -79,16 +84,17 @@ public:
     // Any thread: the step that runs leaves out what it still can, and the world is paused.
     void interrupt(std::string reason);
 
-    const std::string& id() const { return id_; }
-    const std::string& name() const { return name_; }
+    const WorldLabel& label() const { return label_; }
+    const std::string& id() const { return label_.id; }
+    const std::string& name() const { return label_.name; }
+    const std::string& owner() const { return label_.owner; }
     const std::string& scene() const { return scene_->name; }
     const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
     physics::Vec3 gravity() const { return gravity_; }
 
 private:
-    WorldHost(std::string id, std::string name,
-              std::shared_ptr<const scenes::SceneDescription> scene,
+    WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick(Clock::time_point due, std::uint32_t late_ticks);
@@ -103,7 +109,7 @@ private:
     void warn_of_large_chunks();
     void serve_queries();
 
-    const std::string id_, name_;
+    const WorldLabel label_;
     const std::shared_ptr<const scenes::SceneDescription> scene_;
     const double hz_;
     const physics::Vec3 gravity_;

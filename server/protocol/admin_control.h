@@ -37,6 +37,12 @@ public:
 
     explicit AdminControl(PlayContext& context) : context_(context) {}
 
+    Gate& gate() const { return context_.gate; }
+    // What a request is about, for the gate; null: there is no such world.
+    std::shared_ptr<WorldHost> find(const std::string& world) const {
+        return context_.worlds.find(world);
+    }
+
     // The server goes down: who waits for a world is answered at once.
     void stop();
 

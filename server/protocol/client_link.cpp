@@ -42,7 +42,7 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
 
 }  // namespace
 
-ClientLink::ClientLink(PlayContext& context, std::string peer, Clock::time_point now)
+ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
     : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now) {}
 
 ClientLink::~ClientLink() {
@@ -100,27 +100,55 @@ void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
                                         hello.protocol, protocol_version)},
                       now);
     }
-    const Result<std::shared_ptr<WorldHost>> world = world_for(hello, now);
+    const Result<std::shared_ptr<WorldHost>> world =
+        hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
     if (!world.ok()) return refuse(world.error(), now);
     enter(*world, hello, now);
 }
 
-Result<std::shared_ptr<WorldHost>> ClientLink::world_for(const Hello& hello,
-                                                         Clock::time_point now) {
-    std::string wanted = hello.world;
-    if (!hello.ticket.empty()) {
-        const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
-        if (!id)
-            return Error{ErrorCode::unauthenticated,
-                         "the ticket is unknown, used or too old; ask JoinWorld for another"};
-        wanted = *id;
-    }
+Result<std::shared_ptr<WorldHost>> ClientLink::find_world(const std::string& wanted) const {
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
-    if (!world)
-        return Error{ErrorCode::not_found, wanted.empty()
-                                               ? "the server has no world"
-                                               : fmt::format("there is no world \"{}\"", wanted)};
+    if (world) return world;
+    return Error{ErrorCode::not_found, wanted.empty() ? "the server has no world"
+                                                      : "there is no world " + quoted(wanted)};
+}
+
+// By the token of the stream or of the hello, or as one who shows none.
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
+    const Result<Identity> who =
+        hello.token.empty()
+            ? peer_.who
+            : context_.gate.identify({.bearer = hello.token, .address = peer_.address});
+    if (!who.ok()) return who.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+    if (!world.ok()) return world;
+    const Ask ask{peer_.call, asked_world(**world), peer_.address};
+    if (Status s = context_.gate.admit(*who, ask); !s.ok()) return s.error();
+    if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
+    watch_.known_as(who->subject);
     return world;
+}
+
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hello) {
+    std::string named;
+    if (!hello.world.empty()) {
+        const Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+        if (!world.ok()) return world.error();
+        named = (*world)->id();
+    }
+    const Result<Gate::Entry> entry =
+        context_.gate.redeem_ticket(hello.ticket, named, peer_.address);
+    if (!entry.ok()) return entry.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
+    if (!world.ok()) return world;
+    if (Status s = may_play(hello, entry->who, **world); !s.ok()) return s.error();
+    watch_.known_as(entry->who.subject);
+    return world;
+}
+
+Status ClientLink::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
+    if (hello.spectator) return {};
+    return context_.gate.admit(who, {play_inputs, asked_world(world), peer_.address});
 }
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
@@ -161,14 +189,13 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     snapshot_due_ = true;  // the first one goes out at once
     watch_.entered({.id = client_,
                     .name = hello.name,
-                    .subject = {},
                     .world_id = world->id(),
                     .world_name = world->name(),
-                    .address = peer_,
+                    .address = peer_.name,
                     .spectator = hello.spectator,
                     .since = now},
                    *world);
-    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_,
+    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_.name,
              world->id(), hello.spectator ? " as a spectator" : "");
 }
 
@@ -241,7 +268,8 @@ void ClientLink::on_pause(Clock::duration pause) {
 
 void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
-    log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
+    log_warn("{} was refused: {}",
+             client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
              error.message);
     watch_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));

@@ -23,6 +23,7 @@
 #include "protocol/client_message.h"
 #include "protocol/link_watch.h"
 #include "protocol/out_message.h"
+#include "protocol/peer.h"
 #include "protocol/play_context.h"
 #include "replication/baseline_tracker.h"
 #include "session/admission.h"
@@ -32,8 +33,7 @@ namespace jostle::server {
 
 class ClientLink {
 public:
-    // `peer` is for the log.
-    ClientLink(PlayContext& context, std::string peer, Clock::time_point now);
+    ClientLink(PlayContext& context, Peer peer, Clock::time_point now);
     ~ClientLink();
     ClientLink(const ClientLink&) = delete;
     ClientLink& operator=(const ClientLink&) = delete;
@@ -68,7 +68,10 @@ private:
     void on_message(const Ping& ping, Clock::time_point now);
     void on_message(const Leave& leave, Clock::time_point now);
 
-    Result<std::shared_ptr<WorldHost>> world_for(const Hello& hello, Clock::time_point now);
+    Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
+    Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
+    Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
+    Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
     void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
@@ -91,7 +94,7 @@ private:
 
     PlayContext& context_;
     LinkWatch watch_{context_};
-    const std::string peer_;
+    const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;
     std::optional<Status> end_;

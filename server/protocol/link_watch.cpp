@@ -30,6 +30,7 @@ void count_more(prometheus::Counter& counter, std::uint32_t total, std::uint32_t
 
 void LinkWatch::entered(ClientIdentity who, WorldHost& world) {
     client_ = who.id;
+    who.subject = subject_;
     record_ = context_.records.add(std::move(who));
     world_ = world.watch().metrics();
     if (world_) world_->clients().Increment();

@@ -24,6 +24,8 @@ class LinkWatch {
 public:
     explicit LinkWatch(PlayContext& context) : context_(context) {}
 
+    // Who was let in: the subject of its token; empty: nobody in particular.
+    void known_as(const std::string& subject) { subject_ = subject; }
     // The client is in a world; `world` is held by the link until left().
     void entered(ClientIdentity who, WorldHost& world);
     void left();
@@ -45,6 +47,7 @@ private:
 
     PlayContext& context_;
     std::shared_ptr<ClientRecord> record_;
+    std::string subject_;
     ClientId client_ = 0;
     WorldMetrics* world_ = nullptr;
     Skips counted_;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// What all conversations of a server share: its settings, its worlds, who is connected, and what
-// each world's clients are sent alike. Outlives them. Any thread.
+// What all conversations of a server share: its settings, its worlds, who is connected, who may do
+// what, and what each world's clients are sent alike. Outlives them. Any thread.
 #pragma once
 
 #include <atomic>
 
 #include "config/config.h"
 #include "host/world_directory.h"
+#include "identity/gate.h"
 #include "protocol/world_feed.h"
 #include "session/client_records.h"
 #include "session/session_directory.h"
@@ -19,6 +20,7 @@ struct PlayContext {
     const Config& config;
     WorldDirectory& worlds;
     SessionDirectory& sessions;
+    Gate& gate;
     Metrics* metrics = nullptr;         // null: nobody counts
     RpcMetrics* rpc_metrics = nullptr;  // likewise
     WorldFeeds feeds{};

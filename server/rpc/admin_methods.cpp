@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "rpc/admin_methods.h"
 
-#include <string_view>
-
 #include "jostle/v1/admin.pb.h"
 
 namespace jostle::server {
@@ -11,39 +9,57 @@ namespace {
 
 constexpr std::size_t request_bytes_max = 4096;
 
-// As gRPC names peers: "ipv4:127.0.0.1:4711", "ipv6:[::1]:4711", or with the brackets escaped.
-bool is_of_this_machine(std::string_view peer) {
-    for (const std::string_view here : {"ipv4:127.", "ipv6:[::1]", "ipv6:%5B::1%5D",
-                                        "ipv6:[::ffff:127.", "ipv6:%5B::ffff:127.", "unix:"})
-        if (peer.starts_with(here)) return true;
-    return false;
+std::string path_of(const char* name) {
+    return std::string("/jostle.v1.AdminService/") + name;
 }
 
+enum class Audit { no, yes };
+
+// Of the server as a whole.
 template <class Request, class Response>
-CallMethod method(AdminControl& control, const char* name, CallWork work,
-                  Status (AdminControl::*handle)(const Request&, Response&)) {
+CallMethod server_call(AdminControl& control, const char* name, Audit audit,
+                       Status (AdminControl::*handle)(const Request&, Response&)) {
     return unary_method<Request, Response>(
-        std::string("/jostle.v1.AdminService/") + name, work, request_bytes_max,
-        [&control, handle](const CallContext& context, const Request& request,
-                           Response& response) -> Status {
-            if (!is_of_this_machine(context.peer))
-                return Error{ErrorCode::permission_denied,
-                             "operators' calls are taken from this machine alone; log in there"};
-            return (control.*handle)(request, response);
+        path_of(name), CallWork::quick, request_bytes_max,
+        [&control, handle, audit](const CallContext& context, const Request& request,
+                                  Response& response) {
+            Status done = (control.*handle)(request, response);
+            if (audit == Audit::yes) context.gate.record(context.who, context.ask({}), done);
+            return done;
+        });
+}
+
+// Of the world that the request names.
+template <class Request, class Response>
+CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const char* name,
+                      CallWork work, Audit audit,
+                      Status (AdminControl::*handle)(const Request&, Response&)) {
+    return world_method<Request, Response>(
+        path_of(name), work, request_bytes_max, worlds,
+        [&control, handle, audit](const CallContext& context, const Request& request,
+                                  Response& response) {
+            Status done = (control.*handle)(request, response);
+            if (audit == Audit::yes)
+                context.gate.record(context.who, context.ask({request.world(), {}, {}}), done);
+            return done;
         });
 }
 
 }  // namespace
 
-std::vector<CallMethod> admin_methods(AdminControl& control) {
-    using enum CallWork;
-    return {method(control, "ListClients", quick, &AdminControl::list_clients),
-            method(control, "Kick", quick, &AdminControl::kick),
-            method(control, "SetPaused", quick, &AdminControl::set_paused),
-            method(control, "Drain", quick, &AdminControl::drain),
-            method(control, "StepWorld", waits, &AdminControl::step_world),
-            method(control, "ExportWorld", waits, &AdminControl::export_world),
-            method(control, "Profile", waits, &AdminControl::profile)};
+std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds) {
+    return {
+        server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
+        server_call(control, "Kick", Audit::yes, &AdminControl::kick),
+        server_call(control, "Drain", Audit::yes, &AdminControl::drain),
+        world_call(control, worlds, "SetPaused", CallWork::quick, Audit::yes,
+                   &AdminControl::set_paused),
+        world_call(control, worlds, "StepWorld", CallWork::waits, Audit::yes,
+                   &AdminControl::step_world),
+        world_call(control, worlds, "ExportWorld", CallWork::waits, Audit::no,
+                   &AdminControl::export_world),
+        world_call(control, worlds, "Profile", CallWork::waits, Audit::no, &AdminControl::profile),
+    };
 }
 
 }  // namespace jostle::server

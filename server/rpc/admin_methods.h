@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// AdminService over gRPC: translate, ask AdminControl, answer. Callers of this machine only, for as
-// long as nobody says who a caller is. Any thread.
+// AdminService over gRPC: translate, ask AdminControl, answer; what changes something is told to
+// the audit log. Any thread.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace jostle::server {
 
-// `control` outlives them.
-std::vector<CallMethod> admin_methods(AdminControl& control);
+// Both outlive them.
+std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds);
 
 }  // namespace jostle::server

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/address.h"
 #include "base/log.h"
 #include "base/text.h"
+#include "rpc/caller_identity.h"
 #include "rpc/message_bytes.h"
 #include "rpc/rich_status.h"
 
@@ -45,6 +47,7 @@ struct CallFront::Call {
     std::shared_ptr<ConnectionMeter> meter;
     std::string peer, request;
     Clock::time_point since{};  // it came
+    Identity who;
     grpc::ByteBuffer incoming;
     AnswerBytes told;  // of a watch: what it was told last
     double unsent = 0;
@@ -57,12 +60,14 @@ struct CallFront::Call {
     void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
-CallFront::CallFront(std::vector<CallMethod> methods, CallLimits limits, RpcMetrics* metrics)
+CallFront::CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits,
+                     RpcMetrics* metrics)
     : methods_([&] {
           std::map<std::string, CallMethod> by_path;
           for (CallMethod& method : methods) by_path.emplace(method.path, std::move(method));
           return by_path;
       }()),
+      gate_(gate),
       limits_(limits),
       metrics_(metrics),
       quick_(1, limits.queue_max, 0),
@@ -167,13 +172,31 @@ void CallFront::forget(Call& call) {
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
 }
 
-Status CallFront::admit(const Call& call) const {
+Status CallFront::admit(Call& call) const {
     if (open_ > limits_.calls_max) return too_much("too many calls are open");
     if (of_peer_.at(call.peer) > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
     if (call.method->work == CallWork::watch && watches_ > limits_.watches_max)
         return too_much("too many watch already");
-    return {};
+    return let_in(call);
+}
+
+// Who calls, and whether he may; of calls about a world that is asked when it is known which.
+Status CallFront::let_in(Call& call) const {
+    Result<Identity> who = identify(call.context, gate_);
+    if (!who.ok()) return who.error();
+    call.who = *std::move(who);
+    if (call.method->asks_for_world) return {};
+    return gate_.admit(call.who, context_of(call).ask({}));
+}
+
+CallContext CallFront::context_of(const Call& call) const {
+    return {.gate = gate_,
+            .call = std::string_view(call.method->path).substr(1),
+            .who = call.who,
+            .address = address_of_grpc_peer(call.peer),
+            .deadline = call.context.deadline(),
+            .gave_up = [&call] { return call.gave_up.load(); }};
 }
 
 void CallFront::begin(Call& call) {
@@ -239,8 +262,7 @@ WorkPool& CallFront::pool_of(const CallMethod& method) {
 
 // On a thread of a pool. The last operation it begins hands the call back.
 void CallFront::answer(Call& call) {
-    const CallContext context{call.peer, call.context.deadline(),
-                              [&] { return call.gave_up.load(); }};
+    const CallContext context = context_of(call);
     Status status;
     AnswerBytes bytes;
     try {
@@ -297,8 +319,7 @@ void CallFront::tell_watches() {
             continue;
         }
         AnswerBytes now;
-        const CallContext context{call.peer, call.context.deadline(),
-                                  [&] { return call.gave_up.load(); }};
+        const CallContext context = context_of(call);
         if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
             finish(call, s);
         } else if (!call.told || *call.told != *now) {

@@ -39,8 +39,9 @@ struct CallLimits {
 
 class CallFront {
 public:
-    // `metrics` outlives the front; null: nobody counts.
-    CallFront(std::vector<CallMethod> methods, CallLimits limits, RpcMetrics* metrics = nullptr);
+    // The gate outlives the front, and so do `metrics`; null: nobody counts.
+    CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits,
+              RpcMetrics* metrics = nullptr);
     ~CallFront();
 
     grpc::AsyncGenericService& service() { return service_; }
@@ -69,9 +70,12 @@ private:
     void count(const Call& call, grpc::StatusCode code) const;
     void tell_watches();
     void housekeep(Clock::time_point now);
-    Status admit(const Call& call) const;
+    Status admit(Call& call) const;
+    Status let_in(Call& call) const;
+    CallContext context_of(const Call& call) const;
 
     const std::map<std::string, CallMethod> methods_;  // by path
+    Gate& gate_;
     const CallLimits limits_;
     RpcMetrics* const metrics_;
     grpc::AsyncGenericService service_;

@@ -3,7 +3,6 @@
 
 #include <grpc/grpc.h>
 #include <grpcpp/resource_quota.h>
-#include <grpcpp/security/server_credentials.h>
 
 #include <algorithm>
 #include <set>
@@ -12,6 +11,7 @@
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "rpc/health_methods.h"
 #include "rpc/reflection.h"
+#include "rpc/tls_credentials.h"
 
 namespace jostle::server {
 
@@ -68,7 +68,8 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
                        std::function<bool()> is_healthy, GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
-      front_(all_methods(std::move(methods), std::move(is_healthy)), {}, context.rpc_metrics),
+      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
+             context.rpc_metrics),
       acceptor_(settings_.connections, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
@@ -98,7 +99,7 @@ Status GrpcServer::start() {
     grpc::ServerBuilder builder;
     door_ = builder.experimental().AddExternalConnectionAcceptor(
         grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
-        grpc::InsecureServerCredentials());
+        server_credentials(settings_.certificates));
     set_keepalive(builder);
     set_limits(builder, settings_);
     builder.RegisterService(&play_service_);

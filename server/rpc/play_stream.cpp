@@ -5,7 +5,9 @@
 #include <exception>
 #include <optional>
 
+#include "base/address.h"
 #include "base/log.h"
+#include "rpc/caller_identity.h"
 #include "rpc/message_bytes.h"
 #include "status/grpc_status.h"
 
@@ -32,7 +34,12 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     meter_ = connections.find(peer);
     if (meter_) meter_->calls++;
     metrics_ = context.rpc_metrics;
-    link_ = std::make_unique<ClientLink>(context, peer, now);
+    link_ = std::make_unique<ClientLink>(context,
+                                         Peer{.name = peer,
+                                              .address = address_of_grpc_peer(peer),
+                                              .call = "jostle.v1.PlayService/Play",
+                                              .who = identify(context_, context.gate)},
+                                         now);
     start_read();
 }
 

@@ -46,7 +46,7 @@ FLOORS = {
     "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],
     "server/rpc": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "proto/status", "generated"],
     "server/gateway": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "generated"],
-    "server/app": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include"],
+    "server/app": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/status", "generated"],
     "clients/bot": ["clients/cpp", "generated"],

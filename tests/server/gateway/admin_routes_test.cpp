@@ -29,11 +29,14 @@ protected:
         ASSERT_TRUE(worlds.create("my arena", *scenes::find_scene("stack")).ok());
     }
     HttpResponse get(const std::string& target, const std::string& method = "GET",
-                     const std::string& origin = {}) const {
+                     const std::string& origin = {},
+                     const std::string& host = "127.0.0.1:9464") const {
         HttpRequest request;
         request.method = method;
         request.target = target;
         request.origin = origin;
+        request.host = host;
+        request.address = "127.0.0.1";
         return routes.answer(request);
     }
     // One request over a connection of its own; all that comes back.
@@ -53,14 +56,19 @@ protected:
     SessionDirectory sessions{4};
     Metrics metrics{"test", {"solve"}};
     WorldDirectory worlds{{.metrics = &metrics}, 4};
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .metrics = &metrics};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config,
+                        .worlds = worlds,
+                        .sessions = sessions,
+                        .gate = *gate,
+                        .metrics = &metrics};
     AdminControl control{context};
     std::optional<std::string> trouble;
     int refreshed = 0;
     AdminRoutes routes{control,
                        metrics,
-                       {.is_draining = [this] { return context.draining.load(); },
+                       {.allowed_hosts = {"ops.example.org"},
+                        .is_draining = [this] { return context.draining.load(); },
                         .trouble = [this] { return trouble; },
                         .refresh = [this] { refreshed++; }}};
 };
@@ -108,7 +116,11 @@ TEST_F(AdminRoutesTest, what_is_wrong_is_said) {
     EXPECT_EQ(get("/debug/profile?world=nowhere&seconds=1").status, 404);
     EXPECT_EQ(get("/nowhere").status, 404);
     EXPECT_EQ(get("/metrics", "POST").status, 405);
-    EXPECT_EQ(get("/metrics", "GET", "http://elsewhere.example").status, 403);
+    const std::string profile = "/debug/profile?world=nowhere&seconds=1";
+    EXPECT_EQ(get(profile, "GET", "http://elsewhere.example").status, 403) << "a page";
+    EXPECT_EQ(get(profile, "GET", {}, "elsewhere.example:9464").status, 403) << "DNS rebinding";
+    EXPECT_EQ(get(profile, "GET", {}, "ops.example.org").status, 404);
+    EXPECT_EQ(get("/metrics", "GET", {}, "server:9464").status, 200) << "Prometheus";
     EXPECT_NE(get("/").body.find("/debug/profile?world=NAME"), std::string::npos);
 }
 

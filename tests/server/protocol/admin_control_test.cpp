@@ -30,7 +30,13 @@ protected:
     }
     // A client in "arena" that takes what it is sent.
     struct Player {
-        explicit Player(PlayContext& context) : link(context, "10.0.0.1:4000", Clock::now()) {
+        explicit Player(PlayContext& context)
+            : link(context,
+                   Peer{.name = "10.0.0.1:4000",
+                        .address = "10.0.0.1",
+                        .call = "jostle.v1.PlayService/Play",
+                        .who = context.gate.identify({.address = "10.0.0.1"})},
+                   Clock::now()) {
             v1::ClientMessage hello;
             hello.mutable_hello()->set_protocol(1);
             hello.mutable_hello()->set_name("ann");
@@ -53,7 +59,8 @@ protected:
     Config config;
     SessionDirectory sessions{2};
     WorldDirectory worlds{{}, 4};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     AdminControl control{context};
 };
 

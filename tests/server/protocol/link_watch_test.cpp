@@ -22,6 +22,12 @@ protected:
         ASSERT_TRUE(worlds.create("arena", *scenes::find_scene("stack")).ok());
     }
 
+    Peer peer() {
+        return {.name = "test",
+                .address = "127.0.0.1",
+                .call = "jostle.v1.PlayService/Play",
+                .who = gate->identify({.address = "127.0.0.1"})};
+    }
     static void hello(ClientLink& link) {
         v1::ClientMessage message;
         message.mutable_hello()->set_protocol(1);
@@ -55,14 +61,18 @@ protected:
     SessionDirectory sessions{4};
     Metrics metrics{"test", {}};
     WorldDirectory worlds{{.metrics = &metrics}, 4};
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .metrics = &metrics};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config,
+                        .worlds = worlds,
+                        .sessions = sessions,
+                        .gate = *gate,
+                        .metrics = &metrics};
     int snapshots = 0;
 };
 
 TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
     {
-        ClientLink link(context, "test", Clock::now());
+        ClientLink link(context, peer(), Clock::now());
         EXPECT_EQ(clients(), 0);
         hello(link);
         EXPECT_EQ(clients(), 1);
@@ -91,7 +101,7 @@ TEST_F(LinkWatchTest, snapshots_clients_and_inputs_are_counted) {
 }
 
 TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {
-    ClientLink link(context, "test", Clock::now());
+    ClientLink link(context, peer(), Clock::now());
     hello(link);
     listen(link, 400ms, false);
     EXPECT_LE(snapshots, 5) << "the window";
@@ -107,7 +117,7 @@ TEST_F(LinkWatchTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as
 }
 
 TEST_F(LinkWatchTest, refusals_are_counted_by_their_reason) {
-    ClientLink link(context, "test", Clock::now());
+    ClientLink link(context, peer(), Clock::now());
     link.receive("garbage", Clock::now());
     EXPECT_TRUE(link.end());
     EXPECT_EQ(metrics.refusals[ErrorCode::invalid_argument].Value(), 1);

@@ -15,12 +15,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <mutex>
 #include <optional>
 #include <random>
 #include <thread>
 
+#include "app/service_manager.h"
 #include "base/log.h"
 #include "config/exposure.h"
 #include "gateway/admin_routes.h"
@@ -82,8 +84,11 @@ WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& m
                                  .joints_per_pair_max = scene.joints_per_pair_max,
                                  .outline_bytes_max = scene.outline_bytes_max,
                                  .body_outline_bytes_max = scene.body_outline_bytes_max,
-                                 .work_per_second_max = scene.work_per_second_max},
+                                 .work_per_second_max = scene.work_per_second_max,
+                                 .first_step_seconds_max = scene.first_step_seconds_max},
                        .bodies_owned_max = config.client.bodies_owned_max},
+            .totals = {.bodies_max = config.world.bodies_total_max,
+                       .work_per_second_max = scene.work_total_per_second_max},
             .command_queue_max = config.world.command_queue_max,
             .catch_up_max = config.tick.catch_up_max,
             .physics_threads = config.tick.physics_threads,
@@ -236,6 +241,7 @@ private:
     void begin() {
         begun_ = true;
         log_info("going down: telling {} clients", context_.sessions.clients());
+        notify_stopping();
         context_.draining = true;
         grpc_.drain(drain_);
         grpc_.wake();
@@ -269,16 +275,18 @@ private:
     Clock::time_point deadline_{};
 };
 
-// Looks every second whether keys and certificates have changed, and reads them at once on SIGHUP.
-class Rereader {
+// What is to be done now and then: looks every second whether keys and certificates have changed,
+// reads them at once on SIGHUP, and tells systemd that the server is well while it is.
+class Upkeep {
 public:
-    Rereader(Gate& gate, CertificateStore* certificates)
-        : gate_(gate), certificates_(certificates), thread_([this] {
+    Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well)
+        : gate_(gate), certificates_(certificates), is_well_(std::move(is_well)), thread_([this] {
               wait_for_signal();
               look_again();
+              tell_again();
               io_.run();
           }) {}
-    ~Rereader() {
+    ~Upkeep() {
         io_.stop();
         thread_.join();
     }
@@ -303,11 +311,22 @@ private:
         });
     }
 
+    void tell_again() {
+        const auto period = watchdog_period();
+        if (!period) return;
+        if (is_well_()) notify_watchdog();
+        watchdog_timer_.expires_after(*period);
+        watchdog_timer_.async_wait([this](const boost::system::error_code& error) {
+            if (!error) tell_again();
+        });
+    }
+
     Gate& gate_;
     CertificateStore* const certificates_;
+    const std::function<bool()> is_well_;
     asio::io_context io_{1};
     asio::signal_set signals_{io_, SIGHUP};
-    asio::steady_timer timer_{io_};
+    asio::steady_timer timer_{io_}, watchdog_timer_{io_};
     std::thread thread_;  // the last, so that all of the above is there
 };
 
@@ -345,7 +364,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     metrics.clients_max.Set(config.world.clients_max);
     RpcMetrics rpc_metrics(metrics);
     Wakers wakers;
-    SessionDirectory sessions(config.world.clients_max);
+    SessionDirectory sessions(config.world.clients_max, config.world.clients_per_address_max);
     raise_descriptor_limit();
     WorldDirectory worlds(host_settings(config, wakers, metrics), config.world.worlds_max,
                           process_word());
@@ -440,7 +459,12 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                  reachable(parse_host_port(config.admin)->host, {}), admin_port);
 
     {
-        const Rereader rereader(gate, certificates.get());
+        const Upkeep upkeep(gate, certificates.get(), [&] {
+            const Clock::time_point now = Clock::now();
+            return watch.all_tick(now) && !grpc.trouble(now);
+        });
+        notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
+                                 worlds.list().size()));
         Shutdown(config.drain_seconds, grpc, gateway, context).wait();
     }
 

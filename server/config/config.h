@@ -26,7 +26,9 @@ struct ClientLimits {
 struct WorldLimits {
     int worlds_max = 64;
     int bodies_max = 20000;        // per world
+    int bodies_total_max = 60000;  // of all worlds: some 2 kB each
     int clients_max = 1000;        // per server
+    int clients_per_address_max = 250;  // of one IPv4 address or IPv6 /64
     int command_queue_max = 8192;  // commands waiting for a tick; full: the input is refused
 };
 
@@ -37,6 +39,8 @@ struct SceneLimits {
     double outline_bytes_max = 32e6;
     int body_outline_bytes_max = 65536;
     double work_per_second_max = 2e8;
+    double work_total_per_second_max = 4e8;  // of all worlds together
+    double first_step_seconds_max = 0.5;
 };
 
 struct TickSettings {

@@ -51,6 +51,8 @@ public:
     }
 
     const physics::World& world() const { return state_.world; }
+    // As estimated when it was created (scene_budget.h).
+    double work_per_second() const { return work_per_second_; }
 
 private:
     explicit HostedWorld(HostedState state) : state_(std::move(state)) {}
@@ -59,6 +61,7 @@ private:
 
     HostedState state_;
     SceneIds ids_;
+    double work_per_second_ = 0;
     ModuleChunks chunks_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told

@@ -46,6 +46,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
                          "the server holds " + std::to_string(worlds_max_) +
                              " worlds, the most allowed; delete one first"};
         if (Status s = check_name(name); !s.ok()) return s.error();
+        if (Status s = check_totals(scene.bodies.size(), 0); !s.ok()) return s.error();
         number = next_++;
         worlds_.emplace(number,
                         nullptr);  // holds the place while the world is built without the lock
@@ -53,16 +54,37 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
     const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
     auto host = start({id, name, owner}, std::make_shared<const scenes::SceneDescription>(scene));
     const std::lock_guard lock(mutex_);
-    // Another call may have taken the name meanwhile.
-    if (!host.ok() || find_locked(name)) {
+    // Another call may have taken the name, or the room, meanwhile.
+    Status fits = host.ok() ? check_totals(0, (*host)->work_per_second()) : host.error();
+    if (fits.ok() && find_locked(name)) fits = name_taken(name);
+    if (!fits.ok()) {
         worlds_.erase(number);
-        if (!host.ok()) return host.error();
-        return name_taken(name);
+        return fits.error();
     }
     worlds_[number] = *host;
     log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", id, name, scene.name,
              scene.hz, scene.bodies.size());
     return host;
+}
+
+// With what is about to be added to what there is.
+Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
+    for (const auto& [number, world] : worlds_) {
+        if (!world) continue;
+        bodies += world->frame()->entities.size();
+        work += world->work_per_second();
+    }
+    const TotalLimits& totals = settings_.totals;
+    if (bodies > static_cast<std::size_t>(totals.bodies_max))
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would have " + std::to_string(bodies) +
+                         " bodies; world.bodies_total_max allows " +
+                         std::to_string(totals.bodies_max) + "; delete a world first"};
+    if (work > totals.work_per_second_max)
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would be more work than "
+                     "scene.work_total_per_second_max allows; delete a world first"};
+    return {};
 }
 
 std::shared_ptr<WorldHost> WorldDirectory::find_locked(const std::string& key) const {

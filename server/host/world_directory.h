@@ -42,6 +42,7 @@ private:
 
     Result<std::shared_ptr<WorldHost>> start(
         WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const;
+    Status check_totals(std::size_t bodies, double work) const;
     void restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
                  Clock::time_point now);
 

@@ -33,6 +33,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
     : label_(std::move(label)),
       scene_(std::move(scene)),
       hz_(scene_->hz),
+      work_per_second_(world.work_per_second()),
       gravity_(scene_->world.gravity),
       settings_(settings),
       world_(std::move(world)),

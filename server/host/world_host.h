@@ -21,8 +21,15 @@
 
 namespace jostle::server {
 
+// Of all worlds of a process together.
+struct TotalLimits {
+    int bodies_max = 60000;
+    double work_per_second_max = 4e8;  // as scene_budget.h estimates it
+};
+
 struct WorldHostSettings {
     HostLimits limits;
+    TotalLimits totals;
     int command_queue_max = 8192;
     int catch_up_max = 4;
     int physics_threads = 1;
@@ -91,6 +98,7 @@ public:
     const std::string& scene() const { return scene_->name; }
     const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
+    double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
 
 private:
@@ -111,7 +119,7 @@ private:
 
     const WorldLabel label_;
     const std::shared_ptr<const scenes::SceneDescription> scene_;
-    const double hz_;
+    const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
     const WorldHostSettings settings_;
 

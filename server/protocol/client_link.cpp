@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/address.h"
 #include "base/log.h"
 #include "base/text.h"
 #include "protocol/event_message.h"
@@ -153,13 +154,9 @@ Status ClientLink::may_play(const Hello& hello, const Identity& who, const World
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now) {
-    const std::optional<ClientId> client = context_.sessions.enter(world->id());
-    if (!client) {
-        return refuse(
-            Error{ErrorCode::resource_exhausted,
-                  fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
-            now);
-    }
+    const Result<ClientId> client =
+        context_.sessions.enter(world->id(), network_of(peer_.address));
+    if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);
     result_queue_ = std::make_shared<ResultQueue>();

@@ -60,6 +60,7 @@ public:
     // take_message() has nothing more.
     const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
+    bool said_hello() const { return feed_ != nullptr; }
 
 private:
     void on_message(const Hello& hello, Clock::time_point now);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rpc/grpc_server.h"
 
+#include <grpc/compression.h>
 #include <grpc/grpc.h>
 #include <grpcpp/resource_quota.h>
 
@@ -40,6 +41,10 @@ void set_keepalive(grpc::ServerBuilder& builder) {
 void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
     builder.SetResourceQuota(grpc::ResourceQuota("jostle").Resize(buffers_max));
     builder.SetMaxReceiveMessageSize(message_bytes_max);
+    // A few bytes of a compressed request could become gigabytes; nobody compresses a small
+    // message.
+    builder.AddChannelArgument(GRPC_COMPRESSION_CHANNEL_ENABLED_ALGORITHMS_BITSET,
+                               1u << GRPC_COMPRESS_NONE);
     builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, streams_per_connection_max);
     builder.AddChannelArgument(GRPC_ARG_MAX_METADATA_SIZE, header_bytes_max);
     builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, handshake_ms);

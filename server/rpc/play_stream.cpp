@@ -31,6 +31,7 @@ PlayStream::~PlayStream() {
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
                        Clock::time_point now) {
     const std::string peer = context_.peer();
+    network_ = network_of(address_of_grpc_peer(peer));
     meter_ = connections.find(peer);
     if (meter_) meter_->calls++;
     metrics_ = context.rpc_metrics;

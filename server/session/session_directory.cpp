@@ -3,32 +3,50 @@
 
 namespace jostle::server {
 
-std::optional<ClientId> SessionDirectory::enter(const std::string& world_id) {
+namespace {
+
+void take_one(std::map<std::string, int>& counts, const std::string& key) {
+    const auto at = counts.find(key);
+    if (--at->second == 0) counts.erase(at);
+}
+
+}  // namespace
+
+Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std::string& network) {
     const std::lock_guard lock(mutex_);
-    if (static_cast<int>(worlds_.size()) >= clients_max_) return std::nullopt;
+    if (static_cast<int>(sessions_.size()) >= clients_max_)
+        return Error{ErrorCode::resource_exhausted,
+                     "the server is full: " + std::to_string(clients_max_) + " clients"};
+    const auto same = of_network_.find(network);
+    if (same != of_network_.end() && same->second >= per_network_max_)
+        return Error{ErrorCode::resource_exhausted,
+                     "your address has " + std::to_string(per_network_max_) +
+                         " clients here, the most allowed"};
     const ClientId client = next_++;
-    worlds_[client] = world_id;
-    count_[world_id]++;
+    sessions_[client] = {world_id, network};
+    of_world_[world_id]++;
+    of_network_[network]++;
     return client;
 }
 
 void SessionDirectory::leave(ClientId client) {
     const std::lock_guard lock(mutex_);
-    const auto at = worlds_.find(client);
-    if (at == worlds_.end()) return;
-    if (--count_[at->second] == 0) count_.erase(at->second);
-    worlds_.erase(at);
+    const auto at = sessions_.find(client);
+    if (at == sessions_.end()) return;
+    take_one(of_world_, at->second.world);
+    take_one(of_network_, at->second.network);
+    sessions_.erase(at);
 }
 
 int SessionDirectory::clients() const {
     const std::lock_guard lock(mutex_);
-    return static_cast<int>(worlds_.size());
+    return static_cast<int>(sessions_.size());
 }
 
 int SessionDirectory::clients_in(const std::string& world_id) const {
     const std::lock_guard lock(mutex_);
-    const auto at = count_.find(world_id);
-    return at == count_.end() ? 0 : at->second;
+    const auto at = of_world_.find(world_id);
+    return at == of_world_.end() ? 0 : at->second;
 }
 
 }  // namespace jostle::server

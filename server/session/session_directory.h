@@ -5,29 +5,35 @@
 
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
 
 #include "host/command.h"
+#include "jostle/base/result.h"
 
 namespace jostle::server {
 
 class SessionDirectory {
 public:
-    explicit SessionDirectory(int clients_max) : clients_max_(clients_max) {}
+    explicit SessionDirectory(int clients_max, int per_network_max = 1 << 30)
+        : clients_max_(clients_max), per_network_max_(per_network_max) {}
 
-    // A new client id; nothing when the server is full.
-    std::optional<ClientId> enter(const std::string& world_id);
+    // A new client id; an error when the server is full, or full of clients of that network
+    // (base/address.h).
+    Result<ClientId> enter(const std::string& world_id, const std::string& network);
     void leave(ClientId client);
 
     int clients() const;
     int clients_in(const std::string& world_id) const;
 
 private:
-    const int clients_max_;
+    struct Session {
+        std::string world, network;
+    };
+
+    const int clients_max_, per_network_max_;
     mutable std::mutex mutex_;
-    std::map<ClientId, std::string> worlds_;  // of each client
-    std::map<std::string, int> count_;        // by world
+    std::map<ClientId, Session> sessions_;
+    std::map<std::string, int> of_world_, of_network_;
     ClientId next_ = 1;
 };
 

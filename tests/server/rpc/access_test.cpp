@@ -44,8 +44,8 @@ protected:
         config.quota.creates_per_minute = config.quota.joins_per_minute =
             config.quota.queries_per_second = config.quota.refused_logins_per_minute = 1e6;
         gate = *Gate::open(config);
-        context = std::make_unique<PlayContext>(
-            PlayContext{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
+        context.reset(new PlayContext{
+            .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
         control = std::make_unique<WorldControl>(*context);
         queries = std::make_unique<QueryControl>(*context);
         admin = std::make_unique<AdminControl>(*context);

@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
     }
     if (flags.health) return jostle::server::run_health_probe(config);
     jostle::server::start_log({.level = config.log_level, .json = config.log_format == "json"});
-    const int status = jostle::server::run_server(config, flags.port_file);
+    const int status = jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
     jostle::server::stop_log();
     return status;
 }

@@ -105,6 +105,9 @@ Status check(const Config& c) {
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid(std::string(key) + ": " + parsed.error().message);
+    if (!c.admin.empty())
+        if (const auto parsed = parse_host_port(c.admin); !parsed.ok())
+            return invalid("admin: " + parsed.error().message);
     static constexpr std::array levels = {"trace", "debug", "info", "warn", "error"};
     if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
         return invalid("log_level is \"" + c.log_level +

@@ -109,6 +109,7 @@ struct ConnectionLimits {
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
+    std::string admin = "127.0.0.1:9464";    // metrics, health, profiles; empty: nothing listens
     std::string web_root = "clients/web/dist";
     std::vector<std::string> scenes = {"sandbox"};  // one world each: catalogue names or files
     std::vector<std::string> allowed_origins;       // pages from elsewhere that may use this server

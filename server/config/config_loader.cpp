@@ -58,6 +58,7 @@ Setters setters_of(Config& c) {
     return {
         {"listen", into(c.listen)},
         {"http", into(c.http)},
+        {"admin", into(c.admin)},
         {"web_root", into(c.web_root)},
         {"scenes", into(c.scenes)},
         {"allowed_origins", into(c.allowed_origins)},

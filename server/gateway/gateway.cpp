@@ -43,10 +43,10 @@ std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
 }  // namespace
 
 struct Gateway::Impl {
-    Impl(PlayContext& play_context, const HttpRoutes& http_routes, GatewaySettings gateway_settings)
+    Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
         : context(play_context),
           settings(std::move(gateway_settings)),
-          services{http_routes,
+          services{handler,
                    settings,
                    asking,
                    changing,
@@ -62,6 +62,8 @@ struct Gateway::Impl {
     void begin_play(SocketStream stream, const WebSocketSession::Request& request);
     void schedule_housekeeping();
     void advance_all();
+    void count_open();
+    void count_refused(ConnectionRefusal why);
     void abort_all();
     void run();
 
@@ -69,7 +71,7 @@ struct Gateway::Impl {
     const GatewaySettings settings;
     asio::io_context io{1};
     double body_bytes = 0;  // of requests that are being received or answered
-    WorkPool asking{1, settings.work_queue_max, asking_niceness},
+    WorkPool asking{settings.asking_threads, settings.work_queue_max, asking_niceness},
         changing{1, settings.work_queue_max, changing_niceness};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
@@ -90,8 +92,8 @@ Status Gateway::Impl::listen() {
     const auto failure = [&](std::string_view what, const beast::error_code& error) {
         return Error{
             ErrorCode::unavailable,
-            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT", what,
-                        settings.host, settings.port, error.message())};
+            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with {} HOST:PORT", what,
+                        settings.host, settings.port, error.message(), settings.flag)};
     };
     beast::error_code error;
     tcp::resolver resolver(io);
@@ -165,9 +167,11 @@ bool Gateway::Impl::make_room(const tcp::socket& socket) {
         if (same && is_older(session, oldest_of_address)) oldest_of_address = session;
     }
     if (of_address >= settings.per_address_max) {
+        count_refused(ConnectionRefusal::address_limit);
         if (!oldest_of_address) return false;
         oldest_of_address->abort();
     } else if (players + others >= settings.connections_max) {
+        count_refused(ConnectionRefusal::limit);
         if (!oldest) return false;
         oldest->abort();
     }
@@ -187,6 +191,7 @@ void Gateway::Impl::schedule_housekeeping() {
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
         advance_all();
+        count_open();
         schedule_housekeeping();
     });
 }
@@ -206,6 +211,17 @@ void Gateway::Impl::advance_all() {
         // advance() starts operations only, so no session can end or begin while we walk.
         if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
     }
+}
+
+void Gateway::Impl::count_open() {
+    if (!settings.metrics) return;
+    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
+    settings.metrics->open.Set(static_cast<double>(open));
+}
+
+// Who came or who had to go for it.
+void Gateway::Impl::count_refused(ConnectionRefusal why) {
+    if (settings.metrics) settings.metrics->refused(why).Increment();
 }
 
 void Gateway::Impl::abort_all() {
@@ -236,7 +252,7 @@ void Gateway::Impl::run() {
     }
 }
 
-Gateway::Gateway(PlayContext& context, const HttpRoutes& routes, GatewaySettings settings)
+Gateway::Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
     : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
 
 Gateway::~Gateway() {

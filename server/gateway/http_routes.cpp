@@ -108,14 +108,18 @@ HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteS
       settings_(std::move(settings)),
       files_(settings_.web_root) {}
 
-HttpRoutes::Work HttpRoutes::work_of(const HttpRequest& request) {
+HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
-    if (path.starts_with(query_path)) return Work::asks;
+    if (path.starts_with(query_path)) return HttpWork::asks;
     const bool reads = request.method == "GET" || request.method == "HEAD";
-    return reads || !path.starts_with("/api/") ? Work::at_once : Work::changes;
+    return reads || !path.starts_with("/api/") ? HttpWork::at_once : HttpWork::changes;
 }
 
-bool HttpRoutes::takes_large_body(const HttpRequest& request) {
+bool HttpRoutes::takes_players(const HttpRequest& request) const {
+    return path_of(request.target) == "/play";
+}
+
+bool HttpRoutes::takes_large_body(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
 }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gateway/http_message.h"
+#include "gateway/http_handler.h"
 #include "gateway/web_files.h"
 #include "jostle/base/result.h"
 #include "protocol/query_control.h"
@@ -30,22 +30,20 @@ struct RouteSettings {
     std::function<std::optional<std::string>()> trouble;
 };
 
-class HttpRoutes {
+class HttpRoutes final : public HttpHandler {
 public:
     // Both outlive the routes.
     HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
-    HttpResponse answer(const HttpRequest& request) const;
-    // Who answers: the gateway's own thread, or one for what asks worlds or changes them.
-    enum class Work { at_once, asks, changes };
-    static Work work_of(const HttpRequest& request);
-    // Whether the request may have a body as large as a scene.
-    static bool takes_large_body(const HttpRequest& request);
+    HttpResponse answer(const HttpRequest& request) const override;
+    HttpWork work_of(const HttpRequest& request) const override;
+    bool takes_large_body(const HttpRequest& request) const override;
+    bool takes_players(const HttpRequest& request) const override;
 
     // Against pages that use their visitor's browser to reach a server that only the visitor can
     // reach: they come from another origin, or made their own name point here. Why this request is
     // refused; nothing: it is no such page.
-    std::optional<std::string> refuse_page(const HttpRequest& request) const;
+    std::optional<std::string> refuse_page(const HttpRequest& request) const override;
 
 private:
     // Who asks, for which row of the access table.

@@ -96,12 +96,12 @@ bool HttpSession::failed(beast::error_code error) {
 void HttpSession::on_head(beast::error_code error) {
     if (failed(error)) return;
     HttpRequest request = request_of_peer();
-    if (beast::websocket::is_upgrade(parser_->get()) && path_of(request.target) == "/play") {
+    if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.takes_players(request)) {
         if (const auto refusal = services_.routes.refuse_page(request))
             return refuse(403, *refusal + "\n");
         return services_.upgrade(std::move(stream_), parser_->release());
     }
-    const bool large = HttpRoutes::takes_large_body(request);
+    const bool large = services_.routes.takes_large_body(request);
     const std::size_t most =
         large ? services_.settings.body_bytes_max : services_.settings.small_body_bytes_max;
     parser_->body_limit(most);
@@ -148,12 +148,12 @@ HttpRequest HttpSession::request_of_peer() const {
 
 void HttpSession::answer_request() {
     HttpRequest request = request_of_peer();
-    switch (HttpRoutes::work_of(request)) {
-        case HttpRoutes::Work::at_once:
+    switch (services_.routes.work_of(request)) {
+        case HttpWork::at_once:
             return write(services_.routes.answer(request));
-        case HttpRoutes::Work::asks:
+        case HttpWork::asks:
             return answer_on(services_.asking, std::move(request));
-        case HttpRoutes::Work::changes:
+        case HttpWork::changes:
             return answer_on(services_.changing, std::move(request));
     }
 }
@@ -184,7 +184,10 @@ void HttpSession::answer_on(WorkPool& pool, HttpRequest request) {
         asio::post(self->stream_.get_executor(),
                    [self, answer = std::move(answer)] { self->write(answer); });
     });
-    if (!added) refuse(503, "Too many requests wait to be answered; try again in a second.\n");
+    if (added) return;
+    if (services_.settings.metrics)
+        services_.settings.metrics->refused(ConnectionRefusal::busy).Increment();
+    refuse(503, "Too many requests wait to be answered; try again in a second.\n");
 }
 
 void HttpSession::write(const HttpResponse& answer) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One HTTP connection: reads a request at a time, has HttpRoutes answer it, writes the answer;
+// One HTTP connection: reads a request at a time, has its handler answer it, writes the answer;
 // hands the socket over when the request asks for a WebSocket at /play. The head is looked at
 // before the body is let in: bodies have room as a whole. Lives on the gateway's thread; kept alive
 // by its operation in flight.
@@ -17,7 +17,7 @@
 #include "base/clock.h"
 #include "base/work_pool.h"
 #include "gateway/gateway_settings.h"
-#include "gateway/http_routes.h"
+#include "gateway/http_handler.h"
 #include "gateway/socket_stream.h"
 
 namespace jostle::server {
@@ -28,7 +28,7 @@ public:
     using Upgrade = std::function<void(SocketStream, boost::beast::http::request<Body>)>;
 
     struct Services {
-        const HttpRoutes& routes;
+        const HttpHandler& routes;
         const GatewaySettings& settings;
         WorkPool& asking;    // for requests that take long: those that ask worlds ...
         WorkPool& changing;  // ... and those that change them

@@ -34,6 +34,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
+    hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
     follow_modules(hosted.state_, hosted.bodies_);
     return hosted;
 }

@@ -144,6 +144,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
     if (host.ok()) {
         at->second = *host;
+        if (settings_.metrics) settings_.metrics->world_restarts.Increment();
         log_warn("world {} \"{}\" was started anew from its scene", failed->id(), failed->name());
     } else {
         worlds_.erase(at);

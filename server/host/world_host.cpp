@@ -38,6 +38,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
@@ -62,7 +63,7 @@ void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
     world_.stop_stepping();
-    queries_.close();
+    close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
 }
@@ -78,8 +79,18 @@ void WorldHost::pause(std::string reason) {
 }
 
 void WorldHost::resume() {
-    const std::lock_guard lock(pause_mutex_);
-    paused_.reset();
+    {
+        const std::lock_guard lock(pause_mutex_);
+        paused_.reset();
+    }
+    steps_.withdraw();
+}
+
+void WorldHost::close_doors() {
+    queries_.close();
+    steps_.close();
+    watch_.close();
+    visits_.close();
 }
 
 std::optional<std::string> WorldHost::paused() const {
@@ -117,7 +128,7 @@ void WorldHost::run() {
         log_error("world {} \"{}\" ends: {}", id(), name(), error.what());
         failed_.store(true);
         stopping_.store(true);
-        queries_.close();
+        close_doors();
     }
     tick_began_.store(0, std::memory_order_relaxed);
 }
@@ -126,10 +137,13 @@ void WorldHost::run() {
 void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
+    watch_.begin_tick(began);
     tick_++;
     const std::optional<std::string> why = paused();
     apply_commands(why);
-    if (!why) step();
+    const bool allowed = why && steps_.begin_step();
+    watch_.begin_step();
+    const bool stepped = (!why || allowed) && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
@@ -137,9 +151,14 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     frame->events = events_;
     frame->paused = why;
     world_.copy_into(*frame);
+    if (!stepped) frame->step_ms = 0;
     measure(*frame, began);
+    const FramePtr shown = frame;
     publish(std::move(frame));
     serve_queries();  // players first
+    steps_.end_tick();
+    visits_.admit(world_);
+    watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
@@ -164,14 +183,15 @@ void WorldHost::apply_commands(const std::optional<std::string>& paused) {
     leavers_taken_.clear();
 }
 
-void WorldHost::step() {
+bool WorldHost::step(bool allowed) {
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
-    if (stopping_ || paused()) return;
+    if (stopping_ || (paused() && !allowed)) return false;
     if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
         record_events();
         warn_of_quarantine();
         warn_of_large_chunks();
+        return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
         log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
                   paused().value_or("the world is being closed"));
@@ -179,6 +199,7 @@ void WorldHost::step() {
         step_refused_ = true;  // said once; the world stands still but answers
         log_error("world {}: step refused: {}", id(), stepped.error().message);
     }
+    return false;
 }
 
 // Readers hold what they were given, so each tick with events makes a new list of the newest ones.

@@ -14,7 +14,10 @@
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
+#include "host/step_allowance.h"
 #include "host/tick_clock.h"
+#include "host/tick_watch.h"
+#include "host/world_visits.h"
 
 namespace jostle::server {
 
@@ -32,6 +35,7 @@ struct WorldHostSettings {
     int physics_threads = 1;
     // Called on the world's thread after each frame; must only wake somebody.
     std::function<void()> on_frame;
+    Metrics* metrics = nullptr;  // null: nobody counts
 };
 
 struct WorldLabel {
@@ -76,6 +80,12 @@ public:
     void pause(std::string reason);
     void resume();
     std::optional<std::string> paused() const;  // why
+    // Any thread: what else operators do.
+    StepAllowance& steps() { return steps_; }
+    TickWatch& watch() { return watch_; }
+    WorldVisits& visits() { return visits_; }
+    // Any thread: nobody waits for this world any longer, and nobody is answered.
+    void close_doors();
     // Any thread: when the tick that runs began; nothing between two ticks.
     std::optional<Clock::time_point> tick_began() const;
     // Any thread: the step that runs leaves out what it still can, and the world is paused.
@@ -97,7 +107,8 @@ private:
     void run();
     void tick(Clock::time_point due, std::uint32_t late_ticks);
     void apply_commands(const std::optional<std::string>& paused);
-    void step();
+    // `allowed`: also when the world is paused. False: it took no step.
+    bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
     void measure(Frame& frame, Clock::time_point began);
@@ -128,6 +139,9 @@ private:
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
     QueryBroker queries_;
+    StepAllowance steps_;
+    TickWatch watch_;
+    WorldVisits visits_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;

@@ -126,6 +126,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
     const Ask ask{peer_.call, asked_world(**world), peer_.address};
     if (Status s = context_.gate.admit(*who, ask); !s.ok()) return s.error();
     if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
+    watch_.known_as(who->subject);
     return world;
 }
 
@@ -142,6 +143,7 @@ Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hel
     Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
     if (!world.ok()) return world;
     if (Status s = may_play(hello, entry->who, **world); !s.ok()) return s.error();
+    watch_.known_as(entry->who.subject);
     return world;
 }
 
@@ -182,6 +184,14 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .server_time_us = to_us(now),
          .gravity = world->gravity()}));
     snapshot_due_ = true;  // the first one goes out at once
+    watch_.entered({.id = client_,
+                    .name = hello.name,
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .address = peer_.name,
+                    .spectator = hello.spectator,
+                    .since = now},
+                   *world);
     log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_.name,
              world->id(), hello.spectator ? " as a spectator" : "");
 }
@@ -258,6 +268,7 @@ void ClientLink::refuse(Error error, Clock::time_point now) {
     log_warn("{} was refused: {}",
              client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
              error.message);
+    watch_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));
     finish(std::move(error), now);
 }
@@ -272,6 +283,7 @@ void ClientLink::finish(Status status, Clock::time_point now) {
 
 void ClientLink::leave_world() {
     if (client_ == 0) return;
+    watch_.left();
     context_.sessions.leave(client_);
     if (wants_events_) feed_->host().remove_event_listener();
     feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
@@ -296,6 +308,8 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         }
         return;
     }
+    if (const auto why = watch_.kicked())
+        return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
     if (now - last_received_ > from_seconds(limits.silence_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
@@ -330,6 +344,12 @@ void ClientLink::drop_waiting() {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    std::optional<OutMessage> message = next_message(now);
+    if (message) watch_.sent(*message, now);
+    return message;
+}
+
+std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
     writing_since_.reset();
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
@@ -370,6 +390,7 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     }
     seen_tick_ = frame.tick;
     snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
+    watch_.saw_frame(*flow_, skipped_waiting_);
     collect_results();
 }
 
@@ -385,6 +406,7 @@ std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
     for (const InputResult& result : results_) {
         answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
+    watch_.answered(results_);
     OutMessage message{encode_input_results(results_), nullptr};
     results_.clear();
     return message;
@@ -444,7 +466,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (frame->tick <= baselines_.last()) return std::nullopt;
     if (frame->entity_list != entity_list_) {
         tell_entities(frame->entity_list);
-        if (!waiting_.empty()) return take_message(now);
+        if (!waiting_.empty()) return next_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
     const Private own{.input_sequence = answered_sequence_,
@@ -455,6 +477,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
     OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
+    watch_.sent_snapshot(message.size());
     return message;
 }
 

@@ -21,6 +21,7 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/link_watch.h"
 #include "protocol/out_message.h"
 #include "protocol/peer.h"
 #include "protocol/play_context.h"
@@ -84,6 +85,7 @@ private:
     void leave_world();
     void collect_results();
 
+    std::optional<OutMessage> next_message(Clock::time_point now);
     std::optional<OutMessage> take_results(Clock::time_point now);
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
@@ -92,6 +94,7 @@ private:
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
+    LinkWatch watch_{context_};
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;

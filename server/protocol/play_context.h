@@ -10,7 +10,9 @@
 #include "host/world_directory.h"
 #include "identity/gate.h"
 #include "protocol/world_feed.h"
+#include "session/client_records.h"
 #include "session/session_directory.h"
+#include "telemetry/rpc_metrics.h"
 
 namespace jostle::server {
 
@@ -19,9 +21,13 @@ struct PlayContext {
     WorldDirectory& worlds;
     SessionDirectory& sessions;
     Gate& gate;
+    Metrics* metrics = nullptr;         // null: nobody counts
+    RpcMetrics* rpc_metrics = nullptr;  // likewise
     WorldFeeds feeds{};
-    std::atomic<bool> draining{false};  // no new clients; those who play are told
-    std::atomic<bool> closing{false};   // the drain is over: every conversation ends
+    ClientRecords records{};
+    std::atomic<bool> drain_asked{false};  // by an operator; the app begins it as on a signal
+    std::atomic<bool> draining{false};     // no new clients; those who play are told
+    std::atomic<bool> closing{false};      // the drain is over: every conversation ends
 };
 
 }  // namespace jostle::server

@@ -57,14 +57,25 @@ void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
     builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
 }
 
+// Whose calls are counted by their names.
+void announce(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
+    using enum RpcMetrics::Kind;
+    metrics.add(play_path, streaming);
+    for (const CallMethod& method : methods) {
+        const bool streams = method.work == CallWork::stream || method.work == CallWork::watch;
+        metrics.add(method.path, streams ? streaming : unary);
+    }
+}
+
 }  // namespace
 
 GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
                        std::function<bool()> is_healthy, GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
-      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {}),
-      acceptor_(settings_.connections) {}
+      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
+             context.rpc_metrics),
+      acceptor_(settings_.connections, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
     stop();
@@ -84,6 +95,7 @@ std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
     names.insert(names.end(), {"grpc.health.v1.Health", "grpc.reflection.v1.ServerReflection",
                                "grpc.reflection.v1alpha.ServerReflection"});
     add(reflection_methods(std::move(names)));
+    if (context_.rpc_metrics) announce(methods, *context_.rpc_metrics);
     return methods;
 }
 

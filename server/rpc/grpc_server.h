@@ -32,6 +32,7 @@ struct GrpcSettings {
     int network_threads = 1;
     const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the server
     ConnectionTableLimits connections = {};
+    const ListenerMetrics* metrics = nullptr;            // null: nobody counts
     Clock::duration idle_max = std::chrono::minutes(5);  // of a connection without a call
 };
 

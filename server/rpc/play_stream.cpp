@@ -34,6 +34,7 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     network_ = network_of(address_of_grpc_peer(peer));
     meter_ = connections.find(peer);
     if (meter_) meter_->calls++;
+    metrics_ = context.rpc_metrics;
     link_ = std::make_unique<ClientLink>(context,
                                          Peer{.name = peer,
                                               .address = address_of_grpc_peer(peer),
@@ -110,7 +111,9 @@ void PlayStream::advance(Clock::time_point now) {
     }
     if (const std::optional<Status>& end = link_->end()) {
         finishing_ = true;
-        stream_.Finish(to_grpc(*end), &finished_tag_);
+        const grpc::Status status = to_grpc(*end);
+        if (metrics_) metrics_->handled(play_path, status.error_code(), 0);
+        stream_.Finish(status, &finished_tag_);
     }
 }
 

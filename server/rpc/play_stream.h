@@ -20,6 +20,8 @@ namespace jostle::server {
 
 using RawPlayService = v1::PlayService::WithRawMethod_Play<v1::PlayService::Service>;
 
+inline constexpr char play_path[] = "/jostle.v1.PlayService/Play";
+
 class PlayStream;
 
 // What a completion queue gives back.
@@ -69,6 +71,7 @@ private:
     PlayTag finished_tag_{this, PlayTag::Event::finished};
     std::unique_ptr<ClientLink> link_;
     std::shared_ptr<ConnectionMeter> meter_;
+    RpcMetrics* metrics_ = nullptr;
     std::string network_;
     grpc::ByteBuffer incoming_;
     std::string incoming_bytes_;

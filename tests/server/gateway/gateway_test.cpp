@@ -5,6 +5,8 @@
 
 #include <thread>
 
+#include "gateway/http_routes.h"
+
 namespace jostle::server {
 
 // A timer that was due at the moment of stopping once began anew and kept the thread for ever. Its

@@ -8,6 +8,7 @@
 #include "app/server_app.h"
 #include "base/log.h"
 #include "config/config_loader.h"
+#include "config/exposure.h"
 #include "jostle/scenes/catalog.h"
 
 namespace {
@@ -27,7 +28,7 @@ Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 struct Flags {
     std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
-    bool list_scenes = false, health = false;
+    bool list_scenes = false, insecure = false, health = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -46,6 +47,8 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error")
         ->envname("JOSTLE_LOG_LEVEL");
     app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
+    app.add_flag("--insecure", flags.insecure,
+                 "Lets strangers in: listens beyond this machine without TLS and tokens");
     app.add_flag("--list-scenes", flags.list_scenes,
                  "Names every scene of the catalogue and exits");
     app.add_flag("--health", flags.health,
@@ -61,6 +64,7 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
         if (!flag.empty()) setting = flag;
     };
     if (!flags.scenes.empty()) config.scenes = flags.scenes;
+    if (flags.insecure) config.insecure = true;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
     take(config.web_root, flags.web_root);
@@ -96,13 +100,15 @@ int main(int argc, char** argv) {
         return 2;
     }
     overlay(config, flags);
-    if (const auto checked = jostle::server::check(config); !checked.ok()) {
+    jostle::Status checked = jostle::server::check(config);
+    if (checked.ok()) checked = jostle::server::check_exposure(config);
+    if (!checked.ok()) {
         std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());
         return 2;
     }
     if (flags.health) return jostle::server::run_health_probe(config);
     jostle::server::start_log({.level = config.log_level, .json = config.log_format == "json"});
-    const int status = jostle::server::run_server(config, flags.port_file);
+    const int status = jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
     jostle::server::stop_log();
     return status;
 }

@@ -28,11 +28,16 @@ std::size_t character_at(std::string_view text) {
     return size;
 }
 
-// U+0080 to U+009F: controls of terminals, too.
+// Those of ASCII, U+0080 to U+009F, which terminals obey as well, and those of Unicode that break
+// lines or turn their direction: U+200E to 200F, 2028 to 202E, 2066 to 2069.
 bool is_control(std::string_view character) {
-    const auto c = static_cast<unsigned char>(character[0]);
-    if (character.size() == 1) return c < 0x20 || c == 0x7f;
-    return c == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    const auto within = [](unsigned char c, int low, int high) { return low <= c && c <= high; };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+    if (character.size() == 2) return byte(0) == 0xc2 && byte(1) < 0xa0;
+    if (character.size() != 3 || byte(0) != 0xe2) return false;
+    if (byte(1) == 0x80) return within(byte(2), 0x8e, 0x8f) || within(byte(2), 0xa8, 0xae);
+    return byte(1) == 0x81 && within(byte(2), 0xa6, 0xa9);
 }
 
 std::string escaped(std::string_view bytes) {

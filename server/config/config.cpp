@@ -63,7 +63,9 @@ Status check(const Config& c) {
         {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
         {"world.worlds_max", c.world.worlds_max, 1, 10000},
         {"world.bodies_max", c.world.bodies_max, 1, 1000000},
+        {"world.bodies_total_max", c.world.bodies_total_max, 1, 100000000},
         {"world.clients_max", c.world.clients_max, 1, 100000},
+        {"world.clients_per_address_max", c.world.clients_per_address_max, 1, 100000},
         {"world.command_queue_max", c.world.command_queue_max, 16, 1 << 20},
         {"connection.total_max", c.connection.total_max, 8, 1 << 20},
         {"connection.per_address_max", c.connection.per_address_max, 1, 1 << 20},
@@ -75,6 +77,8 @@ Status check(const Config& c) {
         {"scene.outline_bytes_max", c.scene.outline_bytes_max, 1024, 1e10},
         {"scene.body_outline_bytes_max", c.scene.body_outline_bytes_max, 1024, 1 << 20},
         {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
+        {"scene.work_total_per_second_max", c.scene.work_total_per_second_max, 1000, 1e13},
+        {"scene.first_step_seconds_max", c.scene.first_step_seconds_max, 0.01, 3600},
         {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
@@ -101,6 +105,9 @@ Status check(const Config& c) {
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid(std::string(key) + ": " + parsed.error().message);
+    if (!c.admin.empty())
+        if (const auto parsed = parse_host_port(c.admin); !parsed.ok())
+            return invalid("admin: " + parsed.error().message);
     static constexpr std::array levels = {"trace", "debug", "info", "warn", "error"};
     if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
         return invalid("log_level is \"" + c.log_level +

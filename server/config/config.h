@@ -26,7 +26,9 @@ struct ClientLimits {
 struct WorldLimits {
     int worlds_max = 64;
     int bodies_max = 20000;        // per world
+    int bodies_total_max = 60000;  // of all worlds: some 2 kB each
     int clients_max = 1000;        // per server
+    int clients_per_address_max = 250;  // of one IPv4 address or IPv6 /64
     int command_queue_max = 8192;  // commands waiting for a tick; full: the input is refused
 };
 
@@ -37,6 +39,8 @@ struct SceneLimits {
     double outline_bytes_max = 32e6;
     int body_outline_bytes_max = 65536;
     double work_per_second_max = 2e8;
+    double work_total_per_second_max = 4e8;  // of all worlds together
+    double first_step_seconds_max = 0.5;
 };
 
 struct TickSettings {
@@ -105,6 +109,7 @@ struct ConnectionLimits {
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
+    std::string admin = "127.0.0.1:9464";    // metrics, health, profiles; empty: nothing listens
     std::string web_root = "clients/web/dist";
     std::vector<std::string> scenes = {"sandbox"};  // one world each: catalogue names or files
     std::vector<std::string> allowed_origins;       // pages from elsewhere that may use this server

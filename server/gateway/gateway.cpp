@@ -15,6 +15,7 @@
 #include "base/log.h"
 #include "base/work_pool.h"
 #include "gateway/http_session.h"
+#include "gateway/tls_contexts.h"
 #include "gateway/websocket_session.h"
 
 namespace jostle::server {
@@ -42,15 +43,15 @@ std::size_t drop_gone(std::vector<std::weak_ptr<Session>>& sessions) {
 }  // namespace
 
 struct Gateway::Impl {
-    Impl(PlayContext& play_context, const HttpRoutes& http_routes, GatewaySettings gateway_settings)
+    Impl(PlayContext& play_context, const HttpHandler& handler, GatewaySettings gateway_settings)
         : context(play_context),
           settings(std::move(gateway_settings)),
-          services{http_routes,
+          services{handler,
                    settings,
                    asking,
                    changing,
                    body_bytes,
-                   [this](beast::tcp_stream stream, WebSocketSession::Request request) {
+                   [this](SocketStream stream, WebSocketSession::Request request) {
                        begin_play(std::move(stream), request);
                    }} {}
 
@@ -58,9 +59,11 @@ struct Gateway::Impl {
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
     bool make_room(const tcp::socket& socket);
-    void begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request);
+    void begin_play(SocketStream stream, const WebSocketSession::Request& request);
     void schedule_housekeeping();
     void advance_all();
+    void count_open();
+    void count_refused(ConnectionRefusal why);
     void abort_all();
     void run();
 
@@ -68,11 +71,12 @@ struct Gateway::Impl {
     const GatewaySettings settings;
     asio::io_context io{1};
     double body_bytes = 0;  // of requests that are being received or answered
-    WorkPool asking{1, settings.work_queue_max, asking_niceness},
+    WorkPool asking{settings.asking_threads, settings.work_queue_max, asking_niceness},
         changing{1, settings.work_queue_max, changing_niceness};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own
+    TlsContexts tls{settings.certificates, settings.require_certificates};
     const HttpSession::Services services;
     // The sessions keep themselves alive; these only know them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
@@ -88,8 +92,8 @@ Status Gateway::Impl::listen() {
     const auto failure = [&](std::string_view what, const beast::error_code& error) {
         return Error{
             ErrorCode::unavailable,
-            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with --http HOST:PORT", what,
-                        settings.host, settings.port, error.message())};
+            fmt::format("cannot {} {}:{} for HTTP: {}; choose another with {} HOST:PORT", what,
+                        settings.host, settings.port, error.message(), settings.flag)};
     };
     beast::error_code error;
     tcp::resolver resolver(io);
@@ -127,7 +131,8 @@ void Gateway::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     }
     if (make_room(socket)) {
         socket.set_option(tcp::no_delay(true), error);
-        const auto session = std::make_shared<HttpSession>(std::move(socket), services);
+        const auto session =
+            std::make_shared<HttpSession>(SocketStream(std::move(socket), tls.present()), services);
         http_sessions.push_back(session);
         session->start();
     }
@@ -141,34 +146,39 @@ bool Gateway::Impl::make_room(const tcp::socket& socket) {
     beast::error_code error;
     const auto endpoint = socket.remote_endpoint(error);
     if (error) return false;
-    const std::string address = address_key(endpoint.address().to_string());
+    const std::string network = network_of(endpoint.address().to_string());
+    const auto is_same = [&](const auto& session) {
+        return network_of(session->address()) == network;
+    };
     std::size_t of_address = 0;
     std::shared_ptr<HttpSession> oldest, oldest_of_address;
     const auto is_older = [](const auto& a, const auto& b) {
         return !b || *a->idle_since() < *b->idle_since();
     };
     for (const auto& known : play_sessions)
-        if (const auto session = known.lock()) of_address += session->address() == address ? 1 : 0;
+        if (const auto session = known.lock()) of_address += is_same(session) ? 1 : 0;
     for (const auto& known : http_sessions) {
         const auto session = known.lock();
         if (!session) continue;
-        const bool same = session->address() == address;
+        const bool same = is_same(session);
         of_address += same ? 1 : 0;
         if (!session->idle_since()) continue;
         if (is_older(session, oldest)) oldest = session;
         if (same && is_older(session, oldest_of_address)) oldest_of_address = session;
     }
     if (of_address >= settings.per_address_max) {
+        count_refused(ConnectionRefusal::address_limit);
         if (!oldest_of_address) return false;
         oldest_of_address->abort();
     } else if (players + others >= settings.connections_max) {
+        count_refused(ConnectionRefusal::limit);
         if (!oldest) return false;
         oldest->abort();
     }
     return true;
 }
 
-void Gateway::Impl::begin_play(beast::tcp_stream stream, const WebSocketSession::Request& request) {
+void Gateway::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request) {
     const auto session =
         std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
     play_sessions.push_back(session);
@@ -181,6 +191,7 @@ void Gateway::Impl::schedule_housekeeping() {
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
         advance_all();
+        count_open();
         schedule_housekeeping();
     });
 }
@@ -200,6 +211,17 @@ void Gateway::Impl::advance_all() {
         // advance() starts operations only, so no session can end or begin while we walk.
         if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
     }
+}
+
+void Gateway::Impl::count_open() {
+    if (!settings.metrics) return;
+    const std::size_t open = drop_gone(http_sessions) + drop_gone(play_sessions);
+    settings.metrics->open.Set(static_cast<double>(open));
+}
+
+// Who came or who had to go for it.
+void Gateway::Impl::count_refused(ConnectionRefusal why) {
+    if (settings.metrics) settings.metrics->refused(why).Increment();
 }
 
 void Gateway::Impl::abort_all() {
@@ -230,7 +252,7 @@ void Gateway::Impl::run() {
     }
 }
 
-Gateway::Gateway(PlayContext& context, const HttpRoutes& routes, GatewaySettings settings)
+Gateway::Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings)
     : impl_(std::make_unique<Impl>(context, routes, std::move(settings))) {}
 
 Gateway::~Gateway() {

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "gateway/gateway_settings.h"
-#include "gateway/http_routes.h"
+#include "gateway/http_handler.h"
 #include "jostle/base/result.h"
 #include "protocol/client_link.h"
 
@@ -19,7 +19,7 @@ namespace jostle::server {
 class Gateway {
 public:
     // Both outlive the gateway.
-    Gateway(PlayContext& context, const HttpRoutes& routes, GatewaySettings settings);
+    Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings);
     ~Gateway();
 
     // Binds and begins to serve. An error says which address and why.

@@ -34,16 +34,17 @@ HttpRequest plain_request(const http::request<http::string_body>& request) {
             .origin = header(http::field::origin),
             .content_type = header(http::field::content_type),
             .if_none_match = header(http::field::if_none_match),
+            .authorization = header(http::field::authorization),
             .body = request.body()};
 }
 
 }  // namespace
 
-HttpSession::HttpSession(asio::ip::tcp::socket socket, const Services& services)
-    : stream_(std::move(socket)), services_(services) {
+HttpSession::HttpSession(SocketStream stream, const Services& services)
+    : stream_(std::move(stream)), services_(services) {
     beast::error_code error;
-    const auto endpoint = stream_.socket().remote_endpoint(error);
-    if (!error) address_ = address_key(endpoint.address().to_string());
+    const auto endpoint = stream_.tcp().socket().remote_endpoint(error);
+    if (!error) address_ = endpoint.address().to_string();
 }
 
 HttpSession::~HttpSession() {
@@ -51,12 +52,18 @@ HttpSession::~HttpSession() {
 }
 
 void HttpSession::start() {
-    read(services_.settings.request_timeout);
+    idle_since_ = Clock::now();
+    stream_.tcp().expires_after(services_.settings.request_timeout);
+    stream_.async_handshake([self = shared_from_this()](beast::error_code error) {
+        if (error) return;  // no client of ours, or one with a bad certificate
+        self->certificate_ = self->stream_.certificate();
+        self->read(self->services_.settings.request_timeout);
+    });
 }
 
 void HttpSession::abort() {
     beast::error_code ignored;
-    stream_.socket().close(ignored);
+    stream_.tcp().socket().close(ignored);
 }
 
 void HttpSession::read(std::chrono::seconds patience) {
@@ -65,7 +72,7 @@ void HttpSession::read(std::chrono::seconds patience) {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(services_.settings.header_bytes_max));
     parser_->body_limit(services_.settings.body_bytes_max);
-    stream_.expires_after(patience);
+    stream_.tcp().expires_after(patience);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
                                 self->on_head(error);
@@ -88,14 +95,13 @@ bool HttpSession::failed(beast::error_code error) {
 
 void HttpSession::on_head(beast::error_code error) {
     if (failed(error)) return;
-    HttpRequest request = plain_request(parser_->get());
-    if (beast::websocket::is_upgrade(parser_->get()) && path_of(request.target) == "/play") {
-        if (!services_.routes.origin_is_allowed(request)) {
-            return refuse(403, "A page from another origin may not play on this server.\n");
-        }
+    HttpRequest request = request_of_peer();
+    if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.takes_players(request)) {
+        if (const auto refusal = services_.routes.refuse_page(request))
+            return refuse(403, *refusal + "\n");
         return services_.upgrade(std::move(stream_), parser_->release());
     }
-    const bool large = HttpRoutes::takes_large_body(request);
+    const bool large = services_.routes.takes_large_body(request);
     const std::size_t most =
         large ? services_.settings.body_bytes_max : services_.settings.small_body_bytes_max;
     parser_->body_limit(most);
@@ -133,14 +139,21 @@ void HttpSession::on_body(beast::error_code error) {
     answer_request();
 }
 
-void HttpSession::answer_request() {
+HttpRequest HttpSession::request_of_peer() const {
     HttpRequest request = plain_request(parser_->get());
-    switch (HttpRoutes::work_of(request)) {
-        case HttpRoutes::Work::at_once:
+    request.address = address_;
+    request.certificate = certificate_;
+    return request;
+}
+
+void HttpSession::answer_request() {
+    HttpRequest request = request_of_peer();
+    switch (services_.routes.work_of(request)) {
+        case HttpWork::at_once:
             return write(services_.routes.answer(request));
-        case HttpRoutes::Work::asks:
+        case HttpWork::asks:
             return answer_on(services_.asking, std::move(request));
-        case HttpRoutes::Work::changes:
+        case HttpWork::changes:
             return answer_on(services_.changing, std::move(request));
     }
 }
@@ -157,7 +170,7 @@ void HttpSession::refuse(int status, std::string text) {
 }
 
 void HttpSession::answer_on(WorkPool& pool, HttpRequest request) {
-    stream_.expires_never();  // however long the world takes to build
+    stream_.tcp().expires_never();  // however long the world takes to build
     const bool added = pool.add([self = shared_from_this(), request = std::move(request)] {
         HttpResponse answer;
         try {
@@ -171,7 +184,10 @@ void HttpSession::answer_on(WorkPool& pool, HttpRequest request) {
         asio::post(self->stream_.get_executor(),
                    [self, answer = std::move(answer)] { self->write(answer); });
     });
-    if (!added) refuse(503, "Too many requests wait to be answered; try again in a second.\n");
+    if (added) return;
+    if (services_.settings.metrics)
+        services_.settings.metrics->refused(ConnectionRefusal::busy).Increment();
+    refuse(503, "Too many requests wait to be answered; try again in a second.\n");
 }
 
 void HttpSession::write(const HttpResponse& answer) {
@@ -192,7 +208,7 @@ void HttpSession::write(const HttpResponse& answer) {
     if (answer.status != 304) response_.content_length(answer.body.size());
     if (!head_only_) response_.body() = answer.body;
 
-    stream_.expires_after(services_.settings.request_timeout);
+    stream_.tcp().expires_after(services_.settings.request_timeout);
     http::async_write(stream_, response_,
                       [self = shared_from_this()](beast::error_code error, std::size_t) {
                           self->on_wrote(error);
@@ -202,7 +218,7 @@ void HttpSession::write(const HttpResponse& answer) {
 void HttpSession::on_wrote(beast::error_code error) {
     if (error) return;
     if (!response_.keep_alive()) {
-        stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
+        stream_.tcp().socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
         return;
     }
     read(services_.settings.idle_timeout);

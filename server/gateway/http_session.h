@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// One HTTP connection: reads a request at a time, has HttpRoutes answer it, writes the answer;
+// One HTTP connection: reads a request at a time, has its handler answer it, writes the answer;
 // hands the socket over when the request asks for a WebSocket at /play. The head is looked at
 // before the body is let in: bodies have room as a whole. Lives on the gateway's thread; kept alive
 // by its operation in flight.
 #pragma once
 
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <chrono>
@@ -18,18 +17,18 @@
 #include "base/clock.h"
 #include "base/work_pool.h"
 #include "gateway/gateway_settings.h"
-#include "gateway/http_routes.h"
+#include "gateway/http_handler.h"
+#include "gateway/socket_stream.h"
 
 namespace jostle::server {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
 public:
     using Body = boost::beast::http::string_body;
-    using Upgrade =
-        std::function<void(boost::beast::tcp_stream, boost::beast::http::request<Body>)>;
+    using Upgrade = std::function<void(SocketStream, boost::beast::http::request<Body>)>;
 
     struct Services {
-        const HttpRoutes& routes;
+        const HttpHandler& routes;
         const GatewaySettings& settings;
         WorkPool& asking;    // for requests that take long: those that ask worlds ...
         WorkPool& changing;  // ... and those that change them
@@ -37,7 +36,7 @@ public:
         Upgrade upgrade;     // takes the socket of a WebSocket client
     };
 
-    HttpSession(boost::asio::ip::tcp::socket socket, const Services& services);
+    HttpSession(SocketStream stream, const Services& services);
     ~HttpSession();
     void start();
     void abort();
@@ -56,12 +55,13 @@ private:
     bool reserve_body(std::size_t bytes);
     void give_back_body();
     void answer_request();
+    HttpRequest request_of_peer() const;
     void refuse(int status, std::string text);
     void answer_on(WorkPool& pool, HttpRequest request);
     void write(const HttpResponse& answer);
     void on_wrote(boost::beast::error_code error);
 
-    boost::beast::tcp_stream stream_;
+    SocketStream stream_;
     const Services& services_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<Body>> parser_;
@@ -69,7 +69,7 @@ private:
     bool head_only_ = false, closing_ = false;
     double reserved_ = 0;  // bytes of this request's body
     std::optional<Clock::time_point> idle_since_;
-    std::string address_;
+    std::string address_, certificate_;
 };
 
 }  // namespace jostle::server

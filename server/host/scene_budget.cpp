@@ -4,11 +4,15 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "base/clock.h"
 #include "jostle/scenes/outline_size.h"
 
 namespace jostle::server {
@@ -114,20 +118,45 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
     return check_outlines(scene, budget);
 }
 
-Status check_work(const scenes::SceneDescription& scene, const World& world,
-                  const SceneBudget& budget) {
+Result<double> work_of(const scenes::SceneDescription& scene, const World& world,
+                       const SceneBudget& budget) {
     const double passes = scene.hz * scene.world.substeps;
     std::size_t fixed = scene.joints.size();
     for (const scenes::SceneBody& body : scene.bodies)
         if (body.body.type == BodyType::dynamic) fixed++;
     const double most = budget.work_per_second_max / passes - static_cast<double>(fixed);
     const std::size_t pairs = most > 0 ? count_pairs(world, static_cast<std::size_t>(most)) : 0;
-    if (static_cast<double>(pairs) <= most) return {};
+    if (static_cast<double>(pairs) <= most) return passes * static_cast<double>(fixed + pairs);
     return too_much(fmt::format(
         "{:g} Hz x {} sub-steps x ({} moving bodies and joints + {}{} overlapping pairs) is too "
         "much work for a second; scene.work_per_second_max allows {:g}",
         scene.hz, scene.world.substeps, fixed, pairs > 0 ? "over " : "", pairs,
         budget.work_per_second_max));
+}
+
+Status check_first_step(const scenes::SceneDescription& scene, World world,
+                        const SceneBudget& budget) {
+    std::mutex mutex;
+    std::condition_variable done;
+    bool stepped = false;
+    std::thread alarm([&] {
+        std::unique_lock lock(mutex);
+        if (!done.wait_for(lock, from_seconds(budget.first_step_seconds_max),
+                           [&] { return stepped; }))
+            world.stop_stepping();
+    });
+    const Status step = world.step(1 / scene.hz);
+    {
+        const std::lock_guard lock(mutex);
+        stepped = true;
+    }
+    done.notify_all();
+    alarm.join();
+    if (step.ok() || step.error().code != ErrorCode::aborted) return {};
+    return too_much(fmt::format(
+        "the first step of the scene takes more than {:g} s; scene.first_step_seconds_max allows "
+        "no more",
+        budget.first_step_seconds_max));
 }
 
 }  // namespace jostle::server

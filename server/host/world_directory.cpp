@@ -34,7 +34,8 @@ Error name_taken(const std::string& name) {
 }  // namespace
 
 Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
-                                                          const scenes::SceneDescription& scene) {
+                                                          const scenes::SceneDescription& scene,
+                                                          const std::string& owner) {
     const std::string name = wanted.empty() ? scene.name : wanted;
     std::uint32_t number;
     {
@@ -45,23 +46,45 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
                          "the server holds " + std::to_string(worlds_max_) +
                              " worlds, the most allowed; delete one first"};
         if (Status s = check_name(name); !s.ok()) return s.error();
+        if (Status s = check_totals(scene.bodies.size(), 0); !s.ok()) return s.error();
         number = next_++;
         worlds_.emplace(number,
                         nullptr);  // holds the place while the world is built without the lock
     }
     const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
-    auto host = start(id, name, std::make_shared<const scenes::SceneDescription>(scene));
+    auto host = start({id, name, owner}, std::make_shared<const scenes::SceneDescription>(scene));
     const std::lock_guard lock(mutex_);
-    // Another call may have taken the name meanwhile.
-    if (!host.ok() || find_locked(name)) {
+    // Another call may have taken the name, or the room, meanwhile.
+    Status fits = host.ok() ? check_totals(0, (*host)->work_per_second()) : host.error();
+    if (fits.ok() && find_locked(name)) fits = name_taken(name);
+    if (!fits.ok()) {
         worlds_.erase(number);
-        if (!host.ok()) return host.error();
-        return name_taken(name);
+        return fits.error();
     }
     worlds_[number] = *host;
     log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", id, name, scene.name,
              scene.hz, scene.bodies.size());
     return host;
+}
+
+// With what is about to be added to what there is.
+Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
+    for (const auto& [number, world] : worlds_) {
+        if (!world) continue;
+        bodies += world->frame()->entities.size();
+        work += world->work_per_second();
+    }
+    const TotalLimits& totals = settings_.totals;
+    if (bodies > static_cast<std::size_t>(totals.bodies_max))
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would have " + std::to_string(bodies) +
+                         " bodies; world.bodies_total_max allows " +
+                         std::to_string(totals.bodies_max) + "; delete a world first"};
+    if (work > totals.work_per_second_max)
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would be more work than "
+                     "scene.work_total_per_second_max allows; delete a world first"};
+    return {};
 }
 
 std::shared_ptr<WorldHost> WorldDirectory::find_locked(const std::string& key) const {
@@ -113,7 +136,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
     Result<std::shared_ptr<WorldHost>> host =
-        before.size() < restarts_max ? start(failed->id(), failed->name(), failed->description())
+        before.size() < restarts_max ? start(failed->label(), failed->description())
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
     const std::lock_guard lock(mutex_);
@@ -121,6 +144,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
     if (host.ok()) {
         at->second = *host;
+        if (settings_.metrics) settings_.metrics->world_restarts.Increment();
         log_warn("world {} \"{}\" was started anew from its scene", failed->id(), failed->name());
     } else {
         worlds_.erase(at);
@@ -132,9 +156,9 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
 
 // Memory may not suffice: that refuses this world and ends nothing else.
 Result<std::shared_ptr<WorldHost>> WorldDirectory::start(
-    std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene) const {
+    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const {
     try {
-        return WorldHost::start(std::move(id), std::move(name), std::move(scene), settings_);
+        return WorldHost::start(std::move(label), std::move(scene), settings_);
     } catch (const std::exception& error) {
         return Error{ErrorCode::resource_exhausted,
                      std::string("the world cannot be built: ") + error.what()};

@@ -23,8 +23,10 @@ public:
 
     // A world of that scene; an empty name takes the scene's. Errors: the name is taken or
     // looks like an id, the directory is full, the scene cannot be built.
+    // `owner`: the subject of whoever creates it; empty: the server itself.
     Result<std::shared_ptr<WorldHost>> create(const std::string& name,
-                                              const scenes::SceneDescription& scene);
+                                              const scenes::SceneDescription& scene,
+                                              const std::string& owner = {});
     // By id or name; empty: the first. Null when there is none.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
@@ -39,8 +41,8 @@ private:
     std::shared_ptr<WorldHost> find_locked(const std::string& id_or_name) const;
 
     Result<std::shared_ptr<WorldHost>> start(
-        std::string id, std::string name,
-        std::shared_ptr<const scenes::SceneDescription> scene) const;
+        WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const;
+    Status check_totals(std::size_t bodies, double work) const;
     void restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
                  Clock::time_point now);
 

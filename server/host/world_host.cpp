@@ -19,27 +19,26 @@ struct WorldHost::Timer {
 };
 
 Result<std::shared_ptr<WorldHost>> WorldHost::start(
-    std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene,
+    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
     const WorldHostSettings& settings) {
     Result<HostedWorld> world =
         HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
-    std::shared_ptr<WorldHost> host(new WorldHost(std::move(id), std::move(name), std::move(scene),
-                                                  settings, std::move(*world)));
-    return host;
+    return std::shared_ptr<WorldHost>(
+        new WorldHost(std::move(label), std::move(scene), settings, std::move(*world)));
 }
 
-WorldHost::WorldHost(std::string id, std::string name,
-                     std::shared_ptr<const scenes::SceneDescription> scene,
+WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
                      const WorldHostSettings& settings, HostedWorld world)
-    : id_(std::move(id)),
-      name_(std::move(name)),
+    : label_(std::move(label)),
       scene_(std::move(scene)),
       hz_(scene_->hz),
+      work_per_second_(world.work_per_second()),
       gravity_(scene_->world.gravity),
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
@@ -64,7 +63,7 @@ void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
     world_.stop_stepping();
-    queries_.close();
+    close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
 }
@@ -80,8 +79,18 @@ void WorldHost::pause(std::string reason) {
 }
 
 void WorldHost::resume() {
-    const std::lock_guard lock(pause_mutex_);
-    paused_.reset();
+    {
+        const std::lock_guard lock(pause_mutex_);
+        paused_.reset();
+    }
+    steps_.withdraw();
+}
+
+void WorldHost::close_doors() {
+    queries_.close();
+    steps_.close();
+    watch_.close();
+    visits_.close();
 }
 
 std::optional<std::string> WorldHost::paused() const {
@@ -116,10 +125,10 @@ void WorldHost::run() {
     try {
         timer_->io.run();
     } catch (const std::exception& error) {
-        log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
+        log_error("world {} \"{}\" ends: {}", id(), name(), error.what());
         failed_.store(true);
         stopping_.store(true);
-        queries_.close();
+        close_doors();
     }
     tick_began_.store(0, std::memory_order_relaxed);
 }
@@ -128,10 +137,13 @@ void WorldHost::run() {
 void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
+    watch_.begin_tick(began);
     tick_++;
     const std::optional<std::string> why = paused();
     apply_commands(why);
-    if (!why) step();
+    const bool allowed = why && steps_.begin_step();
+    watch_.begin_step();
+    const bool stepped = (!why || allowed) && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
@@ -139,9 +151,14 @@ void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
     frame->events = events_;
     frame->paused = why;
     world_.copy_into(*frame);
+    if (!stepped) frame->step_ms = 0;
     measure(*frame, began);
+    const FramePtr shown = frame;
     publish(std::move(frame));
     serve_queries();  // players first
+    steps_.end_tick();
+    visits_.admit(world_);
+    watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
@@ -166,21 +183,23 @@ void WorldHost::apply_commands(const std::optional<std::string>& paused) {
     leavers_taken_.clear();
 }
 
-void WorldHost::step() {
+bool WorldHost::step(bool allowed) {
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
-    if (stopping_ || paused()) return;
+    if (stopping_ || (paused() && !allowed)) return false;
     if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
         record_events();
         warn_of_quarantine();
         warn_of_large_chunks();
+        return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
-        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id_, name_,
+        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
                   paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
         step_refused_ = true;  // said once; the world stands still but answers
-        log_error("world {}: step refused: {}", id_, stepped.error().message);
+        log_error("world {}: step refused: {}", id(), stepped.error().message);
     }
+    return false;
 }
 
 // Readers hold what they were given, so each tick with events makes a new list of the newest ones.
@@ -206,7 +225,7 @@ void WorldHost::warn_of_quarantine() {
         log_warn(
             "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
             "where it was, at rest",
-            id_, entity->id, entity->name);
+            id(), entity->id, entity->name);
 }
 
 void WorldHost::warn_of_large_chunks() {
@@ -215,7 +234,7 @@ void WorldHost::warn_of_large_chunks() {
             "world {}: the chunk of module \"{}\" has {} bytes; clients are sent {} at most, so it "
             "is "
             "left out of such ticks",
-            id_, tag, bytes, chunk_bytes_max);
+            id(), tag, bytes, chunk_bytes_max);
 }
 
 void WorldHost::serve_queries() {

@@ -14,29 +14,45 @@
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
+#include "host/step_allowance.h"
 #include "host/tick_clock.h"
+#include "host/tick_watch.h"
+#include "host/world_visits.h"
 
 namespace jostle::server {
 
+// Of all worlds of a process together.
+struct TotalLimits {
+    int bodies_max = 60000;
+    double work_per_second_max = 4e8;  // as scene_budget.h estimates it
+};
+
 struct WorldHostSettings {
     HostLimits limits;
+    TotalLimits totals;
     int command_queue_max = 8192;
     int catch_up_max = 4;
     int physics_threads = 1;
     // Called on the world's thread after each frame; must only wake somebody.
     std::function<void()> on_frame;
+    Metrics* metrics = nullptr;  // null: nobody counts
+};
+
+struct WorldLabel {
+    std::string id, name;
+    std::string owner;  // subject of who created it; empty: the server itself
 };
 
 class WorldHost {
 public:
     // Builds the world on the calling thread, then starts its own.
     static Result<std::shared_ptr<WorldHost>> start(
-        std::string id, std::string name, std::shared_ptr<const scenes::SceneDescription> scene,
+        WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
         const WorldHostSettings& settings);
     static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
                                                     const scenes::SceneDescription& scene,
                                                     const WorldHostSettings& settings) {
-        return start(std::move(id), std::move(name),
+        return start(WorldLabel{std::move(id), std::move(name), {}},
                      std::make_shared<const scenes::SceneDescription>(scene), settings);
     }
     ~WorldHost();
@@ -64,26 +80,35 @@ public:
     void pause(std::string reason);
     void resume();
     std::optional<std::string> paused() const;  // why
+    // Any thread: what else operators do.
+    StepAllowance& steps() { return steps_; }
+    TickWatch& watch() { return watch_; }
+    WorldVisits& visits() { return visits_; }
+    // Any thread: nobody waits for this world any longer, and nobody is answered.
+    void close_doors();
     // Any thread: when the tick that runs began; nothing between two ticks.
     std::optional<Clock::time_point> tick_began() const;
     // Any thread: the step that runs leaves out what it still can, and the world is paused.
     void interrupt(std::string reason);
 
-    const std::string& id() const { return id_; }
-    const std::string& name() const { return name_; }
+    const WorldLabel& label() const { return label_; }
+    const std::string& id() const { return label_.id; }
+    const std::string& name() const { return label_.name; }
+    const std::string& owner() const { return label_.owner; }
     const std::string& scene() const { return scene_->name; }
     const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
+    double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
 
 private:
-    WorldHost(std::string id, std::string name,
-              std::shared_ptr<const scenes::SceneDescription> scene,
+    WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick(Clock::time_point due, std::uint32_t late_ticks);
     void apply_commands(const std::optional<std::string>& paused);
-    void step();
+    // `allowed`: also when the world is paused. False: it took no step.
+    bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
     void measure(Frame& frame, Clock::time_point began);
@@ -92,9 +117,9 @@ private:
     void warn_of_large_chunks();
     void serve_queries();
 
-    const std::string id_, name_;
+    const WorldLabel label_;
     const std::shared_ptr<const scenes::SceneDescription> scene_;
-    const double hz_;
+    const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
     const WorldHostSettings settings_;
 
@@ -114,6 +139,9 @@ private:
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
     QueryBroker queries_;
+    StepAllowance steps_;
+    TickWatch watch_;
+    WorldVisits visits_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;

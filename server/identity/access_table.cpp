@@ -32,6 +32,7 @@ constexpr AccessRow table[] = {
     {"jostle.v1.AdminService/Profile", admin, Role::admin, any_world},
     {"grpc.health.v1.Health/Check", open, Role::none, server},
     {"grpc.health.v1.Health/Watch", open, Role::none, server},
+    {"grpc.reflection.v1.ServerReflection/ServerReflectionInfo", read, Role::viewer, server},
     {"grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", read, Role::viewer, server},
 
     {play_inputs, inputs, Role::player, any_world},

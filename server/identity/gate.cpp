@@ -5,8 +5,8 @@
 
 #include <optional>
 
+#include "base/address.h"
 #include "config/exposure.h"
-#include "identity/network_of.h"
 
 namespace jostle::server {
 

@@ -25,7 +25,7 @@ public:
         Clock::duration retry_after{};  // when it is not
     };
     // One piece of work of that subject (empty: of the address alone) from that network
-    // (network_of.h). Takes from both buckets or from none.
+    // (base/address.h). Takes from both buckets or from none.
     Answer take(Work work, std::string_view subject, std::string_view network,
                 Clock::time_point now);
     // What take() would answer.

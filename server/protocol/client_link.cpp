@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/address.h"
 #include "base/log.h"
 #include "base/text.h"
 #include "protocol/event_message.h"
@@ -42,7 +43,7 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
 
 }  // namespace
 
-ClientLink::ClientLink(PlayContext& context, std::string peer, Clock::time_point now)
+ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
     : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now) {}
 
 ClientLink::~ClientLink() {
@@ -100,38 +101,62 @@ void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
                                         hello.protocol, protocol_version)},
                       now);
     }
-    const Result<std::shared_ptr<WorldHost>> world = world_for(hello, now);
+    const Result<std::shared_ptr<WorldHost>> world =
+        hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
     if (!world.ok()) return refuse(world.error(), now);
     enter(*world, hello, now);
 }
 
-Result<std::shared_ptr<WorldHost>> ClientLink::world_for(const Hello& hello,
-                                                         Clock::time_point now) {
-    std::string wanted = hello.world;
-    if (!hello.ticket.empty()) {
-        const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
-        if (!id)
-            return Error{ErrorCode::unauthenticated,
-                         "the ticket is unknown, used or too old; ask JoinWorld for another"};
-        wanted = *id;
-    }
+Result<std::shared_ptr<WorldHost>> ClientLink::find_world(const std::string& wanted) const {
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
-    if (!world)
-        return Error{ErrorCode::not_found, wanted.empty()
-                                               ? "the server has no world"
-                                               : fmt::format("there is no world \"{}\"", wanted)};
+    if (world) return world;
+    return Error{ErrorCode::not_found, wanted.empty() ? "the server has no world"
+                                                      : "there is no world " + quoted(wanted)};
+}
+
+// By the token of the stream or of the hello, or as one who shows none.
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
+    const Result<Identity> who =
+        hello.token.empty()
+            ? peer_.who
+            : context_.gate.identify({.bearer = hello.token, .address = peer_.address});
+    if (!who.ok()) return who.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+    if (!world.ok()) return world;
+    const Ask ask{peer_.call, asked_world(**world), peer_.address};
+    if (Status s = context_.gate.admit(*who, ask); !s.ok()) return s.error();
+    if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
+    watch_.known_as(who->subject);
     return world;
+}
+
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hello) {
+    std::string named;
+    if (!hello.world.empty()) {
+        const Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+        if (!world.ok()) return world.error();
+        named = (*world)->id();
+    }
+    const Result<Gate::Entry> entry =
+        context_.gate.redeem_ticket(hello.ticket, named, peer_.address);
+    if (!entry.ok()) return entry.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
+    if (!world.ok()) return world;
+    if (Status s = may_play(hello, entry->who, **world); !s.ok()) return s.error();
+    watch_.known_as(entry->who.subject);
+    return world;
+}
+
+Status ClientLink::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
+    if (hello.spectator) return {};
+    return context_.gate.admit(who, {play_inputs, asked_world(world), peer_.address});
 }
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now) {
-    const std::optional<ClientId> client = context_.sessions.enter(world->id());
-    if (!client) {
-        return refuse(
-            Error{ErrorCode::resource_exhausted,
-                  fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
-            now);
-    }
+    const Result<ClientId> client =
+        context_.sessions.enter(world->id(), network_of(peer_.address));
+    if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);
     result_queue_ = std::make_shared<ResultQueue>();
@@ -159,7 +184,15 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .server_time_us = to_us(now),
          .gravity = world->gravity()}));
     snapshot_due_ = true;  // the first one goes out at once
-    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_,
+    watch_.entered({.id = client_,
+                    .name = hello.name,
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .address = peer_.name,
+                    .spectator = hello.spectator,
+                    .since = now},
+                   *world);
+    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_.name,
              world->id(), hello.spectator ? " as a spectator" : "");
 }
 
@@ -232,8 +265,10 @@ void ClientLink::on_pause(Clock::duration pause) {
 
 void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
-    log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
+    log_warn("{} was refused: {}",
+             client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
              error.message);
+    watch_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));
     finish(std::move(error), now);
 }
@@ -248,6 +283,7 @@ void ClientLink::finish(Status status, Clock::time_point now) {
 
 void ClientLink::leave_world() {
     if (client_ == 0) return;
+    watch_.left();
     context_.sessions.leave(client_);
     if (wants_events_) feed_->host().remove_event_listener();
     feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
@@ -272,6 +308,8 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         }
         return;
     }
+    if (const auto why = watch_.kicked())
+        return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
     if (now - last_received_ > from_seconds(limits.silence_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
@@ -306,6 +344,12 @@ void ClientLink::drop_waiting() {
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    std::optional<OutMessage> message = next_message(now);
+    if (message) watch_.sent(*message, now);
+    return message;
+}
+
+std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
     writing_since_.reset();
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
@@ -346,6 +390,7 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     }
     seen_tick_ = frame.tick;
     snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
+    watch_.saw_frame(*flow_, skipped_waiting_);
     collect_results();
 }
 
@@ -361,6 +406,7 @@ std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
     for (const InputResult& result : results_) {
         answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
+    watch_.answered(results_);
     OutMessage message{encode_input_results(results_), nullptr};
     results_.clear();
     return message;
@@ -420,7 +466,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (frame->tick <= baselines_.last()) return std::nullopt;
     if (frame->entity_list != entity_list_) {
         tell_entities(frame->entity_list);
-        if (!waiting_.empty()) return take_message(now);
+        if (!waiting_.empty()) return next_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
     const Private own{.input_sequence = answered_sequence_,
@@ -431,6 +477,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
     OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
+    watch_.sent_snapshot(message.size());
     return message;
 }
 

@@ -21,7 +21,9 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/link_watch.h"
 #include "protocol/out_message.h"
+#include "protocol/peer.h"
 #include "protocol/play_context.h"
 #include "replication/baseline_tracker.h"
 #include "session/admission.h"
@@ -31,8 +33,7 @@ namespace jostle::server {
 
 class ClientLink {
 public:
-    // `peer` is for the log.
-    ClientLink(PlayContext& context, std::string peer, Clock::time_point now);
+    ClientLink(PlayContext& context, Peer peer, Clock::time_point now);
     ~ClientLink();
     ClientLink(const ClientLink&) = delete;
     ClientLink& operator=(const ClientLink&) = delete;
@@ -59,6 +60,7 @@ public:
     // take_message() has nothing more.
     const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
+    bool said_hello() const { return feed_ != nullptr; }
 
 private:
     void on_message(const Hello& hello, Clock::time_point now);
@@ -67,7 +69,10 @@ private:
     void on_message(const Ping& ping, Clock::time_point now);
     void on_message(const Leave& leave, Clock::time_point now);
 
-    Result<std::shared_ptr<WorldHost>> world_for(const Hello& hello, Clock::time_point now);
+    Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
+    Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
+    Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
+    Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
     void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
@@ -80,6 +85,7 @@ private:
     void leave_world();
     void collect_results();
 
+    std::optional<OutMessage> next_message(Clock::time_point now);
     std::optional<OutMessage> take_results(Clock::time_point now);
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
@@ -88,7 +94,8 @@ private:
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
-    const std::string peer_;
+    LinkWatch watch_{context_};
+    const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;
     std::optional<Status> end_;

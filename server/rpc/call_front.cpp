@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/address.h"
 #include "base/log.h"
 #include "base/text.h"
+#include "rpc/caller_identity.h"
 #include "rpc/message_bytes.h"
 #include "rpc/rich_status.h"
 
@@ -44,6 +46,8 @@ struct CallFront::Call {
     const CallMethod* method = nullptr;
     std::shared_ptr<ConnectionMeter> meter;
     std::string peer, request;
+    Clock::time_point since{};  // it came
+    Identity who;
     grpc::ByteBuffer incoming;
     AnswerBytes told;  // of a watch: what it was told last
     double unsent = 0;
@@ -56,16 +60,20 @@ struct CallFront::Call {
     void wait_for_client() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
-CallFront::CallFront(std::vector<CallMethod> methods, CallLimits limits)
+CallFront::CallFront(std::vector<CallMethod> methods, Gate& gate, CallLimits limits,
+                     RpcMetrics* metrics)
     : methods_([&] {
           std::map<std::string, CallMethod> by_path;
           for (CallMethod& method : methods) by_path.emplace(method.path, std::move(method));
           return by_path;
       }()),
+      gate_(gate),
       limits_(limits),
+      metrics_(metrics),
       quick_(1, limits.queue_max, 0),
       asking_(1, limits.queue_max, asking_niceness),
-      changing_(1, limits.queue_max, changing_niceness) {}
+      changing_(1, limits.queue_max, changing_niceness),
+      waiting_(limits.waiting_threads, limits.queue_max, 0) {}
 
 CallFront::~CallFront() {
     stop();
@@ -85,6 +93,7 @@ void CallFront::stop() {
     quick_.stop();
     asking_.stop();
     changing_.stop();
+    waiting_.stop();
     pools_stopped_ = true;
     if (thread_.joinable()) thread_.join();
 }
@@ -163,17 +172,36 @@ void CallFront::forget(Call& call) {
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
 }
 
-Status CallFront::admit(const Call& call) const {
+Status CallFront::admit(Call& call) const {
     if (open_ > limits_.calls_max) return too_much("too many calls are open");
     if (of_peer_.at(call.peer) > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
     if (call.method->work == CallWork::watch && watches_ > limits_.watches_max)
         return too_much("too many watch already");
-    return {};
+    return let_in(call);
+}
+
+// Who calls, and whether he may; of calls about a world that is asked when it is known which.
+Status CallFront::let_in(Call& call) const {
+    Result<Identity> who = identify(call.context, gate_);
+    if (!who.ok()) return who.error();
+    call.who = *std::move(who);
+    if (call.method->asks_for_world) return {};
+    return gate_.admit(call.who, context_of(call).ask({}));
+}
+
+CallContext CallFront::context_of(const Call& call) const {
+    return {.gate = gate_,
+            .call = std::string_view(call.method->path).substr(1),
+            .who = call.who,
+            .address = address_of_grpc_peer(call.peer),
+            .deadline = call.context.deadline(),
+            .gave_up = [&call] { return call.gave_up.load(); }};
 }
 
 void CallFront::begin(Call& call) {
     call.begun = true;
+    call.since = Clock::now();
     call.peer = call.context.peer();
     call.meter = connections_->find(call.peer);
     if (call.meter) call.meter->calls++;
@@ -184,6 +212,7 @@ void CallFront::begin(Call& call) {
     if (call.method && call.method->work == CallWork::watch) watches_++;
     if (!call.method) {
         call.finishing = true;
+        count(call, grpc::StatusCode::UNIMPLEMENTED);
         return call.stream.Finish({grpc::StatusCode::UNIMPLEMENTED,
                                    "there is no method " + printable(call.context.method(), 200)},
                                   &call.finished);
@@ -212,19 +241,28 @@ void CallFront::on_read(Call& call, bool ok) {
 }
 
 void CallFront::enqueue(Call& call) {
-    WorkPool& pool = call.method->work == CallWork::control ? changing_
-                     : call.method->work == CallWork::query ? asking_
-                                                            : quick_;
     if (unsent_bytes_ > limits_.answer_bytes_max)
         return finish(call, too_much("answers wait for clients that do not read"));
-    if (!pool.add([this, &call] { answer(call); }))
+    if (!pool_of(*call.method).add([this, &call] { answer(call); }))
         finish(call, too_much("too many calls wait to be answered"));
+}
+
+WorkPool& CallFront::pool_of(const CallMethod& method) {
+    switch (method.work) {
+        case CallWork::query:
+            return asking_;
+        case CallWork::control:
+            return changing_;
+        case CallWork::waits:
+            return waiting_;
+        default:
+            return quick_;
+    }
 }
 
 // On a thread of a pool. The last operation it begins hands the call back.
 void CallFront::answer(Call& call) {
-    const CallContext context{call.peer, call.context.deadline(),
-                              [&] { return call.gave_up.load(); }};
+    const CallContext context = context_of(call);
     Status status;
     AnswerBytes bytes;
     try {
@@ -243,10 +281,9 @@ void CallFront::answer(Call& call) {
     unsent_bytes_.fetch_add(call.unsent);
     call.wait_for_client();
     const grpc::ByteBuffer buffer = to_byte_buffer({{}, bytes});
-    if (call.method->work == CallWork::stream)
-        call.stream.Write(buffer, &call.wrote);
-    else
-        call.stream.WriteAndFinish(buffer, {}, grpc::Status::OK, &call.finished);
+    if (call.method->work == CallWork::stream) return call.stream.Write(buffer, &call.wrote);
+    count(call, grpc::StatusCode::OK);
+    call.stream.WriteAndFinish(buffer, {}, grpc::Status::OK, &call.finished);
 }
 
 void CallFront::on_wrote(Call& call, bool ok) {
@@ -260,7 +297,16 @@ void CallFront::on_wrote(Call& call, bool ok) {
 void CallFront::finish(Call& call, const Status& status) {
     call.finishing = true;
     call.wait_for_client();
-    call.stream.Finish(to_rich(status), &call.finished);
+    const grpc::Status rich = to_rich(status);
+    count(call, rich.error_code());
+    call.stream.Finish(rich, &call.finished);
+}
+
+// Once a call, when its status is known.
+void CallFront::count(const Call& call, grpc::StatusCode code) const {
+    if (!metrics_) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - call.since).count();
+    metrics_->handled(call.context.method(), code, seconds);
 }
 
 void CallFront::tell_watches() {
@@ -273,8 +319,7 @@ void CallFront::tell_watches() {
             continue;
         }
         AnswerBytes now;
-        const CallContext context{call.peer, call.context.deadline(),
-                                  [&] { return call.gave_up.load(); }};
+        const CallContext context = context_of(call);
         if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
             finish(call, s);
         } else if (!call.told || *call.told != *now) {

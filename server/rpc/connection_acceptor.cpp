@@ -111,6 +111,7 @@ void ConnectionAcceptor::run() {
         const Clock::time_point now = Clock::now();
         looked_ = now.time_since_epoch().count();
         table_.sweep(now);
+        if (metrics_) metrics_->open.Set(static_cast<double>(table_.size()));
         tell_refusals(now);
     }
 }
@@ -136,8 +137,13 @@ void ConnectionAcceptor::accept_all() {
 }
 
 void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer) {
-    if (table_.admit(descriptor, peer)) {
+    if (const auto why = table_.admit(descriptor, peer)) {
         refused_++;
+        if (metrics_)
+            metrics_
+                ->refused(*why == ConnectionTable::Refusal::full ? ConnectionRefusal::limit
+                                                                 : ConnectionRefusal::address_limit)
+                .Increment();
         ::close(descriptor);  // the cheapest answer there is
         return;
     }

@@ -11,6 +11,7 @@
 
 #include "jostle/base/result.h"
 #include "rpc/connection_table.h"
+#include "telemetry/metrics.h"
 
 namespace jostle::server {
 
@@ -19,7 +20,10 @@ public:
     // Takes the descriptor over.
     using HandOver = std::function<void(int descriptor)>;
 
-    explicit ConnectionAcceptor(ConnectionTableLimits limits) : table_(limits) {}
+    // `metrics` outlives the acceptor; null: nobody counts.
+    explicit ConnectionAcceptor(ConnectionTableLimits limits,
+                                const ListenerMetrics* metrics = nullptr)
+        : table_(limits), metrics_(metrics) {}
     ~ConnectionAcceptor();
 
     // Binds. An error says which address and why. Port 0: any that is free.
@@ -42,6 +46,7 @@ private:
     void tell_refusals(Clock::time_point now);
 
     ConnectionTable table_;
+    const ListenerMetrics* const metrics_;
     HandOver hand_over_;
     int listener_ = -1;
     int wake_ = -1;  // an eventfd

@@ -39,7 +39,7 @@ std::optional<std::uint64_t> bytes_received(int descriptor) {
 std::optional<ConnectionTable::Refusal> ConnectionTable::admit(int descriptor,
                                                                const sockaddr_storage& peer) {
     const std::lock_guard lock(mutex_);
-    const std::string address = address_key(peer);
+    const std::string address = network_of(peer);
     const auto full = [&]() -> std::optional<Refusal> {
         if (connections_.size() >= limits_.total_max) return Refusal::full;
         const auto known = of_address_.find(address);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "rpc/grpc_server.h"
 
+#include <grpc/compression.h>
 #include <grpc/grpc.h>
 #include <grpcpp/resource_quota.h>
-#include <grpcpp/security/server_credentials.h>
 
 #include <algorithm>
 #include <set>
@@ -12,6 +12,7 @@
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "rpc/health_methods.h"
 #include "rpc/reflection.h"
+#include "rpc/tls_credentials.h"
 
 namespace jostle::server {
 
@@ -40,6 +41,10 @@ void set_keepalive(grpc::ServerBuilder& builder) {
 void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
     builder.SetResourceQuota(grpc::ResourceQuota("jostle").Resize(buffers_max));
     builder.SetMaxReceiveMessageSize(message_bytes_max);
+    // A few bytes of a compressed request could become gigabytes; nobody compresses a small
+    // message.
+    builder.AddChannelArgument(GRPC_COMPRESSION_CHANNEL_ENABLED_ALGORITHMS_BITSET,
+                               1u << GRPC_COMPRESS_NONE);
     builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, streams_per_connection_max);
     builder.AddChannelArgument(GRPC_ARG_MAX_METADATA_SIZE, header_bytes_max);
     builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, handshake_ms);
@@ -52,14 +57,25 @@ void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
     builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
 }
 
+// Whose calls are counted by their names.
+void announce(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
+    using enum RpcMetrics::Kind;
+    metrics.add(play_path, streaming);
+    for (const CallMethod& method : methods) {
+        const bool streams = method.work == CallWork::stream || method.work == CallWork::watch;
+        metrics.add(method.path, streams ? streaming : unary);
+    }
+}
+
 }  // namespace
 
 GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
                        std::function<bool()> is_healthy, GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
-      front_(all_methods(std::move(methods), std::move(is_healthy)), {}),
-      acceptor_(settings_.connections) {}
+      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
+             context.rpc_metrics),
+      acceptor_(settings_.connections, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
     stop();
@@ -79,6 +95,7 @@ std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
     names.insert(names.end(), {"grpc.health.v1.Health", "grpc.reflection.v1.ServerReflection",
                                "grpc.reflection.v1alpha.ServerReflection"});
     add(reflection_methods(std::move(names)));
+    if (context_.rpc_metrics) announce(methods, *context_.rpc_metrics);
     return methods;
 }
 
@@ -87,7 +104,7 @@ Status GrpcServer::start() {
     grpc::ServerBuilder builder;
     door_ = builder.experimental().AddExternalConnectionAcceptor(
         grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
-        grpc::InsecureServerCredentials());
+        server_credentials(settings_.certificates));
     set_keepalive(builder);
     set_limits(builder, settings_);
     builder.RegisterService(&play_service_);

@@ -22,6 +22,7 @@
 #include "rpc/call_front.h"
 #include "rpc/connection_acceptor.h"
 #include "rpc/play_shard.h"
+#include "tls/certificate_store.h"
 
 namespace jostle::server {
 
@@ -29,7 +30,9 @@ struct GrpcSettings {
     std::string host = "127.0.0.1";
     std::uint16_t port = 50051;  // 0: any that is free
     int network_threads = 1;
+    const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the server
     ConnectionTableLimits connections = {};
+    const ListenerMetrics* metrics = nullptr;            // null: nobody counts
     Clock::duration idle_max = std::chrono::minutes(5);  // of a connection without a call
 };
 

@@ -14,6 +14,7 @@ constexpr auto housekeeping_period = std::chrono::milliseconds(20);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr std::size_t calls_asked_for = 16;
 constexpr std::size_t streams_without_hello_max = 256;
+constexpr std::size_t streams_without_hello_of_address_max = 64;
 
 }  // namespace
 
@@ -34,6 +35,14 @@ void PlayShard::start() {
 // The server's limit on clients counts those who said hello; this one bounds those who did not.
 std::size_t PlayShard::streams_max() const {
     return static_cast<std::size_t>(context_.config.world.clients_max) + streams_without_hello_max;
+}
+
+// Of those without a hello no address takes all the room.
+bool PlayShard::too_many_wait_from(const std::string& network) const {
+    const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
+        return !stream->link().said_hello() && stream->network() == network;
+    });
+    return static_cast<std::size_t>(same) >= streams_without_hello_of_address_max;
 }
 
 void PlayShard::ask_for_call() {
@@ -113,9 +122,8 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             if (!ok) return;  // the server is going down
             ask_for_call();
             owned->begin(context_, connections_, now);
-            if (streams_.size() >= streams_max()) {
+            if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
                 owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
-            }
             streams_.push_back(std::move(owned));
             stream_count_.store(streams_.size(), std::memory_order_relaxed);
             break;

@@ -46,6 +46,7 @@ private:
     void drop_finished();
     void ask_for_call();
     std::size_t streams_max() const;
+    bool too_many_wait_from(const std::string& network) const;
 
     PlayContext& context_;
     RawPlayService& service_;

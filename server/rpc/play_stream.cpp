@@ -5,7 +5,9 @@
 #include <exception>
 #include <optional>
 
+#include "base/address.h"
 #include "base/log.h"
+#include "rpc/caller_identity.h"
 #include "rpc/message_bytes.h"
 #include "status/grpc_status.h"
 
@@ -29,9 +31,16 @@ PlayStream::~PlayStream() {
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
                        Clock::time_point now) {
     const std::string peer = context_.peer();
+    network_ = network_of(address_of_grpc_peer(peer));
     meter_ = connections.find(peer);
     if (meter_) meter_->calls++;
-    link_ = std::make_unique<ClientLink>(context, peer, now);
+    metrics_ = context.rpc_metrics;
+    link_ = std::make_unique<ClientLink>(context,
+                                         Peer{.name = peer,
+                                              .address = address_of_grpc_peer(peer),
+                                              .call = "jostle.v1.PlayService/Play",
+                                              .who = identify(context_, context.gate)},
+                                         now);
     start_read();
 }
 
@@ -102,7 +111,9 @@ void PlayStream::advance(Clock::time_point now) {
     }
     if (const std::optional<Status>& end = link_->end()) {
         finishing_ = true;
-        stream_.Finish(to_grpc(*end), &finished_tag_);
+        const grpc::Status status = to_grpc(*end);
+        if (metrics_) metrics_->handled(play_path, status.error_code(), 0);
+        stream_.Finish(status, &finished_tag_);
     }
 }
 

@@ -20,6 +20,8 @@ namespace jostle::server {
 
 using RawPlayService = v1::PlayService::WithRawMethod_Play<v1::PlayService::Service>;
 
+inline constexpr char play_path[] = "/jostle.v1.PlayService/Play";
+
 class PlayStream;
 
 // What a completion queue gives back.
@@ -52,6 +54,7 @@ public:
 
     bool begun() const { return link_ != nullptr; }
     ClientLink& link() { return *link_; }  // only when begun
+    const std::string& network() const { return network_; }
     // Nothing is in flight and nothing will be: may be destroyed.
     bool over() const { return finished_ && !reading_ && !writing_; }
 
@@ -68,6 +71,8 @@ private:
     PlayTag finished_tag_{this, PlayTag::Event::finished};
     std::unique_ptr<ClientLink> link_;
     std::shared_ptr<ConnectionMeter> meter_;
+    RpcMetrics* metrics_ = nullptr;
+    std::string network_;
     grpc::ByteBuffer incoming_;
     std::string incoming_bytes_;
     bool reading_ = false, writing_ = false, finishing_ = false, finished_ = false;

@@ -10,7 +10,7 @@
 
 namespace jostle::server {
 
-// `queries` outlives them.
-std::vector<CallMethod> query_methods(const QueryControl& queries);
+// Both outlive them.
+std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDirectory& worlds);
 
 }  // namespace jostle::server

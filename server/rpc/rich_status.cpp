@@ -14,8 +14,8 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int retry_seconds = 1;            // when there was no room
-constexpr int retry_elsewhere_seconds = 5;  // when the server goes down or a world is busy
+constexpr int retry_ms = 1000;            // when there was no room
+constexpr int retry_elsewhere_ms = 5000;  // when the server goes down or a world is busy
 
 std::string_view reason_of(ErrorCode code) {
     switch (code) {
@@ -75,9 +75,12 @@ grpc::Status to_rich(const Status& status) {
     info.set_domain("jostle");
     rich.add_details()->PackFrom(info);
     if (error.code == ErrorCode::resource_exhausted || error.code == ErrorCode::unavailable) {
+        const int ms = error.retry_after_ms > 0               ? error.retry_after_ms
+                       : error.code == ErrorCode::unavailable ? retry_elsewhere_ms
+                                                              : retry_ms;
         google::rpc::RetryInfo retry;
-        retry.mutable_retry_delay()->set_seconds(
-            error.code == ErrorCode::unavailable ? retry_elsewhere_seconds : retry_seconds);
+        retry.mutable_retry_delay()->set_seconds(ms / 1000);
+        retry.mutable_retry_delay()->set_nanos(ms % 1000 * 1'000'000);
         rich.add_details()->PackFrom(retry);
     }
     if (const auto field = field_of(error.message);

@@ -10,7 +10,7 @@
 
 namespace jostle::server {
 
-// `worlds` outlives them.
-std::vector<CallMethod> world_methods(WorldControl& worlds);
+// Both outlive them.
+std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds);
 
 }  // namespace jostle::server

@@ -19,6 +19,7 @@
 
 #include "base/clock.h"
 #include "gateway/gateway.h"
+#include "gateway/http_routes.h"
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
@@ -56,7 +57,9 @@ private:
     const Config config_;
     SessionDirectory sessions_{1};
     WorldDirectory worlds_{{}, 1};
-    PlayContext context_{.config = config_, .worlds = worlds_, .sessions = sessions_};
+    const std::unique_ptr<Gate> gate_ = *Gate::open(config_);
+    PlayContext context_{
+        .config = config_, .worlds = worlds_, .sessions = sessions_, .gate = *gate_};
     WorldControl control_{context_};
     const QueryControl queries_{context_};
     const HttpRoutes routes_{control_,

@@ -17,17 +17,26 @@ sockaddr_storage six(const char* text, std::uint16_t port) {
     return out;
 }
 
-TEST(Address, a_customers_64_bits_are_one_address) {
-    EXPECT_EQ(address_key("2001:db8:0:1:aaaa::7"), "2001:db8:0:1::/64");
-    EXPECT_EQ(address_key(six("2001:db8:0:1::1", 80)), address_key("2001:db8:0:1:ffff::9%eth0"));
-    EXPECT_NE(address_key("2001:db8:0:1::1"), address_key("2001:db8:0:2::1"));
+TEST(Address, an_ipv4_address_is_one_and_an_ipv6_one_stands_for_its_64) {
+    EXPECT_EQ(network_of("192.0.2.7"), "192.0.2.7");
+    EXPECT_EQ(network_of("2001:db8:1:2:3:4:5:6"), "2001:db8:1:2::/64");
+    EXPECT_EQ(network_of(six("2001:db8:1:2:ffff::1", 80)), "2001:db8:1:2::/64");
+    EXPECT_EQ(network_of("::1"), "::/64");
+    EXPECT_EQ(network_of("::ffff:192.0.2.7"), "192.0.2.7") << "one person, two spellings";
+    EXPECT_EQ(network_of("fe80::1%eth0"), "fe80::/64");
 }
 
-TEST(Address, ipv4_is_itself_by_whichever_socket_it_came) {
-    EXPECT_EQ(address_key("192.0.2.7"), "192.0.2.7");
-    EXPECT_EQ(address_key("::ffff:192.0.2.7"), "192.0.2.7");
+TEST(Address, everything_else_is_one_network) {
+    for (const char* text : {"", "unix:/tmp/socket", "1.2.3", "1.2.3.4:80", "[::1]", "example.org"})
+        EXPECT_EQ(network_of(text), "elsewhere") << text;
+}
+
+TEST(Address, peers_are_named_as_grpc_names_them) {
     EXPECT_EQ(grpc_peer_name(six("::ffff:192.0.2.7", 4711)), "ipv4:192.0.2.7:4711");
     EXPECT_EQ(grpc_peer_name(six("::1", 4711)), "ipv6:%5B::1%5D:4711");
+    EXPECT_EQ(address_of_grpc_peer("ipv4:192.0.2.7:4711"), "192.0.2.7");
+    EXPECT_EQ(address_of_grpc_peer("ipv6:%5B::1%5D:4711"), "::1");
+    EXPECT_EQ(address_of_grpc_peer("unix:/tmp/x"), "");
 }
 
 }  // namespace

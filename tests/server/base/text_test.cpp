@@ -20,6 +20,8 @@ TEST(Text, what_is_no_utf8_is_shown_as_bytes_and_the_rest_as_it_is) {
                         200),
               "\\xc2\\x9b31m")
         << "a control of eight bits";
+    EXPECT_EQ(printable("a\u2028b\u202e", 200), "a\\xe2\\x80\\xa8b\\xe2\\x80\\xae")
+        << "a line's end and a turn of direction";
     EXPECT_EQ(printable("C:\\temp", 200), "C:\\\\temp");
 }
 

@@ -30,6 +30,13 @@ TEST(ConfigLoader, a_file_changes_what_it_names_and_nothing_else) {
     EXPECT_TRUE(check(config).ok());
 }
 
+TEST(ConfigLoader, the_operators_port_may_be_none_and_is_else_an_address) {
+    EXPECT_EQ(error_of("admin = \"\"\n"), "");
+    EXPECT_EQ(error_of("admin = \"0.0.0.0:9000\"\n"), "");
+    const std::string wrong = error_of("admin = \"here\"\n");
+    EXPECT_NE(wrong.find("admin: \"here\" is no HOST:PORT"), std::string::npos) << wrong;
+}
+
 TEST(ConfigLoader, mistakes_name_file_and_key) {
     const std::string unknown = error_of("[client]\nbodies_max = 3\n");
     EXPECT_NE(unknown.find("test.toml"), std::string::npos) << unknown;

@@ -37,7 +37,8 @@ protected:
     }();
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control{context};
     QueryControl queries{context};
     HttpRoutes routes{control,

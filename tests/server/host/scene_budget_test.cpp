@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/hosted_world.h"
+#include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
 #include "jostle/scenes/catalog.h"
 
@@ -80,6 +81,21 @@ TEST(SceneBudget, a_shape_that_bodies_share_counts_once_and_small_ones_with_thei
     scene.bodies[7].shapes.assign(5000, {.geometry = physics::Box{}});
     const std::string why = refusal_of(scene);
     EXPECT_EQ(why.find("bodies[7] \"city\" has shapes of"), 0u) << why;
+}
+
+// One pair as the broad phase sees it, a million as the narrow phase does.
+TEST(SceneBudget, what_the_estimate_does_not_see_shows_in_the_first_step) {
+    std::vector<physics::CompoundChild> children;
+    for (int i = 0; i < 1000; i++)
+        children.push_back({physics::Box{}, {{i * 1e-3, 0, 0}, {}}});
+    const physics::Geometry cluster = physics::Compound{physics::build_compound(children).value()};
+    scenes::SceneDescription scene = boxes(2, {0.1, 0, 0});
+    for (scenes::SceneBody& body : scene.bodies) body.shapes[0].geometry = cluster;
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_EQ(refusal_of(scene, {.first_step_seconds_max = 0.1}),
+              "the first step of the scene takes more than 0.1 s; scene.first_step_seconds_max "
+              "allows no more");
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(5));
 }
 
 }  // namespace

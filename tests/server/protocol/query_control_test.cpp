@@ -75,7 +75,8 @@ protected:
     Config config;
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> who_may = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *who_may};
     QueryControl queries{context};
 };
 

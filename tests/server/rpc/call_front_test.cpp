@@ -74,7 +74,8 @@ protected:
     Config config;
     SessionDirectory sessions{4};
     WorldDirectory worlds{{}, 4};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     std::promise<void> go_on;
     std::shared_future<void> opened = go_on.get_future().share();
     std::atomic<int> waiting{0};

@@ -95,8 +95,8 @@ protected:
     }
 
     std::vector<CallMethod> methods() {
-        std::vector<CallMethod> all = world_methods(control);
-        std::ranges::move(query_methods(queries), std::back_inserter(all));
+        std::vector<CallMethod> all = world_methods(control, worlds);
+        std::ranges::move(query_methods(queries, worlds), std::back_inserter(all));
         return all;
     }
 
@@ -104,7 +104,8 @@ protected:
     SessionDirectory sessions{4};
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this] { woken->wake(); }}, 4};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control{context};
     QueryControl queries{context};
     GrpcServer server{context, methods(), [] { return true; }, {.port = 0}};

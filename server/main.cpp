@@ -3,6 +3,7 @@
 // jostle-server: flags over the config file over the defaults, then run.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <optional>
 
 #include "app/health_probe.h"
 #include "app/server_app.h"
@@ -28,6 +29,7 @@ Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 struct Flags {
     std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
+    std::optional<std::string> admin;
     bool list_scenes = false, insecure = false, health = false;
 };
 
@@ -39,6 +41,9 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->envname("JOSTLE_LISTEN");
     app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT")
         ->envname("JOSTLE_HTTP");
+    app.add_option("--admin", flags.admin,
+                   "Address of metrics and profiles, HOST:PORT; \"\" for none")
+        ->envname("JOSTLE_ADMIN");
     app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings")
         ->envname("JOSTLE_CONFIG");
     app.add_option("--set", flags.settings,
@@ -67,6 +72,7 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
     if (flags.insecure) config.insecure = true;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
+    if (flags.admin) config.admin = *flags.admin;
     take(config.web_root, flags.web_root);
     take(config.log_level, flags.log_level);
 }

@@ -154,8 +154,7 @@ Status ClientLink::may_play(const Hello& hello, const Identity& who, const World
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now) {
-    const Result<ClientId> client =
-        context_.sessions.enter(world->id(), network_of(peer_.address));
+    const Result<ClientId> client = context_.sessions.enter(world->id(), network_of(peer_.address));
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);

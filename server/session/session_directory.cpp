@@ -19,9 +19,9 @@ Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std:
                      "the server is full: " + std::to_string(clients_max_) + " clients"};
     const auto same = of_network_.find(network);
     if (same != of_network_.end() && same->second >= per_network_max_)
-        return Error{ErrorCode::resource_exhausted,
-                     "your address has " + std::to_string(per_network_max_) +
-                         " clients here, the most allowed"};
+        return Error{ErrorCode::resource_exhausted, "your address has " +
+                                                        std::to_string(per_network_max_) +
+                                                        " clients here, the most allowed"};
     const ClientId client = next_++;
     sessions_[client] = {world_id, network};
     of_world_[world_id]++;

@@ -175,7 +175,8 @@ TEST_F(HostedWorldTest, however_many_impulses_come_a_body_gets_no_faster_than_50
     step();
     for (int i = 0; i < 100; i++) {
         const InputResult pushed = apply(
-            1, ImpulseCommand{.entity = ball, .impulse = {1e6, 0, 0}, .point = physics::Vec3{5, 40.3, 0}});
+            1, ImpulseCommand{
+                   .entity = ball, .impulse = {1e6, 0, 0}, .point = physics::Vec3{5, 40.3, 0}});
         ASSERT_TRUE(pushed.status.ok()) << pushed.status.error().message;
     }
     std::vector<physics::BodyState> bodies;

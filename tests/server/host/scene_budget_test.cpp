@@ -86,8 +86,7 @@ TEST(SceneBudget, a_shape_that_bodies_share_counts_once_and_small_ones_with_thei
 // One pair as the broad phase sees it, a million as the narrow phase does.
 TEST(SceneBudget, what_the_estimate_does_not_see_shows_in_the_first_step) {
     std::vector<physics::CompoundChild> children;
-    for (int i = 0; i < 1000; i++)
-        children.push_back({physics::Box{}, {{i * 1e-3, 0, 0}, {}}});
+    for (int i = 0; i < 1000; i++) children.push_back({physics::Box{}, {{i * 1e-3, 0, 0}, {}}});
     const physics::Geometry cluster = physics::Compound{physics::build_compound(children).value()};
     scenes::SceneDescription scene = boxes(2, {0.1, 0, 0});
     for (scenes::SceneBody& body : scene.bodies) body.shapes[0].geometry = cluster;

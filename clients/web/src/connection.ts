@@ -58,6 +58,8 @@ export interface Socket {
   close(): void;
 }
 
+export const openSocket = (url: string) => new WebSocket(url) as unknown as Socket;
+
 export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
@@ -90,7 +92,8 @@ export class Connection {
   constructor(
     private readonly url: string,
     private readonly events: Events,
-    private readonly open: (url: string) => Socket = (u) => new WebSocket(u) as unknown as Socket,
+    private readonly open: (url: string) => Socket = openSocket,
+    private readonly token = '',
   ) {}
 
   /** Leaves the present world, if any, and joins another by id or name. */
@@ -152,7 +155,8 @@ export class Connection {
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
-      const hello = { protocol: PROTOCOL, world: this.world, name: 'browser', events: this.eventsWanted };
+      const { world, token, eventsWanted: events } = this;
+      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token };
       this.sendMessage({ case: 'hello', value: hello });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));

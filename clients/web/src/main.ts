@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { Camera } from './camera';
 import { nowUs } from './clock';
-import { Connection, type State } from './connection';
+import { Connection, openSocket, type Events, type State } from './connection';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
@@ -14,7 +14,8 @@ import { EventsPanel } from './panels/events';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
-import { Queries } from './queries';
+import { postToServer, Queries } from './queries';
+import { takeToken } from './token';
 import { SceneView } from './scene_view';
 import { readoutWords, thingName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
@@ -45,7 +46,11 @@ const STATE_WORDS: Record<State, string> = {
   stopped: '',
 };
 
-const connection = new Connection(websocketUrl(), {
+const token = takeToken(
+  { hash: location.hash, replaceHash: (hash) => history.replaceState(null, '', location.pathname + location.search + (hash && `#${hash}`)) },
+  sessionStorage,
+);
+const told: Events = {
   state: (state, why) => {
     const name = connection.welcome?.worldName ?? '';
     stateLine.textContent = state === 'playing' ? `in ${name}` : [why, STATE_WORDS[state]].filter(Boolean).join(' — ');
@@ -57,9 +62,10 @@ const connection = new Connection(websocketUrl(), {
   happened: (events) => eventsPanel.happened(events, performance.now() + pictureBehindMs()),
   refused: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
-});
+};
+const connection = new Connection(websocketUrl(), told, openSocket, token);
 const statsPanel = new StatsPanel(byId('stats'), connection);
-const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''));
+const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const tools = new Tools(canvas, camera, view, connection, queries, (hit) => {
   readout.hidden = hit === undefined;
@@ -79,6 +85,7 @@ const worlds = new WorldsPanel(
   (world) => connection.join(world),
   (text) => toasts.say(text),
   () => connection.welcome?.worldId ?? '',
+  token,
 );
 
 function websocketUrl(): string {

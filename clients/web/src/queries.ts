@@ -10,14 +10,18 @@ import {
   type CastRaysResponse,
   type DebugResponse,
 } from './gen/jostle/v1/query_pb';
+import { withToken } from './token';
 
 const PATIENCE_MS = 10_000; // a page that draws without a graphics processor may take seconds to look at an answer
 const NOT_SERVED = [404, 501];
 
 export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;
 
-const postToServer: Post = (path, body, signal) =>
-  fetch(path, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body, signal });
+/** For somebody with that token; empty: for anybody. */
+export const postToServer =
+  (token: string): Post =>
+  (path, body, signal) =>
+    fetch(path, { method: 'POST', headers: withToken(token, { 'Content-Type': 'application/json' }), body, signal });
 
 export class Queries {
   // Servers may be older than this page. One that does not know a method is not asked for it again in the same world; in the
@@ -26,7 +30,7 @@ export class Queries {
 
   constructor(
     private readonly world: () => string,
-    private readonly post: Post = postToServer,
+    private readonly post: Post = postToServer(''),
   ) {}
 
   castRays(request: MessageInitShape<typeof CastRaysRequestSchema>): Promise<CastRaysResponse | undefined> {

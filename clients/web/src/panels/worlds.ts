@@ -1,5 +1,7 @@
 // Which worlds there are: join, make from a scene, delete. Talks JSON to /api/worlds.
 
+import { withToken } from '../token';
+
 interface WorldInfo {
   id: string;
   name: string;
@@ -30,6 +32,7 @@ export class WorldsPanel {
     private readonly join: (world: string) => void,
     private readonly say: (text: string) => void,
     private readonly current: () => string,
+    private readonly token = '',
   ) {}
 
   async toggle(): Promise<void> {
@@ -43,7 +46,8 @@ export class WorldsPanel {
   }
 
   private async ask(path: string, init?: RequestInit): Promise<unknown> {
-    const response = await fetch(path, init).catch(() => {
+    const headers = withToken(this.token, init?.headers as Record<string, string> | undefined);
+    const response = await fetch(path, { ...init, headers }).catch(() => {
       throw new Error('the server does not answer');
     });
     const text = await response.text();

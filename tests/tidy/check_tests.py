@@ -41,6 +41,8 @@ COVERED_BY = {
     "constraints/contact_kernel.h":
         (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
+    "stages/step_scratch.h":
+        (["physics/world/stop_stepping_test.cpp"], "a step ends after the sub-step in which it is told to, and leaves a whole world"),
     "world/island_efforts.cpp":
         (["physics/stages/islands/choose_rungs_test.cpp", "sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
     "constraints/direct/block_pattern.cpp":

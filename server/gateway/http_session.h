@@ -8,8 +8,6 @@
 #include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http/parser.hpp>
-#include <boost/beast/http/string_body.hpp>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -17,14 +15,14 @@
 
 #include "gateway/gateway_settings.h"
 #include "gateway/http_routes.h"
+#include "gateway/peer_bytes.h"
 
 namespace jostle::server {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
 public:
     using Body = boost::beast::http::string_body;
-    using Upgrade =
-        std::function<void(boost::beast::tcp_stream, boost::beast::http::request<Body>)>;
+    using Upgrade = std::function<void(boost::beast::tcp_stream, BeastRequest)>;
 
     struct Services {
         const HttpRoutes& routes;
@@ -50,7 +48,7 @@ private:
     boost::beast::tcp_stream stream_;
     const Services& services_;
     boost::beast::flat_buffer buffer_;
-    std::optional<boost::beast::http::request_parser<Body>> parser_;
+    std::optional<BeastRequestParser> parser_;
     Response response_;
     bool head_only_ = false;
 };

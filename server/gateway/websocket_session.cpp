@@ -9,6 +9,8 @@
 #include <chrono>
 #include <string_view>
 
+#include "gateway/peer_bytes.h"
+
 namespace jostle::server {
 
 namespace beast = boost::beast;
@@ -61,8 +63,7 @@ WebSocketSession::WebSocketSession(PlayContext& context, beast::tcp_stream strea
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
     timeout.keep_alive_pings = false;
     socket_.set_option(timeout);
-    socket_.read_message_max(message_bytes_max);
-    socket_.binary(true);
+    set_bounds(socket_, message_bytes_max);
     socket_.auto_fragment(
         false);  // a snapshot is one frame, and its pieces are sent from where they lie
 }

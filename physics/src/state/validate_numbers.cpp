@@ -12,6 +12,9 @@ using Fault = std::optional<std::string>;
 
 // What rounding leaves of an equality, as a share.
 constexpr double rounding = 1e-6;
+// More than any impulse within its range makes of any body before the next step looks at it. Sums
+// and squares of such numbers are finite.
+constexpr double beyond_all = 1e60;
 
 std::string named(const char* what, std::size_t index, const std::string& problem) {
     return std::string(what) + "[" + std::to_string(index) + "]" + problem;
@@ -65,7 +68,10 @@ Fault body_numbers(const BodyCold& b, std::size_t index) {
     if (b.inertia.x.x + b.inertia.y.y + b.inertia.z.z >
         3 * b.mass * b.radius * b.radius * (1 + rounding))
         return wrong(" has an inertia that is too large for its size");
-    if (!(b.radius >= 0 && b.inner_radius >= 0)) return wrong(" has a negative radius");
+    if (!within(b.radius, 0, 4 * limits::max_coordinate) || !(b.inner_radius >= 0))
+        return wrong(" has a radius out of range");
+    if (!within(b.local_center, 4 * limits::max_coordinate))
+        return wrong(" has its centre too far from its origin");
     return {};
 }
 
@@ -73,6 +79,8 @@ Fault motion_numbers(const BodyWarm& b, const char* set, std::size_t index) {
     // One step ends with each within; calls may then set a body down at its shapes' distance.
     if (!within(b.center, 2 * tuning::quarantine_coordinate))
         return named(set, index, " lies too far out");
+    for (const Vec3 v : {b.v, b.w, b.force, b.torque, b.drift, b.drift_turn})
+        if (!within(v, beyond_all)) return named(set, index, " moves faster than anything can");
     if (!(b.sleep_time >= 0)) return named(set, index, " has rested for less than no time");
     return {};
 }
@@ -89,7 +97,9 @@ Fault numbers_of_bodies(const WorldState& world) {
             if (Fault f = body_numbers(world.bodies.cold[i], i)) return f;
     for (std::size_t i = 0; i < world.bodies.motion.size(); i++) {
         const MotionBound& m = world.bodies.motion[i];
-        if (!(m.travel >= 0 && m.turned >= 0)) return named("bodies.motion", i, " is negative");
+        if (!within(m.travel, 0, beyond_all) || !within(m.turned, 0, beyond_all) ||
+            !within(m.bound, 0, beyond_all * beyond_all))
+            return named("bodies.motion", i, " is negative, or too far");
     }
     if (Fault f = numbers_of_motions(world.bodies.statics, "bodies.statics")) return f;
     if (Fault f = numbers_of_motions(world.bodies.awake, "bodies.awake")) return f;
@@ -114,6 +124,18 @@ Fault shape_numbers(const ShapeRecord& s, std::size_t index) {
     const Vec3 low = s.fat.low, high = s.fat.high;
     if (!is_plane(s) && !(low.x <= high.x && low.y <= high.y && low.z <= high.z))
         return named("shapes", index, " has a fat box without an inside");
+    return {};
+}
+
+Fault numbers_of_contacts(const ContactStore& store) {
+    const double most = beyond_all * beyond_all;
+    for (std::uint32_t i = 0; i < store.contacts.size(); i++)
+        if (store.ids.alive(i) && !within(store.contacts[i].limit, -most, most))
+            return named("contacts", i, " has a limit out of range");
+    for (std::size_t i = 0; i < store.bounds.size(); i++)
+        if (!within(store.bounds[i].limit, -most, most) ||
+            !within(store.bounds[i].budget, SeparationBound::not_measured, most))
+            return named("contacts.bounds", i, " has a limit out of range");
     return {};
 }
 
@@ -162,7 +184,8 @@ std::optional<std::string> find_number_fault(const WorldState& world) {
     if (Fault f = world_numbers(world.def)) return f;
     if (Fault f = numbers_of_bodies(world)) return f;
     if (Fault f = numbers_of_shapes(world)) return f;
-    return numbers_of_joints(world);
+    if (Fault f = numbers_of_joints(world)) return f;
+    return numbers_of_contacts(world.contacts);
 }
 
 }  // namespace jostle::physics

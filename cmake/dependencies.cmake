@@ -10,7 +10,10 @@ if(JOSTLE_SERVER)
     find_package(Boost 1.74 REQUIRED)     # headers only: Asio (ticks, gateway) and Beast (HTTP, WebSocket)
     find_package(spdlog REQUIRED)
     find_package(tomlplusplus REQUIRED)
+    find_package(prometheus-cpp CONFIG REQUIRED)  # its core alone: registry and text
     find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # headers only: linear_systems/
+    find_package(OpenSSL 3.0 REQUIRED)    # tokens and certificates
+    find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC)
     find_package(Protobuf 3.21 REQUIRED)  # MODULE mode: Debian ships no CONFIG for it

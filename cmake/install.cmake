@@ -41,10 +41,14 @@ install(FILES ${PROJECT_BINARY_DIR}/jostleConfig.cmake ${PROJECT_BINARY_DIR}/jos
     DESTINATION ${jostle_cmake_dir} COMPONENT dev)
 
 if(JOSTLE_SERVER AND JOSTLE_RPC)
-    install(TARGETS jostle-server jostle-bot jostle-load jostle-sim jostle-bench COMPONENT programs)
+    install(TARGETS jostle-server jostlectl jostle-bot jostle-load jostle-sim jostle-bench COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/web COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/bot/scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
-    install(FILES ${PROJECT_SOURCE_DIR}/server/jostle-server.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
+    install(FILES ${PROJECT_SOURCE_DIR}/server/jostle-server.toml ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-server.default
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
+    install(FILES ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-server.service DESTINATION lib/systemd/system COMPONENT programs)
+    install(FILES ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-sysusers.conf DESTINATION lib/sysusers.d RENAME jostle.conf
+        COMPONENT programs)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)

@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/health_probe.h"
 #include "app/server_app.h"
 #include "base/log.h"
 #include "config/config_loader.h"
+#include "config/exposure.h"
 #include "jostle/scenes/catalog.h"
 
 namespace {
@@ -15,28 +17,43 @@ constexpr const char* examples = R"(
 Examples:
   jostle-server                                   the sandbox; viewer at http://localhost:8080
   jostle-server --scene pyramid --scene my.json   two worlds, one from a scene file
-  jostle-server --config server.toml --log-level debug
+  jostle-server --scene a=pyramid --scene b=pyramid
+  jostle-server --config server.toml --log-level debug --set world.worlds_max=4
+  jostle-server --config server.toml --health     exits with 0 when that server serves
 
 SIGTERM or Ctrl-C tells clients goodbye and exits with 0; a second one exits at once.
+A flag wins over its environment variable, and that over the config file.
 Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
 
 struct Flags {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
-    bool list_scenes = false;
+    bool list_scenes = false, insecure = false, health = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--scene", flags.scenes,
-                   "World to host: a scene's name or a scene file; may be given several times");
-    app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one");
-    app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT");
-    app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings");
+                   "World to host: a scene's name or a scene file, with NAME= before it for a name "
+                   "of its own; may be given several times");
+    app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one")
+        ->envname("JOSTLE_LISTEN");
+    app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT")
+        ->envname("JOSTLE_HTTP");
+    app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings")
+        ->envname("JOSTLE_CONFIG");
+    app.add_option("--set", flags.settings,
+                   "A setting of the config file, KEY=VALUE, as in client.bodies_owned_max=10");
     app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
-    app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error");
+    app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error")
+        ->envname("JOSTLE_LOG_LEVEL");
     app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
+    app.add_flag("--insecure", flags.insecure,
+                 "Lets strangers in: listens beyond this machine without TLS and tokens");
     app.add_flag("--list-scenes", flags.list_scenes,
                  "Names every scene of the catalogue and exits");
+    app.add_flag("--health", flags.health,
+                 "Asks the server at --listen and --http whether it serves, says so and exits "
+                 "with 0, or with 1 if not");
     app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION);
     app.footer(examples);
 }
@@ -47,6 +64,7 @@ void overlay(jostle::server::Config& config, const Flags& flags) {
         if (!flag.empty()) setting = flag;
     };
     if (!flags.scenes.empty()) config.scenes = flags.scenes;
+    if (flags.insecure) config.insecure = true;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
     take(config.web_root, flags.web_root);
@@ -77,12 +95,20 @@ int main(int argc, char** argv) {
             return 2;
         }
     }
+    if (const auto set = jostle::server::load_settings(config, flags.settings); !set.ok()) {
+        std::fprintf(stderr, "jostle-server: %s\n", set.error().message.c_str());
+        return 2;
+    }
     overlay(config, flags);
-    if (const auto checked = jostle::server::check(config); !checked.ok()) {
+    jostle::Status checked = jostle::server::check(config);
+    if (checked.ok()) checked = jostle::server::check_exposure(config);
+    if (!checked.ok()) {
         std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());
         return 2;
     }
-    spdlog::set_level(spdlog::level::from_str(config.log_level));
-    spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-    return jostle::server::run_server(config, flags.port_file);
+    if (flags.health) return jostle::server::run_health_probe(config);
+    jostle::server::start_log({.level = config.log_level, .json = config.log_format == "json"});
+    const int status = jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
+    jostle::server::stop_log();
+    return status;
 }

@@ -248,6 +248,9 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
             return read_height_field(in, path + ".height_field", m.height_field());
         case v1::Shape::kCompound:
             return read_compound(in, path + ".compound", m.compound());
+        case v1::Shape::kGeometry:
+            in.note(path + ".geometry", "names a shape of a play stream; give the shape itself");
+            return std::nullopt;
         case v1::Shape::KIND_NOT_SET:
             break;
     }

@@ -1,22 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "app/server_app.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <mutex>
+#include <optional>
+#include <random>
+#include <thread>
 
+#include "app/service_manager.h"
 #include "base/log.h"
+#include "config/exposure.h"
+#include "gateway/admin_routes.h"
 #include "gateway/gateway.h"
+#include "gateway/http_routes.h"
+#include "host/world_watch.h"
 #include "jostle/scenes/scene_file.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
+#include "rpc/admin_methods.h"
 #include "rpc/grpc_server.h"
+#include "rpc/query_methods.h"
+#include "rpc/world_methods.h"
+#include "tls/certificate_store.h"
 
 namespace jostle::server {
 namespace {
@@ -25,6 +45,9 @@ namespace asio = boost::asio;
 
 constexpr auto poll_period = std::chrono::milliseconds(20);
 constexpr auto goodbye_time = std::chrono::milliseconds(100);
+// From the end of the drain: sockets, threads and worlds are taken down within this, or else.
+constexpr auto orderly_end_max = std::chrono::milliseconds(2500);
+constexpr int hard_exit_status = 3;
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
@@ -47,25 +70,106 @@ private:
     Gateway* gateway_ = nullptr;
 };
 
-WorldHostSettings host_settings(const Config& config, Wakers& wakers) {
-    return {.limits = {.bodies_max = config.world.bodies_max,
+std::vector<std::string> stage_names() {
+    std::vector<std::string> names;
+    for (int i = 0; i < physics::stage_count; i++)
+        names.emplace_back(physics::stage_name(static_cast<physics::Stage>(i)));
+    return names;
+}
+
+WorldHostSettings host_settings(const Config& config, Wakers& wakers, Metrics& metrics) {
+    const SceneLimits& scene = config.scene;
+    return {.limits = {.scene = {.bodies_max = config.world.bodies_max,
+                                 .joints_max = scene.joints_max,
+                                 .joints_per_pair_max = scene.joints_per_pair_max,
+                                 .outline_bytes_max = scene.outline_bytes_max,
+                                 .body_outline_bytes_max = scene.body_outline_bytes_max,
+                                 .work_per_second_max = scene.work_per_second_max,
+                                 .first_step_seconds_max = scene.first_step_seconds_max},
                        .bodies_owned_max = config.client.bodies_owned_max},
+            .totals = {.bodies_max = config.world.bodies_total_max,
+                       .work_per_second_max = scene.work_total_per_second_max},
             .command_queue_max = config.world.command_queue_max,
             .catch_up_max = config.tick.catch_up_max,
             .physics_threads = config.tick.physics_threads,
-            .on_frame = [&wakers] { wakers.wake(); }};
+            .on_frame = [&wakers] { wakers.wake(); },
+            .metrics = &metrics};
 }
 
+// Before the metrics are read.
+void count_what_others_count(Metrics& metrics, const CertificateStore* certificates) {
+    raise_to(metrics.log_dropped, static_cast<double>(log_lines_dropped()));
+    if (!certificates) return;
+    const double expiry =
+        static_cast<double>(std::chrono::system_clock::to_time_t(certificates->expiry()));
+    for (const char* listener : {"grpc", "http"})
+        metrics.certificate_expiry.Add({{"listener", listener}}).Set(expiry);
+}
+
+// Few and small: Prometheus, a probe, an operator or two.
+// Beyond this machine it asks for certificates where there is an authority for them.
+GatewaySettings admin_settings(const Config& config, const Metrics& metrics,
+                               const CertificateStore* certificates) {
+    const HostPort address = *parse_host_port(config.admin);
+    const bool asks = !config.tls.client_ca.empty() && !is_loopback(address.host);
+    return {.host = address.host,
+            .port = address.port,
+            .flag = "--admin",
+            .metrics = &metrics.listener(Listener::admin),
+            .certificates = asks ? certificates : nullptr,
+            .require_certificates = asks,
+            .connections_max = 32,
+            .per_address_max = 32,
+            .small_body_bytes_max = 1024,
+            .work_queue_max = AdminControl::waiting_max,
+            .asking_threads = AdminControl::waiting_max};
+}
+
+// "pyramid", "my.json" or, for a name of its own, "arena=pyramid".
 Status start_worlds(const Config& config, WorldDirectory& worlds) {
-    for (const std::string& name : config.scenes) {
+    for (const std::string& wanted : config.scenes) {
         const auto failed = [&](const Error& error) {
-            return Error{error.code, fmt::format("scene \"{}\": {}", name, error.message)};
+            return Error{error.code, fmt::format("scene \"{}\": {}", wanted, error.message)};
         };
-        const auto scene = scenes::load_scene(name);
+        const std::size_t equals = wanted.find('=');
+        const bool named = equals != std::string::npos;
+        const auto scene = scenes::load_scene(named ? wanted.substr(equals + 1) : wanted);
         if (!scene.ok()) return failed(scene.error());
-        if (const auto world = worlds.create({}, *scene); !world.ok()) return failed(world.error());
+        if (const auto world = worlds.create(named ? wanted.substr(0, equals) : "", *scene);
+            !world.ok())
+            return failed(world.error());
     }
     return {};
+}
+
+// What tells this process's worlds from those of another one behind the same address.
+std::string process_word() {
+    std::random_device random;
+    return fmt::format("{:08x}", static_cast<std::uint32_t>(random()));
+}
+
+// Below what the process can have, of which HTTP, worlds and files take their part.
+ConnectionTableLimits connection_limits(const ConnectionLimits& wanted) {
+    rlimit limit{};
+    const bool known = getrlimit(RLIMIT_NOFILE, &limit) == 0;
+    constexpr rlim_t others = 1200;
+    const rlim_t most = known && limit.rlim_cur > 2 * others ? limit.rlim_cur - others
+                        : known                              ? limit.rlim_cur / 2
+                                                             : 512;
+    return {.total_max = std::min(static_cast<std::size_t>(wanted.total_max),
+                                  static_cast<std::size_t>(most)),
+            .per_address_max = static_cast<std::size_t>(wanted.per_address_max),
+            .unread_bytes_max = wanted.unread_bytes_max,
+            .unread_total_max = wanted.unread_total_bytes_max};
+}
+
+// As many descriptors as the system lets us have: running out of them deafens a server.
+void raise_descriptor_limit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
+    limit.rlim_cur = limit.rlim_max;
+    if (setrlimit(RLIMIT_NOFILE, &limit) != 0)
+        log_warn("cannot raise the limit of open files above {}", limit.rlim_cur);
 }
 
 // As given; when that leads nowhere from the current folder, as seen from the project that the
@@ -82,45 +186,66 @@ std::filesystem::path find_web_root(const std::string& given) {
     return given;
 }
 
-// What a person types to reach a server that listens on all addresses.
-std::string reachable(const std::string& host) {
-    if (host == "0.0.0.0" || host == "::") return "localhost";
+// What others type to reach a server that listens there.
+std::string reachable(const std::string& host, const std::string& advertise) {
+    if (!advertise.empty()) return advertise;
+    if (host == "0.0.0.0" || host == "::") {
+        char name[256] = {};
+        return gethostname(name, sizeof name - 1) == 0 ? name : "localhost";
+    }
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-Status write_ports(const std::string& path, int grpc_port, int http_port) {
+Status write_ports(const std::string& path, int grpc_port, int http_port, int admin_port) {
     if (path.empty()) return {};
     // Written aside and renamed: whoever waits for the file never reads half of it.
     const std::string aside = path + ".new";
     std::ofstream out(aside);
-    out << "{\"grpc\": " << grpc_port << ", \"http\": " << http_port << "}\n";
+    out << "{\"grpc\": " << grpc_port << ", \"http\": " << http_port;
+    if (admin_port != 0) out << ", \"admin\": " << admin_port;
+    out << "}\n";
     out.close();
     if (!out || std::rename(aside.c_str(), path.c_str()) != 0)
         return Error{ErrorCode::unavailable, "cannot write the port file " + path};
     return {};
 }
 
-// Waits for the first signal, then gives clients the time to leave; a second signal ends the wait.
+// Waits for the first signal, or for an operator's word, then gives clients the time to leave; a
+// further signal ends the wait.
 class Shutdown {
 public:
     Shutdown(double drain_seconds, GrpcServer& grpc, Gateway& gateway, PlayContext& context)
         : drain_(from_seconds(drain_seconds)), grpc_(grpc), gateway_(gateway), context_(context) {}
 
     void wait() {
-        signals_.async_wait([this](const boost::system::error_code&, int) { begin(); });
+        await_signal();
+        await_operator();
         io_.run();
     }
 
 private:
+    void await_signal() {
+        signals_.async_wait([this](const boost::system::error_code& error, int) {
+            if (error) return;
+            if (begun_) return io_.stop();
+            begin();
+            await_signal();
+        });
+    }
+    void await_operator() {
+        if (begun_) return;
+        if (context_.drain_asked) return begin();
+        operator_timer_.expires_after(poll_period);
+        operator_timer_.async_wait([this](const boost::system::error_code&) { await_operator(); });
+    }
     void begin() {
+        begun_ = true;
         log_info("going down: telling {} clients", context_.sessions.clients());
+        notify_stopping();
         context_.draining = true;
-        grpc_.drain();
+        grpc_.drain(drain_);
         grpc_.wake();
         gateway_.wake();
-        signals_.async_wait([this](const boost::system::error_code& error, int) {
-            if (!error) io_.stop();
-        });
         deadline_ = Clock::now() + drain_;
         wait_for_clients();
     }
@@ -145,55 +270,210 @@ private:
     PlayContext& context_;
     asio::io_context io_{1};
     asio::signal_set signals_{io_, SIGTERM, SIGINT};
-    asio::steady_timer timer_{io_};
+    asio::steady_timer timer_{io_}, operator_timer_{io_};
+    bool begun_ = false;
     Clock::time_point deadline_{};
+};
+
+// What is to be done now and then: looks every second whether keys and certificates have changed,
+// reads them at once on SIGHUP, and tells systemd that the server is well while it is.
+class Upkeep {
+public:
+    Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well)
+        : gate_(gate), certificates_(certificates), is_well_(std::move(is_well)), thread_([this] {
+              wait_for_signal();
+              look_again();
+              tell_again();
+              io_.run();
+          }) {}
+    ~Upkeep() {
+        io_.stop();
+        thread_.join();
+    }
+
+private:
+    void wait_for_signal() {
+        signals_.async_wait([this](const boost::system::error_code& error, int) {
+            if (error) return;
+            log_info("SIGHUP: keys and certificates are read again");
+            gate_.reload();
+            if (certificates_) certificates_->reload(std::chrono::system_clock::now());
+            wait_for_signal();
+        });
+    }
+    void look_again() {
+        timer_.expires_after(std::chrono::seconds(1));
+        timer_.async_wait([this](const boost::system::error_code& error) {
+            if (error) return;
+            gate_.poll();
+            if (certificates_) certificates_->poll(std::chrono::system_clock::now());
+            look_again();
+        });
+    }
+
+    void tell_again() {
+        const auto period = watchdog_period();
+        if (!period) return;
+        if (is_well_()) notify_watchdog();
+        watchdog_timer_.expires_after(*period);
+        watchdog_timer_.async_wait([this](const boost::system::error_code& error) {
+            if (!error) tell_again();
+        });
+    }
+
+    Gate& gate_;
+    CertificateStore* const certificates_;
+    const std::function<bool()> is_well_;
+    asio::io_context io_{1};
+    asio::signal_set signals_{io_, SIGHUP};
+    asio::steady_timer timer_{io_}, watchdog_timer_{io_};
+    std::thread thread_;  // the last, so that all of the above is there
+};
+
+// Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
+class HardExit {
+public:
+    explicit HardExit(Clock::duration patience)
+        : thread_([this, patience] {
+              std::unique_lock lock(mutex_);
+              if (ended_.wait_for(lock, patience, [this] { return done_; })) return;
+              log_error("something did not end in time: exit at once");
+              stop_log();
+              std::_Exit(hard_exit_status);
+          }) {}
+    ~HardExit() {
+        {
+            const std::lock_guard lock(mutex_);
+            done_ = true;
+        }
+        ended_.notify_all();
+        thread_.join();
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool done_ = false;
+    std::thread thread_;
 };
 
 }  // namespace
 
-int run_server(const Config& config, const std::string& port_file) {
+int run_server(const Config& config, const std::string& port_file, const std::string& version) {
+    Metrics metrics(version, stage_names());
+    metrics.clients_max.Set(config.world.clients_max);
+    RpcMetrics rpc_metrics(metrics);
     Wakers wakers;
-    SessionDirectory sessions(config.world.clients_max);
-    WorldDirectory worlds(host_settings(config, wakers), config.world.worlds_max);
+    SessionDirectory sessions(config.world.clients_max, config.world.clients_per_address_max);
+    raise_descriptor_limit();
+    WorldDirectory worlds(host_settings(config, wakers, metrics), config.world.worlds_max,
+                          process_word());
     const auto failed = [](const Error& error) {
         log_error("{}", error.message);
         return 1;
     };
     if (Status s = start_worlds(config, worlds); !s.ok()) return failed(s.error());
+    WorldWatch watch(worlds, {.step_max = from_seconds(config.tick.step_seconds_max)});
 
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const auto opened = Gate::open(config);
+    if (!opened.ok()) return failed(opened.error());
+    Gate& gate = **opened;
+    std::unique_ptr<CertificateStore> certificates;
+    if (!config.tls.certificate.empty()) {
+        auto store = CertificateStore::open(config.tls, std::chrono::system_clock::now());
+        if (!store.ok()) return failed(store.error());
+        certificates = *std::move(store);
+    }
+    PlayContext context{.config = config,
+                        .worlds = worlds,
+                        .sessions = sessions,
+                        .gate = gate,
+                        .metrics = &metrics,
+                        .rpc_metrics = &rpc_metrics};
     WorldControl control(context);
     const QueryControl queries(context);
+    const GrpcServer* grpc_to_ask = nullptr;  // before the gateway starts
+    const auto is_draining = [&] { return context.draining.load(); };
+    const auto trouble = [&]() -> std::optional<std::string> {
+        const Clock::time_point now = Clock::now();
+        if (!watch.all_tick(now)) return "a tick hangs";
+        return grpc_to_ask ? grpc_to_ask->trouble(now) : std::nullopt;
+    };
     const HttpRoutes routes(control, queries,
                             {.web_root = find_web_root(config.web_root),
                              .allowed_origins = config.allowed_origins,
-                             .is_ready = [&] { return !context.draining.load(); }});
+                             .allowed_hosts = config.allowed_hosts,
+                             .is_draining = is_draining,
+                             .trouble = trouble});
+    AdminControl admin_control(context);
+    const AdminRoutes admin_routes(
+        admin_control, metrics,
+        {.allowed_hosts = config.allowed_hosts,
+         .is_draining = is_draining,
+         .trouble = trouble,
+         .refresh = [&] { count_what_others_count(metrics, certificates.get()); }});
     const HostPort listen = *parse_host_port(config.listen), http = *parse_host_port(config.http);
-    GrpcServer grpc(
-        context, control, queries,
-        {.host = listen.host, .port = listen.port, .network_threads = config.network_threads});
+    std::vector<CallMethod> methods = world_methods(control, worlds);
+    std::ranges::move(query_methods(queries, worlds), std::back_inserter(methods));
+    std::ranges::move(admin_methods(admin_control, worlds), std::back_inserter(methods));
+    const auto is_healthy = [&] { return watch.all_tick(Clock::now()); };
+    GrpcServer grpc(context, std::move(methods), is_healthy,
+                    {.host = listen.host,
+                     .port = listen.port,
+                     .network_threads = config.network_threads,
+                     .certificates = certificates.get(),
+                     .connections = connection_limits(config.connection),
+                     .metrics = &metrics.listener(Listener::grpc),
+                     .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,
         {.host = http.host,
          .port = http.port,
+         .metrics = &metrics.listener(Listener::http),
+         .certificates = certificates.get(),
+         .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
          .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)});
     if (Status s = grpc.start(); !s.ok()) return failed(s.error());
+    grpc_to_ask = &grpc;
     if (Status s = gateway.start(); !s.ok()) return failed(s.error());
-    const std::string web = fmt::format("{}:{}", reachable(http.host), gateway.port());
-    control.set_addresses({.grpc = fmt::format("{}:{}", reachable(listen.host), grpc.port()),
-                           .websocket = "ws://" + web + "/play"});
+    std::optional<Gateway> admin;
+    if (!config.admin.empty()) {
+        admin.emplace(context, admin_routes, admin_settings(config, metrics, certificates.get()));
+        if (Status s = admin->start(); !s.ok()) return failed(s.error());
+    }
+    const int admin_port = admin ? admin->port() : 0;
+    const std::string web =
+        fmt::format("{}:{}", reachable(http.host, config.advertise), gateway.port());
+    control.set_addresses(
+        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertise), grpc.port()),
+         .websocket = "ws://" + web + "/play"});
     wakers.set(&grpc, &gateway);
-    if (Status s = write_ports(port_file, grpc.port(), gateway.port()); !s.ok()) {
+    if (Status s = write_ports(port_file, grpc.port(), gateway.port(), admin_port); !s.ok()) {
         wakers.set(nullptr, nullptr);
         return failed(s.error());
     }
-    log_info("gRPC on {}:{}, viewer at http://{}", listen.host, grpc.port(), web);
+    log_info("gRPC on {}:{}, viewer at {}://{}", listen.host, grpc.port(),
+             certificates ? "https" : "http", web);
+    if (admin)
+        log_info("metrics at http://{}:{}/metrics",
+                 reachable(parse_host_port(config.admin)->host, {}), admin_port);
 
-    Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+    {
+        const Upkeep upkeep(gate, certificates.get(), [&] {
+            const Clock::time_point now = Clock::now();
+            return watch.all_tick(now) && !grpc.trouble(now);
+        });
+        notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
+                                 worlds.list().size()));
+        Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+    }
 
+    const HardExit hard_exit(orderly_end_max);
     wakers.set(nullptr, nullptr);
+    admin_control.stop();
     gateway.stop();
     grpc.stop();
+    if (admin) admin->stop();  // late: who watches sees the end
     worlds.stop_all();
     log_info("done");
     return 0;

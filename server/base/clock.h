@@ -11,6 +11,10 @@ namespace jostle::server {
 
 using Clock = std::chrono::steady_clock;
 
+// A thread that looks every few hundredths of a second and has not looked for so long stood still,
+// and with it the process or the machine: nobody else was late.
+inline constexpr auto pause_of_ours = std::chrono::milliseconds(500);
+
 // On the wire: microseconds of the server's monotonic clock.
 inline std::uint64_t to_us(Clock::time_point t) {
     return static_cast<std::uint64_t>(

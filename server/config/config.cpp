@@ -29,6 +29,26 @@ struct Range {
     double value, low, high;
 };
 
+// Settings that only make sense together, or with one of a few words.
+Status check_access(const Config& c) {
+    if (c.tls.certificate.empty() != c.tls.key.empty())
+        return invalid("tls.certificate and tls.key belong together; set both or neither");
+    if (!c.tls.client_ca.empty() && c.tls.certificate.empty())
+        return invalid("tls.client_ca is set without tls.certificate and tls.key");
+    if (!c.auth.keys.empty() && (c.auth.issuer.empty() || c.auth.audience.empty()))
+        return invalid(
+            "auth.keys is set without auth.issuer and auth.audience: say whose tokens for whom");
+    static constexpr std::array roles = {"", "none", "viewer", "player", "director", "admin"};
+    if (std::find(roles.begin(), roles.end(), c.auth.anonymous_role) == roles.end())
+        return invalid("auth.anonymous_role is \"" + c.auth.anonymous_role +
+                       "\"; it must be none, viewer, player, director or admin");
+    for (const std::string& host : c.allowed_hosts)
+        if (host.empty() || host.find_first_of("/ ") != std::string::npos)
+            return invalid("allowed_hosts names \"" + host +
+                           "\"; write a host's name alone, as play.example.org");
+    return {};
+}
+
 }  // namespace
 
 Status check(const Config& c) {
@@ -43,15 +63,38 @@ Status check(const Config& c) {
         {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
         {"world.worlds_max", c.world.worlds_max, 1, 10000},
         {"world.bodies_max", c.world.bodies_max, 1, 1000000},
+        {"world.bodies_total_max", c.world.bodies_total_max, 1, 100000000},
         {"world.clients_max", c.world.clients_max, 1, 100000},
+        {"world.clients_per_address_max", c.world.clients_per_address_max, 1, 100000},
         {"world.command_queue_max", c.world.command_queue_max, 16, 1 << 20},
+        {"connection.total_max", c.connection.total_max, 8, 1 << 20},
+        {"connection.per_address_max", c.connection.per_address_max, 1, 1 << 20},
+        {"connection.unread_bytes_max", c.connection.unread_bytes_max, 65536, 1e10},
+        {"connection.unread_total_bytes_max", c.connection.unread_total_bytes_max, 65536, 1e11},
+        {"connection.idle_seconds", c.connection.idle_seconds, 1, 86400},
+        {"scene.joints_max", c.scene.joints_max, 0, 10000000},
+        {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},
+        {"scene.outline_bytes_max", c.scene.outline_bytes_max, 1024, 1e10},
+        {"scene.body_outline_bytes_max", c.scene.body_outline_bytes_max, 1024, 1 << 20},
+        {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
+        {"scene.work_total_per_second_max", c.scene.work_total_per_second_max, 1000, 1e13},
+        {"scene.first_step_seconds_max", c.scene.first_step_seconds_max, 0.01, 3600},
         {"tick.catch_up_max", c.tick.catch_up_max, 1, 100},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
+        {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"stream.ack_window_min", c.stream.ack_window_min, 1, 1000},
         {"stream.ack_window_max", c.stream.ack_window_max, 1, 1000},
         {"stream.hello_seconds", c.stream.hello_seconds, 0.1, 3600},
         {"stream.silence_seconds", c.stream.silence_seconds, 0.5, 86400},
         {"stream.stats_per_second", c.stream.stats_per_second, 0.1, 60},
+        {"auth.leeway_seconds", c.auth.leeway_seconds, 0, 300},
+        {"quota.creates_per_minute", c.quota.creates_per_minute, 1, 1e6},
+        {"quota.joins_per_minute", c.quota.joins_per_minute, 1, 1e6},
+        {"quota.queries_per_second", c.quota.queries_per_second, 1, 1e6},
+        {"quota.address_factor", c.quota.address_factor, 1, 1e6},
+        {"quota.refused_logins_per_minute", c.quota.refused_logins_per_minute, 1, 1e6},
+        {"quota.refusals_audited_per_minute", c.quota.refusals_audited_per_minute, 1, 1e6},
+        {"quota.buckets_max", c.quota.buckets_max, 100, 10'000'000},
     };
     for (const Range& r : ranges)
         if (!(r.low <= r.value && r.value <= r.high))
@@ -62,14 +105,19 @@ Status check(const Config& c) {
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid(std::string(key) + ": " + parsed.error().message);
+    if (!c.admin.empty())
+        if (const auto parsed = parse_host_port(c.admin); !parsed.ok())
+            return invalid("admin: " + parsed.error().message);
     static constexpr std::array levels = {"trace", "debug", "info", "warn", "error"};
     if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
         return invalid("log_level is \"" + c.log_level +
                        "\"; it must be trace, debug, info, warn or error");
+    if (c.log_format != "text" && c.log_format != "json")
+        return invalid("log_format is \"" + c.log_format + "\"; it must be text or json");
     if (c.scenes.empty()) return invalid("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
         return invalid("scenes names more worlds than world.worlds_max");
-    return {};
+    return check_access(c);
 }
 
 Result<HostPort> parse_host_port(const std::string& address) {

@@ -26,8 +26,21 @@ struct ClientLimits {
 struct WorldLimits {
     int worlds_max = 64;
     int bodies_max = 20000;        // per world
+    int bodies_total_max = 60000;  // of all worlds: some 2 kB each
     int clients_max = 1000;        // per server
+    int clients_per_address_max = 250;  // of one IPv4 address or IPv6 /64
     int command_queue_max = 8192;  // commands waiting for a tick; full: the input is refused
+};
+
+// What a scene may cost that is to be hosted (host/scene_budget.h says what each bounds).
+struct SceneLimits {
+    int joints_max = 20000;
+    int joints_per_pair_max = 64;
+    double outline_bytes_max = 32e6;
+    int body_outline_bytes_max = 65536;
+    double work_per_second_max = 2e8;
+    double work_total_per_second_max = 4e8;  // of all worlds together
+    double first_step_seconds_max = 0.5;
 };
 
 struct TickSettings {
@@ -35,6 +48,9 @@ struct TickSettings {
     // and counted as late, so that a stall of the machine is not followed by a burst.
     int catch_up_max = 4;
     int physics_threads = 1;  // per world
+    // A step that takes longer is interrupted and its world paused, so that it holds up nobody
+    // else.
+    double step_seconds_max = 2;
 };
 
 struct StreamSettings {
@@ -45,19 +61,76 @@ struct StreamSettings {
     double stats_per_second = 10;
 };
 
+// Certificates of both listeners, PEM; read again when they change.
+struct TlsSettings {
+    std::string certificate;  // the server's own, then what links it to its root
+    std::string key;          // without a passphrase
+    std::string client_ca;    // who shows a certificate of it is an admin
+
+    bool operator==(const TlsSettings&) const = default;
+};
+
+// Whose tokens are believed, and what those may do who show none (docs/security.md).
+struct AuthSettings {
+    std::string issuer, audience;  // "iss" and "aud" of every token
+    std::string keys;              // JWKS file; empty: no token is believed
+    std::string anonymous_role;    // none, viewer, player, director, admin; empty: see exposure.h
+    int leeway_seconds = 30;       // by which clocks may differ
+    std::string audit_log;         // a file; empty: standard error
+
+    bool operator==(const AuthSettings&) const = default;
+};
+
+// How much one subject may ask for; what flows in at once is a minute's worth, of queries a
+// second's. Who is anonymous is counted by address alone.
+struct QuotaSettings {
+    double creates_per_minute = 20;
+    double joins_per_minute = 120;
+    double queries_per_second = 100;
+    double address_factor = 10;  // an address may hold several people: so many times as much
+    double refused_logins_per_minute = 30;    // of an address, before its tokens are not looked at
+    double refusals_audited_per_minute = 60;  // of an address; the others are counted
+    int buckets_max = 20000;                  // counted subjects and addresses; the idlest goes
+
+    bool operator==(const QuotaSettings&) const = default;
+};
+
+// Connections to one port. What a server can hold is what the system gives it in descriptors.
+struct ConnectionLimits {
+    int total_max = 4000;       // more are closed at once
+    int per_address_max = 512;  // of one IPv4 address or IPv6 /64
+    // Sent but not (yet) a message: of one connection, and of all together. Beyond it the one with
+    // the most is cut.
+    double unread_bytes_max = 8e6;
+    double unread_total_bytes_max = 64e6;
+    double idle_seconds = 300;  // without a call
+};
+
 struct Config {
     std::string listen = "127.0.0.1:50051";  // gRPC
     std::string http = "127.0.0.1:8080";     // viewer, WebSocket, health
+    std::string admin = "127.0.0.1:9464";    // metrics, health, profiles; empty: nothing listens
     std::string web_root = "clients/web/dist";
     std::vector<std::string> scenes = {"sandbox"};  // one world each: catalogue names or files
     std::vector<std::string> allowed_origins;       // pages from elsewhere that may use this server
+    std::vector<std::string> allowed_hosts;         // own names, beside IP addresses and localhost
     std::string log_level = "info";                 // trace, debug, info, warn, error
-    double drain_seconds = 5;                       // after SIGTERM, for clients to leave
-    int network_threads = 1;                        // gRPC play streams; each owns its clients
+    std::string log_format = "text";                // text, json
+    // The host name that clients are sent to, for a server that listens on all addresses; empty:
+    // the name of the machine.
+    std::string advertise;
+    double drain_seconds = 5;  // after SIGTERM, for clients to leave
+    int network_threads = 1;   // gRPC play streams; each owns its clients
     ClientLimits client;
+    ConnectionLimits connection;
     WorldLimits world;
+    SceneLimits scene;
     TickSettings tick;
     StreamSettings stream;
+    TlsSettings tls;
+    AuthSettings auth;
+    QuotaSettings quota;
+    bool insecure = false;  // reachable by strangers without TLS or tokens, on purpose
 };
 
 // Errors name the key and its range.

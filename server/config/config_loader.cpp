@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 namespace jostle::server {
 
@@ -57,10 +58,15 @@ Setters setters_of(Config& c) {
     return {
         {"listen", into(c.listen)},
         {"http", into(c.http)},
+        {"admin", into(c.admin)},
         {"web_root", into(c.web_root)},
         {"scenes", into(c.scenes)},
         {"allowed_origins", into(c.allowed_origins)},
+        {"allowed_hosts", into(c.allowed_hosts)},
+        {"insecure", into(c.insecure)},
         {"log_level", into(c.log_level)},
+        {"log_format", into(c.log_format)},
+        {"advertise", into(c.advertise)},
         {"drain_seconds", into(c.drain_seconds)},
         {"network_threads", into(c.network_threads)},
         {"client.messages_per_second", into(c.client.messages_per_second)},
@@ -70,17 +76,48 @@ Setters setters_of(Config& c) {
         {"client.inputs_per_batch_max", into(c.client.inputs_per_batch_max)},
         {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
         {"client.keep_bodies_after_leave", into(c.client.keep_bodies_after_leave)},
+        {"connection.total_max", into(c.connection.total_max)},
+        {"connection.per_address_max", into(c.connection.per_address_max)},
+        {"connection.unread_bytes_max", into(c.connection.unread_bytes_max)},
+        {"connection.unread_total_bytes_max", into(c.connection.unread_total_bytes_max)},
+        {"connection.idle_seconds", into(c.connection.idle_seconds)},
+        {"scene.joints_max", into(c.scene.joints_max)},
+        {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},
+        {"scene.outline_bytes_max", into(c.scene.outline_bytes_max)},
+        {"scene.body_outline_bytes_max", into(c.scene.body_outline_bytes_max)},
+        {"scene.work_per_second_max", into(c.scene.work_per_second_max)},
+        {"scene.work_total_per_second_max", into(c.scene.work_total_per_second_max)},
+        {"scene.first_step_seconds_max", into(c.scene.first_step_seconds_max)},
         {"world.worlds_max", into(c.world.worlds_max)},
         {"world.bodies_max", into(c.world.bodies_max)},
+        {"world.bodies_total_max", into(c.world.bodies_total_max)},
         {"world.clients_max", into(c.world.clients_max)},
+        {"world.clients_per_address_max", into(c.world.clients_per_address_max)},
         {"world.command_queue_max", into(c.world.command_queue_max)},
         {"tick.catch_up_max", into(c.tick.catch_up_max)},
         {"tick.physics_threads", into(c.tick.physics_threads)},
+        {"tick.step_seconds_max", into(c.tick.step_seconds_max)},
         {"stream.ack_window_min", into(c.stream.ack_window_min)},
         {"stream.ack_window_max", into(c.stream.ack_window_max)},
         {"stream.hello_seconds", into(c.stream.hello_seconds)},
         {"stream.silence_seconds", into(c.stream.silence_seconds)},
         {"stream.stats_per_second", into(c.stream.stats_per_second)},
+        {"tls.certificate", into(c.tls.certificate)},
+        {"tls.key", into(c.tls.key)},
+        {"tls.client_ca", into(c.tls.client_ca)},
+        {"auth.issuer", into(c.auth.issuer)},
+        {"auth.audience", into(c.auth.audience)},
+        {"auth.keys", into(c.auth.keys)},
+        {"auth.anonymous_role", into(c.auth.anonymous_role)},
+        {"auth.leeway_seconds", into(c.auth.leeway_seconds)},
+        {"auth.audit_log", into(c.auth.audit_log)},
+        {"quota.creates_per_minute", into(c.quota.creates_per_minute)},
+        {"quota.joins_per_minute", into(c.quota.joins_per_minute)},
+        {"quota.queries_per_second", into(c.quota.queries_per_second)},
+        {"quota.address_factor", into(c.quota.address_factor)},
+        {"quota.refused_logins_per_minute", into(c.quota.refused_logins_per_minute)},
+        {"quota.refusals_audited_per_minute", into(c.quota.refusals_audited_per_minute)},
+        {"quota.buckets_max", into(c.quota.buckets_max)},
     };
 }
 
@@ -124,6 +161,26 @@ Status load_config_text(Config& config, const std::string& text, const std::stri
         return Error{ErrorCode::invalid_argument, name + ": " + s.error().message};
     config = changed;
     return {};
+}
+
+Status load_settings(Config& config, const std::vector<std::string>& settings) {
+    std::string lines;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos || setting.find('\n') != std::string::npos)
+            return Error{ErrorCode::invalid_argument,
+                         "\"" + setting + "\" is no KEY=VALUE, as in client.bodies_owned_max=10"};
+        const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
+        try {
+            static_cast<void>(toml::parse(setting));
+            lines += setting + "\n";
+        } catch (const toml::parse_error&) {
+            std::ostringstream text;
+            text << toml::value<std::string>(value);
+            lines += key + " = " + text.str() + "\n";
+        }
+    }
+    return load_config_text(config, lines, "--set");
 }
 
 Status load_config(Config& config, const std::string& path) {

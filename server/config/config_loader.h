@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "config/config.h"
 
@@ -14,5 +15,7 @@ namespace jostle::server {
 // is then unchanged.
 Status load_config(Config& config, const std::string& path);
 Status load_config_text(Config& config, const std::string& text, const std::string& name);
+// KEY=VALUE each, as on a command line: what is no TOML value is taken as a string.
+Status load_settings(Config& config, const std::vector<std::string>& settings);
 
 }  // namespace jostle::server

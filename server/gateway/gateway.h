@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // One port for browsers: the viewer's files, the worlds as JSON, health, and at /play the same
-// conversation as gRPC's over a WebSocket. Has a thread of its own for the sockets and one for
-// requests that take long. Everything here is bounded: connections, header, body and message sizes,
-// and how long a peer may be silent.
+// conversation as gRPC's over a WebSocket. Has a thread of its own for the sockets and
+// two for requests that take long. Everything here is bounded: connections, header, body and
+// message sizes, and how long a peer may be silent.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 
 #include "gateway/gateway_settings.h"
-#include "gateway/http_routes.h"
+#include "gateway/http_handler.h"
 #include "jostle/base/result.h"
 #include "protocol/client_link.h"
 
@@ -19,7 +19,7 @@ namespace jostle::server {
 class Gateway {
 public:
     // Both outlive the gateway.
-    Gateway(PlayContext& context, const HttpRoutes& routes, GatewaySettings settings);
+    Gateway(PlayContext& context, const HttpHandler& routes, GatewaySettings settings);
     ~Gateway();
 
     // Binds and begins to serve. An error says which address and why.

@@ -18,6 +18,9 @@ struct HttpRequest {
     std::string origin;  // the Origin header; empty when the client is no browser page
     std::string content_type;
     std::string if_none_match;
+    std::string authorization;
+    std::string address;      // of who asks, without the port
+    std::string certificate;  // subject of a client certificate that TLS has verified; empty: none
     std::string body;
 };
 

@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "gateway/http_status.h"
+#include "identity/allowed_hosts.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
+#include "protocol/peer.h"
 
 namespace jostle::server {
 
@@ -71,14 +73,17 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
                              " as JSON: " + std::string(read.message())});
 }
 
-// Reads a question, asks it, writes the answer.
+// Reads a question, has it let in, asks it, writes the answer.
 template <class Request, class Response>
 HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
-                 Status (QueryControl::*method)(const Request&, Response&) const) {
+                 const std::function<Status(const std::string&)>& let_to_world,
+                 Status (QueryControl::*method)(const Request&, Response&, const StillWanted&)
+                     const) {
     Request message;
     if (const auto refused = read_json(message, request)) return *refused;
+    if (Status s = let_to_world(message.world()); !s.ok()) return to_http(s.error());
     Response response;
-    const Status status = (queries.*method)(message, response);
+    const Status status = (queries.*method)(message, response, QueryControl::always);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
@@ -89,7 +94,11 @@ HttpResponse to_http(const Error& error) {
     const nlohmann::json body = {{"code", code.name}, {"message", error.message}};
     HttpResponse response = json(
         code.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    if (code.status == 503 || code.status == 429) response.headers.emplace_back("Retry-After", "5");
+    // In whole seconds, rounded up.
+    const int seconds = error.retry_after_ms > 0 ? (error.retry_after_ms + 999) / 1000 : 5;
+    if (code.status == 503 || code.status == 429)
+        response.headers.emplace_back("Retry-After", std::to_string(seconds));
+    if (code.status == 401) response.headers.emplace_back("WWW-Authenticate", "Bearer");
     return response;
 }
 
@@ -99,8 +108,20 @@ HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteS
       settings_(std::move(settings)),
       files_(settings_.web_root) {}
 
-bool HttpRoutes::may_take_long(const HttpRequest& request) {
-    return path_of(request.target).starts_with("/api/");
+HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    if (path.starts_with(query_path)) return HttpWork::asks;
+    const bool reads = request.method == "GET" || request.method == "HEAD";
+    return reads || !path.starts_with("/api/") ? HttpWork::at_once : HttpWork::changes;
+}
+
+bool HttpRoutes::takes_players(const HttpRequest& request) const {
+    return path_of(request.target) == "/play";
+}
+
+bool HttpRoutes::takes_large_body(const HttpRequest& request) const {
+    const std::string_view path = path_of(request.target);
+    return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
 }
 
 bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
@@ -110,12 +131,25 @@ bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
            settings_.allowed_origins.end();
 }
 
+std::optional<std::string> HttpRoutes::refuse_page(const HttpRequest& request) const {
+    if (!host_is_allowed(request.host, settings_.allowed_hosts))
+        return "This server does not go by that name; the setting allowed_hosts holds its names.";
+    if (!origin_is_allowed(request)) return "A page from another origin may not use this server.";
+    return std::nullopt;
+}
+
+HttpResponse HttpRoutes::answer_health(std::string_view path) const {
+    if (const auto trouble = settings_.trouble()) return text(503, *trouble + "\n");
+    if (path == "/healthz") return text(200, "ok\n");
+    return settings_.is_draining() ? text(503, "the server is going down\n") : text(200, "ready\n");
+}
+
 HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
-    if (path == "/healthz") return text(200, "ok\n");
-    if (path == "/readyz") {
-        return settings_.is_ready() ? text(200, "ready\n") : text(503, "not ready\n");
-    }
+    // Probes come by whatever name they like.
+    if (path == "/healthz" || path == "/readyz") return answer_health(path);
+    if (!host_is_allowed(request.host, settings_.allowed_hosts))
+        return text(403, *refuse_page(request) + "\n");
     if (path == "/api" || path.starts_with("/api/")) return answer_api(request, path);
     if (path == "/play") {
         HttpResponse response = text(426, "This path takes WebSocket clients.\n");
@@ -125,34 +159,54 @@ HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
     return files_.serve(request);
 }
 
+Result<HttpRoutes::Asker> HttpRoutes::let_in(const HttpRequest& request,
+                                             std::string_view path) const {
+    const AccessRow* row = find_route(request.method, path);
+    if (row == nullptr)
+        return Error{ErrorCode::not_found,
+                     "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
+                     "are what there is."};
+    const Result<std::string_view> bearer = bearer_in(request.authorization);
+    if (!bearer.ok()) return bearer.error();
+    Result<Identity> who = worlds_.gate().identify(
+        {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
+    if (!who.ok()) return who.error();
+    Asker asker{*std::move(who), row, request.address};
+    if (row->scope != Scope::server) return asker;
+    if (Status s = worlds_.gate().admit(asker.who, {row->call, {}, asker.address}); !s.ok())
+        return s.error();
+    return asker;
+}
+
+// What a request is about is known only when it was read.
+Status HttpRoutes::let_to_world(const Asker& asker, const std::string& world) const {
+    const std::shared_ptr<WorldHost> host = worlds_.find(world);
+    const AskedWorld asked = host ? asked_world(*host) : AskedWorld{};
+    return worlds_.gate().admit(asker.who, {asker.row->call, asked, asker.address});
+}
+
 HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view path) const {
     const bool changes = request.method != "GET" && request.method != "HEAD";
-    if (changes && !origin_is_allowed(request)) {
+    if (changes && !origin_is_allowed(request))
         return text(403, "A page from another origin may not use this server.\n");
-    }
-    if (path == worlds_path) {
-        if (!changes) return list_worlds();
-        if (request.method == "POST") return create_world(request);
-        return method_not_allowed("GET, POST");
-    }
+    const bool is_query = path.starts_with(query_path);
+    const bool is_list = path == worlds_path;
+    std::string world;
     if (path.starts_with("/api/worlds/")) {
         const std::optional<std::string> relative = relative_path_of(path);
         if (!relative) return to_http(Error{ErrorCode::invalid_argument, "The path is malformed."});
-        const std::string world = relative->substr(worlds_path.size());  // without the first '/'
-        if (world.find('/') == std::string::npos) {
-            if (!changes) return get_world(world);
-            if (request.method == "DELETE") return delete_world(world);
-            return method_not_allowed("GET, DELETE");
-        }
+        world = relative->substr(worlds_path.size());  // without the first '/'
     }
-    if (path.starts_with(query_path)) {
-        if (request.method != "POST") return method_not_allowed("POST");
-        return query(request, path.substr(query_path.size()));
-    }
-    return to_http(
-        Error{ErrorCode::not_found,
-              "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
-              "are what there is."});
+    const bool is_world = !world.empty() && world.find('/') == std::string::npos;
+    if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
+    if (is_world && changes && request.method != "DELETE") return method_not_allowed("GET, DELETE");
+    if (is_query && request.method != "POST") return method_not_allowed("POST");
+    const Result<Asker> asker = let_in(request, path);
+    if (!asker.ok()) return to_http(asker.error());
+    if (is_list) return changes ? create_world(request, *asker) : list_worlds();
+    if (is_query) return query(request, path.substr(query_path.size()), *asker);
+    if (Status s = let_to_world(*asker, world); !s.ok()) return to_http(s.error());
+    return changes ? delete_world(world, *asker) : get_world(world);
 }
 
 HttpResponse HttpRoutes::list_worlds() const {
@@ -169,30 +223,38 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
-HttpResponse HttpRoutes::create_world(const HttpRequest& request) const {
+HttpResponse HttpRoutes::create_world(const HttpRequest& request, const Asker& asker) const {
     v1::CreateWorldRequest message;
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
-    const Status status = worlds_.create(message, response);
+    const Status status = worlds_.create(message, response, asker.who.subject);
+    const v1::WorldInfo& made = response.world();
+    worlds_.gate().record(asker.who,
+                          {asker.row->call, {made.id(), made.name(), made.owner()}, asker.address},
+                          status);
     return status.ok() ? json(201, response) : to_http(status.error());
 }
 
-HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method) const {
-    if (method == "CastRays") return ask(request, queries_, &QueryControl::cast_rays);
-    if (method == "CastShapes") return ask(request, queries_, &QueryControl::cast_shapes);
-    if (method == "Overlap") return ask(request, queries_, &QueryControl::overlap);
-    if (method == "ClosestPoints") return ask(request, queries_, &QueryControl::closest_points);
-    if (method == "Debug") return ask(request, queries_, &QueryControl::debug);
+HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method,
+                               const Asker& asker) const {
+    const auto let = [&](const std::string& world) { return let_to_world(asker, world); };
+    if (method == "CastRays") return ask(request, queries_, let, &QueryControl::cast_rays);
+    if (method == "CastShapes") return ask(request, queries_, let, &QueryControl::cast_shapes);
+    if (method == "Overlap") return ask(request, queries_, let, &QueryControl::overlap);
+    if (method == "ClosestPoints")
+        return ask(request, queries_, let, &QueryControl::closest_points);
+    if (method == "Debug") return ask(request, queries_, let, &QueryControl::debug);
     return to_http(Error{ErrorCode::not_found,
                          "There is no such query; CastRays, CastShapes, Overlap, ClosestPoints and "
                          "Debug are what there is."});
 }
 
-HttpResponse HttpRoutes::delete_world(const std::string& world) const {
+HttpResponse HttpRoutes::delete_world(const std::string& world, const Asker& asker) const {
     v1::DeleteWorldRequest request;
     request.set_world(world);
     v1::DeleteWorldResponse response;
     const Status status = worlds_.remove(request, response);
+    worlds_.gate().record(asker.who, {asker.row->call, {world, {}, {}}, asker.address}, status);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "gateway/http_session.h"
 
-#include <boost/asio/dispatch.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/version.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
+#include <exception>
 #include <utility>
+
+#include "base/address.h"
+#include "base/log.h"
 
 namespace jostle::server {
 
@@ -25,49 +28,121 @@ constexpr std::string_view content_security_policy =
 
 }  // namespace
 
-HttpSession::HttpSession(asio::ip::tcp::socket socket, const Services& services)
-    : stream_(std::move(socket)), services_(services) {}
+HttpSession::HttpSession(SocketStream stream, const Services& services)
+    : stream_(std::move(stream)), services_(services) {
+    beast::error_code error;
+    const auto endpoint = stream_.tcp().socket().remote_endpoint(error);
+    if (!error) address_ = endpoint.address().to_string();
+}
+
+HttpSession::~HttpSession() {
+    give_back_body();
+}
 
 void HttpSession::start() {
-    read(services_.settings.request_timeout);
+    idle_since_ = Clock::now();
+    stream_.tcp().expires_after(services_.settings.request_timeout);
+    stream_.async_handshake([self = shared_from_this()](beast::error_code error) {
+        if (error) return;  // no client of ours, or one with a bad certificate
+        self->certificate_ = self->stream_.certificate();
+        self->read(self->services_.settings.request_timeout);
+    });
 }
 
 void HttpSession::abort() {
     beast::error_code ignored;
-    stream_.socket().close(ignored);
+    stream_.tcp().socket().close(ignored);
 }
 
 void HttpSession::read(std::chrono::seconds patience) {
+    give_back_body();
+    idle_since_ = Clock::now();
     parser_.emplace();
     set_bounds(*parser_, services_.settings);
-    stream_.expires_after(patience);
+    stream_.tcp().expires_after(patience);
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = shared_from_this()](beast::error_code error, std::size_t) {
+                                self->on_head(error);
+                            });
+}
+
+// True: there is nothing to go on with, and what there was to say was said.
+bool HttpSession::failed(beast::error_code error) {
+    if (error == http::error::header_limit) {
+        refuse(431, "The request's header is too big.\n");
+    } else if (error == http::error::body_limit) {
+        refuse(413, "The request's body is too big.\n");
+    } else if (error && error != http::error::end_of_stream && error != beast::error::timeout &&
+               error.category() != asio::error::get_system_category()) {
+        refuse(400, "This is not an HTTP request.\n");
+    }
+    // Else: ended, cut or silent too long, and nobody waits for an answer.
+    return static_cast<bool>(error);
+}
+
+void HttpSession::on_head(beast::error_code error) {
+    if (failed(error)) return;
+    HttpRequest request = request_of_peer();
+    if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.takes_players(request)) {
+        if (const auto refusal = services_.routes.refuse_page(request))
+            return refuse(403, *refusal + "\n");
+        return services_.upgrade(std::move(stream_), parser_->release());
+    }
+    const bool large = services_.routes.takes_large_body(request);
+    const std::size_t most =
+        large ? services_.settings.body_bytes_max : services_.settings.small_body_bytes_max;
+    parser_->body_limit(most);
+    // Who does not say how much comes may send the most.
+    const auto length = parser_->content_length();
+    if (length && *length > most) return refuse(413, "The request's body is too big.\n");
+    const bool has_body = length ? *length > 0 : parser_->chunked();
+    if (has_body && !reserve_body(length ? static_cast<std::size_t>(*length) : most))
+        return refuse(503, "Too many requests are being received; try again in a second.\n");
+    read_body();
+}
+
+bool HttpSession::reserve_body(std::size_t bytes) {
+    const auto wanted = static_cast<double>(bytes);
+    if (services_.body_bytes + wanted > services_.settings.bodies_bytes_max) return false;
+    services_.body_bytes += wanted;
+    reserved_ = wanted;
+    return true;
+}
+
+void HttpSession::give_back_body() {
+    services_.body_bytes -= std::exchange(reserved_, 0);
+}
+
+void HttpSession::read_body() {
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                         self->on_read(error);
+                         self->on_body(error);
                      });
 }
 
-void HttpSession::on_read(beast::error_code error) {
-    if (error == http::error::header_limit) {
-        return refuse(431, "The request's header is too big.\n");
-    }
-    if (error == http::error::body_limit) return refuse(413, "The request's body is too big.\n");
-    // Ended, cut or silent too long: nobody waits for an answer.
-    if (error == http::error::end_of_stream || error == beast::error::timeout ||
-        (error && error.category() == asio::error::get_system_category())) {
-        return;
-    }
-    if (error) return refuse(400, "This is not an HTTP request.\n");
+void HttpSession::on_body(beast::error_code error) {
+    if (failed(error)) return;
+    idle_since_.reset();
+    answer_request();
+}
 
+HttpRequest HttpSession::request_of_peer() const {
     HttpRequest request = plain_request(parser_->get());
-    if (beast::websocket::is_upgrade(parser_->get()) && path_of(request.target) == "/play") {
-        if (!services_.routes.origin_is_allowed(request)) {
-            return refuse(403, "A page from another origin may not play on this server.\n");
-        }
-        return services_.upgrade(std::move(stream_), parser_->release());
+    request.address = address_;
+    request.certificate = certificate_;
+    return request;
+}
+
+void HttpSession::answer_request() {
+    HttpRequest request = request_of_peer();
+    switch (services_.routes.work_of(request)) {
+        case HttpWork::at_once:
+            return write(services_.routes.answer(request));
+        case HttpWork::asks:
+            return answer_on(services_.asking, std::move(request));
+        case HttpWork::changes:
+            return answer_on(services_.changing, std::move(request));
     }
-    if (HttpRoutes::may_take_long(request)) return answer_on_worker(std::move(request));
-    write(services_.routes.answer(request));
 }
 
 // The peer sent what we cannot read on from: one answer, then the connection ends.
@@ -76,23 +151,37 @@ void HttpSession::refuse(int status, std::string text) {
     answer.status = status;
     answer.body = std::move(text);
     answer.headers.emplace_back("Connection", "close");
+    if (status == 503) answer.headers.emplace_back("Retry-After", "1");
+    closing_ = true;
     write(answer);
 }
 
-void HttpSession::answer_on_worker(HttpRequest request) {
-    stream_.expires_never();  // however long the world takes to build
-    asio::post(services_.worker, [self = shared_from_this(), request = std::move(request)] {
-        HttpResponse answer = self->services_.routes.answer(request);
-        asio::dispatch(self->stream_.get_executor(),
-                       [self, answer = std::move(answer)] { self->write(answer); });
+void HttpSession::answer_on(WorkPool& pool, HttpRequest request) {
+    stream_.tcp().expires_never();  // however long the world takes to build
+    const bool added = pool.add([self = shared_from_this(), request = std::move(request)] {
+        HttpResponse answer;
+        try {
+            answer = self->services_.routes.answer(request);
+        } catch (const std::exception& error) {
+            // Out of memory, say: this request fails and nothing else does.
+            log_error("{} {} failed: {}", request.method, request.target, error.what());
+            answer.status = 503;
+            answer.body = "The answer takes more than there is.\n";
+        }
+        asio::post(self->stream_.get_executor(),
+                   [self, answer = std::move(answer)] { self->write(answer); });
     });
+    if (added) return;
+    if (services_.settings.metrics)
+        services_.settings.metrics->refused(ConnectionRefusal::busy).Increment();
+    refuse(503, "Too many requests wait to be answered; try again in a second.\n");
 }
 
 void HttpSession::write(const HttpResponse& answer) {
     const auto& request = parser_->get();
     head_only_ = request.method() == http::verb::head;
     response_ = Response(static_cast<http::status>(answer.status), 11);
-    response_.keep_alive(parser_->is_done() && request.keep_alive());
+    response_.keep_alive(!closing_ && parser_->is_done() && request.keep_alive());
     response_.set(http::field::server, "jostle");
     response_.set("X-Content-Type-Options", "nosniff");
     if (answer.status != 304) response_.set(http::field::content_type, answer.content_type);
@@ -106,7 +195,7 @@ void HttpSession::write(const HttpResponse& answer) {
     if (answer.status != 304) response_.content_length(answer.body.size());
     if (!head_only_) response_.body() = answer.body;
 
-    stream_.expires_after(services_.settings.request_timeout);
+    stream_.tcp().expires_after(services_.settings.request_timeout);
     http::async_write(stream_, response_,
                       [self = shared_from_this()](beast::error_code error, std::size_t) {
                           self->on_wrote(error);
@@ -116,7 +205,7 @@ void HttpSession::write(const HttpResponse& answer) {
 void HttpSession::on_wrote(beast::error_code error) {
     if (error) return;
     if (!response_.keep_alive()) {
-        stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
+        stream_.tcp().socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
         return;
     }
     read(services_.settings.idle_timeout);

@@ -38,6 +38,7 @@ inline HttpRequest plain_request(const BeastRequest& request) {
             .origin = header(field::origin),
             .content_type = header(field::content_type),
             .if_none_match = header(field::if_none_match),
+            .authorization = header(field::authorization),
             .body = request.body()};
 }
 

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <system_error>
 
+#include "gateway/percent_decode.h"
+
 namespace jostle::server {
 
 namespace fs = std::filesystem;
@@ -17,30 +19,6 @@ namespace {
 
 constexpr std::size_t path_length_max = 1024;
 constexpr std::uintmax_t file_bytes_max = 64u << 20;  // a viewer is about one megabyte
-
-int hex_digit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-std::optional<std::string> percent_decode(std::string_view text) {
-    std::string decoded;
-    decoded.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '%') {
-            decoded += text[i];
-            continue;
-        }
-        if (i + 2 >= text.size()) return std::nullopt;
-        const int high = hex_digit(text[i + 1]), low = hex_digit(text[i + 2]);
-        if (high < 0 || low < 0) return std::nullopt;
-        decoded += static_cast<char>(high * 16 + low);
-        i += 2;
-    }
-    return decoded;
-}
 
 bool has_forbidden_character(std::string_view path) {
     for (const char c : path) {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <string_view>
 
+#include "base/text.h"
 #include "gateway/peer_bytes.h"
 
 namespace jostle::server {
@@ -40,11 +41,11 @@ websocket::close_code close_code_of(ErrorCode code) {
 // A close frame has room for 123 bytes of reason.
 websocket::close_reason reason_of(const Status& end) {
     if (end.ok()) return websocket::close_code::normal;
-    return {close_code_of(end.error().code),
-            boost::string_view(end.error().message).substr(0, 120)};
+    const std::string_view reason = clip_utf8(end.error().message, 120);
+    return {close_code_of(end.error().code), boost::string_view(reason.data(), reason.size())};
 }
 
-std::string peer_name(const beast::tcp_stream& stream) {
+std::string peer_name(beast::tcp_stream& stream) {
     beast::error_code error;
     const auto endpoint = stream.socket().remote_endpoint(error);
     return error ? "gone"
@@ -53,10 +54,14 @@ std::string peer_name(const beast::tcp_stream& stream) {
 
 }  // namespace
 
-WebSocketSession::WebSocketSession(PlayContext& context, beast::tcp_stream stream,
+WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
                                    std::size_t message_bytes_max)
-    : context_(context), socket_(std::move(stream)), peer_(peer_name(socket_.next_layer())) {
+    : context_(context), socket_(std::move(stream)), peer_(peer_name(socket_.next_layer().tcp())) {
+    beast::error_code error;
+    const auto endpoint = socket_.next_layer().tcp().socket().remote_endpoint(error);
+    if (!error) address_ = endpoint.address().to_string();
     socket_.next_layer()
+        .tcp()
         .expires_never();  // from here on the WebSocket layer and the link keep time
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
@@ -76,7 +81,14 @@ void WebSocketSession::start(const Request& upgrade) {
 
 void WebSocketSession::on_accepted(beast::error_code error) {
     if (error) return;  // the socket closes with the last reference to this session
-    link_.emplace(context_, peer_, Clock::now());
+    link_.emplace(
+        context_,
+        Peer{.name = peer_,
+             .address = address_,
+             .call = "GET /play",
+             .who = context_.gate.identify(
+                 {.certificate = socket_.next_layer().certificate(), .address = address_})},
+        Clock::now());
     read();
 }
 
@@ -141,7 +153,7 @@ void WebSocketSession::close(const Status& end) {
 
 void WebSocketSession::abort() {
     beast::error_code ignored;
-    socket_.next_layer().socket().close(ignored);
+    socket_.next_layer().tcp().socket().close(ignored);
 }
 
 }  // namespace jostle::server

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 
+#include "gateway/socket_stream.h"
 #include "jostle/base/result.h"
 #include "protocol/client_link.h"
 
@@ -24,8 +25,7 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-    WebSocketSession(PlayContext& context, boost::beast::tcp_stream stream,
-                     std::size_t message_bytes_max);
+    WebSocketSession(PlayContext& context, SocketStream stream, std::size_t message_bytes_max);
 
     // Answers the upgrade and begins the conversation.
     void start(const Request& upgrade);
@@ -34,6 +34,11 @@ public:
     void advance(Clock::time_point now);
     // The gateway stops: closes the socket at once.
     void abort();
+    // We did not listen for so long.
+    void on_pause(Clock::duration pause) {
+        if (link_) link_->on_pause(pause);
+    }
+    const std::string& address() const { return address_; }
 
 private:
     void on_accepted(boost::beast::error_code error);
@@ -43,8 +48,8 @@ private:
     void close(const Status& end);
 
     PlayContext& context_;
-    boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
-    std::string peer_;
+    boost::beast::websocket::stream<SocketStream> socket_;
+    std::string peer_, address_;
     std::optional<ClientLink> link_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;

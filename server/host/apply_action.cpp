@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host/apply_action.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,6 +13,12 @@ using namespace physics;
 namespace {
 
 constexpr double impulse_speed_max = 20;  // m/s that one impulse may give a body
+// What many of them may: a body that is faster for other reasons is not slowed down.
+constexpr double pushed_speed_max = 50;  // m/s
+constexpr double pushed_spin_max = 60;   // rad/s
+// Shapes that overlap a body that is to be spawned. Bodies in one place make pairs with the square
+// of their number.
+constexpr std::size_t crowd_max = 40;
 
 Error refused(ErrorCode code, std::string message) {
     return {code, std::move(message)};
@@ -33,10 +40,14 @@ struct Apply {
     EntityId& about;
 
     Status operator()(const SpawnCommand& c) const {
-        if (static_cast<int>(state.entities.size()) >= state.limits.bodies_max)
+        if (static_cast<int>(state.entities.size()) >= state.limits.scene.bodies_max)
             return refused(ErrorCode::resource_exhausted,
                            "the world is full: it holds " +
-                               std::to_string(state.limits.bodies_max) + " bodies");
+                               std::to_string(state.limits.scene.bodies_max) + " bodies");
+        if (is_crowded(c))
+            return refused(ErrorCode::resource_exhausted,
+                           "more than " + std::to_string(crowd_max) +
+                               " shapes are in that place; spawn it somewhere else");
         if (state.ownership.count(client) >= state.limits.bodies_owned_max)
             return refused(ErrorCode::resource_exhausted,
                            "you own " + std::to_string(state.limits.bodies_owned_max) +
@@ -64,7 +75,7 @@ struct Apply {
         const Vec3 arm = point - body.center;
         const double reach = 2;
         if (length(arm) > reach) point = body.center + arm * (reach / length(arm));
-        return from_solver(state.world.apply_impulse((*entity)->body, impulse, point));
+        return push(body, impulse, point);
     }
 
     Status operator()(const GrabCommand& c) const {
@@ -99,17 +110,14 @@ struct Apply {
 
     Status operator()(const ExplodeCommand& c) const {
         Status status;
-        for (const auto& [id, entity] : state.entities.all()) {
-            if (entity.description->type != BodyType::dynamic) continue;
-            const BodyState body = *state.world.body(entity.body);
+        for (const EntityId id : dynamic_within(c.center, c.radius)) {
+            const BodyState body = *state.world.body(state.entities.find(id)->body);
             const Vec3 away = body.center - c.center;
             const double distance = length(away);
             if (distance >= c.radius) continue;
             const double speed = c.speed * (1 - distance / c.radius);
             const Vec3 impulse = normalized(away) * (speed * body.mass);
-            if (Status pushed = state.world.apply_impulse(entity.body, impulse, body.center);
-                !pushed.ok())
-                status = from_solver(pushed);
+            if (Status pushed = push(body, impulse, body.center); !pushed.ok()) status = pushed;
         }
         return status;
     }
@@ -123,6 +131,47 @@ struct Apply {
     }
 
 private:
+    // However many pushes come, together they make nothing faster than the caps.
+    Status push(const BodyState& body, Vec3 impulse, Vec3 point) const {
+        if (Status s = state.world.apply_impulse(body.id, impulse, point); !s.ok())
+            return from_solver(s);
+        const BodyState pushed = *state.world.body(body.id);
+        const auto capped = [](Vec3 now, Vec3 before, double cap) {
+            const double most = std::max(cap, length(before)), size = length(now);
+            return size > most ? now * (most / size) : now;
+        };
+        const Vec3 v = capped(pushed.linear_velocity, body.linear_velocity, pushed_speed_max);
+        if (!(v == pushed.linear_velocity))
+            if (Status s = state.world.set_linear_velocity(body.id, v); !s.ok())
+                return from_solver(s);
+        const Vec3 w = capped(pushed.angular_velocity, body.angular_velocity, pushed_spin_max);
+        if (w == pushed.angular_velocity) return {};
+        return from_solver(state.world.set_angular_velocity(body.id, w));
+    }
+
+    // By the broad phase: who is far away costs nothing. In rising order.
+    std::vector<EntityId> dynamic_within(Vec3 center, double radius) const {
+        const Vec3 reach{radius, radius, radius};
+        const auto shapes =
+            state.world.queries().overlap_box({center - reach, center + reach}, {.triggers = true});
+        std::vector<EntityId> found;
+        if (!shapes.ok()) return found;
+        for (const ShapeId shape : *shapes) {
+            const EntityId id = state.entities.entity_of(state.world.shape(shape)->body);
+            if (state.entities.find(id)->description->type == BodyType::dynamic)
+                found.push_back(id);
+        }
+        std::ranges::sort(found);
+        found.erase(std::ranges::unique(found).begin(), found.end());
+        return found;
+    }
+
+    bool is_crowded(const SpawnCommand& c) const {
+        const auto shapes =
+            state.world.queries().overlap_shape(c.shape.geometry, compose(c.pose, c.shape.pose));
+        return shapes.ok() && shapes->size() > crowd_max;
+    }
+
     void remove(EntityId id) const {
         const BodyId body = state.entities.find(id)->body;
         forget_entity(state, id);

@@ -8,13 +8,14 @@
 #include "host/entity_registry.h"
 #include "host/grabs.h"
 #include "host/ownership.h"
+#include "host/scene_budget.h"
 #include "jostle/base/result.h"
 #include "jostle/physics/world.h"
 
 namespace jostle::server {
 
 struct HostLimits {
-    int bodies_max = 20000;     // of the whole world
+    SceneBudget scene;          // its bodies_max is of the whole world, later, too
     int bodies_owned_max = 50;  // of one client
 };
 

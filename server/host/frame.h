@@ -48,8 +48,9 @@ struct Frame {
     // frame before has the same bytes.
     std::vector<ModuleChunk> chunks;
     int awake = 0, contacts = 0;
-    double step_ms = 0;                        // of this tick
-    double step_ms_mean = 0, step_ms_max = 0;  // over the last second
+    double step_ms = 0;                        // of this tick: the solver alone
+    double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second
+    std::optional<std::string> paused;         // why the world does not step
     std::uint32_t late_ticks = 0;              // since the world began
 };
 

@@ -13,10 +13,7 @@ using namespace physics;
 
 Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                         const HostLimits& limits, int threads) {
-    if (static_cast<int>(scene.bodies.size()) > limits.bodies_max)
-        return Error{ErrorCode::invalid_argument,
-                     "the scene has " + std::to_string(scene.bodies.size()) +
-                         " bodies; this server allows " + std::to_string(limits.bodies_max)};
+    if (Status s = check_description(scene, limits.scene); !s.ok()) return s.error();
     if (scene.modules.size() > scenes::modules_max)  // WIRE.md promises clients so
         return Error{ErrorCode::invalid_argument,
                      "the scene has " + std::to_string(scene.modules.size()) +
@@ -24,11 +21,20 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                          " in a world"};
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
+    const Result<double> work = work_of(scene, built->world, limits.scene);
+    if (!work.ok()) return work.error();
+    // Then it is built anew: what is hosted begins at its beginning.
+    if (Status s = check_first_step(scene, std::move(built->world), limits.scene); !s.ok())
+        return s.error();
+    built = scenes::build_scene(scene);
+    if (!built.ok()) return built.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
     HostedWorld hosted({.world = std::move(built->world), .limits = limits});
+    hosted.work_per_second_ = *work;
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
+    hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
     follow_modules(hosted.state_, hosted.bodies_);
     return hosted;
 }

@@ -12,6 +12,7 @@
 
 #include "host/apply_action.h"
 #include "host/command.h"
+#include "host/export_scene.h"
 #include "host/frame.h"
 #include "host/module_chunks.h"
 #include "host/query_frame.h"
@@ -22,13 +23,17 @@ namespace jostle::server {
 
 class HostedWorld {
 public:
+    // resource_exhausted: the scene costs more than the limits allow.
     static Result<HostedWorld> create(const scenes::SceneDescription& scene,
                                       const HostLimits& limits, int threads);
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);
-    // Pulls what is held, then steps.
+    // Pulls what is held, then steps. `aborted`: it took too long and was told to end.
     Status step(double dt);
+    // Any thread: physics::World::stop_stepping().
+    void stop_stepping() { state_.world.stop_stepping(); }
+    void resume_stepping() { state_.world.resume_stepping(); }
     // Fills what a world knows of a frame; the host adds times.
     void copy_into(Frame& frame);
     // What happened in the last step; nothing when nothing did. Before the next command.
@@ -40,8 +45,14 @@ public:
         return chunks_.newly_too_large();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
+    // As it is now; `origin` is the scene that it was created of.
+    ExportedScene exported(const scenes::SceneDescription& origin) {
+        return export_scene(state_, origin, ids_);
+    }
 
     const physics::World& world() const { return state_.world; }
+    // As estimated when it was created (scene_budget.h).
+    double work_per_second() const { return work_per_second_; }
 
 private:
     explicit HostedWorld(HostedState state) : state_(std::move(state)) {}
@@ -49,6 +60,8 @@ private:
     Status accept_sequence(ClientId client, std::uint32_t sequence);
 
     HostedState state_;
+    SceneIds ids_;
+    double work_per_second_ = 0;
     ModuleChunks chunks_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told

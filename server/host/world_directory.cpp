@@ -7,10 +7,15 @@ namespace jostle::server {
 
 namespace {
 
-// "w" and digits: as a name it would hide the world that has, or will have, that id.
+constexpr std::size_t restarts_max = 3;  // within restart_span; after that it is given up
+constexpr auto restart_span = std::chrono::minutes(1);
+
+// "w" and digits, or these and "-" and more: as a name it would hide the world that has, or will
+// have, that id.
 bool looks_like_id(const std::string& name) {
-    return name.size() > 1 && name[0] == 'w' &&
-           name.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (name.size() < 2 || name[0] != 'w') return false;
+    const std::size_t end = name.find_first_not_of("0123456789", 1);
+    return end == std::string::npos || (end > 1 && name[end] == '-');
 }
 
 Status check_name(const std::string& name) {
@@ -29,7 +34,8 @@ Error name_taken(const std::string& name) {
 }  // namespace
 
 Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
-                                                          const scenes::SceneDescription& scene) {
+                                                          const scenes::SceneDescription& scene,
+                                                          const std::string& owner) {
     const std::string name = wanted.empty() ? scene.name : wanted;
     std::uint32_t number;
     {
@@ -40,23 +46,45 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wan
                          "the server holds " + std::to_string(worlds_max_) +
                              " worlds, the most allowed; delete one first"};
         if (Status s = check_name(name); !s.ok()) return s.error();
+        if (Status s = check_totals(scene.bodies.size(), 0); !s.ok()) return s.error();
         number = next_++;
         worlds_.emplace(number,
                         nullptr);  // holds the place while the world is built without the lock
     }
-    const std::string id = "w" + std::to_string(number);
-    auto host = WorldHost::start(id, name, scene, settings_);
+    const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
+    auto host = start({id, name, owner}, std::make_shared<const scenes::SceneDescription>(scene));
     const std::lock_guard lock(mutex_);
-    // Another call may have taken the name meanwhile.
-    if (!host.ok() || find_locked(name)) {
+    // Another call may have taken the name, or the room, meanwhile.
+    Status fits = host.ok() ? check_totals(0, (*host)->work_per_second()) : host.error();
+    if (fits.ok() && find_locked(name)) fits = name_taken(name);
+    if (!fits.ok()) {
         worlds_.erase(number);
-        if (!host.ok()) return host.error();
-        return name_taken(name);
+        return fits.error();
     }
     worlds_[number] = *host;
     log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", id, name, scene.name,
              scene.hz, scene.bodies.size());
     return host;
+}
+
+// With what is about to be added to what there is.
+Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
+    for (const auto& [number, world] : worlds_) {
+        if (!world) continue;
+        bodies += world->frame()->entities.size();
+        work += world->work_per_second();
+    }
+    const TotalLimits& totals = settings_.totals;
+    if (bodies > static_cast<std::size_t>(totals.bodies_max))
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would have " + std::to_string(bodies) +
+                         " bodies; world.bodies_total_max allows " +
+                         std::to_string(totals.bodies_max) + "; delete a world first"};
+    if (work > totals.work_per_second_max)
+        return Error{ErrorCode::resource_exhausted,
+                     "all worlds together would be more work than "
+                     "scene.work_total_per_second_max allows; delete a world first"};
+    return {};
 }
 
 std::shared_ptr<WorldHost> WorldDirectory::find_locked(const std::string& key) const {
@@ -90,6 +118,51 @@ std::shared_ptr<WorldHost> WorldDirectory::remove(const std::string& id_or_name)
     world->stop();
     log_info("world {} \"{}\" was deleted", world->id(), world->name());
     return world;
+}
+
+void WorldDirectory::restart_failed(Clock::time_point now) {
+    std::vector<std::pair<std::uint32_t, std::shared_ptr<WorldHost>>> failed;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [number, world] : worlds_)
+            if (world && world->failed()) failed.emplace_back(number, world);
+    }
+    for (const auto& [number, world] : failed) restart(number, world, now);
+}
+
+void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
+                             Clock::time_point now) {
+    std::vector<Clock::time_point>& before = restarts_[number];
+    std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
+    failed->stop();
+    Result<std::shared_ptr<WorldHost>> host =
+        before.size() < restarts_max ? start(failed->label(), failed->description())
+                                     : Error{ErrorCode::resource_exhausted, "it ended too often"};
+    before.push_back(now);
+    const std::lock_guard lock(mutex_);
+    const auto at = worlds_.find(number);
+    if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
+    if (host.ok()) {
+        at->second = *host;
+        if (settings_.metrics) settings_.metrics->world_restarts.Increment();
+        log_warn("world {} \"{}\" was started anew from its scene", failed->id(), failed->name());
+    } else {
+        worlds_.erase(at);
+        restarts_.erase(number);
+        log_error("world {} \"{}\" is given up: {}", failed->id(), failed->name(),
+                  host.error().message);
+    }
+}
+
+// Memory may not suffice: that refuses this world and ends nothing else.
+Result<std::shared_ptr<WorldHost>> WorldDirectory::start(
+    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const {
+    try {
+        return WorldHost::start(std::move(label), std::move(scene), settings_);
+    } catch (const std::exception& error) {
+        return Error{ErrorCode::resource_exhausted,
+                     std::string("the world cannot be built: ") + error.what()};
+    }
 }
 
 void WorldDirectory::stop_all() {

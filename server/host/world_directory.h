@@ -15,29 +15,44 @@ namespace jostle::server {
 
 class WorldDirectory {
 public:
-    WorldDirectory(WorldHostSettings settings, int worlds_max)
-        : settings_(std::move(settings)), worlds_max_(worlds_max) {}
+    // `process`: a word of letters and digits that tells this process's worlds from those of others
+    // behind the same address; it is the end of their ids.
+    WorldDirectory(WorldHostSettings settings, int worlds_max, std::string process = {})
+        : settings_(std::move(settings)), worlds_max_(worlds_max), process_(std::move(process)) {}
     ~WorldDirectory() { stop_all(); }
 
     // A world of that scene; an empty name takes the scene's. Errors: the name is taken or
     // looks like an id, the directory is full, the scene cannot be built.
+    // `owner`: the subject of whoever creates it; empty: the server itself.
     Result<std::shared_ptr<WorldHost>> create(const std::string& name,
-                                              const scenes::SceneDescription& scene);
+                                              const scenes::SceneDescription& scene,
+                                              const std::string& owner = {});
     // By id or name; empty: the first. Null when there is none.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
     // Stops the world; its clients notice. Null when there is none.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
     void stop_all();
+    // In the place of worlds that an error ended come new ones of the same scene, id and name. One
+    // that ends three times in a minute is given up. To be called now and then, from one thread.
+    void restart_failed(Clock::time_point now);
 
 private:
     std::shared_ptr<WorldHost> find_locked(const std::string& id_or_name) const;
 
+    Result<std::shared_ptr<WorldHost>> start(
+        WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene) const;
+    Status check_totals(std::size_t bodies, double work) const;
+    void restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
+                 Clock::time_point now);
+
     const WorldHostSettings settings_;
     const int worlds_max_;
+    const std::string process_;
     mutable std::mutex mutex_;
     std::map<std::uint32_t, std::shared_ptr<WorldHost>> worlds_;  // by number, "w1" is 1
     std::uint32_t next_ = 1;
+    std::map<std::uint32_t, std::vector<Clock::time_point>> restarts_;  // by number, the newest
 };
 
 }  // namespace jostle::server

@@ -18,29 +18,29 @@ struct WorldHost::Timer {
     asio::steady_timer due{io};
 };
 
-Result<std::shared_ptr<WorldHost>> WorldHost::start(std::string id, std::string name,
-                                                    const scenes::SceneDescription& scene,
-                                                    const WorldHostSettings& settings) {
+Result<std::shared_ptr<WorldHost>> WorldHost::start(
+    WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
+    const WorldHostSettings& settings) {
     Result<HostedWorld> world =
-        HostedWorld::create(scene, settings.limits, settings.physics_threads);
+        HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
-    std::shared_ptr<WorldHost> host(
-        new WorldHost(std::move(id), std::move(name), scene, settings, std::move(*world)));
-    return host;
+    return std::shared_ptr<WorldHost>(
+        new WorldHost(std::move(label), std::move(scene), settings, std::move(*world)));
 }
 
-WorldHost::WorldHost(std::string id, std::string name, const scenes::SceneDescription& scene,
+WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
                      const WorldHostSettings& settings, HostedWorld world)
-    : id_(std::move(id)),
-      name_(std::move(name)),
-      scene_(scene.name),
-      hz_(scene.hz),
-      gravity_(scene.world.gravity),
+    : label_(std::move(label)),
+      scene_(std::move(scene)),
+      hz_(scene_->hz),
+      work_per_second_(world.work_per_second()),
+      gravity_(scene_->world.gravity),
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
+      watch_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
-    recent_step_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
+    recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
     auto first = std::make_shared<Frame>();
     first->tick = tick_ = 1;
     first->due = Clock::now();
@@ -62,9 +62,51 @@ FramePtr WorldHost::frame() const {
 void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
     stopping_.store(true);
-    queries_.close();
+    world_.stop_stepping();
+    close_doors();
     timer_->io.stop();
     if (thread_.joinable()) thread_.join();
+}
+
+void WorldHost::leave(ClientId client, bool keep_bodies) {
+    const std::lock_guard lock(leave_mutex_);
+    leavers_.push_back({.client = client, .action = LeaveCommand{keep_bodies}, .reply = nullptr});
+}
+
+void WorldHost::pause(std::string reason) {
+    const std::lock_guard lock(pause_mutex_);
+    paused_ = std::move(reason);
+}
+
+void WorldHost::resume() {
+    {
+        const std::lock_guard lock(pause_mutex_);
+        paused_.reset();
+    }
+    steps_.withdraw();
+}
+
+void WorldHost::close_doors() {
+    queries_.close();
+    steps_.close();
+    watch_.close();
+    visits_.close();
+}
+
+std::optional<std::string> WorldHost::paused() const {
+    const std::lock_guard lock(pause_mutex_);
+    return paused_;
+}
+
+std::optional<Clock::time_point> WorldHost::tick_began() const {
+    const Clock::rep began = tick_began_.load(std::memory_order_relaxed);
+    if (began == 0) return std::nullopt;
+    return Clock::time_point(Clock::duration(began));
+}
+
+void WorldHost::interrupt(std::string reason) {
+    pause(std::move(reason));
+    world_.stop_stepping();
 }
 
 void WorldHost::run() {
@@ -83,10 +125,12 @@ void WorldHost::run() {
     try {
         timer_->io.run();
     } catch (const std::exception& error) {
-        log_error("world {} \"{}\" ends: {}", id_, name_, error.what());
+        log_error("world {} \"{}\" ends: {}", id(), name(), error.what());
+        failed_.store(true);
         stopping_.store(true);
-        queries_.close();
+        close_doors();
     }
+    tick_began_.store(0, std::memory_order_relaxed);
 }
 
 void WorldHost::tick(Clock::time_point due) {
@@ -101,29 +145,73 @@ QueryFramePtr WorldHost::query_frame(CopyParts parts) {
     return queries_.ask(parts);
 }
 
-// One tick of one world. Nothing outside this thread ever touches world_.
+// One tick of one world. Nothing outside this thread ever touches world_, but to stop its step.
 void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
+    const Clock::time_point began = Clock::now();
+    tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
+    watch_.begin_tick(began);
     tick_++;
-    commands_.drain_into(batch_);  // what was asked since the last tick, in order of arrival
-    results_.clear();
-    for (const Command& command : batch_) results_.push_back(world_.apply(command, tick_));
-    if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
-        record_events();
-        warn_of_quarantine();
-        warn_of_large_chunks();
-    } else if (!step_refused_) {
-        step_refused_ = true;  // said once; the world stands still but answers
-        log_error("world {}: step refused: {}", id_, stepped.error().message);
-    }
+    const std::optional<std::string> why = paused();
+    apply_commands(why);
+    const bool allowed = why && steps_.begin_step();
+    watch_.begin_step();
+    const bool stepped = (!why || allowed) && step(allowed);
     auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
     frame->late_ticks = late_ticks;
     frame->events = events_;
+    frame->paused = why;
     world_.copy_into(*frame);
-    measure(*frame);
+    if (!stepped) frame->step_ms = 0;
+    measure(*frame, began);
+    const FramePtr shown = frame;
     publish(std::move(frame));
     serve_queries();  // players first
+    steps_.end_tick();
+    visits_.admit(world_);
+    watch_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
+    tick_began_.store(0, std::memory_order_relaxed);
+}
+
+// What was asked since the last tick, in order of arrival; then who left. A leaver's own commands
+// were pushed before, so those who left are taken first.
+void WorldHost::apply_commands(const std::optional<std::string>& paused) {
+    {
+        const std::lock_guard lock(leave_mutex_);
+        leavers_taken_.swap(leavers_);
+    }
+    commands_.drain_into(batch_);
+    results_.clear();
+    for (const Command& command : batch_)
+        if (paused)
+            results_.push_back(
+                {.sequence = command.sequence,
+                 .status = Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused},
+                 .tick = tick_});
+        else
+            results_.push_back(world_.apply(command, tick_));
+    for (const Command& command : leavers_taken_) world_.apply(command, tick_);
+    leavers_taken_.clear();
+}
+
+bool WorldHost::step(bool allowed) {
+    world_.resume_stepping();
+    // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
+    if (stopping_ || (paused() && !allowed)) return false;
+    if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
+        record_events();
+        warn_of_quarantine();
+        warn_of_large_chunks();
+        return true;
+    } else if (stepped.error().code == ErrorCode::aborted) {
+        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
+                  paused().value_or("the world is being closed"));
+    } else if (!step_refused_) {
+        step_refused_ = true;  // said once; the world stands still but answers
+        log_error("world {}: step refused: {}", id(), stepped.error().message);
+    }
+    return false;
 }
 
 // Readers hold what they were given, so each tick with events makes a new list of the newest ones.
@@ -149,7 +237,7 @@ void WorldHost::warn_of_quarantine() {
         log_warn(
             "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
             "where it was, at rest",
-            id_, entity->id, entity->name);
+            id(), entity->id, entity->name);
 }
 
 void WorldHost::warn_of_large_chunks() {
@@ -158,7 +246,7 @@ void WorldHost::warn_of_large_chunks() {
             "world {}: the chunk of module \"{}\" has {} bytes; clients are sent {} at most, so it "
             "is "
             "left out of such ticks",
-            id_, tag, bytes, chunk_bytes_max);
+            id(), tag, bytes, chunk_bytes_max);
 }
 
 void WorldHost::serve_queries() {
@@ -166,12 +254,13 @@ void WorldHost::serve_queries() {
         queries_.put(world_.query_frame(tick_, parts));
 }
 
-void WorldHost::measure(Frame& frame) {
-    recent_step_ms_[recent_next_] = frame.step_ms;
-    recent_next_ = (recent_next_ + 1) % recent_step_ms_.size();
-    frame.step_ms_mean = std::accumulate(recent_step_ms_.begin(), recent_step_ms_.end(), 0.0) /
-                         static_cast<double>(recent_step_ms_.size());
-    frame.step_ms_max = *std::max_element(recent_step_ms_.begin(), recent_step_ms_.end());
+// The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
+void WorldHost::measure(Frame& frame, Clock::time_point began) {
+    recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
+    recent_next_ = (recent_next_ + 1) % recent_tick_ms_.size();
+    frame.tick_ms_mean = std::accumulate(recent_tick_ms_.begin(), recent_tick_ms_.end(), 0.0) /
+                         static_cast<double>(recent_tick_ms_.size());
+    frame.tick_ms_max = *std::max_element(recent_tick_ms_.begin(), recent_tick_ms_.end());
 }
 
 void WorldHost::publish(std::shared_ptr<Frame> frame) {

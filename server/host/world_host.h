@@ -15,30 +15,54 @@
 #include "base/bounded_queue.h"
 #include "host/hosted_world.h"
 #include "host/query_broker.h"
+#include "host/step_allowance.h"
 #include "host/tick_clock.h"
+#include "host/tick_watch.h"
+#include "host/world_visits.h"
 
 namespace jostle::server {
 
+// Of all worlds of a process together.
+struct TotalLimits {
+    int bodies_max = 60000;
+    double work_per_second_max = 4e8;  // as scene_budget.h estimates it
+};
+
 struct WorldHostSettings {
     HostLimits limits;
+    TotalLimits totals;
     int command_queue_max = 8192;
     int catch_up_max = 4;
     int physics_threads = 1;
     bool own_thread = true;  // false: it ticks only when tick() is called
     // Called on the world's thread after each frame; must only wake somebody.
     std::function<void()> on_frame;
+    Metrics* metrics = nullptr;  // null: nobody counts
+};
+
+struct WorldLabel {
+    std::string id, name;
+    std::string owner;  // subject of who created it; empty: the server itself
 };
 
 class WorldHost {
 public:
     // Builds the world on the calling thread, then starts its own.
+    static Result<std::shared_ptr<WorldHost>> start(
+        WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
+        const WorldHostSettings& settings);
     static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
                                                     const scenes::SceneDescription& scene,
-                                                    const WorldHostSettings& settings);
+                                                    const WorldHostSettings& settings) {
+        return start(WorldLabel{std::move(id), std::move(name), {}},
+                     std::make_shared<const scenes::SceneDescription>(scene), settings);
+    }
     ~WorldHost();
 
     // Any thread. False: the queue is full, the command was not taken.
     bool push(Command command) { return commands_.push(std::move(command)); }
+    // Any thread; never waits and is never refused: the world takes it after what the client sent.
+    void leave(ClientId client, bool keep_bodies);
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
@@ -49,32 +73,57 @@ public:
     void remove_event_listener() { event_listeners_--; }
     // Any thread: whether the world was stopped, or ended by an error that it could not survive.
     bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
-    // Ends the thread; the last frame stays readable.
+    // Any thread: ... by an error.
+    bool failed() const { return failed_.load(std::memory_order_relaxed); }
+    // Ends the thread, also in the midst of a long step; the last frame stays readable.
     void stop();
     // A world without a thread of its own, one thread at a time: the tick that was due then.
     void tick(Clock::time_point due);
 
-    const std::string& id() const { return id_; }
-    const std::string& name() const { return name_; }
-    const std::string& scene() const { return scene_; }
+    // Any thread. A paused world is seen and may be left, but does not step and takes no inputs.
+    void pause(std::string reason);
+    void resume();
+    std::optional<std::string> paused() const;  // why
+    // Any thread: what else operators do.
+    StepAllowance& steps() { return steps_; }
+    TickWatch& watch() { return watch_; }
+    WorldVisits& visits() { return visits_; }
+    // Any thread: nobody waits for this world any longer, and nobody is answered.
+    void close_doors();
+    // Any thread: when the tick that runs began; nothing between two ticks.
+    std::optional<Clock::time_point> tick_began() const;
+    // Any thread: the step that runs leaves out what it still can, and the world is paused.
+    void interrupt(std::string reason);
+
+    const WorldLabel& label() const { return label_; }
+    const std::string& id() const { return label_.id; }
+    const std::string& name() const { return label_.name; }
+    const std::string& owner() const { return label_.owner; }
+    const std::string& scene() const { return scene_->name; }
+    const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
     double hz() const { return hz_; }
+    double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
 
 private:
-    WorldHost(std::string id, std::string name, const scenes::SceneDescription& scene,
+    WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
               const WorldHostSettings& settings, HostedWorld world);
     void run();
     void tick_late(Clock::time_point due, std::uint32_t late_ticks);
+    void apply_commands(const std::optional<std::string>& paused);
+    // `allowed`: also when the world is paused. False: it took no step.
+    bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it.
     void publish(std::shared_ptr<Frame> frame);
-    void measure(Frame& frame);
+    void measure(Frame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
     void warn_of_large_chunks();
     void serve_queries();
 
-    const std::string id_, name_, scene_;
-    const double hz_;
+    const WorldLabel label_;
+    const std::shared_ptr<const scenes::SceneDescription> scene_;
+    const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
     const WorldHostSettings settings_;
 
@@ -82,17 +131,25 @@ private:
     std::uint32_t tick_ = 0;
     bool step_refused_ = false;
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
-    std::vector<Command> batch_;
+    std::vector<Command> batch_, leavers_taken_;
     std::vector<InputResult> results_;    // of batch_, one each
-    std::vector<double> recent_step_ms_;  // ring of the last second
+    std::vector<double> recent_tick_ms_;  // ring of the last second
     std::size_t recent_next_ = 0;
 
     BoundedQueue<Command> commands_;
+    std::mutex leave_mutex_;
+    std::vector<Command> leavers_;  // at most one of each client
+    mutable std::mutex pause_mutex_;
+    std::optional<std::string> paused_;
+    std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
     QueryBroker queries_;
+    StepAllowance steps_;
+    TickWatch watch_;
+    WorldVisits visits_;
     std::atomic<int> event_listeners_{0};
     mutable std::mutex frame_mutex_;
     FramePtr frame_;
-    std::atomic<bool> stopping_{false};
+    std::atomic<bool> stopping_{false}, failed_{false};
     std::mutex stop_mutex_;
     struct Timer;  // Asio's, kept out of this header
     std::unique_ptr<Timer> timer_;

@@ -7,10 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <thread>
 #include <utility>
 
+#include "base/address.h"
 #include "base/log.h"
+#include "base/text.h"
 #include "protocol/event_message.h"
 #include "protocol/server_message.h"
 
@@ -22,8 +23,8 @@ namespace {
 
 // Clients take messages of up to 4 MiB by default. A tick with more events than this is missed.
 constexpr std::size_t events_bytes_max = 1 << 20;
-// Messages to send that were not taken: beyond this the client does not read what it asks for.
-constexpr std::size_t waiting_max = 256;
+// Answers that were not taken: beyond this the client does not read what it asks for.
+constexpr std::size_t replies_max = 256;
 constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
@@ -42,7 +43,7 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
 
 }  // namespace
 
-ClientLink::ClientLink(PlayContext& context, std::string peer, Clock::time_point now)
+ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
     : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now) {}
 
 ClientLink::~ClientLink() {
@@ -100,38 +101,62 @@ void ClientLink::on_message(const Hello& hello, Clock::time_point now) {
                                         hello.protocol, protocol_version)},
                       now);
     }
-    const Result<std::shared_ptr<WorldHost>> world = world_for(hello, now);
+    const Result<std::shared_ptr<WorldHost>> world =
+        hello.ticket.empty() ? let_in(hello) : let_in_by_ticket(hello);
     if (!world.ok()) return refuse(world.error(), now);
     enter(*world, hello, now);
 }
 
-Result<std::shared_ptr<WorldHost>> ClientLink::world_for(const Hello& hello,
-                                                         Clock::time_point now) {
-    std::string wanted = hello.world;
-    if (!hello.ticket.empty()) {
-        const std::optional<std::string> id = context_.sessions.use_ticket(hello.ticket, now);
-        if (!id)
-            return Error{ErrorCode::unauthenticated,
-                         "the ticket is unknown, used or too old; ask JoinWorld for another"};
-        wanted = *id;
-    }
+Result<std::shared_ptr<WorldHost>> ClientLink::find_world(const std::string& wanted) const {
     std::shared_ptr<WorldHost> world = context_.worlds.find(wanted);
-    if (!world)
-        return Error{ErrorCode::not_found, wanted.empty()
-                                               ? "the server has no world"
-                                               : fmt::format("there is no world \"{}\"", wanted)};
+    if (world) return world;
+    return Error{ErrorCode::not_found, wanted.empty() ? "the server has no world"
+                                                      : "there is no world " + quoted(wanted)};
+}
+
+// By the token of the stream or of the hello, or as one who shows none.
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in(const Hello& hello) {
+    const Result<Identity> who =
+        hello.token.empty()
+            ? peer_.who
+            : context_.gate.identify({.bearer = hello.token, .address = peer_.address});
+    if (!who.ok()) return who.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+    if (!world.ok()) return world;
+    const Ask ask{peer_.call, asked_world(**world), peer_.address};
+    if (Status s = context_.gate.admit(*who, ask); !s.ok()) return s.error();
+    if (Status s = may_play(hello, *who, **world); !s.ok()) return s.error();
+    watch_.known_as(who->subject);
     return world;
+}
+
+Result<std::shared_ptr<WorldHost>> ClientLink::let_in_by_ticket(const Hello& hello) {
+    std::string named;
+    if (!hello.world.empty()) {
+        const Result<std::shared_ptr<WorldHost>> world = find_world(hello.world);
+        if (!world.ok()) return world.error();
+        named = (*world)->id();
+    }
+    const Result<Gate::Entry> entry =
+        context_.gate.redeem_ticket(hello.ticket, named, peer_.address);
+    if (!entry.ok()) return entry.error();
+    Result<std::shared_ptr<WorldHost>> world = find_world(entry->world_id);
+    if (!world.ok()) return world;
+    if (Status s = may_play(hello, entry->who, **world); !s.ok()) return s.error();
+    watch_.known_as(entry->who.subject);
+    return world;
+}
+
+Status ClientLink::may_play(const Hello& hello, const Identity& who, const WorldHost& world) const {
+    if (hello.spectator) return {};
+    return context_.gate.admit(who, {play_inputs, asked_world(world), peer_.address});
 }
 
 void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
                        Clock::time_point now) {
-    const std::optional<ClientId> client = context_.sessions.enter(world->id());
-    if (!client) {
-        return refuse(
-            Error{ErrorCode::resource_exhausted,
-                  fmt::format("the server is full: {} clients", context_.config.world.clients_max)},
-            now);
-    }
+    const Result<ClientId> client =
+        context_.sessions.enter(world->id(), network_of(peer_.address));
+    if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     feed_ = context_.feeds.feed_of(world);
     result_queue_ = std::make_shared<ResultQueue>();
@@ -159,8 +184,16 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .server_time_us = to_us(now),
          .gravity = world->gravity()}));
     snapshot_due_ = true;  // the first one goes out at once
-    log_info("client {} \"{}\" of {} joined world {}{}", client_, hello.name, peer_, world->id(),
-             hello.spectator ? " as a spectator" : "");
+    watch_.entered({.id = client_,
+                    .name = hello.name,
+                    .world_id = world->id(),
+                    .world_name = world->name(),
+                    .address = peer_.name,
+                    .spectator = hello.spectator,
+                    .since = now},
+                   *world);
+    log_info("client {} {} of {} joined world {}{}", client_, quoted(hello.name), peer_.name,
+             world->id(), hello.spectator ? " as a spectator" : "");
 }
 
 void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
@@ -212,16 +245,30 @@ void ClientLink::on_message(const Leave&, Clock::time_point now) {
 }
 
 void ClientLink::on_peer_closed(Clock::time_point now) {
-    waiting_.clear();
+    drop_waiting();
     if (!end_) finish({}, now);
+}
+
+void ClientLink::on_fault(Clock::time_point now) {
+    drop_waiting();
+    results_.clear();
+    finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
+}
+
+void ClientLink::on_pause(Clock::duration pause) {
+    begun_ += pause;
+    last_received_ += pause;
+    if (writing_since_) *writing_since_ += pause;
 }
 
 // --- how it ends ---
 
 void ClientLink::refuse(Error error, Clock::time_point now) {
     if (end_) return;
-    log_warn("{} was refused: {}", client_ ? fmt::format("client {} of {}", client_, peer_) : peer_,
+    log_warn("{} was refused: {}",
+             client_ ? fmt::format("client {} of {}", client_, peer_.name) : peer_.name,
              error.message);
+    watch_.refused(error.code);
     send(encode_notice(NoticeKind::refused, error.message));
     finish(std::move(error), now);
 }
@@ -236,12 +283,10 @@ void ClientLink::finish(Status status, Clock::time_point now) {
 
 void ClientLink::leave_world() {
     if (client_ == 0) return;
+    watch_.left();
     context_.sessions.leave(client_);
     if (wants_events_) feed_->host().remove_event_listener();
-    const Command leave{.client = client_,
-                        .action = LeaveCommand{context_.config.client.keep_bodies_after_leave}};
-    // A full queue empties within a tick. A world that stopped will never take it, and need not.
-    while (!feed_->host().stopped() && !feed_->host().push(leave)) std::this_thread::sleep_for(1ms);
+    feed_->host().leave(client_, context_.config.client.keep_bodies_after_leave);
     client_ = 0;
 }
 
@@ -263,18 +308,25 @@ void ClientLink::check_timeouts(Clock::time_point now) {
         }
         return;
     }
+    if (const auto why = watch_.kicked())
+        return refuse(Error{ErrorCode::permission_denied, "you were removed: " + *why}, now);
     if (now - last_received_ > from_seconds(limits.silence_seconds)) {
         return refuse(Error{ErrorCode::deadline_exceeded,
                             fmt::format("nothing heard for {:g} s; send an Ack or a Ping",
                                         limits.silence_seconds)},
                       now);
     }
+    if (feed_->host().failed()) {
+        const char* why = "a fault of the server ended the world; it starts anew from its scene";
+        send(encode_notice(NoticeKind::world_restarted, why));
+        return finish(Error{ErrorCode::unavailable, why}, now);
+    }
     if (feed_->host().stopped()) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }
-    if (waiting_.size() > waiting_max || results_.size() > results_max) {
-        waiting_.clear();
+    if (replies_waiting_ > replies_max || results_.size() > results_max) {
+        drop_waiting();
         refuse(Error{ErrorCode::resource_exhausted, "the client asks but does not read"}, now);
     }
 }
@@ -283,9 +335,22 @@ void ClientLink::check_timeouts(Clock::time_point now) {
 
 void ClientLink::send(std::string message) {
     waiting_.push_back({std::move(message), nullptr});
+    replies_waiting_++;
+}
+
+void ClientLink::drop_waiting() {
+    waiting_.clear();
+    replies_waiting_ = 0;
 }
 
 std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
+    std::optional<OutMessage> message = next_message(now);
+    if (message) watch_.sent(*message, now);
+    return message;
+}
+
+std::optional<OutMessage> ClientLink::next_message(Clock::time_point now) {
+    writing_since_.reset();
     check_timeouts(now);
     if (waiting_.empty() && feed_ && !end_) {
         if (const FramePtr frame = feed_->host().frame(); frame->tick != seen_tick_) {
@@ -300,12 +365,19 @@ std::optional<OutMessage> ClientLink::take_message(Clock::time_point now) {
     if (waiting_.empty()) return std::nullopt;
     OutMessage message = std::move(waiting_.front());
     waiting_.pop_front();
+    if (!message.shared) replies_waiting_--;
     return message;
 }
 
 void ClientLink::wait_for_write(Clock::time_point now) {
     write_waits_ = true;
+    if (!writing_since_) writing_since_ = now;
     check_timeouts(now);
+    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.silence_seconds))
+        refuse(Error{ErrorCode::resource_exhausted,
+                     fmt::format("nothing was read for {:g} s",
+                                 context_.config.stream.silence_seconds)},
+               now);
     if (feed_ && !end_) collect_results();
 }
 
@@ -318,6 +390,7 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
     }
     seen_tick_ = frame.tick;
     snapshot_due_ = snapshot_due_ || flow_->may_send(frame.tick, now);
+    watch_.saw_frame(*flow_, skipped_waiting_);
     collect_results();
 }
 
@@ -333,6 +406,7 @@ std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
     for (const InputResult& result : results_) {
         answered_sequence_ = std::max(answered_sequence_, result.sequence);
     }
+    watch_.answered(results_);
     OutMessage message{encode_input_results(results_), nullptr};
     results_.clear();
     return message;
@@ -373,6 +447,17 @@ std::optional<OutMessage> ClientLink::take_events() {
     return std::nullopt;
 }
 
+// Shapes before the bodies that have them, each once in a stream.
+void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
+    const auto messages = feed_->entity_list_change(entity_list_, entities);
+    for (const auto& geometry : messages->geometry) {
+        if (!told_geometry_.insert(geometry->id).second) continue;
+        for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
+    }
+    for (const SharedBytes& roster : messages->rosters) waiting_.push_back({{}, roster});
+    entity_list_ = entities;
+}
+
 // A change of the entity list comes before the first snapshot that needs it, so when there is one
 // it goes first, and the snapshot is made, of the then newest frame, when it has been taken.
 std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
@@ -380,11 +465,8 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= baselines_.last()) return std::nullopt;
     if (frame->entity_list != entity_list_) {
-        for (SharedBytes& bytes : feed_->entity_list_change(entity_list_, frame->entity_list)) {
-            waiting_.push_back({{}, std::move(bytes)});
-        }
-        entity_list_ = frame->entity_list;
-        if (!waiting_.empty()) return take_message(now);
+        tell_entities(frame->entity_list);
+        if (!waiting_.empty()) return next_message(now);
     }
     SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
     const Private own{.input_sequence = answered_sequence_,
@@ -395,6 +477,7 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     baselines_.on_sent(frame->tick);
     flow_->on_sent(frame->tick, now);
     OutMessage message{encode_snapshot_head(own, shared->size()), std::move(shared)};
+    watch_.sent_snapshot(message.size());
     return message;
 }
 

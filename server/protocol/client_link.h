@@ -12,6 +12,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,9 @@
 #include "host/result_queue.h"
 #include "jostle/base/result.h"
 #include "protocol/client_message.h"
+#include "protocol/link_watch.h"
 #include "protocol/out_message.h"
+#include "protocol/peer.h"
 #include "protocol/play_context.h"
 #include "replication/baseline_tracker.h"
 #include "session/admission.h"
@@ -30,8 +33,7 @@ namespace jostle::server {
 
 class ClientLink {
 public:
-    // `peer` is for the log.
-    ClientLink(PlayContext& context, std::string peer, Clock::time_point now);
+    ClientLink(PlayContext& context, Peer peer, Clock::time_point now);
     ~ClientLink();
     ClientLink(const ClientLink&) = delete;
     ClientLink& operator=(const ClientLink&) = delete;
@@ -42,6 +44,10 @@ public:
     void on_peer_closed(Clock::time_point now);
     // The transport met what it cannot take: a notice, then the end.
     void refuse(Error error, Clock::time_point now);
+    // A message could not be read or made by a fault of ours: nothing is sent any more.
+    void on_fault(Clock::time_point now);
+    // We did not listen for so long: that was not the client's silence.
+    void on_pause(Clock::duration pause);
 
     // The next message to write. Nothing: call again when a message arrived, a world has a new
     // frame or time passed.
@@ -54,6 +60,7 @@ public:
     // take_message() has nothing more.
     const std::optional<Status>& end() const { return end_; }
     Clock::time_point end_time() const { return end_time_; }
+    bool said_hello() const { return feed_ != nullptr; }
 
 private:
     void on_message(const Hello& hello, Clock::time_point now);
@@ -62,7 +69,10 @@ private:
     void on_message(const Ping& ping, Clock::time_point now);
     void on_message(const Leave& leave, Clock::time_point now);
 
-    Result<std::shared_ptr<WorldHost>> world_for(const Hello& hello, Clock::time_point now);
+    Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
+    Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
+    Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
+    Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
     void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
@@ -70,23 +80,28 @@ private:
 
     void check_timeouts(Clock::time_point now);
     void send(std::string message);
+    void drop_waiting();
     void finish(Status status, Clock::time_point now);
     void leave_world();
     void collect_results();
 
+    std::optional<OutMessage> next_message(Clock::time_point now);
     std::optional<OutMessage> take_results(Clock::time_point now);
     std::optional<OutMessage> take_stats(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
     std::optional<OutMessage> take_events();
+    void tell_entities(const std::shared_ptr<const EntityList>& entities);
     void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
-    const std::string peer_;
-    const Clock::time_point begun_;
+    LinkWatch watch_{context_};
+    const Peer peer_;
+    Clock::time_point begun_;
     Clock::time_point last_received_;
     std::optional<Status> end_;
     Clock::time_point end_time_{};
-    std::deque<OutMessage> waiting_;  // to send, not yet taken; bounded
+    std::deque<OutMessage> waiting_;   // to send, not yet taken
+    std::size_t replies_waiting_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
 
     // From here on: of a client that sent its Hello.
@@ -105,12 +120,14 @@ private:
 
     BaselineTracker baselines_;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
+    std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     bool wants_events_ = false;
     std::uint32_t event_cursor_ = 0;   // as RecentEvents counts; sent or missed
     std::uint32_t events_missed_ = 0;  // since the last that were sent
     std::uint32_t seen_tick_ = 0;      // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_waits_ = false;
+    std::optional<Clock::time_point> writing_since_;  // what the client does not take
     std::uint32_t skipped_waiting_ = 0;
 };
 

@@ -111,7 +111,8 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .name = hello.name(),
                                .snapshot_hz = hello.snapshot_hz(),
                                .spectator = hello.spectator(),
-                               .events = hello.events()}};
+                               .events = hello.events(),
+                               .token = hello.token()}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

@@ -25,6 +25,7 @@ struct Hello {
     std::uint32_t snapshot_hz = 0;  // 0: the world's rate
     bool spectator = false;
     bool events = false;
+    std::string token;
 };
 struct Ack {
     std::uint32_t frame = 0;

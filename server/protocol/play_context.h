@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// What all conversations of a server share: its settings, its worlds, who is connected, and what
-// each world's clients are sent alike. Outlives them. Any thread.
+// What all conversations of a server share: its settings, its worlds, who is connected, who may do
+// what, and what each world's clients are sent alike. Outlives them. Any thread.
 #pragma once
 
 #include <atomic>
 
 #include "config/config.h"
 #include "host/world_directory.h"
+#include "identity/gate.h"
 #include "protocol/world_feed.h"
+#include "session/client_records.h"
 #include "session/session_directory.h"
+#include "telemetry/rpc_metrics.h"
 
 namespace jostle::server {
 
@@ -17,9 +20,14 @@ struct PlayContext {
     const Config& config;
     WorldDirectory& worlds;
     SessionDirectory& sessions;
+    Gate& gate;
+    Metrics* metrics = nullptr;         // null: nobody counts
+    RpcMetrics* rpc_metrics = nullptr;  // likewise
     WorldFeeds feeds{};
-    std::atomic<bool> draining{false};  // no new clients; those who play are told
-    std::atomic<bool> closing{false};   // the drain is over: every conversation ends
+    ClientRecords records{};
+    std::atomic<bool> drain_asked{false};  // by an operator; the app begins it as on a signal
+    std::atomic<bool> draining{false};     // no new clients; those who play are told
+    std::atomic<bool> closing{false};      // the drain is over: every conversation ends
 };
 
 }  // namespace jostle::server

@@ -25,6 +25,10 @@ Error invalid(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
 
+Error no_longer_wanted() {
+    return {ErrorCode::deadline_exceeded, "the deadline passed while the answer was made"};
+}
+
 // What the solver says of a question: that it was asked wrongly. All else is our mistake.
 Error from_solver(const Error& error) {
     return error.code == ErrorCode::invalid_argument ? error
@@ -64,6 +68,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
         case v1::Shape::kMesh:
         case v1::Shape::kHeightField:
         case v1::Shape::kCompound:
+        case v1::Shape::kGeometry:
         case v1::Shape::KIND_NOT_SET:
             return invalid(
                 fmt::format("{} is {}; ask with a sphere, capsule, box, cylinder, cone or hull",
@@ -164,8 +169,8 @@ Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryF
 
 }  // namespace
 
-Status QueryControl::cast_rays(const v1::CastRaysRequest& request,
-                               v1::CastRaysResponse& response) const {
+Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
+                               const StillWanted& wanted) const {
     if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()))
         return invalid(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
@@ -180,6 +185,7 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request,
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const v1::Ray& ray : request.rays()) {
+        if (!wanted()) return no_longer_wanted();
         const physics::Ray cast{to_vector(ray.origin()), to_vector(ray.motion())};
         if (Status s = cast_one(cast, request.mode(), filter, *frame, *response.add_rays(), total);
             !s.ok())
@@ -189,7 +195,8 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request,
 }
 
 Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
-                                 v1::CastShapesResponse& response) const {
+                                 v1::CastShapesResponse& response,
+                                 const StillWanted& wanted) const {
     if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
         return invalid(
@@ -197,6 +204,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                         static_cast<int>(request.mode())));
     std::vector<physics::ShapeCast> casts;
     for (int i = 0; i < request.shapes_size(); i++) {
+        if (!wanted()) return no_longer_wanted();
         const std::string field = fmt::format("shapes[{}]", i);
         const v1::MovingShape& moving = request.shapes(i);
         const Result<physics::ShapeDef> shape = read_shape(moving.shape(), field + ".shape");
@@ -211,6 +219,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const physics::ShapeCast& cast : casts) {
+        if (!wanted()) return no_longer_wanted();
         v1::Hits& hits = *response.add_shapes();
         Status s =
             request.mode() == v1::HIT_MODE_ALL
@@ -221,8 +230,8 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
     return {};
 }
 
-Status QueryControl::overlap(const v1::OverlapRequest& request,
-                             v1::OverlapResponse& response) const {
+Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response,
+                             const StillWanted&) const {
     physics::ShapeDef shape;
     switch (request.what_case()) {
         case v1::OverlapRequest::kShape: {
@@ -256,7 +265,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request,
 }
 
 Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
-                                    v1::ClosestPointsResponse& response) const {
+                                    v1::ClosestPointsResponse& response, const StillWanted&) const {
     if (Status s = check_count("points", request.points_size(), points_max); !s.ok()) return s;
     if (Status s = check_number("max_distance", request.max_distance(), 0, coordinate_max); !s.ok())
         return s;
@@ -284,7 +293,8 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
     return {};
 }
 
-Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response) const {
+Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response,
+                           const StillWanted&) const {
     const CopyParts parts =
         (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
         (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |

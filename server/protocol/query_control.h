@@ -7,6 +7,8 @@
 
 #include <string>
 
+#include <functional>
+
 #include "jostle/base/result.h"
 #include "protocol/play_context.h"
 
@@ -25,17 +27,26 @@ class OverlapResponse;
 
 namespace jostle::server {
 
+using StillWanted = std::function<bool()>;
+
 class QueryControl {
 public:
+    static bool always() { return true; }
+
     explicit QueryControl(PlayContext& context) : context_(context) {}
 
-    Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response) const;
-    Status cast_shapes(const v1::CastShapesRequest& request,
-                       v1::CastShapesResponse& response) const;
-    Status overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response) const;
+    // Work of many parts asks between them whether the answer is still wanted.
+    Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
+                     const StillWanted& wanted = always) const;
+    Status cast_shapes(const v1::CastShapesRequest& request, v1::CastShapesResponse& response,
+                       const StillWanted& wanted = always) const;
+    Status overlap(const v1::OverlapRequest& request, v1::OverlapResponse& response,
+                   const StillWanted& wanted = always) const;
     Status closest_points(const v1::ClosestPointsRequest& request,
-                          v1::ClosestPointsResponse& response) const;
-    Status debug(const v1::DebugRequest& request, v1::DebugResponse& response) const;
+                          v1::ClosestPointsResponse& response,
+                          const StillWanted& wanted = always) const;
+    Status debug(const v1::DebugRequest& request, v1::DebugResponse& response,
+                 const StillWanted& wanted = always) const;
 
 private:
     PlayContext& context_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/server_message.h"
 
-#include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "protocol/message_head.h"
 #include "protocol/vector_message.h"
@@ -9,30 +8,6 @@
 namespace jostle::server {
 
 namespace {
-
-v1::BodyType to_message(physics::BodyType type) {
-    switch (type) {
-        case physics::BodyType::static_body:
-            return v1::BODY_TYPE_STATIC;
-        case physics::BodyType::kinematic:
-            return v1::BODY_TYPE_KINEMATIC;
-        case physics::BodyType::dynamic:
-            return v1::BODY_TYPE_DYNAMIC;
-    }
-    return v1::BODY_TYPE_UNSPECIFIED;
-}
-
-void set(v1::Entity& to, const EntityDescription& from) {
-    to.set_id(from.id);
-    to.set_type(to_message(from.type));
-    // Only what a viewer draws: where it is and how big. Density and material stay with the server.
-    for (const physics::ShapeState& shape : from.shapes)
-        scenes::write_outline(*to.add_shapes(), shape.geometry, shape.pose);
-    to.set_owner(from.owner);
-    if (from.color) to.set_color(*from.color);
-    to.set_name(from.name);
-    to.set_mass(from.mass);
-}
 
 v1::InputCode input_code_of(const Status& status) {
     if (status.ok()) return v1::INPUT_CODE_APPLIED;
@@ -58,6 +33,8 @@ v1::NoticeCode to_message(NoticeKind kind) {
             return v1::NOTICE_CODE_REFUSED;
         case NoticeKind::rate_limit:
             return v1::NOTICE_CODE_RATE_LIMIT;
+        case NoticeKind::world_restarted:
+            return v1::NOTICE_CODE_WORLD_RESTARTED;
     }
     return v1::NOTICE_CODE_UNSPECIFIED;
 }
@@ -82,12 +59,13 @@ std::string encode_welcome(const Welcome& from) {
     return message.SerializeAsString();
 }
 
-std::string encode_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
-                          std::span<const EntityId> removed) {
+std::string encode_geometry_part(const GeometryPiece& piece) {
     v1::ServerMessage message;
-    v1::Roster& roster = *message.mutable_roster();
-    for (const auto& entity : added) set(*roster.add_added(), *entity);
-    for (const EntityId id : removed) roster.add_removed(id);
+    v1::GeometryPart& part = *message.mutable_geometry();
+    part.set_id(piece.id);
+    part.set_part(piece.part);
+    part.set_parts(piece.parts);
+    part.set_data(piece.data.data(), piece.data.size());
     return message.SerializeAsString();
 }
 
@@ -119,8 +97,9 @@ std::string encode_world_stats(const Frame& frame, std::uint32_t clients) {
     stats.set_awake(static_cast<std::uint32_t>(frame.awake));
     stats.set_contacts(static_cast<std::uint32_t>(frame.contacts));
     stats.set_clients(clients);
-    stats.set_step_ms_mean(frame.step_ms_mean);
-    stats.set_step_ms_max(frame.step_ms_max);
+    stats.set_step_ms_mean(frame.tick_ms_mean);
+    stats.set_step_ms_max(frame.tick_ms_max);
+    stats.set_paused(frame.paused.value_or(""));
     stats.set_late_ticks(frame.late_ticks);
     return message.SerializeAsString();
 }

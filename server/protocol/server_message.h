@@ -26,11 +26,16 @@ struct Welcome {
     std::uint64_t server_time_us = 0;
     physics::Vec3 gravity;
 };
-enum class NoticeKind { draining, world_closed, refused, rate_limit };
+enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 
 std::string encode_welcome(const Welcome& welcome);
-std::string encode_roster(std::span<const std::shared_ptr<const EntityDescription>> added,
-                          std::span<const EntityId> removed);
+// One piece of a large shape.
+struct GeometryPiece {
+    std::uint64_t id = 0;
+    std::uint32_t part = 0, parts = 0;
+    std::string_view data;
+};
+std::string encode_geometry_part(const GeometryPiece& piece);
 std::string encode_input_results(std::span<const InputResult> results);
 std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
 std::string encode_world_stats(const Frame& frame, std::uint32_t clients);

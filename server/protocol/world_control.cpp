@@ -21,7 +21,9 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_awake(static_cast<std::uint32_t>(frame->awake));
     info.set_clients(static_cast<std::uint32_t>(sessions.clients_in(world.id())));
     info.set_tick(frame->tick);
-    info.set_step_ms_mean(frame->step_ms_mean);
+    info.set_step_ms_mean(frame->tick_ms_mean);
+    info.set_paused(world.paused().value_or(""));
+    info.set_owner(world.owner());
 }
 
 Error no_such_world(const std::string& world) {
@@ -67,17 +69,11 @@ Status WorldControl::get(const v1::GetWorldRequest& request, v1::GetWorldRespons
 }
 
 Status WorldControl::create(const v1::CreateWorldRequest& request,
-                            v1::CreateWorldResponse& response) {
+                            v1::CreateWorldResponse& response, const std::string& owner) {
     if (context_.draining) return going_down();
     const Result<scenes::SceneDescription> scene = scene_of(request);
     if (!scene.ok()) return scene.error();
-    const WorldLimits& limits = context_.config.world;
-    if (scene->bodies.size() > static_cast<std::size_t>(limits.bodies_max)) {
-        return Error{ErrorCode::resource_exhausted,
-                     fmt::format("the scene has {} bodies; at most {} are allowed",
-                                 scene->bodies.size(), limits.bodies_max)};
-    }
-    const auto world = context_.worlds.create(request.name(), *scene);
+    const auto world = context_.worlds.create(request.name(), *scene, owner);
     if (!world.ok()) return world.error();
     describe(*response.mutable_world(), **world, context_.sessions);
     return {};
@@ -90,7 +86,8 @@ Status WorldControl::remove(const v1::DeleteWorldRequest& request, v1::DeleteWor
     return {};
 }
 
-Status WorldControl::join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response) {
+Status WorldControl::join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response,
+                          const Identity& who, const std::string& address) {
     if (context_.draining) return going_down();
     const auto world = context_.worlds.find(request.world());
     if (!world) return no_such_world(request.world());
@@ -98,10 +95,12 @@ Status WorldControl::join(const v1::JoinWorldRequest& request, v1::JoinWorldResp
         return Error{ErrorCode::resource_exhausted, fmt::format("the server is full: {} clients",
                                                                 context_.config.world.clients_max)};
     }
+    Result<std::string> ticket = context_.gate.issue_ticket(who, world->id(), address);
+    if (!ticket.ok()) return ticket.error();
     describe(*response.mutable_world(), *world, context_.sessions);
     response.set_play_address(addresses_.grpc);
     response.set_websocket_url(addresses_.websocket);
-    response.set_ticket(context_.sessions.issue_ticket(world->id(), Clock::now()));
+    response.set_ticket(*std::move(ticket));
     return {};
 }
 

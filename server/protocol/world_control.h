@@ -39,9 +39,18 @@ public:
 
     Status list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
     Status get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
-    Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response);
+    // `owner`: the subject of whoever asks.
+    Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response,
+                  const std::string& owner);
     Status remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
-    Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response);
+    // The ticket is that of whoever asks, from that address.
+    Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response,
+                const Identity& who, const std::string& address);
+    // What a request is about, for the gate; null: there is no such world.
+    std::shared_ptr<WorldHost> find(const std::string& world) const {
+        return context_.worlds.find(world);
+    }
+    Gate& gate() const { return context_.gate; }
 
 private:
     PlayContext& context_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host/world_host.h"
+#include "protocol/roster_message.h"
 #include "replication/snapshot_cache.h"
 
 namespace jostle::server {
@@ -27,8 +28,8 @@ public:
 
     // The messages that take a client from one entity list to another; null `from`: it knows
     // nothing yet.
-    std::vector<SharedBytes> entity_list_change(const std::shared_ptr<const EntityList>& from,
-                                                const std::shared_ptr<const EntityList>& to);
+    std::shared_ptr<const RosterMessages> entity_list_change(
+        const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The fields of an Events message that all who asked for events share.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
@@ -37,12 +38,13 @@ private:
     struct EntityListChange {
         std::shared_ptr<const EntityList> from,
             to;  // held, so that no other entity list can have their address
-        std::vector<SharedBytes> messages;
+        std::shared_ptr<const RosterMessages> messages;
     };
 
     const std::shared_ptr<WorldHost> host_;
     SnapshotCache snapshots_;
     std::mutex mutex_;
+    GeometryTable geometry_;
     std::vector<EntityListChange> entity_list_changes_;  // the newest few
     std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;  // likewise
     FramePtr stats_frame_;

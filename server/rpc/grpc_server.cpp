@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "rpc/grpc_server.h"
 
-#include <grpcpp/ext/proto_server_reflection_plugin.h>
-#include <grpcpp/server_builder.h>
-#include <spdlog/fmt/fmt.h>
+#include <grpc/compression.h>
+#include <grpc/grpc.h>
+#include <grpcpp/resource_quota.h>
 
-#include <chrono>
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "grpc/health/v1/health.grpc.pb.h"
+#include "rpc/health_methods.h"
+#include "rpc/reflection.h"
+#include "rpc/tls_credentials.h"
 
 namespace jostle::server {
 
 namespace {
 
+// Of gRPC's own buffers; beyond it windows shrink. The connection table cuts who fills them.
+constexpr std::size_t buffers_max = 160u << 20;
+constexpr int message_bytes_max = 4 * 1024 * 1024;  // methods and play streams have limits of
+                                                    // their own
+constexpr int streams_per_connection_max = 100;
+constexpr int header_bytes_max = 8 * 1024;
+constexpr int handshake_ms = 5'000;  // from the connection to the first settings
 constexpr auto shutdown_patience = std::chrono::seconds(1);
+constexpr auto ask_period = std::chrono::milliseconds(500);
+constexpr auto unanswered_max = std::chrono::milliseconds(1500);
 
 // A peer that vanished without a word is noticed within half a minute; clients may ping every 10 s
 // or slower.
@@ -22,73 +38,149 @@ void set_keepalive(grpc::ServerBuilder& builder) {
     builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
 }
 
-std::string address_of(const std::string& host, std::uint16_t port) {
-    const bool is_ipv6 = host.find(':') != std::string::npos;
-    return is_ipv6 ? fmt::format("[{}]:{}", host, port) : fmt::format("{}:{}", host, port);
+void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
+    builder.SetResourceQuota(grpc::ResourceQuota("jostle").Resize(buffers_max));
+    builder.SetMaxReceiveMessageSize(message_bytes_max);
+    // A few bytes of a compressed request could become gigabytes; nobody compresses a small
+    // message.
+    builder.AddChannelArgument(GRPC_COMPRESSION_CHANNEL_ENABLED_ALGORITHMS_BITSET,
+                               1u << GRPC_COMPRESS_NONE);
+    builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, streams_per_connection_max);
+    builder.AddChannelArgument(GRPC_ARG_MAX_METADATA_SIZE, header_bytes_max);
+    builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, handshake_ms);
+    builder.AddChannelArgument(
+        GRPC_ARG_MAX_CONNECTION_IDLE_MS,
+        static_cast<int>(
+            std::chrono::duration_cast<std::chrono::milliseconds>(settings.idle_max).count()));
+    // What a client may send ahead of its reader; a window that grows with the speed of the line
+    // would let strangers fill ours.
+    builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+}
+
+// Whose calls are counted by their names.
+void announce(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
+    using enum RpcMetrics::Kind;
+    metrics.add(play_path, streaming);
+    for (const CallMethod& method : methods) {
+        const bool streams = method.work == CallWork::stream || method.work == CallWork::watch;
+        metrics.add(method.path, streams ? streaming : unary);
+    }
 }
 
 }  // namespace
 
-GrpcServer::GrpcServer(PlayContext& context, WorldControl& worlds, const QueryControl& queries,
-                       GrpcSettings settings)
+GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
+                       std::function<bool()> is_healthy, GrpcSettings settings)
     : context_(context),
       settings_(std::move(settings)),
-      world_service_(worlds),
-      query_service_(queries),
-      health_service_(
-          {"jostle.v1.PlayService", "jostle.v1.QueryService", "jostle.v1.WorldService"}) {}
+      front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
+             context.rpc_metrics),
+      acceptor_(settings_.connections, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
     stop();
 }
 
+std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
+                                                std::function<bool()> is_healthy) {
+    std::set<std::string> services{"jostle.v1.PlayService"};
+    for (const CallMethod& method : methods)
+        services.insert(method.path.substr(1, method.path.rfind('/') - 1));
+    std::vector<std::string> names(services.begin(), services.end());
+    const auto add = [&](std::vector<CallMethod> more) {
+        std::ranges::move(more, std::back_inserter(methods));
+    };
+    add(health_methods(
+        names, [this, is_healthy = std::move(is_healthy)] { return serving_ && is_healthy(); }));
+    names.insert(names.end(), {"grpc.health.v1.Health", "grpc.reflection.v1.ServerReflection",
+                               "grpc.reflection.v1alpha.ServerReflection"});
+    add(reflection_methods(std::move(names)));
+    if (context_.rpc_metrics) announce(methods, *context_.rpc_metrics);
+    return methods;
+}
+
 Status GrpcServer::start() {
-    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+    if (Status s = acceptor_.listen(settings_.host, settings_.port); !s.ok()) return s;
     grpc::ServerBuilder builder;
-    const std::string address = address_of(settings_.host, settings_.port);
-    int bound = 0;
-    builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &bound);
-    // Two servers on one port would each get some of the clients; the second should fail instead.
-    builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
-    builder.SetMaxReceiveMessageSize(settings_.message_bytes_max);
+    door_ = builder.experimental().AddExternalConnectionAcceptor(
+        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
+        server_credentials(settings_.certificates));
     set_keepalive(builder);
+    set_limits(builder, settings_);
     builder.RegisterService(&play_service_);
-    builder.RegisterService(&world_service_);
-    builder.RegisterService(&query_service_);
-    builder.RegisterService(&health_service_);
-    for (int i = 0; i < settings_.network_threads; ++i) {
-        shards_.push_back(
-            std::make_unique<PlayShard>(context_, play_service_, builder.AddCompletionQueue()));
-    }
+    builder.RegisterAsyncGenericService(&front_.service());
+    for (int i = 0; i < settings_.network_threads; ++i)
+        shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, acceptor_.table(),
+                                                      builder.AddCompletionQueue()));
+    auto front_queue = builder.AddCompletionQueue();
     server_ = builder.BuildAndStart();
-    if (!server_ || bound == 0) {
-        return Error{
-            ErrorCode::unavailable,
-            fmt::format(
-                "cannot listen on {} for gRPC: the port is taken or the address is not of this "
-                "machine; choose another with --listen HOST:PORT",
-                address)};
-    }
-    port_ = static_cast<std::uint16_t>(bound);
-    health_service_.set_serving(true);
+    if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
+    front_.start(std::move(front_queue), acceptor_.table());
     for (const auto& shard : shards_) shard->start();
+    serving_ = true;
+    answered_ = Clock::now().time_since_epoch().count();
+    asker_ = std::thread([this] { ask_itself(); });
+    acceptor_.start([this](int descriptor) {
+        grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
+        connection.fd = descriptor;
+        door_->HandleNewConnection(&connection);
+    });
     return {};
+}
+
+std::optional<std::string> GrpcServer::trouble(Clock::time_point now) const {
+    if (now - Clock::time_point(Clock::duration(answered_)) > unanswered_max)
+        return "gRPC does not answer";
+    if (!acceptor_.is_listening(now)) return "gRPC takes no connections";
+    return std::nullopt;
+}
+
+// Through gRPC and the front, by a transport that needs no descriptor: how many connections there
+// are is no matter of health.
+void GrpcServer::ask_itself() {
+    const auto health = grpc::health::v1::Health::NewStub(server_->InProcessChannel({}));
+    std::unique_lock lock(asker_mutex_);
+    do {
+        lock.unlock();
+        grpc::ClientContext call;
+        call.set_deadline(std::chrono::system_clock::now() + ask_period);
+        grpc::health::v1::HealthCheckResponse response;
+        if (health->Check(&call, {}, &response).ok())
+            answered_ = Clock::now().time_since_epoch().count();
+        lock.lock();
+    } while (!asker_wake_.wait_for(lock, ask_period, [this] { return !serving_; }));
 }
 
 void GrpcServer::wake() {
     for (const auto& shard : shards_) shard->wake();
 }
 
-void GrpcServer::drain() {
-    health_service_.set_serving(false);
+// gRPC's Shutdown() tells the connections at once, and returns when all calls have ended or the
+// patience has.
+void GrpcServer::drain(Clock::duration patience) {
+    if (!serving_.exchange(false) || !server_) return;
+    { const std::lock_guard lock(asker_mutex_); }
+    asker_wake_.notify_all();
+    if (asker_.joinable()) asker_.join();
+    acceptor_.close();
+    shutdown_ = std::thread([this, patience] {
+        // Those who watch our health are told first.
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        server_->Shutdown(std::chrono::system_clock::now() + patience + shutdown_patience);
+    });
 }
 
 void GrpcServer::stop() {
     if (stopped_) return;
     stopped_ = true;
-    // The shards still run: they take the ends of their streams off their queues.
-    if (server_) server_->Shutdown(std::chrono::system_clock::now() + shutdown_patience);
+    drain({});
+    // The shards and the front still run: they take the ends of their calls off their queues. Who
+    // drains with patience is not to wait any longer.
+    if (server_) grpc_server_cancel_all_calls(server_->c_server());
+    if (shutdown_.joinable()) shutdown_.join();
+    front_.stop();
     for (const auto& shard : shards_) shard->stop();
+    acceptor_.stop();
 }
 
 }  // namespace jostle::server

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace jostle::server {
 
@@ -13,12 +14,14 @@ constexpr auto housekeeping_period = std::chrono::milliseconds(20);
 // Calls that may arrive together before one of them has to wait for the thread.
 constexpr std::size_t calls_asked_for = 16;
 constexpr std::size_t streams_without_hello_max = 256;
+constexpr std::size_t streams_without_hello_of_address_max = 64;
 
 }  // namespace
 
 PlayShard::PlayShard(PlayContext& context, RawPlayService& service,
+                     const ConnectionTable& connections,
                      std::unique_ptr<grpc::ServerCompletionQueue> queue)
-    : context_(context), service_(service), queue_(std::move(queue)) {}
+    : context_(context), service_(service), connections_(connections), queue_(std::move(queue)) {}
 
 PlayShard::~PlayShard() {
     stop();
@@ -32,6 +35,14 @@ void PlayShard::start() {
 // The server's limit on clients counts those who said hello; this one bounds those who did not.
 std::size_t PlayShard::streams_max() const {
     return static_cast<std::size_t>(context_.config.world.clients_max) + streams_without_hello_max;
+}
+
+// Of those without a hello no address takes all the room.
+bool PlayShard::too_many_wait_from(const std::string& network) const {
+    const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
+        return !stream->link().said_hello() && stream->network() == network;
+    });
+    return static_cast<std::size_t>(same) >= streams_without_hello_of_address_max;
 }
 
 void PlayShard::ask_for_call() {
@@ -60,7 +71,8 @@ void PlayShard::stop() {
 }
 
 void PlayShard::run() {
-    Clock::time_point housekeeping = Clock::now() + housekeeping_period;
+    kept_ = Clock::now();
+    Clock::time_point housekeeping = kept_ + housekeeping_period;
     bool shut_down = false;
     for (;;) {
         // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
@@ -88,8 +100,7 @@ void PlayShard::run() {
             }
         }
         if (now >= housekeeping && !stopping_) {
-            advance_all(now);
-            drop_finished();
+            housekeep(now);
             housekeeping = now + housekeeping_period;
         }
     }
@@ -110,10 +121,9 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             waiting_.erase(at);
             if (!ok) return;  // the server is going down
             ask_for_call();
-            owned->begin(context_, now);
-            if (streams_.size() >= streams_max()) {
+            owned->begin(context_, connections_, now);
+            if (streams_.size() >= streams_max() || too_many_wait_from(owned->network()))
                 owned->link().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
-            }
             streams_.push_back(std::move(owned));
             stream_count_.store(streams_.size(), std::memory_order_relaxed);
             break;
@@ -128,6 +138,15 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             stream.on_finished();
             break;
     }
+}
+
+// Who was silent while we did not listen is not to blame.
+void PlayShard::housekeep(Clock::time_point now) {
+    const Clock::duration since = now - std::exchange(kept_, now);
+    if (since > pause_of_ours)
+        for (const auto& stream : streams_) stream->link().on_pause(since);
+    advance_all(now);
+    drop_finished();
 }
 
 // Each round begins with the next client: with many of them the last one waits longest, and that

@@ -22,8 +22,8 @@ namespace jostle::server {
 
 class PlayShard {
 public:
-    // The queue comes from the ServerBuilder that registered the service. Both outlive the shard.
-    PlayShard(PlayContext& context, RawPlayService& service,
+    // The queue comes from the ServerBuilder that registered the service. All outlive the shard.
+    PlayShard(PlayContext& context, RawPlayService& service, const ConnectionTable& connections,
               std::unique_ptr<grpc::ServerCompletionQueue> queue);
     ~PlayShard();
 
@@ -42,16 +42,20 @@ private:
     void run();
     void handle(PlayTag& tag, bool ok, Clock::time_point now);
     void advance_all(Clock::time_point now);
+    void housekeep(Clock::time_point now);
     void drop_finished();
     void ask_for_call();
     std::size_t streams_max() const;
+    bool too_many_wait_from(const std::string& network) const;
 
     PlayContext& context_;
     RawPlayService& service_;
+    const ConnectionTable& connections_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
-    std::size_t first_ = 0;  // whose write starts first this time
+    std::size_t first_ = 0;     // whose write starts first this time
+    Clock::time_point kept_{};  // when the house was kept last
     std::atomic<std::size_t> stream_count_{0};
     grpc::Alarm alarm_;
     std::mutex wake_mutex_;           // no alarm may be set on a queue that shuts down

@@ -2,8 +2,12 @@
 #include "rpc/play_stream.h"
 
 #include <chrono>
+#include <exception>
 #include <optional>
 
+#include "base/address.h"
+#include "base/log.h"
+#include "rpc/caller_identity.h"
 #include "rpc/message_bytes.h"
 #include "status/grpc_status.h"
 
@@ -20,8 +24,23 @@ PlayStream::PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& que
     service.RequestPlay(&context_, &stream_, &queue, &queue, &accepted_);
 }
 
-void PlayStream::begin(PlayContext& context, Clock::time_point now) {
-    link_ = std::make_unique<ClientLink>(context, context_.peer(), now);
+PlayStream::~PlayStream() {
+    if (meter_) meter_->calls--;
+}
+
+void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
+                       Clock::time_point now) {
+    const std::string peer = context_.peer();
+    network_ = network_of(address_of_grpc_peer(peer));
+    meter_ = connections.find(peer);
+    if (meter_) meter_->calls++;
+    metrics_ = context.rpc_metrics;
+    link_ = std::make_unique<ClientLink>(context,
+                                         Peer{.name = peer,
+                                              .address = address_of_grpc_peer(peer),
+                                              .call = "jostle.v1.PlayService/Play",
+                                              .who = identify(context_, context.gate)},
+                                         now);
     start_read();
 }
 
@@ -30,17 +49,31 @@ void PlayStream::start_read() {
     stream_.Read(&incoming_, &read_);
 }
 
+// Memory may run out while a message is read or made: this conversation ends and no other does.
+template <class Work>
+void PlayStream::guarded(Clock::time_point now, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        log_error("{}: {}", context_.peer(), error.what());
+        link_->on_fault(now);
+    }
+}
+
 void PlayStream::on_read(bool ok, Clock::time_point now) {
     reading_ = false;
-    if (!ok) {
-        // The client closed its half, or the connection is gone.
-        link_->on_peer_closed(now);
-    } else {
+    guarded(now, [&] {
+        if (!ok) {
+            // The client closed its half, or the connection is gone.
+            link_->on_peer_closed(now);
+            return;
+        }
+        if (meter_) meter_->consumed += incoming_.Length();
         copy_bytes(incoming_bytes_, incoming_);
         incoming_.Clear();
         link_->receive(incoming_bytes_, now);
         if (!link_->end()) start_read();
-    }
+    });
     advance(now);
 }
 
@@ -69,14 +102,18 @@ void PlayStream::advance(Clock::time_point now) {
         if (link_->end() && now >= link_->end_time() + last_write_patience) context_.TryCancel();
         return;
     }
-    if (std::optional<OutMessage> message = link_->take_message(now)) {
+    std::optional<OutMessage> message;
+    guarded(now, [&] { message = link_->take_message(now); });
+    if (message) {
         writing_ = true;
         stream_.Write(to_byte_buffer(*message), &wrote_);
         return;
     }
     if (const std::optional<Status>& end = link_->end()) {
         finishing_ = true;
-        stream_.Finish(to_grpc(*end), &finished_tag_);
+        const grpc::Status status = to_grpc(*end);
+        if (metrics_) metrics_->handled(play_path, status.error_code(), 0);
+        stream_.Finish(status, &finished_tag_);
     }
 }
 

@@ -14,10 +14,13 @@
 
 #include "jostle/v1/play.grpc.pb.h"
 #include "protocol/client_link.h"
+#include "rpc/connection_table.h"
 
 namespace jostle::server {
 
 using RawPlayService = v1::PlayService::WithRawMethod_Play<v1::PlayService::Service>;
+
+inline constexpr char play_path[] = "/jostle.v1.PlayService/Play";
 
 class PlayStream;
 
@@ -33,11 +36,12 @@ class PlayStream {
 public:
     // Asks gRPC for the next call; the accepted event tells that it came.
     PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue);
+    ~PlayStream();
     PlayStream(const PlayStream&) = delete;
     PlayStream& operator=(const PlayStream&) = delete;
 
     // A client is there: begins the conversation.
-    void begin(PlayContext& context, Clock::time_point now);
+    void begin(PlayContext& context, const ConnectionTable& connections, Clock::time_point now);
     void on_read(bool ok, Clock::time_point now);
     void on_wrote(bool ok, Clock::time_point now);
     void on_finished();
@@ -50,11 +54,14 @@ public:
 
     bool begun() const { return link_ != nullptr; }
     ClientLink& link() { return *link_; }  // only when begun
+    const std::string& network() const { return network_; }
     // Nothing is in flight and nothing will be: may be destroyed.
     bool over() const { return finished_ && !reading_ && !writing_; }
 
 private:
     void start_read();
+    template <class Work>
+    void guarded(Clock::time_point now, const Work& work);
 
     grpc::ServerContext context_;
     grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer> stream_;
@@ -63,6 +70,9 @@ private:
     PlayTag wrote_{this, PlayTag::Event::wrote};
     PlayTag finished_tag_{this, PlayTag::Event::finished};
     std::unique_ptr<ClientLink> link_;
+    std::shared_ptr<ConnectionMeter> meter_;
+    RpcMetrics* metrics_ = nullptr;
+    std::string network_;
     grpc::ByteBuffer incoming_;
     std::string incoming_bytes_;
     bool reading_ = false, writing_ = false, finishing_ = false, finished_ = false;

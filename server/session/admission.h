@@ -4,10 +4,10 @@
 // the entity exist, is it yours, how many do you own) is decided there.
 #pragma once
 
+#include "base/token_bucket.h"
 #include "config/config.h"
 #include "host/command.h"
 #include "jostle/base/result.h"
-#include "session/token_bucket.h"
 
 namespace jostle::server {
 

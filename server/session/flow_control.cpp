@@ -31,7 +31,10 @@ bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
         slowdown_ /= 2;
         clean_since_ = now;
     }
-    if (tick % static_cast<std::uint32_t>(divider()) != 0) return false;
+    if (tick % static_cast<std::uint32_t>(divider()) != 0) {
+        if (tick % static_cast<std::uint32_t>(divider_) == 0) slowed_++;
+        return false;
+    }
     if (in_flight() < window_) return true;
     skipped_++;
     hit_window(now);
@@ -68,6 +71,7 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::time_point now) {
 void FlowControl::update_window(Clock::duration round_trip) {
     const double rtt = std::chrono::duration<double>(round_trip).count();
     if (rtt > 0) {
+        rtt_s_ = rtt;
         // The minimum forgets slowly, so that a route that became longer is believed after a while.
         rtt_min_s_ = measured_ ? std::min(rtt, rtt_min_s_ * 1.001) : rtt;
         jitter_s_ = measured_ ? 0.95 * jitter_s_ + 0.05 * std::abs(rtt - rtt_min_s_) : 0;

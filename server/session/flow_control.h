@@ -29,6 +29,9 @@ public:
     int window() const { return window_; }
     int in_flight() const { return static_cast<int>(flights_.size()); }
     std::uint32_t skipped() const { return skipped_; }
+    // Snapshots that were not even tried, because the client did not keep up before.
+    std::uint32_t slowed() const { return slowed_; }
+    double round_trip_s() const { return rtt_s_; }  // of the last ack; 0: there was none
     int divider() const { return divider_ * slowdown_; }
 
 private:
@@ -43,10 +46,10 @@ private:
     double hz_;
     int divider_, slowdown_ = 1, window_;
     std::deque<Flight> flights_;
-    double rtt_min_s_ = 0, jitter_s_ = 0;
+    double rtt_s_ = 0, rtt_min_s_ = 0, jitter_s_ = 0;
     bool measured_ = false;
     bool blocked_ = false;  // the window is full, and that was counted
-    std::uint32_t skipped_ = 0;
+    std::uint32_t skipped_ = 0, slowed_ = 0;
     Clock::time_point last_hit_{}, clean_since_{};
 };
 

@@ -98,4 +98,40 @@ TEST_F(WorldViewTest, tags_without_end_are_refused) {
     EXPECT_TRUE(take(snapshot(12, 10, {{"m7", ""}, {"another", "x"}})));
 }
 
+TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
+    v1::Shape mesh;
+    for (int i = 0; i < 300; i++) mesh.mutable_mesh()->add_vertices()->set_x(i);
+    const std::string bytes = mesh.SerializeAsString();
+    v1::GeometryPart part;
+    part.set_id(77);
+    part.set_parts(2);
+    part.set_data(bytes.substr(0, 100));
+    EXPECT_TRUE(view.apply(part).ok());
+    v1::Shape named;
+    named.set_geometry(77);
+    EXPECT_EQ(view.outline_of(named), nullptr) << "half of it is not it";
+    part.set_part(1);
+    part.set_data(bytes.substr(100));
+    EXPECT_TRUE(view.apply(part).ok());
+    ASSERT_NE(view.outline_of(named), nullptr);
+    EXPECT_EQ(view.outline_of(named)->mesh().vertices_size(), 300);
+    v1::Shape ball;
+    ball.mutable_sphere()->set_radius(1);
+    EXPECT_EQ(view.outline_of(ball), &ball);
+}
+
+TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) {
+    v1::GeometryPart part;
+    part.set_id(77);
+    part.set_part(1);
+    part.set_parts(2);
+    const Status told = view.apply(part);
+    ASSERT_FALSE(told.ok());
+    EXPECT_EQ(told.error().message, "geometry 77: part 1 of 2 does not follow the one before");
+    part.set_part(0);
+    part.set_parts(1);
+    part.set_data("\xff no shape");
+    EXPECT_EQ(view.apply(part).error().message, "geometry 77: its bytes are no Shape");
+}
+
 }  // namespace jostle::client

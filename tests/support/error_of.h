@@ -13,5 +13,10 @@ inline Error error_of(const Status& status) {
     EXPECT_FALSE(status.ok()) << "an error was expected";
     return status.ok() ? Error{} : status.error();
 }
+template <class T>
+Error error_of(const Result<T>& result) {
+    EXPECT_FALSE(result.ok()) << "an error was expected";
+    return result.ok() ? Error{} : result.error();
+}
 
 }  // namespace jostle::test

@@ -82,6 +82,40 @@ TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
     EXPECT_EQ(*browser->end(), "1012");  // service restart
 }
 
+TEST(Lifecycle, operators_read_metrics_of_what_happens) {
+    ServerProcess server(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(server.runs());
+    const auto grpc = grpc_player(server.grpc_address());
+    const auto browser = websocket_player(server.http_port());
+    for (Player* player : {grpc.get(), browser.get()}) {
+        player->hello();
+        ASSERT_TRUE(player->wait_until(has_snapshot));
+    }
+    v1::GetWorldResponse world;
+    grpc::ClientContext known, unknown;
+    ASSERT_TRUE(world_service(server)->GetWorld(&known, {}, &world).ok());
+    v1::GetWorldRequest nowhere;
+    nowhere.set_world("nowhere");
+    EXPECT_FALSE(world_service(server)->GetWorld(&unknown, nowhere, &world).ok());
+    const auto has = [&](const char* line) {
+        return poke(server.admin_port(),
+                    "GET /metrics HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", line);
+    };
+    EXPECT_TRUE(has("jostle_clients{world=\"stack\"} 2\n"));
+    EXPECT_TRUE(has("jostle_connections{listener=\"http\"} 1\n"));
+    for (const char* code : {"OK", "NOT_FOUND"})
+        EXPECT_TRUE(has((std::string("grpc_server_handled_total{grpc_code=\"") + code +
+                         "\",grpc_method=\"GetWorld\",grpc_service=\"jostle.v1.WorldService\"} 1\n")
+                            .c_str()));
+    grpc->leave();
+    ASSERT_TRUE(grpc->wait_for_end());
+    EXPECT_TRUE(has("jostle_clients{world=\"stack\"} 1\n"));
+    EXPECT_TRUE(
+        has("grpc_server_handled_total{grpc_code=\"OK\",grpc_method=\"Play\",grpc_service="
+            "\"jostle.v1.PlayService\"} 1\n"));
+    EXPECT_FALSE(has("jostle_snapshots_sent_total 0\n"));
+}
+
 TEST(Lifecycle, health_is_asked_and_watched) {
     using grpc::health::v1::HealthCheckResponse;
     ServerProcess server(free_ports({"--scene", "stack"}));
@@ -143,6 +177,14 @@ TEST(Lifecycle, a_taken_port_is_a_clear_error) {
     ServerProcess web({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", http});
     EXPECT_EQ(web.wait(10s), 1);
     EXPECT_NE(web.log().find("cannot listen on " + http), std::string::npos) << web.log();
+    const std::string admin = "127.0.0.1:" + std::to_string(first.admin_port());
+    ServerProcess watched(free_ports({"--scene", "stack", "--admin", admin}));
+    EXPECT_EQ(watched.wait(10s), 1);
+    EXPECT_NE(watched.log().find("choose another with --admin HOST:PORT"), std::string::npos)
+        << watched.log();
+    ServerProcess unwatched(free_ports({"--scene", "stack", "--admin", ""}));
+    EXPECT_TRUE(unwatched.runs()) << unwatched.log();
+    EXPECT_EQ(unwatched.admin_port(), 0) << "nothing listens for operators";
     EXPECT_TRUE(first.runs());
 }
 

@@ -39,6 +39,10 @@ void PlayState::take(const v1::ServerMessage& message) {
             welcome = message.welcome();
             client_id = welcome.client_id();
             break;
+        case v1::ServerMessage::kGeometry:
+            if (message.geometry().part() + 1 == message.geometry().parts())
+                geometry.insert(message.geometry().id());
+            break;
         case v1::ServerMessage::kRoster:
             take(message.roster());
             break;
@@ -73,6 +77,9 @@ void PlayState::take(const v1::Roster& roster) {
                                             ", which the client never heard of");
     }
     for (const v1::Entity& entity : roster.added()) {
+        for (const v1::Shape& shape : entity.shapes())
+            expect(!shape.has_geometry() || geometry.contains(shape.geometry()),
+                   "a roster names a geometry that was not told before");
         expect(entities.emplace(entity.id(), entity).second,
                "a roster adds entity " + std::to_string(entity.id()) + " twice");
     }

@@ -32,6 +32,7 @@ public:
     std::uint32_t skipped = 0;                         // as the server tells
     std::vector<double> ages_ms;                       // of each snapshot when it was decoded
     std::map<std::uint32_t, std::uint32_t> crc_of;     // by frame
+    std::set<std::uint64_t> geometry;                  // told
     std::map<std::uint32_t, v1::Entity> entities;      // as the rosters say
     std::map<std::uint32_t, v1::InputResult> results;  // by sequence
     std::vector<v1::Notice> notices;

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -47,6 +48,8 @@ ServerProcess::ServerProcess(std::vector<std::string> flags, bool wait_for_ports
     folder_ = name;
     flags.insert(flags.begin(), JOSTLE_SERVER);
     flags.insert(flags.end(), {"--port-file", folder_ + "/ports.json"});
+    if (std::find(flags.begin(), flags.end(), "--admin") == flags.end())
+        flags.insert(flags.end(), {"--admin", "127.0.0.1:0"});
     pid_ = fork();
     if (pid_ == 0) become_server(flags, folder_ + "/log");
     if (!wait_for_ports) return;
@@ -67,7 +70,8 @@ ServerProcess::~ServerProcess() {
 
 bool ServerProcess::read_ports() {
     const std::string text = text_of(folder_ + "/ports.json");
-    return std::sscanf(text.c_str(), "{\"grpc\": %d, \"http\": %d}", &grpc_port_, &http_port_) == 2;
+    return std::sscanf(text.c_str(), "{\"grpc\": %d, \"http\": %d, \"admin\": %d", &grpc_port_,
+                       &http_port_, &admin_port_) >= 2;
 }
 
 bool ServerProcess::runs() {

@@ -14,7 +14,7 @@ namespace jostle::test {
 
 class ServerProcess {
 public:
-    // Starts the program; with `wait_for_ports` returns when both ports are bound, or when the
+    // Starts the program; with `wait_for_ports` returns when its ports are bound, or when the
     // program ended.
     explicit ServerProcess(std::vector<std::string> flags, bool wait_for_ports = true);
     ~ServerProcess();  // kills what still runs
@@ -24,6 +24,7 @@ public:
     bool runs();
     int grpc_port() const { return grpc_port_; }
     int http_port() const { return http_port_; }
+    int admin_port() const { return admin_port_; }
     std::string grpc_address() const { return "127.0.0.1:" + std::to_string(grpc_port_); }
 
     void signal(int number);
@@ -38,7 +39,7 @@ private:
     pid_t pid_ = -1;
     std::optional<int> status_;
     std::string folder_;
-    int grpc_port_ = 0, http_port_ = 0;
+    int grpc_port_ = 0, http_port_ = 0, admin_port_ = 0;
 };
 
 }  // namespace jostle::test

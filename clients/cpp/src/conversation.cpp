@@ -56,6 +56,12 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
             stats_.connected = true;
             stats_.client_id = message_.welcome().client_id();
             break;
+        case v1::ServerMessage::kGeometry:
+            if (const Status told = view_.apply(message_.geometry()); !told.ok()) {
+                stats_.decode_errors++;
+                stats_.last_error = told.error().message;
+            }
+            break;
         case v1::ServerMessage::kRoster:
             view_.apply(message_.roster());
             break;

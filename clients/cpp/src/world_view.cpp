@@ -10,6 +10,35 @@ void WorldView::begin(const v1::Welcome& welcome) {
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
     frames_.clear();
     entities_.clear();
+    geometry_.clear();
+    unfinished_ = {};
+}
+
+Status WorldView::apply(const v1::GeometryPart& part) {
+    const auto failed = [&](const std::string& why) {
+        unfinished_ = {};
+        return Error{ErrorCode::corrupt_data, "geometry " + std::to_string(part.id()) + ": " + why};
+    };
+    if (part.part() == 0) unfinished_ = {.id = part.id(), .next = 0, .bytes = {}};
+    if (part.id() != unfinished_.id || part.part() != unfinished_.next ||
+        part.part() >= part.parts())
+        return failed("part " + std::to_string(part.part()) + " of " +
+                      std::to_string(part.parts()) + " does not follow the one before");
+    if (unfinished_.bytes.size() + part.data().size() > geometry_bytes_max)
+        return failed("it has more than " + std::to_string(geometry_bytes_max) + " bytes");
+    unfinished_.bytes += part.data();
+    if (++unfinished_.next < part.parts()) return {};
+    v1::Shape shape;
+    if (!shape.ParseFromString(unfinished_.bytes)) return failed("its bytes are no Shape");
+    geometry_[part.id()] = std::move(shape);
+    unfinished_ = {};
+    return {};
+}
+
+const v1::Shape* WorldView::outline_of(const v1::Shape& shape) const {
+    if (shape.kind_case() != v1::Shape::kGeometry) return &shape;
+    const auto known = geometry_.find(shape.geometry());
+    return known == geometry_.end() ? nullptr : &known->second;
 }
 
 void WorldView::apply(const v1::Roster& roster) {

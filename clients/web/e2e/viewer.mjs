@@ -56,7 +56,7 @@ function expect(holds, what) {
 
 const process_ = spawn(
   server,
-  ['--scene', 'sandbox', '--scene', 'hovercraft', '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--web-root', webRoot, '--port-file', portFile],
+  ['--scene', 'sandbox', '--scene', 'hovercraft', '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--admin', '127.0.0.1:0', '--web-root', webRoot, '--port-file', portFile],
   { stdio: ['ignore', 'inherit', 'inherit'] },
 );
 let browser;

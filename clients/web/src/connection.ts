@@ -5,6 +5,7 @@ import { ClockSync, nowUs } from './clock';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
+import { LargeShapes } from './large_shapes';
 import { changeChunks } from './module_chunks';
 import {
   AckSchema,
@@ -70,6 +71,7 @@ export class Connection {
   world = '';
   state: State = 'stopped';
 
+  private readonly largeShapes = new LargeShapes();
   private eventsWanted = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
@@ -199,6 +201,9 @@ export class Connection {
     switch (message.case) {
       case 'welcome':
         return this.onWelcome(message.value);
+      case 'geometry':
+        if (!this.largeShapes.add(message.value)) this.comeBack('the server sent a shape that this viewer cannot read');
+        return;
       case 'roster':
         return this.onEntityList(message.value);
       case 'snapshot':
@@ -237,6 +242,7 @@ export class Connection {
     this.delay.reset();
     this.clock.reset();
     this.entities.clear();
+    this.largeShapes.clear();
     this.inputs = [];
     this.nextSequence = 1;
     this.needKeyframe = this.ackDue = false;
@@ -248,7 +254,10 @@ export class Connection {
 
   private onEntityList(change: Roster): void {
     for (const id of change.removed) this.entities.delete(id);
-    for (const entity of change.added) this.entities.set(entity.id, entity);
+    for (const entity of change.added) {
+      this.largeShapes.fillIn(entity);
+      this.entities.set(entity.id, entity);
+    }
     this.events.entityList(this.entities);
   }
 

@@ -3,6 +3,15 @@
 const words = new Uint32Array(2);
 const number = new Float64Array(words.buffer);
 
+const known = new WeakMap<object, string>();
+
+/** The key of what never changes: made once, however many bodies have it. */
+export function keyOf(content: object, make: () => string): string {
+  let key = known.get(content);
+  if (key === undefined) known.set(content, (key = make()));
+  return key;
+}
+
 /** 64 bits of hash and the count: alike for alike content; for different content alike by a chance of 1 in 10^19. */
 export function contentKey(kind: string, ...lists: Iterable<number>[]): string {
   let a = 0x811c9dc5;

@@ -2,7 +2,7 @@
 // meshes and height fields bring a geometry of their own.
 
 import * as THREE from 'three';
-import { contentKey } from './content_key';
+import { contentKey, keyOf } from './content_key';
 import { fieldGeometry, hullGeometry, meshGeometry } from './facets';
 import type { Hull, Mesh, Shape } from './gen/jostle/v1/scene_pb';
 
@@ -80,16 +80,18 @@ export function partsOf(shape: Shape, inside = new THREE.Matrix4()): ShapePart[]
     }
     case 'hull': {
       const hull = shape.kind.value;
-      return own('hull', contentKey('hull', coordinates(hull.points)), () => hullGeometry(hull));
+      return own('hull', keyOf(hull, () => contentKey('hull', coordinates(hull.points))), () => hullGeometry(hull));
     }
     case 'mesh': {
       const mesh = shape.kind.value;
-      return own('mesh', contentKey('mesh', coordinates(mesh.vertices), mesh.indices), () => meshGeometry(mesh));
+      const key = keyOf(mesh, () => contentKey('mesh', coordinates(mesh.vertices), mesh.indices));
+      return own('mesh', key, () => meshGeometry(mesh));
     }
     case 'heightField': {
       const field = shape.kind.value;
       const grid = [field.columns, field.rows, field.spacingX, field.spacingZ];
-      return own('field', contentKey('field', grid, field.heights, field.holes), () => fieldGeometry(field));
+      const key = keyOf(field, () => contentKey('field', grid, field.heights, field.holes));
+      return own('field', key, () => fieldGeometry(field));
     }
     case 'compound':
       return shape.kind.value.children.flatMap((child) => partsOf(child, frame));

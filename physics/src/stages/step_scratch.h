@@ -4,6 +4,8 @@
 // state: never saved, never hashed. A stage's header says what it leaves here for a later one.
 #pragma once
 
+#include <atomic>
+
 #include "stages/contacts/contact_scratch.h"
 #include "stages/continuous/continuous_scratch.h"
 #include "stages/finalize/finalize_scratch.h"
@@ -11,10 +13,13 @@
 #include "stages/pairs/pair_scratch.h"
 #include "stages/sleep/sleep_scratch.h"
 #include "stages/solver/solver_scratch.h"
+#include "stages/step_context.h"
 
 namespace jostle::physics {
 
 struct StepScratch {
+    // Set by any thread: what remains of the step does without sub-steps and sweeps.
+    std::atomic<bool> stopped{false};
     PairScratch pairs;
     ContactScratch contacts;
     IslandScratch islands;
@@ -23,5 +28,10 @@ struct StepScratch {
     ContinuousScratch continuous;
     SleepScratch sleep;
 };
+
+// Whoever drives a stage asks between its rounds; the threads that help it are told by it.
+inline bool is_stopped(const StepContext& step) {
+    return step.scratch.stopped.load(std::memory_order_relaxed);
+}
 
 }  // namespace jostle::physics

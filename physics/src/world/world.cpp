@@ -55,13 +55,24 @@ private:
 Status World::step(double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
     if (Status s = check_not_stepping(*state_, "step it"); !s.ok()) return s;
+    const auto stopped = [&] {
+        return Error{ErrorCode::aborted, "stepping was stopped; resume_stepping() allows it again"};
+    };
+    if (scratch_->stopped) return stopped();
     const ListenerStore& listeners = state_->listeners;
     const FpModeScope fp_mode;  // of listeners too
     const SteppingScope stepping(state_->listeners, *this);
     for (const auto& entry : listeners.order) entry.listener->before_step(*this, dt);
     step_world(*state_, *scratch_, dt);
     for (const auto& entry : listeners.order) entry.listener->after_step(*this, dt);
+    if (scratch_->stopped) return stopped();
     return {};
+}
+void World::stop_stepping() {
+    scratch_->stopped = true;
+}
+void World::resume_stepping() {
+    scratch_->stopped = false;
 }
 double World::time() const {
     return state_->time;

@@ -30,6 +30,13 @@ TEST(ConfigLoader, a_file_changes_what_it_names_and_nothing_else) {
     EXPECT_TRUE(check(config).ok());
 }
 
+TEST(ConfigLoader, the_operators_port_may_be_none_and_is_else_an_address) {
+    EXPECT_EQ(error_of("admin = \"\"\n"), "");
+    EXPECT_EQ(error_of("admin = \"0.0.0.0:9000\"\n"), "");
+    const std::string wrong = error_of("admin = \"here\"\n");
+    EXPECT_NE(wrong.find("admin: \"here\" is no HOST:PORT"), std::string::npos) << wrong;
+}
+
 TEST(ConfigLoader, mistakes_name_file_and_key) {
     const std::string unknown = error_of("[client]\nbodies_max = 3\n");
     EXPECT_NE(unknown.find("test.toml"), std::string::npos) << unknown;
@@ -75,6 +82,10 @@ TEST(Config, the_example_file_holds_the_defaults) {
     config.client.bodies_owned_max = 99;
     config.world.clients_max = 99;
     config.stream.silence_seconds = 99;
+    config.insecure = true;
+    config.tls = {"a", "b", "c"};
+    config.auth = {"a", "b", "c", "viewer", 99, "d"};
+    config.quota = {99, 99, 99, 99, 99, 99, 999};
     const auto loaded = load_config(config, EXAMPLE_CONFIG);
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     const Config expected;
@@ -88,6 +99,10 @@ TEST(Config, the_example_file_holds_the_defaults) {
     EXPECT_EQ(config.tick.catch_up_max, expected.tick.catch_up_max);
     EXPECT_EQ(config.stream.silence_seconds, expected.stream.silence_seconds);
     EXPECT_EQ(config.stream.ack_window_max, expected.stream.ack_window_max);
+    EXPECT_EQ(config.insecure, expected.insecure);
+    EXPECT_EQ(config.tls, expected.tls);
+    EXPECT_EQ(config.auth, expected.auth);
+    EXPECT_EQ(config.quota, expected.quota);
 }
 
 }  // namespace

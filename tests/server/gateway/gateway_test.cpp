@@ -5,6 +5,8 @@
 
 #include <thread>
 
+#include "gateway/http_routes.h"
+
 namespace jostle::server {
 
 // A timer that was due at the moment of stopping once began anew and kept the thread for ever. Its
@@ -13,12 +15,15 @@ TEST(GatewayTest, stops_at_any_moment_of_its_housekeeping) {
     const Config config;
     SessionDirectory sessions(10);
     WorldDirectory worlds({}, 1);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control(context);
     const QueryControl queries(context);
-    const HttpRoutes routes(
-        control, queries,
-        {.web_root = ".", .allowed_origins = {}, .is_ready = [] { return true; }});
+    const HttpRoutes routes(control, queries,
+                            {.web_root = ".",
+                             .allowed_origins = {},
+                             .is_draining = [] { return false; },
+                             .trouble = [] { return std::nullopt; }});
     for (int i = 0; i < 60; i++) {
         Gateway gateway(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_TRUE(gateway.start().ok());

@@ -29,6 +29,7 @@ protected:
         return nlohmann::json::parse(response.body).at("code");
     }
 
+    std::optional<std::string> trouble;
     Config config = [] {
         Config c;
         c.world.worlds_max = 2;
@@ -36,14 +37,16 @@ protected:
     }();
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control{context};
     QueryControl queries{context};
     HttpRoutes routes{control,
                       queries,
                       {.web_root = "/nonexistent",
                        .allowed_origins = {"https://play.example.org"},
-                       .is_ready = [this] { return !context.draining.load(); }}};
+                       .is_draining = [this] { return context.draining.load(); },
+                       .trouble = [this] { return trouble; }}};
 };
 
 TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
@@ -156,6 +159,11 @@ TEST_F(HttpRoutesTest, questions_that_cannot_be_answered_say_why) {
 }
 
 TEST_F(HttpRoutesTest, health_follows_the_server) {
+    trouble = "a tick hangs";
+    EXPECT_EQ(ask("GET", "/healthz").status, 503);
+    EXPECT_EQ(ask("GET", "/healthz").body, "a tick hangs\n");
+    EXPECT_EQ(ask("GET", "/readyz").status, 503);
+    trouble.reset();
     EXPECT_EQ(ask("GET", "/healthz").status, 200);
     EXPECT_EQ(ask("GET", "/readyz").status, 200);
     context.draining = true;

@@ -44,7 +44,7 @@ protected:
     }
 
     HostedWorld world = std::move(*HostedWorld::create(
-        *scenes::find_scene("stack"), {.bodies_max = 20, .bodies_owned_max = 3}, 1));
+        *scenes::find_scene("stack"), {.scene = {.bodies_max = 20}, .bodies_owned_max = 3}, 1));
     std::uint32_t sequence = 0, tick = 7;
 };
 
@@ -168,6 +168,42 @@ TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
     EXPECT_EQ(bytes[4], std::byte{1});
     EXPECT_EQ(three.chunks[0].bytes, two.chunks[0].bytes);
     EXPECT_NE(four.chunks[0].bytes, two.chunks[0].bytes);
+}
+
+TEST_F(HostedWorldTest, however_many_impulses_come_a_body_gets_no_faster_than_50) {
+    const EntityId ball = spawn(1, 40);
+    step();
+    for (int i = 0; i < 100; i++) {
+        const InputResult pushed = apply(
+            1, ImpulseCommand{.entity = ball, .impulse = {1e6, 0, 0}, .point = physics::Vec3{5, 40.3, 0}});
+        ASSERT_TRUE(pushed.status.ok()) << pushed.status.error().message;
+    }
+    std::vector<physics::BodyState> bodies;
+    world.world().copy_bodies(bodies);
+    double fastest = 0, spin = 0;
+    for (const physics::BodyState& body : bodies) {
+        fastest = std::max(fastest, length(body.linear_velocity));
+        spin = std::max(spin, length(body.angular_velocity));
+    }
+    EXPECT_NEAR(fastest, 50, 1e-9);
+    EXPECT_LE(spin, 60 + 1e-9);
+}
+
+TEST(HostedWorld, bodies_in_one_place_end_where_it_is_crowded) {
+    HostedWorld world = std::move(*HostedWorld::create(*scenes::find_scene("stack"), {}, 1));
+    int spawned = 0;
+    InputResult last;
+    for (std::uint32_t i = 1; i <= 60; i++) {
+        SpawnCommand command;
+        command.shape.geometry = physics::Sphere{0.3};
+        command.pose.position = {5, 20, 0};
+        // Two clients take turns, or what one may own would end it.
+        last = world.apply({.client = 1 + i % 2, .sequence = i, .action = command, .reply = {}}, 7);
+        spawned += last.status.ok() ? 1 : 0;
+    }
+    EXPECT_EQ(spawned, 41);
+    EXPECT_EQ(last.status.error().message,
+              "more than 40 shapes are in that place; spawn it somewhere else");
 }
 
 }  // namespace

@@ -192,5 +192,23 @@ TEST(WorldDirectory, worlds_have_ids_names_and_an_end) {
     EXPECT_EQ((*worlds.create("again", scene))->id(), "w3") << "ids are not used again";
 }
 
+TEST(WorldDirectory, all_worlds_together_have_a_budget) {
+    WorldDirectory worlds({.totals = {.bodies_max = 25}}, 10);
+    const auto stack = *scenes::find_scene("stack");
+    ASSERT_EQ(stack.bodies.size(), 11u);
+    ASSERT_TRUE(worlds.create("one", stack).ok() && worlds.create("two", stack).ok());
+    EXPECT_EQ(worlds.create("three", stack).error().message,
+              "all worlds together would have 33 bodies; world.bodies_total_max allows 25; delete a "
+              "world first");
+    worlds.remove("one");
+    EXPECT_TRUE(worlds.create("three", stack).ok());
+    const double work = worlds.find("two")->work_per_second();
+    WorldDirectory few({.totals = {.work_per_second_max = 1.5 * work}}, 10);
+    ASSERT_TRUE(few.create("one", stack).ok());
+    EXPECT_NE(few.create("two", stack).error().message.find("would be more work"),
+              std::string::npos);
+    EXPECT_FALSE(few.find("two"));
+}
+
 }  // namespace
 }  // namespace jostle::server

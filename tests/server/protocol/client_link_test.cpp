@@ -28,12 +28,19 @@ protected:
     Config config;
     SessionDirectory sessions{2};
     WorldDirectory worlds{{}, 4};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
 };
 
 // One client: what it says goes straight to its link, what the link says to a PlayState.
 struct TestClient {
-    explicit TestClient(PlayContext& context) : link(context, "test", Clock::now()) {}
+    explicit TestClient(PlayContext& context)
+        : link(context,
+               Peer{.name = "test",
+                    .address = "127.0.0.1",
+                    .call = "jostle.v1.PlayService/Play",
+                    .who = context.gate.identify({.address = "127.0.0.1"})},
+               Clock::now()) {}
 
     void send(const v1::ClientMessage& message, Clock::duration later = 0s) {
         link.receive(message.SerializeAsString(), Clock::now() + later);
@@ -537,7 +544,10 @@ TEST_F(ClientLinkTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what
 
 TEST_F(ClientLinkTest, a_ticket_leads_to_its_world_once) {
     ASSERT_TRUE(worlds.create("second", *scenes::find_scene("dominoes")).ok());
-    const std::string ticket = sessions.issue_ticket("w2", Clock::now());
+    const std::string ticket =
+        gate->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false}, "w2",
+                           "127.0.0.1")
+            .value();
     TestClient client(context), thief(context);
     client.hello([&](v1::Hello& hello) { hello.set_ticket(ticket); });
     client.listen();

@@ -75,7 +75,8 @@ protected:
     Config config;
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> who_may = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *who_may};
     QueryControl queries{context};
 };
 
@@ -292,7 +293,7 @@ TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
 
 TEST_F(QueryControlTest, foreign_numbers_are_refused_by_name) {
     const auto refusal = [&](auto method, const auto& request, auto response) {
-        const Error error = error_of((queries.*method)(request, response));
+        const Error error = error_of((queries.*method)(request, response, QueryControl::always));
         EXPECT_EQ(error.code, ErrorCode::invalid_argument) << error.message;
         return error.message;
     };

@@ -53,36 +53,6 @@ TEST(ServerMessage, chunks_of_modules_are_shared_and_one_that_ended_is_empty) {
     EXPECT_EQ(message.snapshot().modules(1).data(), "");
 }
 
-TEST(ServerMessage, a_roster_carries_what_a_viewer_draws) {
-    EntityDescription box{.id = 9,
-                          .type = physics::BodyType::kinematic,
-                          .shapes = {},
-                          .owner = 4,
-                          .color = 0xff8800,
-                          .name = "lift",
-                          .mass = 12};
-    physics::ShapeState shape;
-    shape.geometry = physics::Box{{1, 2, 3}};
-    shape.pose.position = {0, 5, 0};
-    box.shapes.push_back(shape);
-    const std::vector added{std::make_shared<const EntityDescription>(box)};
-    const std::vector<EntityId> removed{2, 3};
-    const auto message = parse(encode_roster(added, removed));
-    const v1::Roster& roster = message.roster();
-    ASSERT_EQ(roster.added_size(), 1);
-    const v1::Entity& entity = roster.added(0);
-    EXPECT_EQ(entity.id(), 9u);
-    EXPECT_EQ(entity.type(), v1::BODY_TYPE_KINEMATIC);
-    EXPECT_EQ(entity.owner(), 4u);
-    EXPECT_EQ(entity.color(), 0xff8800u);
-    EXPECT_EQ(entity.name(), "lift");
-    EXPECT_EQ(entity.mass(), 12);
-    EXPECT_EQ(entity.shapes(0).box().half_extents().z(), 3);
-    EXPECT_EQ(entity.shapes(0).position().y(), 5);
-    EXPECT_EQ(roster.removed_size(), 2);
-    EXPECT_EQ(roster.removed(1), 3u);
-}
-
 TEST(ServerMessage, results_and_notices_keep_code_and_text) {
     const InputResult refused{.sequence = 5,
                               .status = Error{ErrorCode::permission_denied, "not yours"},

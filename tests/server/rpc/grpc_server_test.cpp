@@ -6,13 +6,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <thread>
 
 #include "jostle/client/client.h"
 #include "jostle/scenes/catalog.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
+#include "rpc/query_methods.h"
+#include "rpc/world_methods.h"
 #include "support/counter.h"
 
 namespace jostle::server {
@@ -70,7 +74,7 @@ protected:
     void TearDown() override {
         worlds.stop_all();  // before whom they wake
         context.closing = true;
-        server.drain();
+        server.drain({});
         server.wake();
         server.stop();
     }
@@ -90,14 +94,21 @@ protected:
         return Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port())});
     }
 
+    std::vector<CallMethod> methods() {
+        std::vector<CallMethod> all = world_methods(control, worlds);
+        std::ranges::move(query_methods(queries, worlds), std::back_inserter(all));
+        return all;
+    }
+
     Config config;
     SessionDirectory sessions{4};
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this] { woken->wake(); }}, 4};
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    const std::unique_ptr<Gate> gate = *Gate::open(config);
+    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .gate = *gate};
     WorldControl control{context};
     QueryControl queries{context};
-    GrpcServer server{context, control, queries, {.port = 0}};
+    GrpcServer server{context, methods(), [] { return true; }, {.port = 0}};
     client::Loop loop;
 };
 

@@ -43,6 +43,25 @@ TEST(FlowControl, without_acks_no_more_than_the_window_is_in_flight) {
     EXPECT_GT(flow.skipped(), 0u);
 }
 
+TEST(FlowControl, says_what_was_not_tried_and_how_long_the_way_is) {
+    FlowControl good({}, 60, 2);
+    EXPECT_EQ(good.round_trip_s(), 0) << "nothing was acknowledged yet";
+    play(good, 1, 600, 20ms);
+    EXPECT_NEAR(good.round_trip_s(), 0.020, 1e-6);
+    EXPECT_EQ(good.slowed(), 0u) << "every second tick is what it asked for";
+    FlowControl slow({}, 60, 1);
+    int sent = 0;
+    for (std::uint32_t tick = 1; tick <= 300; ++tick) {
+        const Clock::time_point now = start + tick * period;
+        if (tick % 6 == 0 && slow.in_flight() > 0)
+            slow.on_ack(static_cast<std::uint32_t>(sent), now);
+        if (slow.may_send(tick, now)) slow.on_sent(static_cast<std::uint32_t>(++sent), now);
+    }
+    EXPECT_GT(slow.slowed(), 0u);
+    EXPECT_EQ(sent + slow.skipped() + slow.slowed(), 300u)
+        << "each tick was sent or is accounted for";
+}
+
 TEST(FlowControl, the_window_follows_the_round_trip) {
     FlowControl flow({}, 60, 1);
     play(flow, 1, 1200, 150ms);

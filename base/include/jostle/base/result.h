@@ -34,6 +34,8 @@ enum class ErrorCode {
 struct Error {
     ErrorCode code = ErrorCode::invalid_argument;
     std::string message;
+    // Of resource_exhausted and unavailable: when to ask again; 0: not said.
+    int retry_after_ms = 0;
 };
 
 // A value was taken where there is none: the program ends and says what was wrong.

@@ -88,7 +88,8 @@ export class StatsPanel {
     this.lastAt = now;
     this.tick.textContent =
       `tick ${stats.tick} · ${stats.bodies} bodies · ${stats.clients} playing` +
-      (stats.lateTicks > 0 ? ` · ${stats.lateTicks} late ticks` : '');
+      (stats.lateTicks > 0 ? ` · ${stats.lateTicks} late ticks` : '') +
+      (stats.paused ? ` · paused: ${stats.paused}` : '');
     this.plots.age.add(this.connection.ageMs);
     this.plots.rtt.add(this.connection.clock.rttMs);
     this.plots.bandwidth.add((bytes * 8) / 1000 / seconds);

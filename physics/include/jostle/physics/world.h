@@ -205,7 +205,13 @@ public:
 
     // --- time ---
     // Advances by dt seconds, 1e-5 to 0.25. From within a step (a listener): failed_precondition.
+    // `aborted`: stop_stepping() was called.
     Status step(double dt);
+    // Any thread, also while a step runs: a step that takes too long is to end. It leaves out the
+    // sub-steps and sweeps that are still to come, so the world is whole but is not where it would
+    // have been, and step() refuses until resume_stepping().
+    void stop_stepping();
+    void resume_stepping();
     std::uint64_t step_count() const;
     double time() const;  // s: the sum of all dt
     Vec3 gravity() const;

@@ -85,9 +85,13 @@ void DynamicTree::link(std::int32_t leaf) {
         const Node& n = node(sibling);
         const float together = half_area(unite(taken, box));
         const float here = 2 * together, inherited = 2 * (together - half_area(taken));
+        // Of a leaf the cost, of others a lower bound: what it grows by, and that at the bottom a
+        // node is made that holds at least the box (as in Box2D 3). Without the latter, boxes in
+        // one place would never be paired and make a chain.
         const auto cost = [&](int k) {
             const float grown = half_area(unite(n.box[k], box));
-            return inherited + (is_leaf(n.child[k]) ? grown : grown - half_area(n.box[k]));
+            if (is_leaf(n.child[k])) return inherited + grown;
+            return inherited + grown + std::min(half_area(box) - half_area(n.box[k]), 0.0f);
         };
         const float first = cost(0), second = cost(1);
         if (here < first && here < second) break;

@@ -99,10 +99,10 @@ void for_each_two(const Placed& a, const Placed& b, double margin, Visit&& visit
 }  // namespace
 
 void collide_composite(const Placed& a, const Placed& b, double margin,
-                       std::vector<PartManifold>& out) {
+                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped) {
     for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
         collide_parts(pa, pb, margin, key, out);
-        return false;
+        return stopped != nullptr && stopped->load(std::memory_order_relaxed);
     });
 }
 

@@ -4,6 +4,7 @@
 // then has several manifolds, one per flat piece or child.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -26,8 +27,9 @@ inline bool is_composite(ShapeKind kind) {
 
 // Appends every part's manifold with points within the margin, in an order that depends on the two
 // shapes alone.
+// `stopped`: looked at between parts; when it is set, parts are missing.
 void collide_composite(const Placed& a, const Placed& b, double margin,
-                       std::vector<PartManifold>& out);
+                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr);
 
 // Whether two shapes of any kind share a point.
 bool shapes_overlap(const Placed& a, const Placed& b);

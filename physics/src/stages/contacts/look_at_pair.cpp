@@ -162,7 +162,12 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     std::vector<PartManifold> parts;
     const PairAhead pair(world, c, time);
     collide_composite(pair.shape_a(), pair.shape_b(),
-                      tuning::speculative_margin * scale + check.near, parts);
+                      tuning::speculative_margin * scale + check.near, parts,
+                      &step.scratch.stopped);
+    if (is_stopped(step)) {
+        check.done = true;  // as it was
+        return;
+    }
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
     check.near -= way_ahead;
     ASSERT(check.list >= 0 && check.list < scratch.part_lists);

@@ -42,8 +42,12 @@ Skipped update_contacts(StepContext& step) {
     std::vector<ContactCheck>& checks = step.scratch.contacts.checks;
     step.team.run(static_cast<int>(checks.size()), tuning::look_grain, [&](int begin, int end) {
         for (int k = begin; k < end; k++) {
+            ContactCheck& check = checks[static_cast<std::size_t>(k)];
             prefetch_ahead(step.world, checks, k, end);
-            look_at_pair(step, checks[static_cast<std::size_t>(k)]);
+            if (is_stopped(step))
+                check.done = true;  // as it was
+            else
+                look_at_pair(step, check);
         }
     });
     decide_contacts(step);

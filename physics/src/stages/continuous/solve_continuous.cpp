@@ -51,7 +51,7 @@ public:
         if (bodies_.empty()) return;
         // Every impact uses up one of somebody's, and between two there are so many legs: this
         // ends.
-        for (;;) {
+        while (!is_stopped(step_)) {
             find_impacts();
             const std::size_t first = next_to_come();
             if (next_[first] > 1) break;

@@ -295,6 +295,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
+        if (!first && is_stopped(step)) break;
         SubstepMoment moment{n, set.substeps, h};
         if (listened) listen(step, moment, task);
         if (!in_fields.empty()) push_by_fields(step, moment, in_fields);

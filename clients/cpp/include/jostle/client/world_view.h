@@ -25,9 +25,12 @@ class WorldView {
 public:
     static constexpr std::size_t ring = 32;        // decoded frames kept as bases of later ones
     static constexpr std::size_t chunks_max = 64;  // of modules in one frame
+    static constexpr std::size_t geometry_bytes_max = 256u << 20;  // of one large shape
 
     // A new stream: everything is forgotten.
     void begin(const v1::Welcome& welcome);
+    // A piece of a large shape. An error: it does not follow the piece before.
+    Status apply(const v1::GeometryPart& part);
     // Who came and who went.
     void apply(const v1::Roster& roster);
     // Decodes a snapshot and compares its CRC. An error leaves the last good frame in place; the
@@ -40,6 +43,9 @@ public:
     }
     // By id: what they look like, and who owns them.
     const std::map<std::uint32_t, v1::Entity>& entities() const { return entities_; }
+    // What a shape of an entity is: itself, or the large shape that it names, of which only the
+    // kind is set. Null: it names one that was never told.
+    const v1::Shape* outline_of(const v1::Shape& shape) const;
     const wire::QuantSpec& spec() const { return spec_; }
     // Nothing when the entity is not in the newest frame.
     std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
@@ -62,6 +68,12 @@ private:
     wire::QuantizedFrame none_;
     std::deque<KnownFrame> frames_;
     std::map<std::uint32_t, v1::Entity> entities_;
+    std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
+    struct Unfinished {
+        std::uint64_t id = 0;
+        std::uint32_t next = 0;
+        std::string bytes;
+    } unfinished_;  // the large shape of which pieces arrive
 };
 
 }  // namespace jostle::client

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UifgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCCJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIrECCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJgCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzIjsKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJOCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUi1AIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIAEIJCgdtZXNzYWdlIukBCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMiQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iOwoGUm9zdGVyEiAKBWFkZGVkGAEgAygLMhEuam9zdGxlLnYxLkVudGl0eRIPCgdyZW1vdmVkGAIgAygNIqIBCgZFbnRpdHkSCgoCaWQYASABKA0SIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIgCgZzaGFwZXMYAyADKAsyEC5qb3N0bGUudjEuU2hhcGUSDQoFb3duZXIYBCABKA0SEgoFY29sb3IYBSABKAdIAIgBARIMCgRuYW1lGAYgASgJEgwKBG1hc3MYByABKAFCCAoGX2NvbG9yItYBCghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRISCgpiYXNlX2ZyYW1lGAIgASgNEhMKC2Jhc2UyX2ZyYW1lGAMgASgNEhMKC2Jhc2UzX2ZyYW1lGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSFgoOc2VydmVyX3RpbWVfdXMYByABKAYSJwoHbW9kdWxlcxgIIAMoCzIWLmpvc3RsZS52MS5Nb2R1bGVDaHVuaxIfCgNvd24YDyABKAsyEi5qb3N0bGUudjEuUHJpdmF0ZSIoCgtNb2R1bGVDaHVuaxILCgN0YWcYASABKAkSDAoEZGF0YRgCIAEoDCJZCgdQcml2YXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0iNwoMSW5wdXRSZXN1bHRzEicKB3Jlc3VsdHMYASADKAsyFi5qb3N0bGUudjEuSW5wdXRSZXN1bHQicgoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIpsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0iPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKpYBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UifgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCCJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIrECCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJgCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzIjsKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJOCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUigQMKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlIukBCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMiQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0iogEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoAUIICgZfY29sb3Ii1gEKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhIKCmJhc2VfZnJhbWUYAiABKA0SEwoLYmFzZTJfZnJhbWUYAyABKA0SEwoLYmFzZTNfZnJhbWUYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIWCg5zZXJ2ZXJfdGltZV91cxgHIAEoBhInCgdtb2R1bGVzGAggAygLMhYuam9zdGxlLnYxLk1vZHVsZUNodW5rEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlIigKC01vZHVsZUNodW5rEgsKA3RhZxgBIAEoCRIMCgRkYXRhGAIgASgMIlkKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDSI3CgxJbnB1dFJlc3VsdHMSJwoHcmVzdWx0cxgBIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdCJyCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -527,6 +527,12 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
      */
     value: Events;
     case: "events";
+  } | {
+    /**
+     * @generated from field: jostle.v1.GeometryPart geometry = 9;
+     */
+    value: GeometryPart;
+    case: "geometry";
   } | { case: undefined; value?: undefined };
 };
 
@@ -632,6 +638,47 @@ export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 16);
 
 /**
+ * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
+ * parts of at most 256 KiB. The parts of one come one after the other, and before the first Roster that names it.
+ *
+ * @generated from message jostle.v1.GeometryPart
+ */
+export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
+  /**
+   * a hash of its bytes; in one stream no other geometry has it
+   *
+   * @generated from field: fixed64 id = 1;
+   */
+  id: bigint;
+
+  /**
+   * from 0
+   *
+   * @generated from field: uint32 part = 2;
+   */
+  part: number;
+
+  /**
+   * of the whole
+   *
+   * @generated from field: uint32 parts = 3;
+   */
+  parts: number;
+
+  /**
+   * @generated from field: bytes data = 4;
+   */
+  data: Uint8Array;
+};
+
+/**
+ * Describes the message jostle.v1.GeometryPart.
+ * Use `create(GeometryPartSchema)` to create a new message.
+ */
+export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 17);
+
+/**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
  * change comes in several messages, what is gone first. A Snapshot comes after the Rosters that name all of its entities.
  *
@@ -654,7 +701,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 18);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -707,7 +754,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 19);
 
 /**
  * @generated from message jostle.v1.Snapshot
@@ -780,7 +827,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * What a module of the world (scene.proto) tells clients. Who does not know the tag leaves it alone.
@@ -806,7 +853,7 @@ export type ModuleChunk = Message<"jostle.v1.ModuleChunk"> & {
  * Use `create(ModuleChunkSchema)` to create a new message.
  */
 export const ModuleChunkSchema: GenMessage<ModuleChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * @generated from message jostle.v1.Private
@@ -839,7 +886,7 @@ export type Private = Message<"jostle.v1.Private"> & {
  * Use `create(PrivateSchema)` to create a new message.
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * @generated from message jostle.v1.InputResults
@@ -856,7 +903,7 @@ export type InputResults = Message<"jostle.v1.InputResults"> & {
  * Use `create(InputResultsSchema)` to create a new message.
  */
 export const InputResultsSchema: GenMessage<InputResults> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -899,7 +946,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -921,7 +968,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * At most ten times a second (a setting of the server), when nothing else is waiting to be sent.
@@ -963,7 +1010,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
   clients: number;
 
   /**
-   * over the ticks of the last second
+   * of whole ticks, inputs and copies included, over the last second
    *
    * @generated from field: double step_ms_mean = 6;
    */
@@ -982,6 +1029,13 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
    * @generated from field: uint32 late_ticks = 8;
    */
   lateTicks: number;
+
+  /**
+   * why the world stands still; empty: it does not
+   *
+   * @generated from field: string paused = 9;
+   */
+  paused: string;
 };
 
 /**
@@ -989,7 +1043,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1011,7 +1065,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * What happened in one tick, between entities. Sent only to clients that asked, and only when something did; sorted by
@@ -1090,7 +1144,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1140,7 +1194,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1164,7 +1218,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1200,7 +1254,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * @generated from enum jostle.v1.InputCode
@@ -1285,6 +1339,13 @@ export enum NoticeCode {
    * @generated from enum value: NOTICE_CODE_RATE_LIMIT = 4;
    */
   RATE_LIMIT = 4,
+
+  /**
+   * from its scene, after a fault of the server: come back
+   *
+   * @generated from enum value: NOTICE_CODE_WORLD_RESTARTED = 5;
+   */
+  WORLD_RESTARTED = 5,
 }
 
 /**

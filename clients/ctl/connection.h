@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// How jostlectl reaches a server: in the clear on this machine, by TLS elsewhere, with a token and
+// a certificate of its own where those are wanted. One thread.
+#pragma once
+
+#include <grpcpp/client_context.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "jostle/base/result.h"
+#include "jostle/v1/admin.grpc.pb.h"
+#include "jostle/v1/world.grpc.pb.h"
+
+namespace jostle::ctl {
+
+// As the flags say; paths of PEM files and of a file that holds a token.
+struct ConnectionFlags {
+    std::string server = "127.0.0.1:50051";
+    std::string token_file, ca, certificate, key;
+    bool tls = false;  // with the system's authorities; --ca names others
+};
+
+class Connection {
+public:
+    // Reads the files. Nothing is sent before the first call.
+    static Result<Connection> open(const ConnectionFlags& flags);
+
+    // One call and its deadline: `Answer answer = *connection.ask(...)`. An error says what to do.
+    template <class Stub, class Request, class Answer>
+    Result<Answer> ask(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Answer*),
+                       const Request& request, std::chrono::seconds patience = usual_patience) {
+        grpc::ClientContext context;
+        prepare(context, patience);
+        Answer answer;
+        const grpc::Status status = (stub<Stub>().*method)(&context, request, &answer);
+        if (!status.ok()) return explained(status);
+        return answer;
+    }
+    static constexpr auto usual_patience = std::chrono::seconds(10);
+
+private:
+    void prepare(grpc::ClientContext& context, std::chrono::seconds patience) const;
+    Error explained(const grpc::Status& status) const;
+    template <class Stub>
+    Stub& stub() const;
+
+    std::string server_, token_;
+    bool encrypted_ = false;
+    std::shared_ptr<v1::AdminService::Stub> admin_;
+    std::shared_ptr<v1::WorldService::Stub> worlds_;
+};
+
+template <>
+inline v1::AdminService::Stub& Connection::stub() const {
+    return *admin_;
+}
+template <>
+inline v1::WorldService::Stub& Connection::stub() const {
+    return *worlds_;
+}
+
+// A file as it is; "-" is standard input or output. Errors name the file.
+Result<std::string> read_file(const std::string& path);
+Status write_file(const std::string& path, const std::string& content);
+
+}  // namespace jostle::ctl

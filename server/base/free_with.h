@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// What a C library made, in a unique_ptr: std::unique_ptr<X509, FreeWith<X509_free>>.
+#pragma once
+
+namespace jostle::server {
+
+template <auto free>
+struct FreeWith {
+    template <class T>
+    void operator()(T* object) const {
+        free(object);
+    }
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The wall's clock, for what must agree with other machines: tokens, certificates, lines of logs.
+// It can be set and jumps; whatever waits or counts goes by clock.h.
+#pragma once
+
+#include <spdlog/fmt/chrono.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <chrono>
+#include <string>
+
+namespace jostle::server {
+
+using WallTime = std::chrono::system_clock::time_point;
+
+// The last second that a WallTime can hold is in 2262; foreign times are compared with this first.
+inline constexpr std::int64_t wall_seconds_max = 9'000'000'000;  // in 2255
+
+// "2026-09-21T14:13:20.007Z"
+inline std::string rfc3339(WallTime time) {
+    const auto ms = std::chrono::floor<std::chrono::milliseconds>(time);
+    const auto s = std::chrono::floor<std::chrono::seconds>(ms);
+    return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
+                       fmt::gmtime(std::chrono::system_clock::to_time_t(s)), (ms - s).count());
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// A map by text with a bound: when it is full, what was not asked for longest goes. The caller
+// locks.
+#pragma once
+
+#include <list>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace jostle::server {
+
+template <class Value>
+class RecentMap {
+public:
+    explicit RecentMap(std::size_t size_max) : size_max_(size_max) {}
+    RecentMap(const RecentMap&) = delete;  // places_ points into entries_
+    RecentMap& operator=(const RecentMap&) = delete;
+
+    // The value of that key, made by `make()` if there is none. Good until the next call.
+    template <class Make>
+    Value& find_or_make(std::string_view key, Make make) {
+        if (const auto at = places_.find(key); at != places_.end()) {
+            entries_.splice(entries_.begin(), entries_, at->second);
+            return at->second->second;
+        }
+        if (entries_.size() >= size_max_) {
+            places_.erase(entries_.back().first);
+            entries_.pop_back();
+        }
+        entries_.emplace_front(std::string(key), make());
+        places_.emplace(entries_.front().first, entries_.begin());
+        return entries_.front().second;
+    }
+
+    std::size_t size() const { return entries_.size(); }
+
+private:
+    using Entries = std::list<std::pair<std::string, Value>>;
+
+    const std::size_t size_max_;
+    Entries entries_;  // the last that was asked for comes first
+    std::unordered_map<std::string_view, typename Entries::iterator> places_;  // keys of entries_
+};
+
+}  // namespace jostle::server

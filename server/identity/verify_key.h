@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// A public key on the curve P-256 that signatures of tokens are checked with (ES256). Immutable and
+// shared; any thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+extern "C" {
+typedef struct evp_pkey_st EVP_PKEY;
+}
+
+namespace jostle::server {
+
+class VerifyKey {
+public:
+    // Coordinates of 32 bytes each, big-endian. Nothing: they are no point of the curve.
+    static std::optional<VerifyKey> from_point(std::string_view x, std::string_view y);
+
+    // Is it this key's signature of the message? 64 bytes, r and s, as tokens carry it.
+    bool verifies(std::string_view message, std::string_view signature) const;
+
+private:
+    explicit VerifyKey(std::shared_ptr<EVP_PKEY> key) : key_(std::move(key)) {}
+
+    std::shared_ptr<EVP_PKEY> key_;
+};
+
+}  // namespace jostle::server

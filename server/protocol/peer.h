@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Who is at the other end, as the transport knows; what the gate is asked about a world.
+#pragma once
+
+#include <string>
+
+#include "host/world_host.h"
+#include "identity/gate.h"
+
+namespace jostle::server {
+
+struct Peer {
+    std::string name;                   // for the log: "ipv4:192.0.2.7:4711"
+    std::string address;                // "192.0.2.7"
+    std::string call;                   // the row of the access table by which it came
+    Result<Identity> who = Identity{};  // an error: what it showed is not good
+};
+
+// Valid as long as the host.
+inline AskedWorld asked_world(const WorldHost& host) {
+    return {host.id(), host.name(), host.owner()};
+}
+
+}  // namespace jostle::server

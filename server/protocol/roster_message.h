@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Who came and who went, as messages: the large shapes that the bodies name, then rosters of
+// bounded size.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/frame.h"
+#include "protocol/geometry_table.h"
+
+namespace jostle::server {
+
+struct RosterMessages {
+    std::vector<std::shared_ptr<const LargeGeometry>> geometry;  // each once; named by `rosters`
+    std::vector<SharedBytes> rosters;                            // what is gone first
+};
+
+// From one entity list to another. Both are in rising order of id, and an entity never changes.
+RosterMessages roster_messages(const EntityList& from, const EntityList& to,
+                               GeometryTable& geometry);
+
+}  // namespace jostle::server

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "tls/certificate_store.h"
+
+#include "base/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto between_looks = 1s;
+constexpr auto between_trials = 1min;  // of files that were refused and have not changed
+
+}  // namespace
+
+Result<std::unique_ptr<CertificateStore>> CertificateStore::open(TlsSettings files, WallTime now) {
+    Result<std::unique_ptr<PrivateFolder>> folder = PrivateFolder::make();
+    if (!folder.ok()) return folder.error();
+    std::unique_ptr<CertificateStore> store(
+        new CertificateStore(std::move(files), std::move(*folder)));
+    const std::lock_guard reading(store->reading_);
+    if (Status s = store->read(now); !s.ok()) return s.error();
+    return store;
+}
+
+std::shared_ptr<const Material> CertificateStore::material() const {
+    const std::lock_guard lock(mutex_);
+    return material_;
+}
+
+CertificateStore::Change CertificateStore::poll(WallTime now) {
+    const std::lock_guard reading(reading_);
+    if (now >= last_look_ && now < last_look_ + between_looks) return Change::none;  // clocks jump
+    last_look_ = now;
+    const bool try_again = !refusal_.empty() && now >= last_read_ + between_trials;
+    if (stamps() == stamps_ && !try_again) return Change::none;
+    return read_and_say(now);
+}
+
+CertificateStore::Change CertificateStore::reload(WallTime now) {
+    const std::lock_guard reading(reading_);
+    refusal_.clear();  // who asks is told again
+    return read_and_say(now);
+}
+
+std::string CertificateStore::client_ca_file() const {
+    return files_.client_ca.empty() ? std::string() : folder_->path() + "/client_ca.pem";
+}
+
+CertificateStore::Stamps CertificateStore::stamps() const {
+    return {stamp_of(files_.certificate), stamp_of(files_.key),
+            files_.client_ca.empty() ? FileStamp{} : stamp_of(files_.client_ca)};
+}
+
+// A change while they are read is seen the next time: the stamps are from before.
+Status CertificateStore::read(WallTime now) {
+    stamps_ = stamps();
+    last_read_ = now;
+    Result<Material> read = read_material(files_, now);
+    if (!read.ok()) return read.error();
+    // The authorities first: nobody may be let in by the old ones once the new pair is in force.
+    if (!files_.client_ca.empty()) {
+        if (Status s = folder_->write("client_ca.pem", read->client_ca_pem); !s.ok()) return s;
+    }
+    if (Status s = folder_->write("identity.pem", read->key_pem + read->chain_pem); !s.ok())
+        return s;
+    for (const std::string& warning : read->warnings) log_warn("{}", warning);
+    log_info("the certificate of {} is in force", read->subject);
+    const std::lock_guard lock(mutex_);
+    material_ = std::make_shared<const Material>(std::move(*read));
+    return {};
+}
+
+CertificateStore::Change CertificateStore::read_and_say(WallTime now) {
+    const Stamps before = stamps_;
+    const Status status = read(now);
+    if (status.ok()) {
+        refusal_.clear();
+        return Change::taken;
+    }
+    if (stamps() != stamps_) return Change::none;  // they were replaced meanwhile: the next look
+    const bool said_before = status.error().message == refusal_ && stamps_ == before;
+    refusal_ = status.error().message;
+    if (said_before) return Change::none;
+    log_error("{}; the certificate of before stays in force", refusal_);
+    return Change::refused;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,1 @@
+"""Attacks on a jostle-server, each beside honest players. scripts/attack-check runs them; arena.py says how one goes."""

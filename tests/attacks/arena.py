@@ -1,0 +1,279 @@
+"""One attack from start to verdict: a fresh server, two honest players, the attack in a process group of its own, the judging.
+
+An attack is a function that takes an Arena and is registered by @attack. It only attacks and says what it saw, by
+`arena.check` (judged) and `arena.note` (a figure for people); what holds for all attacks is judged here.
+"""
+
+import collections
+import dataclasses
+import multiprocessing
+import os
+import pathlib
+import resource
+import signal
+import sys
+import time
+import traceback
+
+from .net import Closed
+from .player import TRANSPORTS, HonestPlayer
+from .server import DRAIN_SECONDS, Server, cpu_seconds, grpc_answers, http_answers, newcomer_joins
+
+MESSAGES_MIN = 60          # a second, to each honest player, in the worst full second
+RSS_MAX_MB = 300
+SHUTDOWN_MAX = DRAIN_SECONDS + 3
+WARM_UP = 1.5              # s that honest players play before the attack begins
+JUDGED_AT_LEAST = 3        # s, however short the attack was
+PATIENCE = 15              # s beyond its own time before an attack is ended
+NICE = 10                  # of attackers: they stand for other machines, and may not starve the server by the scheduler
+
+CONTEXT = multiprocessing.get_context("fork")
+ATTACKS = {}
+
+
+@dataclasses.dataclass
+class Attack:
+    name: str
+    run: object
+    seconds: float         # that it is meant to take
+    options: dict          # of Server
+    starves: bool          # the honest players may miss messages; they must still be in
+
+    @property
+    def description(self):
+        return " ".join(self.run.__doc__.split())
+
+
+def attack(name, seconds=8, starves=False, **options):
+    def register(function):
+        ATTACKS[name] = Attack(name, function, seconds, options, starves)
+        return function
+    return register
+
+
+class Arena:
+    """What an attack is given. Lives in the attack's process."""
+
+    def __init__(self, spec, server, pipe):
+        self.ports, self.server_pid, self.log_path = server.ports, server.pid, server.log_path
+        self.seconds, self.pipe = spec.seconds, pipe
+
+    def begin(self):
+        """Judging starts here, not at the beginning: what came before was preparation."""
+        self.pipe.send(("begin", time.monotonic()))
+
+    def check(self, holds, what):
+        self.pipe.send(("check", bool(holds), what))
+
+    def note(self, what):
+        self.pipe.send(("note", what))
+
+    def fork(self, count, function, *arguments, patience=PATIENCE):
+        """function(i, *arguments) in `count` processes at once; what they return, None for who failed or took too long."""
+        pipes = []
+        for i in range(count):
+            ours, theirs = CONTEXT.Pipe(duplex=False)
+            process = CONTEXT.Process(target=_call, args=(theirs, function, i, arguments), daemon=True)
+            process.start()
+            theirs.close()
+            pipes.append((process, ours))
+        until, results = time.monotonic() + self.seconds + patience, []
+        for process, pipe in pipes:
+            try:
+                results.append(pipe.recv() if pipe.poll(max(0, until - time.monotonic())) else None)
+            except EOFError:
+                results.append(None)
+            process.join(0.5)
+            if process.is_alive():
+                process.kill()
+                process.join()
+        return results
+
+    def server_rss_mb(self):
+        for line in pathlib.Path(f"/proc/{self.server_pid}/status").read_text().splitlines():
+            if line.startswith("VmRSS:"):
+                return int(line.split()[1]) / 1024
+        return 0.0
+
+    def server_log(self):
+        return self.log_path.read_bytes()
+
+
+def _call(pipe, function, i, arguments):
+    try:
+        pipe.send(function(i, *arguments))
+    except (OSError, Closed):
+        pass  # it was cut off: that is no fault of the attack
+    except Exception:
+        traceback.print_exc()
+
+
+def _attack_process(spec, server, pipe):
+    os.setsid()
+    os.nice(NICE)
+    hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
+    try:
+        spec.run(Arena(spec, server, pipe))
+    except Exception as error:
+        pipe.send(("broke", f"{type(error).__name__}: {error}", traceback.format_exc()))
+    pipe.send(("done",))
+
+
+@dataclasses.dataclass
+class Verdict:
+    name: str
+    seconds: float = 0
+    rates: dict = dataclasses.field(default_factory=dict)     # transport -> [worst, mean]
+    rss_mb: float = 0
+    threads: int = 0
+    shutdown_seconds: float | None = None
+    others_cpu: float = 0                                     # cores that neither server nor attack used
+    faults: list = dataclasses.field(default_factory=list)
+    notes: list = dataclasses.field(default_factory=list)
+
+    @property
+    def ok(self):
+        return not self.faults
+
+    def require(self, holds, fault):
+        if not holds:
+            self.faults.append(fault)
+
+
+def run(spec, binary):
+    verdict, server, honest = Verdict(spec.name), None, []
+    try:
+        server = Server(binary, **spec.options)
+        honest = [HonestPlayer(server.ports, transport, "sandbox") for transport in TRANSPORTS]
+        time.sleep(WARM_UP)
+        _attack(spec, server, honest, verdict)
+        _judge_what_works(server, verdict)
+        _judge_shutdown(server, verdict)
+        verdict.rss_mb, verdict.threads = server.max_rss_mb, server.max_threads
+        verdict.require(verdict.rss_mb < RSS_MAX_MB,
+                        f"{verdict.rss_mb:.0f} MB of memory" + (", and was killed by us" if server.killed else ""))
+    except RuntimeError as error:
+        verdict.faults.append(str(error))
+    finally:
+        for player in honest:
+            player.stop()
+        if server:
+            server.close()
+    return verdict
+
+
+def _attack(spec, server, honest, verdict):
+    busy = _Busy(server, honest)
+    server.begin_attack()
+    ours, theirs = CONTEXT.Pipe()
+    began = time.monotonic()
+    process = CONTEXT.Process(target=_attack_process, args=(spec, server, theirs))
+    process.start()
+    theirs.close()
+    try:
+        began = _listen(spec, ours, began, verdict)
+    finally:
+        _end_group(process)
+    time.sleep(max(0.0, began + JUDGED_AT_LEAST - time.monotonic()))
+    ended = time.monotonic()
+    verdict.seconds = ended - began
+    verdict.others_cpu = busy.others()
+    for player in honest:
+        _judge_honest(spec, player, began, ended, verdict)
+
+
+def _listen(spec, pipe, began, verdict):
+    """Collects what the attack says until it is done; returns when judging began."""
+    until = began + spec.seconds + PATIENCE
+    while True:
+        if not pipe.poll(max(0, until - time.monotonic())):
+            verdict.notes.append("the attack was ended by the clock")
+            return began
+        try:
+            kind, *what = pipe.recv()
+        except EOFError:
+            return began
+        if kind == "begin":
+            began = what[0]
+            until = began + spec.seconds + PATIENCE
+        elif kind == "check":
+            (verdict.notes if what[0] else verdict.faults).append(what[1])
+        elif kind == "note":
+            verdict.notes.append(what[0])
+        elif kind == "broke":
+            verdict.faults.append(f"the attack itself broke: {what[0]}")
+            sys.stderr.write(what[1])
+        elif kind == "done":
+            return began
+
+
+def _end_group(process):
+    """The attack and all that it forked."""
+    process.join(1)
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.join()
+
+
+def _judge_honest(spec, player, began, ended, verdict):
+    report = player.report()
+    if report is None:
+        return verdict.faults.append(f"the honest player ({player.transport}) does not answer")
+    seconds = max(1, int(ended - began))
+    counts = collections.Counter(int(at - began) for at in report["times"] if began <= at < began + seconds)
+    per_second = [counts[k] for k in range(seconds)]
+    worst, mean = min(per_second), sum(per_second) / seconds
+    verdict.rates[player.transport] = [worst, round(mean, 1)]
+    verdict.require(report["ended"] is None, f"the honest player ({player.transport}) was thrown out: {report['ended']}")
+    if not spec.starves:
+        verdict.require(worst >= MESSAGES_MIN,
+                        f"{worst} messages in second {per_second.index(worst) + 1} of {seconds} ({player.transport})")
+    # The last one may be on its way.
+    verdict.require(report["applied"] >= report["asked"] - 2,
+                    f"{report['asked'] - report['applied']} of {report['asked']} honest inputs were not applied ({player.transport})")
+
+
+def _judge_what_works(server, verdict):
+    if not server.alive():
+        if not server.killed:
+            verdict.faults.append(f"the server is dead: it ended with status {server.process.returncode}")
+        return
+    for holds, what in (http_answers(server.ports), http_answers(server.ports, "/readyz"), grpc_answers(server.ports),
+                        newcomer_joins(server.ports)):
+        verdict.require(holds, what)
+
+
+def _judge_shutdown(server, verdict):
+    if not server.alive():
+        return
+    took, status = server.shutdown(SHUTDOWN_MAX + 5)
+    if server.killed:
+        return
+    verdict.shutdown_seconds = took
+    verdict.require(took is not None, f"SIGTERM did not end it within {SHUTDOWN_MAX + 5} s")
+    if took is not None:
+        verdict.require(took <= SHUTDOWN_MAX, f"SIGTERM took {took:.1f} s")
+        verdict.require(status == 0, f"SIGTERM: exit status {status}")
+
+
+class _Busy:
+    """Cores that others on this machine used meanwhile: whether a slow second was ours."""
+
+    def __init__(self, server, honest):
+        self.pids = [server.pid] + [player.process.pid for player in honest]
+        self.began, self.before = time.monotonic(), self._total() - self._ours()
+
+    def _total(self):
+        user, nice, system, _, _, irq, soft, *_ = map(int, pathlib.Path("/proc/stat").read_text().split("\n")[0].split()[1:])
+        return (user + nice + system + irq + soft) / os.sysconf("SC_CLK_TCK")
+
+    def _ours(self):
+        children = resource.getrusage(resource.RUSAGE_CHILDREN)
+        own = resource.getrusage(resource.RUSAGE_SELF)
+        return (sum(map(cpu_seconds, self.pids)) + children.ru_utime + children.ru_stime + own.ru_utime + own.ru_stime)
+
+    def others(self):
+        return max(0.0, (self._total() - self._ours() - self.before) / (time.monotonic() - self.began))

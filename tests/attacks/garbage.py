@@ -1,0 +1,313 @@
+"""What no client would send: broken messages, frames and requests, and requests that a browser must not be made to send."""
+
+import os
+import random
+import time
+
+from . import http2, messages, websocket
+from .arena import attack
+from .net import SERVER, Closed, connect
+from .player import TRANSPORTS, Player, open_link
+from .protobuf import double, nested, text, uint, varint
+from .server import http_answers
+
+INFINITY, NOT_A_NUMBER = float("inf"), float("nan")
+
+
+def broken_messages(rng):
+    """ClientMessages that are wrong in every way a message can be."""
+    hello = messages.hello("target")
+    yield hello[:-1]
+    yield hello + b"\xff" * 20
+    yield rng.randbytes(rng.randrange(1, 3000))
+    yield b"\x0b" * 20000                                     # groups in groups in groups
+    yield nested(2, nested(2, nested(1, nested(1, nested(15, nested(1, b"\x0a\x00" * 5000))))))
+    nest = b""
+    for _ in range(3000):
+        nest = nested(1, nested(15, nest))                    # compounds in compounds, as deep as 64 KiB allow
+        if len(nest) > 60000:
+            break
+    yield nested(2, uint(1, 1) + nested(2, nested(1, nest)))
+    yield varint(2**64 - 1)
+    yield nested(1, uint(1, 99))
+    yield nested(1, text(4, b"\xff\xfe"))                     # a string that is no UTF-8
+    yield b""
+    yield messages.batch(2**32 - 1, [messages.release()] * 3)
+    yield messages.batch(0, [messages.release()])
+    yield messages.batch(1, [messages.release()] * 65)
+    yield bytes(70000)
+
+
+def wild_inputs():
+    """Inputs whose numbers are none."""
+    for wild in (INFINITY, -INFINITY, NOT_A_NUMBER, 1e308, 5e-324):
+        yield messages.spawn(messages.sphere(wild), (0, 1, 0))
+        yield messages.spawn(messages.box(1, wild, 1), (wild, 1, 0))
+        yield messages.spawn(messages.hull([(wild, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]), (0, 1, 0))
+        yield messages.spawn(messages.hull([(0, 0, 0)] * 32), (0, 1, 0))
+        yield messages.spawn(messages.sphere(0.5) + double(7, wild) + double(9, wild), (0, 1, 0), (wild, 0, 0))
+        yield messages.impulse(5, (wild, wild, 0))
+        yield messages.grab(5, (wild, 0, 0))
+        yield messages.drag((wild, wild, wild))
+        yield messages.explode((wild, 0, 0), wild, wild)
+
+
+def _garble(number, ports, seconds):
+    rng, until, done = random.Random(number), time.monotonic() + seconds, 0
+    while time.monotonic() < until:
+        for message in broken_messages(rng):
+            try:
+                if rng.random() < 0.5:
+                    link = Player(ports, TRANSPORTS[done % 2]).link
+                else:
+                    link = open_link(ports, TRANSPORTS[done % 2], timeout=1.0)
+                link.send(message)
+                link.receive(time.monotonic() + 0.005)
+                link.close()
+            except (OSError, Closed):
+                pass
+            done += 1
+        try:
+            player = Player(ports, TRANSPORTS[done % 2])
+            for one in wild_inputs():
+                player.act(one)
+                player.receive(time.monotonic() + 0.002)
+            player.close()
+        except (OSError, Closed):
+            pass
+    return done
+
+
+@attack("play-garbage", seconds=8)
+def play_garbage(arena):
+    """Broken protobuf and wild numbers on Play, over both transports."""
+    done = arena.fork(4, _garble, arena.ports, arena.seconds)
+    arena.note(f"{sum(each or 0 for each in done):,} broken messages")
+
+
+def _random_frames(number, ports, seconds):
+    rng, until, done = random.Random(number), time.monotonic() + seconds, 0
+    while time.monotonic() < until:
+        try:
+            sock = connect(ports.grpc, timeout=0.5)
+            sock.sendall(http2.PREFACE + http2.settings() if rng.random() < 0.9 else rng.randbytes(60))
+            for _ in range(rng.randrange(1, 30)):
+                sock.sendall(http2.frame(rng.randrange(12), rng.randrange(256), rng.choice((0, 1, 3, 2, rng.randrange(2**31))),
+                                         rng.randbytes(rng.choice((0, 4, 5, 8, 6, 40, 4000)))))
+                done += 1
+            sock.close()
+        except OSError:
+            pass
+    return done
+
+
+@attack("http2-garbage", seconds=8)
+def http2_garbage(arena):
+    """Random HTTP/2 frames of every kind."""
+    done = arena.fork(4, _random_frames, arena.ports, arena.seconds)
+    arena.note(f"{sum(each or 0 for each in done):,} frames")
+
+
+def websocket_abuses(rng):
+    frame = websocket.frame
+    yield frame(messages.hello("target"), masked=False)
+    yield frame(b"", declared=2**63 - 1)
+    yield frame(b"x" * 1000, declared=2**40)
+    yield frame(b"x", opcode=websocket.PING, final=False)              # a control frame in pieces
+    yield frame(b"x" * 126, opcode=websocket.PING)                     # one that is too long
+    yield frame(b"x", opcode=3) + frame(b"x", opcode=11)               # reserved
+    yield b"\xf2\x80\0\0\0\0"                                          # reserved bits
+    yield frame(b"x", opcode=websocket.CONTINUATION)                   # goes on with nothing
+    yield frame(b"x", final=False) + frame(b"y")                       # begins anew in the middle
+    yield frame(b"", final=False) + frame(b"", websocket.CONTINUATION, final=False) * 50000
+    yield frame(b"", opcode=websocket.PING) * 50000
+    yield frame(b"\xff\xff\xff", opcode=websocket.TEXT)
+    yield frame(b"\x03", opcode=websocket.CLOSE)
+    yield frame(b"\x00\x00" + b"\xff" * 100, opcode=websocket.CLOSE)
+    yield frame(b"x" * 65536)
+    yield rng.randbytes(5000)
+
+
+def _abuse(number, ports, seconds):
+    rng, until, done = random.Random(number), time.monotonic() + seconds, 0
+    while time.monotonic() < until:
+        for data in websocket_abuses(rng):
+            try:
+                link = websocket.WebSocket(ports.http, timeout=1.0)
+                if rng.random() < 0.5:
+                    link.send(messages.hello("target"))
+                link.send_raw(data)
+                link.receive(time.monotonic() + 0.005)
+                link.close()
+            except (OSError, Closed):
+                pass
+            done += 1
+    return done
+
+
+@attack("websocket-abuse", seconds=8)
+def websocket_abuse(arena):
+    """Frames unmasked, endless, reserved, in pieces that may not be; pings and empty pieces by the ten thousand."""
+    done = arena.fork(4, _abuse, arena.ports, arena.seconds)
+    arena.note(f"{sum(each or 0 for each in done):,} abuses")
+
+
+def _endless_pings(number, ports, seconds, data):
+    until, sent = time.monotonic() + seconds, 0
+    while time.monotonic() < until:
+        try:
+            link = websocket.WebSocket(ports.http, timeout=1.0)
+            link.send(messages.hello("target"))
+            while time.monotonic() < until:
+                link.send_raw(data)
+                sent += len(data)
+                link.receive(time.monotonic())
+        except (OSError, Closed):
+            pass
+    return sent
+
+
+@attack("websocket-pings", seconds=8)
+def websocket_pings(arena):
+    """Four players send pings and empty pieces of a message without end: no message, so no limit on messages sees them."""
+    pings = websocket.frame(b"", opcode=websocket.PING) * 2000
+    sent = arena.fork(4, _endless_pings, arena.ports, arena.seconds, pings)
+    arena.note(f"{sum(each or 0 for each in sent) / 1e6:,.0f} MB")
+
+
+# --- HTTP ---
+
+def request(ports, data, seconds=3.0):
+    """The status of what the server answers to these bytes, 0 when it answers nothing; and the answer."""
+    answer = b""
+    try:
+        sock = connect(ports.http, timeout=seconds)
+        try:
+            sock.sendall(data)
+        except OSError:
+            pass  # refused before all was read: the answer is there all the same
+        until = time.monotonic() + seconds
+        while time.monotonic() < until and len(answer) < 100000:
+            sock.settimeout(max(0.01, until - time.monotonic()))
+            more = sock.recv(65536)
+            answer += more
+            if not more or b"\r\n\r\n" in answer:
+                break
+        sock.close()
+    except OSError:
+        pass
+    return int(answer.split()[1]) if answer.startswith(b"HTTP/1.1 ") else 0, answer
+
+
+def post(path, body, host, length=None, **headers):
+    lines = [f"POST {path} HTTP/1.1", f"Host: {host}", "Content-Type: application/json", "Connection: close",
+             f"Content-Length: {len(body) if length is None else length}"]
+    lines += [f"{name}: {value}" for name, value in headers.items()]
+    return ("\r\n".join(lines) + "\r\n\r\n").encode() + body
+
+
+@attack("http-abuse", seconds=12)
+def http_abuse(arena):
+    """Path traversal, other origins, bodies and headers that are too big, JSON nested a hundred thousand deep."""
+    host = f"{SERVER}:{arena.ports.http}"
+    for path in ("/../../../../etc/passwd", "/..%2f..%2f..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
+                 "/assets/../../../../../etc/passwd", "/..\\..\\etc\\passwd", "/%00/etc/passwd", "/api/worlds/..%2f..", "/proc/self/environ"):
+        status, answer = request(arena.ports, f"GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n".encode())
+        if b"root:" in answer or status not in (400, 403, 404):
+            arena.check(False, f"GET {path}: {status}")
+    create = b'{"name": "stolen", "sceneName": "pyramid"}'
+    expected = [
+        ("a POST from another origin", post("/api/worlds", create, host, Origin="http://evil.example"), (403,)),
+        ("a POST from origin null", post("/api/worlds", create, host, Origin="null"), (403,)),
+        ("/play from another origin", websocket.upgrade(arena.ports.http, Origin="http://evil.example"), (403,)),
+        ("10 MB of JSON", post("/api/worlds", b" " * 10_000_000, host), (413,)),
+        ("10 MB announced", post("/api/worlds", b"", host, length=10_000_000), (413,)),
+        ("JSON nested 100,000 deep", post("/api/worlds", b'{"scene":' * 100000, host), (400,)),
+        ("arrays nested 500,000 deep", post("/api/worlds", b"[" * 500000, host), (400,)),
+        ("a query nested deep", post("/api/query/CastRays", b'{"rays":[' * 20000, host), (400,)),
+        ("a header of 100 kB", b"GET / HTTP/1.1\r\nX: " + b"y" * 100000 + b"\r\n\r\n", (431, 400)),
+        ("no HTTP at all", b"\x16\x03\x01\x02\x00\x01\x00" + b"\0" * 200, (400, 0)),
+        ("a length and chunks", post("/api/worlds", create, host, Transfer_Encoding="chunked"), (400, 411, 501)),
+        ("a negative length", post("/api/worlds", b"", host, length=-1), (400,)),
+        ("a POST as text", post("/api/worlds", create, host).replace(b"application/json", b"text/plain"), (415,)),
+        ("a name of 60,000 bytes", post("/api/worlds", b'{"name": "' + b"n" * 60000 + b'", "sceneName": "pyramid"}', host), (400,)),
+    ]
+    for what, data, wanted in expected:
+        status, _ = request(arena.ports, data.replace(b"Transfer_Encoding", b"Transfer-Encoding"))
+        if status not in wanted:
+            arena.check(False, f"{what}: {status}, expected {' or '.join(map(str, wanted))}")
+
+
+def _unfinished_bodies(number, ports, seconds, count):
+    head = post("/api/worlds", b"", "127.0.0.1", length=4 << 20)
+    until, socks = time.monotonic() + seconds, []
+    for _ in range(count):
+        try:
+            sock = connect(ports.http, timeout=1.0)
+            sock.sendall(head)
+            for _ in range(63):
+                sock.sendall(b" " * 65536)
+            socks.append(sock)
+        except OSError:
+            pass
+    time.sleep(max(0, until - time.monotonic()))
+    return len(socks)
+
+
+@attack("http-unfinished-bodies", seconds=9)
+def http_unfinished_bodies(arena):
+    """300 POSTs of 4 MiB each that stop before the end."""
+    held = arena.fork(6, _unfinished_bodies, arena.ports, arena.seconds, 50)
+    arena.note(f"{sum(each or 0 for each in held)} of 300 were taken")
+    holds, what = http_answers(arena.ports)
+    arena.check(holds, what)
+
+
+def _pipeline(number, ports, seconds, path):
+    """Asks and asks and never reads."""
+    until, sent, line = time.monotonic() + seconds, 0, f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode() * 100
+    socks = []
+    for _ in range(60):
+        try:
+            socks.append(connect(ports.http, timeout=1.0, receive_buffer=4096))
+            socks[-1].setblocking(False)
+        except OSError:
+            pass
+    while time.monotonic() < until:
+        for sock in socks:
+            try:
+                sent += sock.send(line)
+            except OSError:
+                pass
+        time.sleep(0.01)
+    return sent
+
+
+@attack("http-pipeline-unread", seconds=8)
+def http_pipeline_unread(arena):
+    """240 connections ask for the worlds and the viewer again and again and read no answer."""
+    arena.fork(2, _pipeline, arena.ports, arena.seconds, "/api/worlds")
+    arena.fork(2, _pipeline, arena.ports, arena.seconds / 2, "/index.html")
+
+
+def _post_flood(number, ports, seconds):
+    """Questions over HTTP: there is one thread for the slow requests of all."""
+    until, done = time.monotonic() + seconds, 0
+    rays = b",".join(b'{"origin":{"x":-50,"y":%d,"z":0},"motion":{"x":100,"y":0,"z":%d}}' % (i % 5, i) for i in range(1000))
+    data = post("/api/query/CastRays", b'{"world":"target","mode":"HIT_MODE_ALL","rays":[' + rays + b"]}", "127.0.0.1")
+    while time.monotonic() < until:
+        done += request(ports, data)[0] == 200
+    return done
+
+
+@attack("http-questions", seconds=8)
+def http_questions(arena):
+    """Twenty clients ask for 1,000 rays as JSON in a loop; the list of worlds must still be answered."""
+    if (child := os.fork()) == 0:
+        done = arena.fork(20, _post_flood, arena.ports, arena.seconds)
+        arena.note(f"{sum(each or 0 for each in done):,} answers of 1,000 rays")
+        os._exit(0)
+    time.sleep(arena.seconds / 2)
+    holds, what = http_answers(arena.ports, "/api/worlds", seconds=2.0)
+    arena.check(holds, f"meanwhile {what}")
+    os.waitpid(child, 0)

@@ -1,0 +1,92 @@
+"""The log: lines that were never written, and an output that nobody reads or that is gone."""
+
+import re
+import time
+
+from . import messages
+from .arena import attack
+from .http2 import call
+from .net import Closed
+from .player import TRANSPORTS, Player
+from .websocket import WebSocket
+
+LINE_MAX = 2048          # bytes: what is longer was not clipped
+LOG_MAX_MB = 4           # of 2,000 refusals, each with a name of 60 kB
+
+
+def knock(ports, transport="websocket", **hello):
+    """Says hello and waits until that was answered."""
+    try:
+        player = Player(ports, transport, **hello)
+        player.until(messages.SNAPSHOT, 0.5)
+        player.close()
+    except (OSError, Closed):
+        pass
+
+
+@attack("log-forgery", seconds=6)
+def log_forgery(arena):
+    """Names with line ends and escape codes in hellos, tickets, worlds and scenes; then the log is read."""
+    tricks = ["x\n2026-01-01 info FORGED", "x\r\nFORGED", "x\x1b[2J\x1b[31mFORGED", "x\u2028FORGED\u0085FORGED", "x\0FORGED", "{}{:n}%s%n FORGED"]
+    for trick in tricks:
+        for transport in TRANSPORTS:
+            knock(arena.ports, transport, name=trick)
+            knock(arena.ports, transport, name="n", world=trick)
+            knock(arena.ports, transport, name="n", ticket=trick)
+        one = messages.scene([messages.floor()], name=trick)
+        call(arena.ports.grpc, messages.CREATE_WORLD, messages.create_world(trick, one))
+        call(arena.ports.grpc, messages.CREATE_WORLD, messages.create_world("plain", messages.scene([messages.body(messages.sphere(-1), name=trick)])))
+        call(arena.ports.grpc, messages.DELETE_WORLD, messages.text(1, trick))
+    time.sleep(0.5)
+    log = arena.server_log()
+    lines = log.split(b"\n")
+    forged = [line for line in lines if line.startswith(b"FORGED") or line.startswith(b"2026-01-01 info")]
+    arena.check(not forged, f"{len(forged)} forged lines in the log" + (f", such as {forged[0][:60]!r}" if forged else ""))
+    control = sorted(set(re.findall(rb"[\x00-\x09\x0b-\x1f\x7f]|\xe2\x80[\xa8\xa9]|\xc2\x85", log)))
+    arena.check(not control, f"control characters in the log: {control}" if control else "no control characters in the log")
+
+
+@attack("log-long-names", seconds=8)
+def log_long_names(arena):
+    """2,000 hellos whose world or ticket has 60,000 bytes: refused, and not written out in full."""
+    arena.fork(4, _ask_for_long_names, arena.ports)
+    log = arena.server_log()
+    longest = max(map(len, log.split(b"\n")))
+    arena.check(longest <= LINE_MAX, f"the longest line of the log has {longest:,} bytes")
+    arena.check(len(log) <= LOG_MAX_MB * 1e6, f"the log has {len(log) / 1e6:.1f} MB")
+
+
+def _ask_for_long_names(number, ports, count=500):
+    for i in range(count):
+        knock(ports, **{("world", "ticket")[i % 2]: "w" * 60000})
+
+
+def _refuse_me(number, ports, seconds):
+    until, done = time.monotonic() + seconds, 0
+    while time.monotonic() < until:
+        try:
+            link = WebSocket(ports.http, timeout=1.0)
+            link.send(messages.hello(world="nobody hosts a world with so long a name that it fills the log in little time"))
+            done += 1
+            link.receive(time.monotonic() + 1.0)
+            link.close()
+        except (OSError, Closed):
+            time.sleep(0.01)
+    return done
+
+
+def fill_log(arena):
+    done = arena.fork(6, _refuse_me, arena.ports, arena.seconds)
+    arena.note(f"{sum(each or 0 for each in done):,} refusals, each a line")
+
+
+@attack("log-unread", seconds=8, output="unread", log_level="debug")
+def log_unread(arena):
+    """Standard output and error are a pipe that nobody reads, and clients fill it."""
+    fill_log(arena)
+
+
+@attack("log-closed", seconds=6, output="closed", log_level="debug")
+def log_closed(arena):
+    """Standard output and error are a pipe whose reader is gone: the next line is a SIGPIPE."""
+    fill_log(arena)

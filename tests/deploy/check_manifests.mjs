@@ -1,0 +1,111 @@
+// Reads what `kubectl kustomize` printed and fails, naming object and field, when Kubernetes would refuse it, ignore a part of it, or
+// run something that is less confined or less patient than it should be.
+//
+// Usage: kubectl kustomize FOLDER | node check_manifests.mjs
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+import Ajv from "ajv";
+import formats from "ajv-formats";
+import yaml from "js-yaml";
+import { model_of, schemas_of } from "./kubernetes_schema.mjs";
+
+const name_of = object => `${object?.kind} ${object?.metadata?.name}`;
+
+async function faults_of_schema(object) {
+    const ajv = formats(new Ajv({ allErrors: true, strict: false }));
+    const model = model_of(object);
+    let schemas;
+    try {
+        schemas = await schemas_of(model);
+    } catch {
+        return [`${name_of(object)}: Kubernetes knows no ${object.apiVersion} ${object.kind}`];
+    }
+    for (const schema of schemas.values()) ajv.addSchema(schema);
+    const check = ajv.getSchema(model);
+    if (check(object)) return [];
+    return check.errors.map(e => `${name_of(object)}: ${e.instancePath || "/"} ${e.message} ${e.params.additionalProperty ?? ""}`.trimEnd());
+}
+
+// What the Pod Security Standard "restricted" wants of a pod, and besides a read-only root and bounds.
+function faults_of_confinement(where, pod) {
+    const found = [], want = (good, what) => good || found.push(`${where}: ${what}`);
+    const security = pod.securityContext ?? {};
+    want(security.runAsNonRoot === true && security.runAsUser > 0, "runs as root");
+    want(security.seccompProfile?.type === "RuntimeDefault", "no seccompProfile RuntimeDefault");
+    want(pod.automountServiceAccountToken === false, "gets a token of the cluster");
+    want(!pod.hostNetwork && !pod.hostPID && !pod.hostIPC, "shares a name space of its node");
+    for (const volume of pod.volumes ?? []) want(!volume.hostPath, `volume ${volume.name} is a folder of its node`);
+    for (const container of pod.containers) {
+        const own = container.securityContext ?? {};
+        want(own.allowPrivilegeEscalation === false, "allowPrivilegeEscalation is not false");
+        want(own.readOnlyRootFilesystem === true, "its root can be written to");
+        want(own.capabilities?.drop?.includes("ALL") && !own.capabilities.add, "keeps capabilities");
+        want(container.resources?.requests?.cpu && container.resources.limits?.memory, "no cpu requested, or no limit of memory");
+        want(!/(:latest|^[^:]+)$/.test(container.image), `image ${container.image} has no tag, or one that moves`);
+        for (const probe of ["startupProbe", "readinessProbe", "livenessProbe"])
+            want(container[probe]?.grpc || container[probe]?.exec, `no ${probe} of its own health service`);
+    }
+    return found;
+}
+
+const includes = (labels, selector) => Object.entries(selector ?? {}).every(([key, value]) => labels?.[key] === value);
+
+// Names and labels that lead from one object to another.
+function faults_of_references(objects) {
+    const found = [], of_kind = kind => objects.filter(o => o.kind === kind);
+    const sets = of_kind("StatefulSet"), labels = sets.map(s => s.spec.template.metadata.labels);
+    const selects = (object, selector) => {
+        if (!selector || !Object.keys(selector).length || !labels.some(l => includes(l, selector)))
+            found.push(`${name_of(object)}: selects no pod`);
+    };
+    for (const kind of ["Service", "PodDisruptionBudget", "NetworkPolicy"]) {
+        if (!of_kind(kind).length) found.push(`there is no ${kind}`);
+        for (const object of of_kind(kind)) {
+            const spec = object.spec;
+            selects(object, kind === "Service" ? spec.selector : (spec.selector ?? spec.podSelector)?.matchLabels);
+        }
+    }
+    for (const set of sets) {
+        selects(set, set.spec.selector.matchLabels);
+        const pod = set.spec.template.spec;
+        const ports = pod.containers.flatMap(c => c.ports.map(p => p.name));
+        if (!of_kind("Service").some(s => s.metadata.name === set.spec.serviceName && s.spec.clusterIP === "None"))
+            found.push(`${name_of(set)}: no headless Service ${set.spec.serviceName}`);
+        if (!of_kind("ServiceAccount").some(a => a.metadata.name === pod.serviceAccountName))
+            found.push(`${name_of(set)}: no ServiceAccount ${pod.serviceAccountName}`);
+        for (const service of of_kind("Service"))
+            for (const port of service.spec.ports)
+                if (!ports.includes(port.targetPort)) found.push(`${name_of(service)}: no container has a port ${port.targetPort}`);
+        for (const mount of pod.containers.flatMap(c => c.volumeMounts))
+            if (!pod.volumes.some(v => v.name === mount.name)) found.push(`${name_of(set)}: no volume ${mount.name}`);
+    }
+    return found;
+}
+
+// The server ends itself 3 s after its drain at the latest: who kills it must wait longer.
+function faults_of_patience(objects) {
+    const settings = objects.find(o => o.kind === "ConfigMap" && o.data?.["jostle-server.toml"]);
+    const drain = Number(/^drain_seconds = (\d+)/m.exec(settings?.data["jostle-server.toml"] ?? "")?.[1] ?? 5);
+    return objects.filter(o => o.kind === "StatefulSet" && !(o.spec.template.spec.terminationGracePeriodSeconds >= drain + 4))
+        .map(o => `${name_of(o)}: terminationGracePeriodSeconds is less than drain_seconds (${drain}) and 4`);
+}
+
+export async function faults(objects) {
+    const found = [];
+    for (const object of objects) found.push(...await faults_of_schema(object));
+    if (found.length) return found;  // what follows counts on the form
+    const sets = objects.filter(o => o.kind === "StatefulSet");
+    if (!sets.length) found.push("there is no StatefulSet");
+    for (const set of sets) found.push(...faults_of_confinement(name_of(set), set.spec.template.spec));
+    return [...found, ...faults_of_references(objects), ...faults_of_patience(objects)];
+}
+
+export const parse = text => yaml.loadAll(text).filter(object => object);
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+    const objects = parse(readFileSync(0, "utf8"));
+    const found = await faults(objects);
+    for (const fault of found) console.log(fault);
+    console.log(`manifests: ${objects.length} objects, ${found.length} faults`);
+    process.exit(found.length || !objects.length ? 1 : 0);
+}

@@ -1,0 +1,49 @@
+// JSON schemas of Kubernetes' objects with unknown fields forbidden. They come from Kubernetes' own client, whose models are generated
+// from the published OpenAPI description: a model lists its fields and their types, its declarations say which may be left out.
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import path from "node:path";
+
+const client = path.dirname(fileURLToPath(import.meta.resolve("@kubernetes/client-node")));
+const models = path.join(client, "gen", "models");
+
+// "apps/v1", "StatefulSet" -> "V1StatefulSet"; "v1", "Service" -> "V1Service"
+export function model_of(object) {
+    const version = String(object.apiVersion).split("/").pop();
+    return version[0].toUpperCase() + version.slice(1) + object.kind;
+}
+
+function schema_of_type(type, format) {
+    const list = /^Array<(.*)>$/.exec(type);
+    if (list) return { type: "array", items: schema_of_type(list[1], format) };
+    const map = /^\{ \[key: string\]: (.*); \}$/.exec(type);
+    if (map) return { type: "object", additionalProperties: schema_of_type(map[1], format) };
+    switch (type) {
+        case "string": return { type: "string" };
+        case "boolean": return { type: "boolean" };
+        case "number": return { type: format === "double" ? "number" : "integer" };
+        case "Date": return { type: "string", format: "date-time" };
+        case "IntOrString": return { type: ["integer", "string"] };
+        case "any": case "object": return {};
+        default: return { $ref: `${type}` };
+    }
+}
+
+// The schema of one model, and of all that it mentions.
+export async function schemas_of(name, known = new Map()) {
+    if (known.has(name)) return known;
+    const file = path.join(models, `${name}.js`);
+    const model = (await import(file))[name];
+    const optional = new Set([...readFileSync(path.join(models, `${name}.d.ts`), "utf8").matchAll(/^ {4}'(.+?)'\?: /gm)].map(m => m[1]));
+    const fields = model.getAttributeTypeMap();
+    known.set(name, {
+        $id: name,
+        type: "object",
+        properties: Object.fromEntries(fields.map(f => [f.baseName, schema_of_type(f.type, f.format)])),
+        required: fields.filter(f => !optional.has(f.name)).map(f => f.baseName),
+        additionalProperties: false,
+    });
+    for (const field of fields)
+        for (const [mentioned] of field.type.matchAll(/\b[A-Z]\w*V\d\w*|\bV\d\w*/g)) await schemas_of(mentioned, known);
+    return known;
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "config/exposure.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_of.h"
+
+namespace jostle::server {
+namespace {
+
+using test::error_of;
+
+Config with_tls_and_tokens() {
+    Config config;
+    config.tls = {.certificate = "chain.pem", .key = "key.pem"};
+    config.auth = {.issuer = "i", .audience = "a", .keys = "keys.json"};
+    return config;
+}
+
+TEST(Exposure, knows_what_only_this_machine_can_reach) {
+    for (const char* host : {"localhost", "127.0.0.1", "127.8.9.10", "::1"})
+        EXPECT_TRUE(is_loopback(host)) << host;
+    for (const char* host : {"0.0.0.0", "::", "192.0.2.1", "127.0.0.1.example.org", "127.1", "",
+                             "localhost.example.org", "::ffff:192.0.2.1"})
+        EXPECT_FALSE(is_loopback(host)) << host;
+}
+
+TEST(Exposure, beyond_loopback_takes_tls_and_tokens_or_a_word_that_it_is_meant) {
+    EXPECT_TRUE(check_exposure({}).ok()) << "loopback";
+    for (std::string Config::*listener : {&Config::listen, &Config::http}) {
+        Config config;
+        config.*listener = "0.0.0.0:50051";
+        EXPECT_FALSE(check_exposure(config).ok());
+        config.insecure = true;
+        EXPECT_TRUE(check_exposure(config).ok());
+        config = with_tls_and_tokens();
+        config.*listener = "[::]:50051";
+        EXPECT_TRUE(check_exposure(config).ok());
+        config.auth.keys.clear();
+        EXPECT_FALSE(check_exposure(config).ok()) << "TLS alone";
+        config = with_tls_and_tokens();
+        config.*listener = "0.0.0.0:50051";
+        config.tls = {};
+        EXPECT_FALSE(check_exposure(config).ok()) << "tokens alone, for all to read";
+    }
+}
+
+TEST(Exposure, the_refusal_says_what_to_do) {
+    Config config;
+    config.http = "0.0.0.0:8080";
+    const Error error = error_of(check_exposure(config));
+    EXPECT_EQ(error.code, ErrorCode::failed_precondition);
+    EXPECT_EQ(error.message,
+              "http is 0.0.0.0:8080, where strangers can reach it, without tls.certificate and "
+              "tls.key, and auth.keys, auth.issuer and auth.audience. Set them (docs/security.md), "
+              "listen on 127.0.0.1, or set insecure = true if something in front of this server "
+              "sees to both");
+}
+
+TEST(Exposure, anonymous_people_may_less_the_more_can_come) {
+    Config config;
+    EXPECT_EQ(anonymous_role(config), "admin");
+    config.listen = "0.0.0.0:50051";
+    EXPECT_EQ(anonymous_role(config), "director");
+    EXPECT_EQ(anonymous_role(with_tls_and_tokens()), "none");
+    config.auth.anonymous_role = "viewer";
+    EXPECT_EQ(anonymous_role(config), "viewer");
+}
+
+TEST(Config, settings_of_access_that_contradict_each_other_are_refused) {
+    const auto fault_of = [](auto change) {
+        Config config = with_tls_and_tokens();
+        change(config);
+        const Status status = check(config);
+        return status.ok() ? "" : status.error().message;
+    };
+    EXPECT_EQ(fault_of([](Config&) {}), "");
+    EXPECT_EQ(fault_of([](Config& c) { c.tls.key.clear(); }),
+              "tls.certificate and tls.key belong together; set both or neither");
+    EXPECT_EQ(fault_of([](Config& c) { c.tls = {.client_ca = "ca.pem"}; }),
+              "tls.client_ca is set without tls.certificate and tls.key");
+    EXPECT_EQ(fault_of([](Config& c) { c.auth.audience.clear(); }),
+              "auth.keys is set without auth.issuer and auth.audience: say whose tokens for whom");
+    EXPECT_EQ(
+        fault_of([](Config& c) { c.auth.anonymous_role = "root"; }),
+        "auth.anonymous_role is \"root\"; it must be none, viewer, player, director or admin");
+    EXPECT_EQ(fault_of([](Config& c) { c.allowed_hosts = {"https://play.example.org"}; }),
+              "allowed_hosts names \"https://play.example.org\"; write a host's name alone, as "
+              "play.example.org");
+    EXPECT_EQ(fault_of([](Config& c) { c.auth.leeway_seconds = 301; }),
+              "auth.leeway_seconds is 301; it must be from 0 to 300");
+    EXPECT_EQ(fault_of([](Config& c) { c.quota.joins_per_minute = 0; }),
+              "quota.joins_per_minute is 0; it must be from 1 to 1000000");
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "tls/certificate_store.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "support/certificates.h"
+#include "support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::make_authority;
+using test::make_certificate;
+using test::TestCertificate;
+using Change = CertificateStore::Change;
+namespace fs = std::filesystem;
+
+std::string text_of(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class CertificateStoreTest : public testing::Test {
+protected:
+    TestCertificate issue(const std::string& name) const {
+        return make_certificate({.name = name}, &root);
+    }
+    void put(const TestCertificate& certificate) const { put(certificate, certificate); }
+    void put(const TestCertificate& certificate, const TestCertificate& key) const {
+        folder.write("key.pem", key.key_pem());
+        folder.write("chain.pem", certificate.pem());
+    }
+    std::unique_ptr<CertificateStore> open(bool with_clients = false) const {
+        TlsSettings files{.certificate = folder / "chain.pem", .key = folder / "key.pem"};
+        if (with_clients) files.client_ca = folder / "client_ca.pem";
+        return CertificateStore::open(files, now).value();
+    }
+
+    const test::TempFolder folder;
+    const TestCertificate root = make_authority();
+    std::chrono::system_clock::time_point now = std::chrono::system_clock::now();
+};
+
+TEST_F(CertificateStoreTest, publishes_key_and_chain_in_one_file_and_the_authorities_in_another) {
+    const TestCertificate leaf = issue("one");
+    put(leaf);
+    folder.write("client_ca.pem", root.pem());
+    const auto store = open(true);
+    EXPECT_EQ(text_of(store->identity_file()), leaf.key_pem() + leaf.pem());
+    EXPECT_EQ(text_of(store->client_ca_file()), root.pem());
+    EXPECT_EQ(store->material()->subject, "CN=one");
+    EXPECT_NEAR(std::chrono::duration<double>(store->expiry() - now).count(), 86400, 5);
+    EXPECT_EQ(open()->client_ca_file(), "");
+}
+
+TEST_F(CertificateStoreTest, the_first_files_must_be_good) {
+    put(issue("one"), issue("two"));
+    const auto opened = CertificateStore::open(
+        {.certificate = folder / "chain.pem", .key = folder / "key.pem"}, now);
+    ASSERT_FALSE(opened.ok());
+    EXPECT_NE(opened.error().message.find("the key is not that of"), std::string::npos);
+}
+
+TEST_F(CertificateStoreTest, a_new_pair_is_taken_over_at_the_next_look) {
+    put(issue("one"));
+    const auto store = open();
+    const std::shared_ptr<const Material> first = store->material();
+    EXPECT_EQ(store->poll(now), Change::none);
+    put(issue("two"));
+    EXPECT_EQ(store->poll(now + 900ms), Change::none) << "a look a second";
+    EXPECT_EQ(store->poll(now + 1s), Change::taken);
+    EXPECT_EQ(store->material()->subject, "CN=two");
+    EXPECT_EQ(first->subject, "CN=one") << "who holds the old one keeps it";
+    put(issue("three"));
+    EXPECT_EQ(store->reload(now + 1s), Change::taken) << "or at once, when told";
+    EXPECT_EQ(store->material()->subject, "CN=three");
+}
+
+TEST_F(CertificateStoreTest, a_bad_pair_is_refused_once_and_the_old_stays_in_force) {
+    const TestCertificate one = issue("one");
+    put(one);
+    const auto store = open();
+    const std::string published = text_of(store->identity_file());
+    put(issue("two"), one);
+    EXPECT_EQ(store->poll(now += 1s), Change::refused);
+    for (int i = 0; i < 120; ++i)
+        EXPECT_EQ(store->poll(now += 1s), Change::none) << "the same is not said again";
+    EXPECT_EQ(store->reload(now), Change::refused) << "but to whom asks";
+    fs::remove(folder / "key.pem");
+    EXPECT_EQ(store->poll(now += 1s), Change::refused);
+    EXPECT_EQ(store->material()->subject, "CN=one");
+    EXPECT_EQ(text_of(store->identity_file()), published);
+    put(issue("three"));
+    EXPECT_EQ(store->poll(now += 1s), Change::taken);
+}
+
+TEST_F(CertificateStoreTest, what_is_good_from_tomorrow_is_taken_tomorrow) {
+    put(issue("one"));
+    const auto store = open();
+    put(make_certificate({.name = "two", .begins_in_s = 3600, .ends_in_s = 90000}, &root));
+    EXPECT_EQ(store->poll(now += 1s), Change::refused);
+    EXPECT_EQ(store->poll(now += 59min), Change::none);
+    EXPECT_EQ(store->poll(now += 2min), Change::taken);
+    EXPECT_EQ(store->material()->subject, "CN=two");
+}
+
+TEST_F(CertificateStoreTest, a_clock_that_is_set_back_does_not_stop_it_looking) {
+    put(issue("one"));
+    const auto store = open();
+    EXPECT_EQ(store->poll(now), Change::none);
+    put(issue("two"));
+    EXPECT_EQ(store->poll(now - 30min), Change::taken);
+}
+
+// Kubernetes: what the server reads are links into "..data", itself a link that is swapped.
+TEST_F(CertificateStoreTest, sees_a_link_that_is_swapped) {
+    const auto put_version = [&](const std::string& version, const TestCertificate& certificate) {
+        fs::create_directory(folder / version);
+        std::ofstream(folder / (version + "/chain.pem")) << certificate.pem();
+        std::ofstream(folder / (version + "/key.pem")) << certificate.key_pem();
+        fs::create_directory_symlink(version, folder / "..data_tmp");
+        fs::rename(folder / "..data_tmp", folder / "..data");
+    };
+    put_version("..one", issue("one"));
+    fs::create_symlink("..data/chain.pem", folder / "chain.pem");
+    fs::create_symlink("..data/key.pem", folder / "key.pem");
+    const auto store = open();
+    put_version("..two", issue("two"));
+    EXPECT_EQ(store->poll(now += 1s), Change::taken);
+    EXPECT_EQ(store->material()->subject, "CN=two");
+}
+
+// Readers beside fifty rotations, ten of them broken, never see anything but a good pair.
+TEST_F(CertificateStoreTest, of_fifty_rotations_ten_are_broken_and_a_good_pair_is_always_in_force) {
+    TestCertificate last = issue("0");
+    put(last);
+    const auto store = open();
+    std::atomic<bool> done = false;
+    std::atomic<int> looks = 0, broken = 0;
+    std::jthread reader([&] {
+        const test::TempFolder own;
+        while (!done) {
+            // The published file is a certificate and key of one pair at any moment.
+            const std::string file = own.write("pair.pem", text_of(store->identity_file()));
+            if (!read_material({.certificate = file, .key = file}, now).ok()) ++broken;
+            if (store->material()->subject.empty()) ++broken;
+            ++looks;
+        }
+    });
+    int refused = 0;
+    for (int i = 1; i <= 50; ++i) {
+        const TestCertificate next = issue(std::to_string(i));
+        if (i % 5 != 0) {
+            put(next);
+            last = next;
+        } else if (i % 10 == 0) {
+            put(next, last);  // the key was forgotten
+        } else {
+            folder.write("chain.pem", next.pem().substr(0, 300));  // cut off
+        }
+        if (store->reload(now) == Change::refused) ++refused;
+        EXPECT_EQ(text_of(store->identity_file()), last.key_pem() + last.pem()) << i;
+        EXPECT_EQ(store->material()->chain_pem, last.pem()) << i;
+    }
+    done = true;
+    reader.join();
+    EXPECT_EQ(refused, 10);
+    EXPECT_EQ(broken, 0);
+    EXPECT_GT(looks, 10);
+}
+
+}  // namespace
+}  // namespace jostle::server

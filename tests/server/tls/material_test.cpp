@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "tls/material.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "support/certificates.h"
+#include "support/temp_folder.h"
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+using test::make_authority;
+using test::make_certificate;
+using test::TestCertificate;
+
+class MaterialTest : public testing::Test {
+protected:
+    Result<Material> read(const std::string& chain, const std::string& key,
+                          const std::string& client_ca = {}) const {
+        TlsSettings files{.certificate = folder.write("chain.pem", chain),
+                          .key = folder.write("key.pem", key)};
+        if (!client_ca.empty()) files.client_ca = folder.write("client_ca.pem", client_ca);
+        return read_material(files, now);
+    }
+    // The message without the folder; "" when it is good.
+    std::string fault_of(const std::string& chain, const std::string& key,
+                         const std::string& client_ca = {}) const {
+        const Result<Material> material = read(chain, key, client_ca);
+        if (material.ok()) return "";
+        std::string message = material.error().message;
+        if (message.starts_with(folder / "")) message.erase(0, (folder / "").size());
+        return message;
+    }
+
+    const test::TempFolder folder;
+    const std::chrono::system_clock::time_point now = std::chrono::system_clock::now();
+    const TestCertificate root = make_authority();
+    const TestCertificate middle =
+        make_certificate({.name = "Middle", .authority = true, .ends_in_s = 7200}, &root);
+    const TestCertificate leaf = make_certificate({}, &middle);
+};
+
+TEST_F(MaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
+    const Result<Material> material = read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
+    ASSERT_TRUE(material.ok()) << material.error().message;
+    EXPECT_EQ(material->subject, "CN=localhost");
+    EXPECT_NEAR(std::chrono::duration<double>(material->expires - now).count(), 7200, 5)
+        << "the first of the chain to expire";
+    EXPECT_EQ(material->chain_pem, leaf.pem() + middle.pem());
+    EXPECT_EQ(material->client_ca_pem, root.pem());
+    EXPECT_TRUE(material->warnings.empty());
+}
+
+TEST_F(MaterialTest, the_chain_may_be_one_certificate_or_reach_to_the_root) {
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem()), "");
+    EXPECT_EQ(fault_of(leaf.pem() + middle.pem() + root.pem(), leaf.key_pem()), "");
+    const TestCertificate own = make_certificate({});
+    EXPECT_EQ(fault_of(own.pem(), own.key_pem()), "") << "signed by itself";
+    EXPECT_EQ(fault_of(leaf.key_pem() + leaf.pem(), leaf.key_pem() + leaf.pem()), "")
+        << "what else is in a file is passed over";
+}
+
+TEST_F(MaterialTest, a_key_of_another_certificate_is_refused) {
+    EXPECT_EQ(fault_of(leaf.pem(), middle.key_pem()),
+              "key.pem: the key is not that of the certificate of CN=localhost in " +
+                  folder / "chain.pem");
+}
+
+TEST_F(MaterialTest, a_chain_must_link_up) {
+    const TestCertificate stranger = make_authority("Middle");
+    EXPECT_EQ(
+        fault_of(leaf.pem() + root.pem(), leaf.key_pem()),
+        "chain.pem: the chain is broken: the certificate of CN=localhost was not issued by the "
+        "one after it");
+    EXPECT_EQ(
+        fault_of(leaf.pem() + stranger.pem(), leaf.key_pem()),
+        "chain.pem: the chain is broken: the certificate of CN=localhost was not issued by the "
+        "one after it")
+        << "the name alone is not enough";
+    const TestCertificate forged = make_certificate({.name = "evil"}, &leaf);
+    EXPECT_EQ(fault_of(forged.pem() + leaf.pem(), forged.key_pem()),
+              "chain.pem: the certificate of CN=localhost may not issue others");
+}
+
+TEST_F(MaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
+    const TestCertificate old = make_certificate({.begins_in_s = -7200, .ends_in_s = -60}, &root),
+                          early = make_certificate({.begins_in_s = 60}, &root),
+                          old_middle = make_certificate(
+                              {.name = "Old", .authority = true, .ends_in_s = -1}, &root),
+                          under_old = make_certificate({}, &old_middle);
+    EXPECT_EQ(fault_of(old.pem(), old.key_pem())
+                  .find("chain.pem: the certificate of CN=localhost has expired on 20"),
+              0u);
+    EXPECT_EQ(fault_of(early.pem(), early.key_pem())
+                  .find("chain.pem: the certificate of CN=localhost is good only from 20"),
+              0u);
+    EXPECT_EQ(fault_of(under_old.pem() + old_middle.pem(), under_old.key_pem())
+                  .find("chain.pem: the certificate of CN=Old has expired on 20"),
+              0u);
+}
+
+TEST_F(MaterialTest, a_certificate_without_an_end_is_good) {
+    const TestCertificate endless = make_certificate({.ends_in_s = 250'000'000'000}, &root);
+    const Result<Material> material = read(endless.pem(), endless.key_pem());
+    ASSERT_TRUE(material.ok()) << material.error().message;
+    EXPECT_EQ(material->expires, WallTime::max()) << "in the year 9948";
+}
+
+TEST_F(MaterialTest, files_that_are_none_are_named) {
+    EXPECT_EQ(fault_of("", leaf.key_pem()), "chain.pem: there is no certificate in PEM form");
+    EXPECT_EQ(fault_of(leaf.pem(), ""), "key.pem: there is no private key in PEM form");
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.pem()), "key.pem: there is no private key in PEM form");
+    std::string damaged = leaf.pem();
+    damaged[damaged.size() / 2] ^= 0x11;
+    EXPECT_NE(fault_of(damaged, leaf.key_pem()), "");
+    EXPECT_EQ(fault_of(leaf.pem() + middle.pem().substr(0, 200), leaf.key_pem()),
+              "chain.pem: a certificate is damaged")
+        << "cut off in the middle";
+    std::string many;
+    for (int i = 0; i < 11; ++i) many += leaf.pem();
+    EXPECT_EQ(fault_of(many, leaf.key_pem()), "chain.pem: there are more than 10 certificates");
+    EXPECT_NE(fault_of(std::string(2 << 20, 'a'), leaf.key_pem()), "");
+    EXPECT_NE(read_material({.certificate = folder / "none", .key = folder / "none"}, now)
+                  .error()
+                  .message.find("cannot read " + (folder / "none")),
+              std::string::npos);
+}
+
+TEST_F(MaterialTest, nobody_is_asked_for_a_passphrase) {
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem_with_passphrase("secret")),
+              "key.pem: the key has a passphrase, and nobody can be asked for it");
+}
+
+TEST_F(MaterialTest, certificates_of_clients_and_weak_ones_are_not_for_servers) {
+    const TestCertificate client = make_certificate({.name = "anna", .usage = "clientAuth"}, &root);
+    EXPECT_EQ(fault_of(client.pem(), client.key_pem()),
+              "chain.pem: the certificate of CN=anna is not one for servers");
+    TestCertificate weak{.x509 = {X509_dup(leaf.x509.get()), X509_free},
+                         .key = {EVP_RSA_gen(1024), EVP_PKEY_free}};
+    X509_set_pubkey(weak.x509.get(), weak.key.get());
+    X509_sign(weak.x509.get(), middle.key.get(), EVP_sha256());
+    EXPECT_EQ(fault_of(weak.pem(), weak.key_pem()),
+              "chain.pem: OpenSSL does not take it: ee key too small");
+}
+
+TEST_F(MaterialTest, authorities_of_clients_are_checked_as_well) {
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), root.pem() + middle.pem()), "");
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), leaf.pem()),
+              "client_ca.pem: the certificate of CN=localhost may not issue others");
+    const TestCertificate old =
+        make_certificate({.name = "Old", .authority = true, .ends_in_s = -1});
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), root.pem() + old.pem())
+                  .find("client_ca.pem: the certificate of CN=Old has expired"),
+              0u);
+}
+
+TEST_F(MaterialTest, a_key_that_others_may_read_is_warned_of) {
+    const TlsSettings files{.certificate = folder.write("chain.pem", leaf.pem()),
+                            .key = folder.write("key.pem", leaf.key_pem())};
+    chmod(files.key.c_str(), 0640);
+    const Result<Material> material = read_material(files, now);
+    ASSERT_TRUE(material.ok());
+    ASSERT_EQ(material->warnings.size(), 1u);
+    EXPECT_EQ(material->warnings[0],
+              files.key + " may be read by others than its owner; chmod 600");
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// `jostle-server --health` as a container's health check calls it: a second process beside the
+// server, and its exit status.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "system/server_process.h"
+
+namespace jostle::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// A probe of the doors that the server took; its whole patience is 3 s.
+struct Probe {
+    explicit Probe(const ServerProcess& server)
+        : process({"--health", "--listen", server.grpc_address(), "--http",
+                   "127.0.0.1:" + std::to_string(server.http_port())},
+                  false),
+          status(process.wait(3s)) {}
+    ServerProcess process;
+    std::optional<int> status;
+};
+
+TEST(HealthFlag, exits_with_0_while_the_server_serves_and_with_1_when_it_hangs_or_is_gone) {
+    ServerProcess server({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
+    ASSERT_TRUE(server.runs()) << server.log();
+    {
+        const Probe probe(server);
+        EXPECT_EQ(probe.status, 0) << probe.process.log();
+        EXPECT_THAT(probe.process.log(), StartsWith("healthy: gRPC on " + server.grpc_address()));
+    }
+    server.signal(SIGSTOP);
+    {
+        const Probe probe(server);
+        EXPECT_EQ(probe.status, 1) << probe.process.log();
+        EXPECT_THAT(probe.process.log(), StartsWith("not healthy: gRPC on "));
+    }
+    server.signal(SIGCONT);
+    server.signal(SIGTERM);
+    EXPECT_EQ(server.wait(9s), 0) << server.log();
+    const Probe probe(server);
+    EXPECT_EQ(probe.status, 1) << probe.process.log();
+}
+
+// The image's settings come by the environment alone; what is said on the command line wins.
+TEST(HealthFlag, server_and_probe_read_the_same_environment) {
+    setenv("JOSTLE_LISTEN", "nonsense", 1);
+    ServerProcess wrong({"--health"}, false);
+    EXPECT_EQ(wrong.wait(5s), 2);
+    EXPECT_THAT(wrong.log(), HasSubstr("listen: \"nonsense\" is no HOST:PORT"));
+
+    ServerProcess server({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
+    EXPECT_TRUE(server.runs()) << server.log();
+    setenv("JOSTLE_LISTEN", server.grpc_address().c_str(), 1);
+    setenv("JOSTLE_HTTP", ("127.0.0.1:" + std::to_string(server.http_port())).c_str(), 1);
+    ServerProcess probe({"--health"}, false);
+    EXPECT_EQ(probe.wait(3s), 0) << probe.log();
+    unsetenv("JOSTLE_LISTEN");
+    unsetenv("JOSTLE_HTTP");
+}
+
+}  // namespace
+}  // namespace jostle::test

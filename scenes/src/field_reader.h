@@ -23,6 +23,7 @@ public:
     bool failed() const { return fault_.has_value(); }
     void note(const std::string& path, std::string what);
 
+    // Always within the range, so that it can be made an integer: after a fault it is `low`.
     double number(const std::string& path, double x, double low, double high);
     physics::Vec3 vector(const std::string& path, const v1::Vec3& v, double limit);
     physics::Quat rotation(const std::string& path, bool given, const v1::Quat& q);

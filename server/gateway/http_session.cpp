@@ -26,18 +26,6 @@ constexpr std::string_view content_security_policy =
     "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "connect-src 'self' ws: wss: http: https:; frame-ancestors 'none'";
 
-HttpRequest plain_request(const http::request<http::string_body>& request) {
-    const auto header = [&](http::field field) { return std::string(request[field]); };
-    return {.method = std::string(request.method_string()),
-            .target = std::string(request.target()),
-            .host = header(http::field::host),
-            .origin = header(http::field::origin),
-            .content_type = header(http::field::content_type),
-            .if_none_match = header(http::field::if_none_match),
-            .authorization = header(http::field::authorization),
-            .body = request.body()};
-}
-
 }  // namespace
 
 HttpSession::HttpSession(SocketStream stream, const Services& services)
@@ -70,8 +58,7 @@ void HttpSession::read(std::chrono::seconds patience) {
     give_back_body();
     idle_since_ = Clock::now();
     parser_.emplace();
-    parser_->header_limit(static_cast<std::uint32_t>(services_.settings.header_bytes_max));
-    parser_->body_limit(services_.settings.body_bytes_max);
+    set_bounds(*parser_, services_.settings);
     stream_.tcp().expires_after(patience);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {

@@ -7,8 +7,6 @@
 #pragma once
 
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http/parser.hpp>
-#include <boost/beast/http/string_body.hpp>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -18,6 +16,7 @@
 #include "base/work_pool.h"
 #include "gateway/gateway_settings.h"
 #include "gateway/http_handler.h"
+#include "gateway/peer_bytes.h"
 #include "gateway/socket_stream.h"
 
 namespace jostle::server {
@@ -25,7 +24,7 @@ namespace jostle::server {
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
 public:
     using Body = boost::beast::http::string_body;
-    using Upgrade = std::function<void(SocketStream, boost::beast::http::request<Body>)>;
+    using Upgrade = std::function<void(SocketStream, BeastRequest)>;
 
     struct Services {
         const HttpHandler& routes;
@@ -64,7 +63,7 @@ private:
     SocketStream stream_;
     const Services& services_;
     boost::beast::flat_buffer buffer_;
-    std::optional<boost::beast::http::request_parser<Body>> parser_;
+    std::optional<BeastRequestParser> parser_;
     Response response_;
     bool head_only_ = false, closing_ = false;
     double reserved_ = 0;  // bytes of this request's body

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/text.h"
+#include "gateway/peer_bytes.h"
 
 namespace jostle::server {
 
@@ -67,8 +68,7 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
     timeout.keep_alive_pings = false;
     socket_.set_option(timeout);
-    socket_.read_message_max(message_bytes_max);
-    socket_.binary(true);
+    set_bounds(socket_, message_bytes_max);
     socket_.auto_fragment(
         false);  // a snapshot is one frame, and its pieces are sent from where they lie
 }

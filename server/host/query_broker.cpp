@@ -10,10 +10,14 @@ bool QueryBroker::is_good(CopyParts parts) const {
            frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
 }
 
-QueryFramePtr QueryBroker::ask(CopyParts parts) {
-    const Clock::rep until = (Clock::now() + interest).time_since_epoch().count();
+void QueryBroker::want(CopyParts parts, Clock::time_point now) {
+    const Clock::rep until = (now + interest).time_since_epoch().count();
     for (std::size_t i = 0; i < wanted_until_.size(); i++)
         if (parts >> i & 1) wanted_until_[i].store(until, std::memory_order_relaxed);
+}
+
+QueryFramePtr QueryBroker::ask(CopyParts parts) {
+    want(parts, Clock::now());
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, patience, [&] { return closed_ || is_good(parts); });
     return !closed_ && is_good(parts) ? frame_ : nullptr;

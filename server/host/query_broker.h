@@ -27,6 +27,8 @@ public:
     // Any thread: a copy with at least these parts. Null: the world left none in time, or is
     // closed.
     QueryFramePtr ask(CopyParts parts);
+    // Any thread: the same interest, without waiting.
+    void want(CopyParts parts, Clock::time_point now);
 
     // The world's thread, once per tick: what is asked for. When nothing is, the last copy is
     // dropped.

@@ -47,7 +47,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
     first->events = events_;
     world_.copy_into(*first);
     frame_ = std::move(first);
-    thread_ = std::thread([this] { run(); });
+    if (settings_.own_thread) thread_ = std::thread([this] { run(); });
 }
 
 WorldHost::~WorldHost() {
@@ -116,7 +116,7 @@ void WorldHost::run() {
         timer_->due.async_wait([&](const boost::system::error_code& error) {
             if (error || stopping_.load(std::memory_order_relaxed)) return;
             for (int left = clock.due(Clock::now()); left > 0; left--)
-                tick(clock.begin_tick(), clock.late_ticks());
+                tick_late(clock.begin_tick(), clock.late_ticks());
             wait();
         });
     };
@@ -133,8 +133,20 @@ void WorldHost::run() {
     tick_began_.store(0, std::memory_order_relaxed);
 }
 
+void WorldHost::tick(Clock::time_point due) {
+    tick_late(due, 0);
+}
+
+QueryFramePtr WorldHost::query_frame(CopyParts parts) {
+    if (!settings_.own_thread && !stopped()) {
+        queries_.want(parts, Clock::now());
+        serve_queries();
+    }
+    return queries_.ask(parts);
+}
+
 // One tick of one world. Nothing outside this thread ever touches world_, but to stop its step.
-void WorldHost::tick(Clock::time_point due, std::uint32_t late_ticks) {
+void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
     watch_.begin_tick(began);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // One world, one thread: drain, apply, step, publish, at a fixed rate. Commands go in through one
-// bounded queue, frames come out as immutable values; nobody else ever touches the world.
+// bounded queue, frames come out as immutable values; nobody else ever touches the world. Who has
+// a clock of his own makes a world without a thread, and calls tick().
 #pragma once
 
 #include <atomic>
@@ -33,6 +34,7 @@ struct WorldHostSettings {
     int command_queue_max = 8192;
     int catch_up_max = 4;
     int physics_threads = 1;
+    bool own_thread = true;  // false: it ticks only when tick() is called
     // Called on the world's thread after each frame; must only wake somebody.
     std::function<void()> on_frame;
     Metrics* metrics = nullptr;  // null: nobody counts
@@ -64,8 +66,8 @@ public:
     // Any thread: the newest frame; there is one from the start.
     FramePtr frame() const;
     // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
-    // one; null when none came.
-    QueryFramePtr query_frame(CopyParts parts) { return queries_.ask(parts); }
+    // one; null when none came. Without a thread of its own: a copy of this moment.
+    QueryFramePtr query_frame(CopyParts parts);
     // Any thread: frames carry events while there are listeners.
     void add_event_listener() { event_listeners_++; }
     void remove_event_listener() { event_listeners_--; }
@@ -75,6 +77,8 @@ public:
     bool failed() const { return failed_.load(std::memory_order_relaxed); }
     // Ends the thread, also in the midst of a long step; the last frame stays readable.
     void stop();
+    // A world without a thread of its own, one thread at a time: the tick that was due then.
+    void tick(Clock::time_point due);
 
     // Any thread. A paused world is seen and may be left, but does not step and takes no inputs.
     void pause(std::string reason);
@@ -105,7 +109,7 @@ private:
     WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
               const WorldHostSettings& settings, HostedWorld world);
     void run();
-    void tick(Clock::time_point due, std::uint32_t late_ticks);
+    void tick_late(Clock::time_point due, std::uint32_t late_ticks);
     void apply_commands(const std::optional<std::string>& paused);
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);

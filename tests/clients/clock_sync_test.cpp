@@ -22,6 +22,16 @@ TEST(ClockSync, forgets_after_half_a_minute_because_clocks_drift) {
     EXPECT_EQ(clock.offset_us(), 900'000);
 }
 
+TEST(ClockSync, does_not_believe_what_no_clock_says) {
+    ClockSync clock;
+    clock.add(0, 0x7fffffffffffffff, 1'000);
+    clock.add(0, 0xffffffffffffffff, 1'000);
+    EXPECT_FALSE(clock.ready());
+    clock.add(0, latest_time_us, 1'000);
+    EXPECT_EQ(clock.server_us(Clock::time_point(std::chrono::microseconds(500))),
+              static_cast<std::int64_t>(latest_time_us));
+}
+
 TEST(ClockSync, takes_no_pong_from_the_future) {
     ClockSync clock;
     clock.add(500, 1, 400);

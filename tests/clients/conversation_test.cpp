@@ -152,6 +152,20 @@ TEST(Conversation, decodes_a_chain_of_snapshots_and_acknowledges_each) {
     EXPECT_FALSE(stream.conversation.view().pose_of(2));
 }
 
+TEST(Conversation, a_snapshot_from_no_time_is_decoded_but_not_shown) {
+    Stream stream;
+    stream.welcome();
+    v1::ServerMessage pong;
+    pong.mutable_pong()->set_client_time_us(to_us(stream.now) - 10);
+    pong.mutable_pong()->set_server_time_us(5'000'000);
+    stream.hear(pong);
+    v1::ServerMessage snapshot = stream.snapshot(1, 2, nullptr);
+    snapshot.mutable_snapshot()->set_server_time_us(0x8000000000000000);
+    stream.hear(snapshot);
+    EXPECT_EQ(stream.conversation.stats().snapshots, 1u);
+    EXPECT_TRUE(stream.conversation.buffer().sample(5'000'000, {}).empty());
+}
+
 TEST(Conversation, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     Stream stream;
     stream.welcome();

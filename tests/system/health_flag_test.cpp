@@ -47,7 +47,7 @@ TEST(HealthFlag, exits_with_0_while_the_server_serves_and_with_1_when_it_hangs_o
     EXPECT_EQ(probe.status, 1) << probe.process.log();
 }
 
-// The server was started with --insecure, or has TLS by a flag; its probe need not know.
+// The server was started with --insecure; its probe need not know.
 TEST(HealthFlag, what_listens_everywhere_is_asked_without_a_word_about_strangers) {
     ServerProcess probe({"--health", "--listen", "0.0.0.0:1", "--http", "0.0.0.0:1"}, false);
     EXPECT_EQ(probe.wait(3s), 1);

@@ -211,8 +211,8 @@ TEST(Lifecycle, garbage_on_both_ports_does_no_harm) {
                      "GET / HTTP/1.1\r\nX: " + std::string(10000, 'x') + "\r\n\r\n", " 431 "));
     EXPECT_TRUE(poke(server.http_port(),
                      "POST /api/worlds HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n", " 413 "));
-    EXPECT_TRUE(
-        poke(server.http_port(), "GET /../../etc/passwd HTTP/1.1\r\nHost: x\r\n\r\n", " 400 "));
+    EXPECT_TRUE(poke(server.http_port(),
+                     "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n", " 400 "));
     const auto player = grpc_player(server.grpc_address());
     player->hello();
     EXPECT_TRUE(player->wait_until(has_snapshot));

@@ -159,9 +159,10 @@ TEST_F(QueryAndEvents, http_answers_in_json_and_health_knows_the_service) {
     asio::ip::tcp::socket socket(io);
     socket.connect(
         {asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(server.http_port())});
-    asio::write(socket, asio::buffer("POST /api/query/CastRays HTTP/1.1\r\nHost: x\r\nConnection: "
-                                     "close\r\nContent-Type: application/json\r\nContent-Length: " +
-                                     std::to_string(body.size()) + "\r\n\r\n" + body));
+    asio::write(socket,
+                asio::buffer("POST /api/query/CastRays HTTP/1.1\r\nHost: localhost\r\nConnection: "
+                             "close\r\nContent-Type: application/json\r\nContent-Length: " +
+                             std::to_string(body.size()) + "\r\n\r\n" + body));
     std::string answer;
     boost::system::error_code end;
     asio::read(socket, asio::dynamic_buffer(answer), end);

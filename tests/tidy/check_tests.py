@@ -107,6 +107,10 @@ COVERED_BY = {
         (["determinism/golden_hashes_test.cpp"], "an include and a name: whole worlds on every machine"),
     "constraints/planar_kernel.h":
         (["behaviour/planar_test.cpp"], "discs, beams and pyramids in planar worlds against closed forms"),
+    "geometry/def_checks.cpp":
+        (["physics/world/checks_test.cpp", "physics/state/validate_test.cpp"], "what calls and saved worlds may not hold"),
+    "state/validate_numbers.cpp":
+        (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),
     "foundation/prefetch.h":
         (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),
     "geometry/placed.h":

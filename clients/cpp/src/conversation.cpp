@@ -104,7 +104,7 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     need_keyframe_ = false;
     ack_due_ = true;
     stats_.snapshots++;
-    if (!clock_.ready()) return;
+    if (!clock_.ready() || snapshot.server_time_us() > latest_time_us) return;
     const std::int64_t arrived = clock_.server_us(now);
     const auto server_us = static_cast<std::int64_t>(snapshot.server_time_us());
     buffer_.add(view_.frame(), server_us, arrived);

@@ -237,6 +237,8 @@ inline constexpr double swept_cores[] = {0.95, 0.9, 0.8, 0.65, 0.45, 0.25};
 inline constexpr double held_core = 0.7;
 // An even turn may miss a gyroscopic body's by this; else its way is cut into legs.
 inline constexpr double leg_error = 0.01;  // rad
+// ... of a body's step so many at most, then the rest is one leg: 17,000 rad/s at 60 Hz.
+inline constexpr int most_legs = 1000;
 // Gaps need not be exact to advance safely: a direction that separates by all but this part will
 // do.
 inline constexpr double loose_gap = 0.1;

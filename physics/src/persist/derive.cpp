@@ -57,9 +57,11 @@ void derive_all(WorldState& world) {
     for (Island& island : world.islands.islands) derive_axes(island.sleepers);
     for (std::uint32_t i = 0; i < world.bodies.ids.size(); i++) {
         BodyCold& cold = world.bodies.cold[i];
-        if (!world.bodies.ids.alive(i) || !cold.asleep_in_place) continue;
-        world.bodies.asleep_in_place++;
-        invert_mass(cold);  // bytes from before 2026-11-24 have zeroes there
+        if (!world.bodies.ids.alive(i)) continue;
+        world.bodies.asleep_in_place += cold.asleep_in_place ? 1 : 0;
+        // The bytes have the inverses, too, but strangers write what they like. Those from before
+        // 2026-11-24 have zeroes where bodies sleep in place.
+        invert_mass(cold);
     }
     derive_shapes(world);
     derive_contacts(world);

@@ -6,6 +6,7 @@
 #include "foundation/tuning.h"
 #include "jostle/physics/limits.h"
 #include "state/force_fields.h"
+#include "state/validate_numbers.h"
 
 namespace jostle::physics {
 namespace {
@@ -117,9 +118,10 @@ Fault check_shapes(const WorldState& world) {
             world.bodies.cold[shapes[s].body].type != BodyType::static_body)
             return at("shapes", s, "is a plane on a body that moves");
     }
+    std::vector<std::uint8_t> met(shapes.size(), 0);
     for (const std::uint32_t s : world.shapes.moved)
-        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved)
-            return at("shapes.moved", s, "is not a shape that moved");
+        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved || met[s]++ != 0)
+            return at("shapes.moved", s, "is not a shape that moved, or is there twice");
     if (moved != world.shapes.moved.size()) return "shapes.moved: not every moved shape is there";
     return {};
 }
@@ -352,6 +354,7 @@ Fault check_graph(const WorldState& world) {
 
 Fault check_islands(const WorldState& world) {
     const auto& islands = world.islands.islands;
+    std::size_t listed = 0, dynamic = 0;
     for (std::uint32_t i = 0; i < islands.size(); i++) {
         const Island& island = islands[i];
         if (!world.islands.ids.alive(i)) {
@@ -367,6 +370,7 @@ Fault check_islands(const WorldState& world) {
                 return at("islands", i, "has a broken list of bodies");
             previous = b;
         }
+        listed += count;
         if (previous != island.last || count != island.bodies || count == 0)
             return at("islands", i, "has a list of bodies with another end or length");
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
@@ -391,6 +395,9 @@ Fault check_islands(const WorldState& world) {
         if (!island.asleep && !island.manifolds.empty())
             return at("islands", i, "is awake but keeps manifolds");
     }
+    for (std::uint32_t b = 0; b < world.bodies.cold.size(); b++)
+        dynamic += body_alive(world, b) && is_dynamic(world, b) ? 1 : 0;
+    if (listed != dynamic) return "islands: some bodies are on no island's list";
     return {};
 }
 
@@ -435,6 +442,7 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
     if (Fault f = check_pool("fields", world.fields.ids, world.fields.fields)) return f;
     if (!(world.time >= 0)) return "world.time is below 0";
+    if (Fault f = find_number_fault(world)) return f;
     // In this order: each relies on what those before it found sound.
     for (const auto check :
          {check_bodies, check_sets, check_shapes, check_joints, check_triggers, check_contacts,

@@ -7,23 +7,6 @@
 
 namespace jostle::physics {
 
-Status check_mass(double mass) {
-    return mass == 0 ? Status{} : check_range("mass", mass, limits::min_mass, limits::max_mass);
-}
-
-Status check_pose(const char* name, const Transform& pose) {
-    const std::string prefix = name;
-    if (Status s =
-            check_vector((prefix + ".position").c_str(), pose.position, limits::max_coordinate);
-        !s.ok())
-        return s;
-    const double norm = norm_squared(pose.rotation);
-    if (is_finite(norm) && norm > 1e-12 && norm < 1e12) return {};
-    const Quat q = pose.rotation;
-    return invalid(prefix + ".rotation is (" + text(q.x) + ", " + text(q.y) + ", " + text(q.z) +
-                   ", " + text(q.w) + "); it must be finite and not zero");
-}
-
 Status check_world(const WorldDef& def) {
     if (Status s = check_vector("gravity", def.gravity, 1e4); !s.ok()) return s;
     if (def.planar && def.gravity.z != 0)
@@ -96,19 +79,6 @@ Status check_flat_shape(const ShapeDef& def) {
     if (kind == ShapeKind::plane && std::get<Plane>(def.geometry).normal.z != 0)
         return invalid("the plane's normal.z is not 0; in a planar world it is");
     return check_flat("shape pose", def.pose);
-}
-
-Status check_material(const Material& m) {
-    if (Status s = check_range("friction", m.friction, 0, 100); !s.ok()) return s;
-    if (Status s = check_range("restitution", m.restitution, 0, 1); !s.ok()) return s;
-    if (Status s = check_range("rolling_friction", m.rolling_friction, 0, 100); !s.ok()) return s;
-    if (Status s = check_range("torsional_friction", m.torsional_friction, 0, 100); !s.ok())
-        return s;
-    if (Status s = check_vector("surface_velocity", m.surface_velocity, limits::max_speed); !s.ok())
-        return s;
-    if (m.friction_rule > Combine::maximum || m.restitution_rule > Combine::maximum)
-        return invalid("friction_rule or restitution_rule is of no known kind");
-    return {};
 }
 
 Status check_shape(const ShapeDef& def, BodyType type) {

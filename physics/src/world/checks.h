@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "geometry/geometry_checks.h"
+#include "geometry/def_checks.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/result.h"
@@ -15,9 +15,6 @@
 
 namespace jostle::physics {
 
-Status check_mass(double mass);  // 0 is none
-// Finite, and a rotation that is not zero.
-Status check_pose(const char* name, const Transform& pose);
 Status check_world(const WorldDef& def);
 Status check_joint_solver(const char* name, JointSolver solver);
 Status check_body(const BodyDef& def);
@@ -41,7 +38,6 @@ Status check_id(const WorldState& world, JointId id);
 Status check_id(const WorldState& world, FieldId id);
 // That no step is under way; `action` says what would be done in one.
 Status check_not_stepping(const WorldState& world, const char* action);
-Status check_material(const Material& material);
 
 // The geometry as it is stored: a plane's normal has unit length.
 Geometry stored(const Geometry& geometry);

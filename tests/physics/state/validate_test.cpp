@@ -118,4 +118,68 @@ TEST(Validate, stores_agree_after_every_step_of_a_world_that_is_meddled_with) {
     EXPECT_GT(woke, 100u);
 }
 
+// A tilted box that lies on a floor, beside another.
+World two_boxes() {
+    World world;
+    const auto add = [&](BodyType type, Vec3 at, const Geometry& geometry) {
+        return world.create_body({.type = type, .pose = {at, {}}}, {.geometry = geometry}).value();
+    };
+    add(BodyType::static_body, {}, Plane{});
+    add(BodyType::dynamic, {0, 0.5, 0}, Box{{0.3, 0.5, 0.7}});
+    add(BodyType::dynamic, {3, 0.5, 0}, Box{{0.3, 0.5, 0.7}});
+    for (int k = 0; k < 3; k++) world.step(1.0 / 60).expect();
+    return world;
+}
+
+TEST(Validate, names_what_only_forged_bytes_can_hold) {
+    const struct {
+        void (*forge)(WorldState&);
+        const char* words;
+    } forgeries[] = {
+        {[](WorldState& w) { w.def.gravity.y = -1e300; }, "gravity"},
+        {[](WorldState& w) { w.bodies.cold[1].inertia.x.x = 1e300; }, "inertia"},
+        {[](WorldState& w) { w.bodies.cold[1].inertia.x.x = -1; }, "inertia"},
+        {[](WorldState& w) { w.bodies.cold[1].inertia.y.y *= 5; }, "inertia"},
+        {[](WorldState& w) { w.bodies.cold[1].isotropic = true; }, "not even"},
+        {[](WorldState& w) { w.bodies.cold[1].radius *= 0.1; }, "too large for its size"},
+        {[](WorldState& w) { w.bodies.cold[1].inner_radius = -1; }, "radius"},
+        {[](WorldState& w) { w.bodies.cold[1].radius = 1e30; }, "radius"},
+        {[](WorldState& w) { w.bodies.cold[1].local_center.x = 1e30; }, "centre"},
+        {[](WorldState& w) { w.bodies.cold[1].mass = 1e300; }, "mass"},
+        {[](WorldState& w) { w.bodies.cold[0].mass = 1; }, "not dynamic"},
+        {[](WorldState& w) { w.bodies.awake[0].sleep_time = -1; }, "less than no time"},
+        {[](WorldState& w) { w.bodies.awake[0].center.y = 1e300; }, "too far out"},
+        {[](WorldState& w) { w.bodies.motion[1].travel = -1; }, "negative"},
+        {[](WorldState& w) { w.bodies.motion[1].travel = 1e300; }, "too far"},
+        {[](WorldState& w) { w.bodies.awake[0].v.x = 1e300; }, "faster than anything"},
+        {[](WorldState& w) { w.contacts.contacts[0].limit = 1e300; }, "limit out of range"},
+        {[](WorldState& w) { w.shapes.shapes[1].geometry = Sphere{-1}; }, "radius is -1"},
+        {[](WorldState& w) { w.shapes.shapes[1].pose.rotation.w = 3; }, "rotation"},
+        {[](WorldState& w) { w.shapes.shapes[1].material.friction = -1; }, "friction"},
+        {[](WorldState& w) { w.shapes.shapes[1].fat.low.x = 1e6; }, "fat box"},
+        // Twice, and its neighbour not at all.
+        {[](WorldState& w) {
+             for (const std::uint32_t s : {1u, 2u}) w.shapes.shapes[s].moved = true;
+             w.shapes.moved = {1, 1};
+         },
+         "there twice"},
+        // An island whose only body has gone to another one, without being on its list.
+        {[](WorldState& w) {
+             const std::uint32_t left = w.bodies.cold[2].island;
+             w.bodies.cold[2].island = w.bodies.cold[1].island;
+             w.islands.ids.alive_flags()[left] = 0;
+             w.islands.islands[left] = {};
+         },
+         "on no island's list"},
+    };
+    ASSERT_FALSE(find_fault(state_of(two_boxes())));
+    for (std::size_t k = 0; k < std::size(forgeries); k++) {
+        World world = two_boxes();
+        forgeries[k].forge(state_of(world));
+        const auto fault = find_fault(state_of(world));
+        ASSERT_TRUE(fault) << k << ": nothing is said of " << forgeries[k].words;
+        EXPECT_NE(fault->find(forgeries[k].words), std::string::npos) << k << ": " << *fault;
+    }
+}
+
 }  // namespace jostle::physics

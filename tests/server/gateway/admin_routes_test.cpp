@@ -44,8 +44,9 @@ protected:
         asio::io_context io;
         tcp::socket socket(io);
         socket.connect({asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)});
-        asio::write(socket, asio::buffer("GET " + target +
-                                         " HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n"));
+        asio::write(socket,
+                    asio::buffer("GET " + target +
+                                 " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"));
         std::string answer;
         boost::system::error_code ignored;
         asio::read(socket, asio::dynamic_buffer(answer), ignored);

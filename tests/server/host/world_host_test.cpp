@@ -45,6 +45,32 @@ TEST(WorldHost, ticks_at_its_rate) {
     EXPECT_EQ(host->frame()->tick, host->frame()->tick) << "the last frame stays readable";
 }
 
+TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
+    int frames = 0;
+    WorldHostSettings settings;
+    settings.own_thread = false;
+    settings.on_frame = [&] { frames++; };
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    EXPECT_EQ(host->frame()->tick, 1u);
+    const auto queue = std::make_shared<ResultQueue>();
+    ASSERT_TRUE(host->push(
+        {.client = 1, .sequence = 1, .action = ImpulseCommand{.entity = 9999}, .reply = queue}));
+    const Clock::time_point due = Clock::time_point() + 5s;
+    host->tick(due);
+    host->tick(due + 1s);
+    EXPECT_EQ(host->frame()->tick, 3u);
+    EXPECT_EQ(host->frame()->due, due + 1s);
+    EXPECT_EQ(frames, 2);
+    EXPECT_EQ(queue->take().size(), 1u);
+    const auto asked = Clock::now();
+    const QueryFramePtr copy = host->query_frame(copy_shapes);
+    ASSERT_NE(copy, nullptr);
+    EXPECT_EQ(copy->tick, 3u);
+    EXPECT_LT(Clock::now() - asked, QueryBroker::patience) << "and nobody is waited for";
+    host->stop();
+    EXPECT_EQ(host->query_frame(copy_shapes), nullptr);
+}
+
 TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
     constexpr int clients = 4, each = 50;
     WorldHostSettings settings;

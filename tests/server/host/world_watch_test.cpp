@@ -38,7 +38,8 @@ scenes::SceneDescription heavy() {
 }
 
 TEST(WorldWatch, a_step_that_takes_too_long_is_interrupted_and_its_world_paused) {
-    WorldDirectory worlds({.limits = {.scene = {.work_per_second_max = 1e12}}}, 2);
+    WorldDirectory worlds(
+        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}}, 2);
     const auto slow = *worlds.create("", heavy());
     const auto other = *worlds.create("", *scenes::find_scene("stack"));
     const WorldWatch watch(worlds, {.step_max = 300ms});
@@ -55,8 +56,9 @@ TEST(WorldWatch, a_step_that_takes_too_long_is_interrupted_and_its_world_paused)
 }
 
 TEST(WorldWatch, a_world_in_a_long_step_can_be_stopped) {
-    const auto slow = *WorldHost::start("w1", "slow", heavy(),
-                                        {.limits = {.scene = {.work_per_second_max = 1e12}}});
+    const auto slow = *WorldHost::start(
+        "w1", "slow", heavy(),
+        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}});
     ASSERT_TRUE(wait_until([&] { return slow->tick_began().has_value(); }));
     std::this_thread::sleep_for(100ms);
     const auto began = Clock::now();

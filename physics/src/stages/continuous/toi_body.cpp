@@ -34,7 +34,7 @@ void aim(const WorldState& world, ToiBody& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double from = t.sweep.from, left = 1 - from;
     t.sweep.until = 1;
-    if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{}) {
+    if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{} && t.legs < tuning::most_legs) {
         // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
         const Mat3 axes = to_matrix(t.spin_rotation);
         const Vec3 w = transposed_times(axes, t.spin);
@@ -101,6 +101,7 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& before, doub
 void next_leg(const WorldState& world, ToiBody& t, double dt) {
     const double at = t.sweep.until;
     ASSERT(at < 1);
+    t.legs++;
     const FreeSpin free = spin_at(world, t, at, dt);
     t.velocity += t.gain * (at - t.sweep.from);
     t.sweep.center = center_at(t.sweep, at);

@@ -30,6 +30,7 @@ struct ToiBody {
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
+    int legs = 0;                         // that lie behind it
     int handed_on = 0;                    // impacts that it had, found by itself or another
     bool checked = false;                 // the impact below is the first on its way
     bool queued = false;                  // on the list of those that are to look

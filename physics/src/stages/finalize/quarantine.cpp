@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/quarantine.h"
 
+#include <algorithm>
+
 #include "foundation/check.h"
 #include "stages/step_scratch.h"
 #include "state/contact_constraints.h"
@@ -21,6 +23,12 @@ void clear_impulses(const ContactPlace& place) {
     place.meta->set(LaneFlag::needs_rebuild, lane, true);
 }
 
+void clear_impulses(Joint& joint) {
+    joint.point = joint.angular = joint.friction = joint.force = joint.torque = {};
+    joint.lower = joint.upper = joint.swing = joint.spring = joint.motor = 0;
+    std::ranges::fill(joint.memory, 0);  // as at its beginning
+}
+
 }  // namespace
 
 Skipped quarantine(StepContext& step) {
@@ -38,6 +46,8 @@ Skipped quarantine(StepContext& step) {
             const Contact& c = world.contacts.contacts[contact];
             if (c.colour >= 0) clear_impulses(place_of(world, c));
         });
+        for_each_joint(world.joints, world.bodies.cold[body],
+                       [&](std::uint32_t joint) { clear_impulses(world.joints.joints[joint]); });
         update_motion_bound(world, body, step.dt);
     }
     return ran;

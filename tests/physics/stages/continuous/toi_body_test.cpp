@@ -84,6 +84,21 @@ TEST(ToiBody, a_gyroscopic_body_goes_in_legs) {
     EXPECT_TRUE(near(center_at(flight.toi.sweep, 1), flight.now().center, 1e-12));
 }
 
+// However wild the spin: at an inertia that no mass has, legs without length never came to an end.
+TEST(ToiBody, its_legs_come_to_an_end) {
+    for (const double wild : {1e6, 1e200}) {
+        Flight flight(Box{{0.5, 0.02, 0.05}}, {}, {60, 40, 90});
+        flight.state.bodies.cold[0].inverse_inertia.y *= wild;
+        ToiBody toi;
+        toi.body = 0;
+        toi.fast = true;
+        begin_toi(flight.state, toi, flight.before, dt);
+        int legs = 1;
+        for (; toi.sweep.until < 1 && legs < 2000; legs++) next_leg(flight.state, toi, dt);
+        EXPECT_EQ(legs, 1001) << wild;
+    }
+}
+
 // Half way it bounces back: the other half is lived with the new velocity.
 TEST(ToiBody, after_an_impact_the_rest_of_the_step_is_lived) {
     Flight flight(Sphere{0.1}, {60, 0, 0}, {});

@@ -62,5 +62,29 @@ TEST(Quarantine, a_stack_recovers) {
     EXPECT_EQ(find_fault(state), std::nullopt);
 }
 
+// What a joint carried is as unsound as its bodies: it would put them into quarantine again, in
+// every step, and no saved world may hold it.
+TEST(Quarantine, a_joint_forgets_what_it_carried_and_holds_again) {
+    for (const JointSolver solver : {JointSolver::direct, JointSolver::iterative}) {
+        World world = make_world({.joint_solver = solver});
+        const BodyId ball = add(world, {.geometry = Sphere{0.2}, .position = {1, 0, 0}});
+        const JointId joint = must(
+            world.create_joint({.body_b = ball, .frame_b = {{-1, 0, 0}, {}}, .kind = BallJoint{}}));
+        run(world, 0.5);
+        WorldState& state = state_of(world);
+        state.joints.joints[joint.index].point.x = std::nan("");
+        warm_of(state, ball.index).w.z = std::nan("");
+        must(world.step(1.0 / 60));
+        EXPECT_EQ(world.events().quarantined.size(), 1u);
+        EXPECT_EQ(state.joints.joints[joint.index].point, Vec3{});
+        must(world.step(1.0 / 60));
+        EXPECT_TRUE(world.events().quarantined.empty());
+        EXPECT_TRUE(load(save(world)).ok());
+        run(world, 1);
+        EXPECT_LT(world.summary().max_joint_error, 1e-3);
+        EXPECT_EQ(find_fault(state), std::nullopt);
+    }
+}
+
 }  // namespace
 }  // namespace jostle::test

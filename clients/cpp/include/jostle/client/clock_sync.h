@@ -18,10 +18,13 @@ inline std::uint64_t to_us(Clock::time_point t) {
         std::chrono::duration_cast<std::chrono::microseconds>(t.time_since_epoch()).count());
 }
 
+// 285 years: no monotonic clock says more, and sums and differences of such times stay in range.
+inline constexpr std::uint64_t latest_time_us = std::uint64_t{1} << 53;
+
 class ClockSync {
 public:
     // A pong came: when its ping was sent (our clock), what the server's clock said, and now (our
-    // clock). Microseconds.
+    // clock). Microseconds; a time that no clock says is not believed.
     void add(std::uint64_t sent_us, std::uint64_t server_us, std::uint64_t now_us);
 
     bool ready() const { return !samples_.empty(); }

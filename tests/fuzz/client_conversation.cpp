@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+//
+// What the C++ client library makes of a server that says anything: welcomes, rosters, snapshots,
+// pongs with wild clocks. Snapshots whose bytes can be decoded get the right CRC, which no fuzzer
+// guesses.
+#include "conversation.h"
+
+#include "fuzz/mutate_message.h"
+#include "fuzz/reader.h"
+#include "fuzz/target.h"
+
+namespace jostle::fuzz {
+
+namespace {
+
+using namespace std::chrono_literals;
+using client::Clock;
+
+constexpr std::uint8_t kinds = 5;
+
+class Listener {
+public:
+    Listener() { conversation_.begin(now_); }
+
+    void happens(const Record& record) {
+        Reader in(record.bytes);
+        switch (record.kind % kinds) {
+            case 0:
+                return hear(std::string(text_of(record.bytes)));
+            case 1:
+                now_ += std::chrono::milliseconds(in.number<std::uint16_t>());
+                return look(in.number<std::int32_t>());
+            case 2:
+                if (conversation_.view().frame().frame != 0) frames_.clear();
+                conversation_.ended(Error{ErrorCode::unavailable, "gone"});
+                return conversation_.begin(now_);
+            case 3:
+                static_cast<void>(conversation_.send({}));
+                return speak();
+            case 4:
+                conversation_.leave();
+                return speak();
+        }
+    }
+
+private:
+    void hear(std::string bytes) {
+        v1::ServerMessage message;
+        const bool whole = message.ParseFromString(bytes);
+        if (whole && message.has_welcome()) frames_.clear();
+        if (whole && message.has_snapshot() && put_crc(*message.mutable_snapshot()))
+            bytes = message.SerializeAsString();
+        const std::uint32_t before = conversation_.view().frame().frame;
+        conversation_.receive(bytes, now_);
+        const wire::QuantizedFrame& frame = conversation_.view().frame();
+        if (frame.frame == before) return;
+        frames_.push_back(frame);
+        if (frames_.size() > client::WorldView::ring) frames_.pop_front();
+    }
+
+    const wire::QuantizedFrame* find(std::uint32_t number) const {
+        for (const wire::QuantizedFrame& frame : frames_)
+            if (frame.frame == number) return &frame;
+        return nullptr;
+    }
+
+    bool put_crc(v1::Snapshot& snapshot) const {
+        wire::Bases bases;
+        const std::uint32_t numbers[] = {snapshot.base_frame(), snapshot.base2_frame(),
+                                         snapshot.base3_frame()};
+        const wire::QuantizedFrame** const slots[] = {&bases.base, &bases.base2, &bases.base3};
+        for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
+        }
+        const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
+        const auto frame = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()},
+                                              bases, conversation_.view().spec());
+        if (!frame.ok()) return false;
+        snapshot.set_crc(wire::frame_crc(*frame));
+        return true;
+    }
+
+    // What a program asks of its client between two messages.
+    void look(std::int32_t later_ms) {
+        const client::WorldView& view = conversation_.view();
+        const std::int64_t now = conversation_.clock().server_us(now_);
+        static_cast<void>(conversation_.buffer().sample(now, view.spec()));
+        static_cast<void>(conversation_.buffer().sample(later_ms, view.spec()));
+        for (const auto& [id, entity] : view.entities()) static_cast<void>(view.pose_of(id));
+        for (const std::string& tag : view.chunk_tags())
+            expect(!view.chunk(tag).empty(), "a module that tells something has bytes");
+        static_cast<void>(conversation_.take_results());
+        static_cast<void>(conversation_.take_events());
+        static_cast<void>(conversation_.take_ages_ms());
+        speak();
+    }
+
+    void speak() {
+        for (int k = 0; k < 8; k++)
+            if (!conversation_.take_message(now_)) return;
+    }
+
+    Clock::time_point now_ = Clock::time_point() + 1000s;
+    client::Conversation conversation_{client::ClientOptions{.events = true}};
+    std::deque<wire::QuantizedFrame> frames_;  // as the view keeps them
+};
+
+}  // namespace
+
+void run(Bytes input) {
+    Listener listener;
+    for (Reader in(input); !in.done();) listener.happens(take_record(in));
+}
+
+}  // namespace jostle::fuzz
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t size_max, unsigned seed) {
+    static jostle::v1::ServerMessage message;
+    return jostle::fuzz::mutate_records(message, 0, jostle::fuzz::kinds, data, size, size_max,
+                                        seed);
+}

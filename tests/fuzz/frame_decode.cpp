@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Packed frames from a stranger, each against those before it that could be read. What could be
+// read says the same when it is written and read again.
+#include "fuzz/frames.h"
+#include "fuzz/target.h"
+
+namespace jostle::fuzz {
+
+void run(Bytes input) {
+    Reader in(input);
+    const wire::QuantSpec spec = take_spec(in);
+    FrameRing ring;
+    while (!in.done()) {
+        const Record record = take_record(in);
+        Reader head(record.bytes);
+        // Mostly the next one, seldom so far ahead that it is refused.
+        const std::uint32_t number = ring.newest() + 1 + head.number<std::uint8_t>();
+        const wire::Bases bases = ring.bases(record.kind);
+        const auto frame = wire::decode_frame(number, bytes_of(head.rest()), bases, spec);
+        if (!frame.ok()) {
+            expect(!frame.error().message.empty(), "a refusal has a reason");
+            continue;
+        }
+        const auto packed = wire::encode_frame(*frame, bases, spec);
+        const auto again = wire::decode_frame(number, packed, bases, spec);
+        expect(again.ok() && *again == *frame, "a frame is the same when it was sent on");
+        expect(wire::frame_crc(*again) == wire::frame_crc(*frame), "and so is its CRC");
+        ring.add(std::move(*frame));
+    }
+}
+
+}  // namespace jostle::fuzz

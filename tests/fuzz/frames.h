@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// What both frame targets share: frames that were decoded or made, from which later ones take their
+// bases, as a client keeps them.
+#pragma once
+
+#include <deque>
+
+#include "fuzz/reader.h"
+#include "wire/frame_codec.h"
+
+namespace jostle::fuzz {
+
+class FrameRing {
+public:
+    void add(wire::QuantizedFrame frame) {
+        frames_.push_back(std::move(frame));
+        if (frames_.size() > ring) frames_.pop_front();
+    }
+    std::uint32_t newest() const { return frames_.empty() ? 0 : frames_.back().frame; }
+    // Two bits each say how far back the next base lies; 0 ends the list.
+    wire::Bases bases(std::uint8_t choice) const {
+        wire::Bases bases;
+        const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
+        std::size_t back = 0;
+        for (const auto slot : slots) {
+            const std::size_t step = choice & 3;
+            choice >>= 2;
+            back += step;
+            if (step == 0 || back > frames_.size()) break;
+            *slot = &frames_[frames_.size() - back];
+        }
+        return bases;
+    }
+
+private:
+    static constexpr std::size_t ring = 32;
+    std::deque<wire::QuantizedFrame> frames_;
+};
+
+// Mostly what servers use, else anything.
+inline wire::QuantSpec take_spec(Reader& in) {
+    switch (in.number<std::uint8_t>() % 4) {
+        case 0:
+            return {};
+        case 1:
+            return {4096, 16383};
+        case 2:
+            return {wire::max_units_per_meter, wire::max_rotation_component};
+        default: {
+            const auto units = in.number<std::int32_t>();
+            return {units, in.number<std::int32_t>()};
+        }
+    }
+}
+
+}  // namespace jostle::fuzz

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// The bytes of an HTTP connection, in pieces as a socket may give them, read with the gateway's own
+// bounds.
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+
+#include "fuzz/reader.h"
+#include "fuzz/target.h"
+#include "gateway/http_routes.h"
+#include "gateway/peer_bytes.h"
+
+namespace jostle::fuzz {
+
+namespace {
+
+// What the gateway does with one request, up to its answer.
+void look_at(const server::BeastRequest& raw, const server::GatewaySettings& settings) {
+    const server::HttpRequest request = server::plain_request(raw);
+    expect(request.target.size() <= settings.header_bytes_max, "a target fits into the header");
+    expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
+    static_cast<void>(boost::beast::websocket::is_upgrade(raw));
+    static_cast<void>(server::HttpRoutes::may_take_long(request));
+    static_cast<void>(raw.keep_alive());
+}
+
+}  // namespace
+
+void run(Bytes input) {
+    const server::GatewaySettings settings{.header_bytes_max = 1024, .body_bytes_max = 2048};
+    Reader in(input);
+    const std::size_t piece = 1 + in.number<std::uint8_t>() * 4u;
+    boost::beast::flat_buffer buffer;
+    for (int requests = 0; requests < 8; requests++) {
+        server::BeastRequestParser parser;
+        set_bounds(parser, settings);
+        parser.eager(true);
+        while (!parser.is_done()) {
+            const Bytes fresh = in.take(piece);
+            const bool ended = fresh.empty();
+            buffer.commit(boost::asio::buffer_copy(
+                buffer.prepare(fresh.size()), boost::asio::buffer(fresh.data(), fresh.size())));
+            boost::beast::error_code error;
+            buffer.consume(parser.put(buffer.data(), error));
+            if (error == boost::beast::http::error::need_more && !ended) continue;
+            if (error) return;
+            if (ended) return;
+        }
+        look_at(parser.get(), settings);
+    }
+}
+
+}  // namespace jostle::fuzz

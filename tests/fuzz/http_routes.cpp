@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Requests as the gateway has read them, line by line: method, target, host, origin, content type,
+// If-None-Match, and the body. Each is answered, never with "our mistake".
+#include "gateway/http_routes.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fuzz/small_server.h"
+#include "fuzz/target.h"
+#include "fuzz/try_scene.h"
+#include "jostle/v1/world.pb.h"
+
+namespace jostle::fuzz {
+
+namespace {
+
+std::string take_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string line(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+bool asks_for_many(const server::HttpRequest& request) {
+    if (request.body.find("repeat") == std::string::npos) return false;
+    v1::CreateWorldRequest message;
+    static_cast<void>(google::protobuf::util::JsonStringToMessage(request.body, &message));
+    return fuzz::asks_for_many(message.scene());
+}
+
+}  // namespace
+
+void run(Bytes input) {
+    std::string_view text = text_of(input);
+    server::HttpRequest request;
+    for (std::string* part : {&request.method, &request.target, &request.host, &request.origin,
+                              &request.content_type, &request.if_none_match})
+        *part = take_line(text);
+    request.body = text;
+    if (asks_for_many(request)) return;
+
+    SmallServer small;
+    server::WorldControl control{small.context};
+    const server::QueryControl queries{small.context};
+    const server::HttpRoutes routes{
+        control, queries, {.web_root = WEB_ROOT, .is_ready = [] { return true; }}};
+    const server::HttpResponse response = routes.answer(request);
+    expect(response.status >= 200 && response.status < 600 && response.status != 500,
+           "an answer has a status, and is no mistake of ours: " + response.body);
+    expect(!response.content_type.empty(), "an answer has a type");
+    if (response.content_type == "application/json")
+        expect(nlohmann::json::accept(response.body), "JSON is JSON");
+    // What was made runs.
+    for (const auto& world : small.worlds.list()) world->tick(server::Clock::now());
+}
+
+}  // namespace jostle::fuzz

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes as CreateWorld takes them: read, written and read again, built and stepped.
+#include "fuzz/mutate_message.h"
+#include "fuzz/target.h"
+#include "fuzz/try_scene.h"
+#include "jostle/scenes/scene_file.h"
+
+namespace jostle::fuzz {
+
+void run(Bytes input) {
+    v1::Scene message;
+    if (!message.ParseFromArray(input.data(), static_cast<int>(input.size()))) return;
+    if (asks_for_many(message)) return;
+    const auto scene = scenes::from_message(message);
+    if (!scene.ok()) return expect(!scene.error().message.empty(), "a refusal has a reason");
+    const auto again = scenes::from_message(scenes::to_message(*scene));
+    expect(again.ok(), again.ok() ? "" : "what was written is refused: " + again.error().message);
+    try_scene(*scene);
+}
+
+}  // namespace jostle::fuzz
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t size_max, unsigned seed) {
+    static jostle::v1::Scene message;
+    return jostle::fuzz::mutate_message(message, data, size, size_max, seed);
+}

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes what fuzzing begins with, from the tests' own data and from what the server itself says:
+// FOLDER/TARGET/NAME for each target, and FOLDER/dictionaries. scripts/fuzz --renew makes the
+// committed corpora of them.
+#include <google/protobuf/util/json_util.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <iterator>
+
+#include "fuzz/reader.h"
+#include "fuzz/saved_world.h"
+#include "fuzz/seed_scenes.h"
+#include "fuzz/seed_words.h"
+#include "fuzz/small_server.h"
+#include "jostle/physics/snapshot.h"
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/scene_file.h"
+#include "jostle/v1/play.pb.h"
+#include "jostle/v1/query.pb.h"
+#include "jostle/v1/world.pb.h"
+#include "protocol/client_link.h"
+#include "wire/golden.h"
+
+namespace jostle::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+std::string read_file(const std::string& path) {
+    std::ifstream in(fs::path(PROJECT_FOLDER) / path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// One target's seeds, counted as they come.
+class Seeds {
+public:
+    Seeds(const fs::path& folder, const std::string& target) : folder_(folder / target) {
+        fs::create_directories(folder_);
+    }
+    void add(std::string_view bytes) {
+        std::ofstream out(folder_ / std::to_string(count_++), std::ios::binary);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    }
+    void add(const google::protobuf::Message& message) { add(message.SerializeAsString()); }
+
+private:
+    fs::path folder_;
+    int count_ = 0;
+};
+
+std::string record(std::uint8_t kind, std::string_view bytes = {}) {
+    std::string out{static_cast<char>(kind), static_cast<char>(bytes.size() & 0xff),
+                    static_cast<char>(bytes.size() >> 8)};
+    return out.append(bytes);
+}
+
+template <class T>
+void put(std::string& out, T value) {
+    out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// ---- what clients and servers say ----
+
+v1::ClientMessage hello(bool events) {
+    v1::ClientMessage message;
+    message.mutable_hello()->set_protocol(1);
+    message.mutable_hello()->set_name("seed");
+    message.mutable_hello()->set_events(events);
+    message.mutable_hello()->set_snapshot_hz(events ? 20 : 0);
+    return message;
+}
+
+void set(v1::Vec3& v, double x, double y, double z) {
+    v.set_x(x);
+    v.set_y(y);
+    v.set_z(z);
+}
+
+// One of every kind of input, from `first` on.
+v1::ClientMessage inputs(std::uint32_t first) {
+    v1::ClientMessage message;
+    v1::InputBatch& batch = *message.mutable_input();
+    batch.set_first_sequence(first);
+    batch.set_client_time_us(1234);
+    v1::SpawnInput& ball = *batch.add_inputs()->mutable_spawn();
+    ball.mutable_shape()->mutable_sphere()->set_radius(0.4);
+    set(*ball.mutable_position(), 0.1, 3, 0);
+    set(*ball.mutable_linear_velocity(), 0, -5, 1);
+    ball.set_color(0x123456);
+    v1::SpawnInput& hull = *batch.add_inputs()->mutable_spawn();
+    for (int k = 0; k < 6; k++)
+        set(*hull.mutable_shape()->mutable_hull()->add_points(), k == 0 ? 1 : -0.2 * k,
+            k % 2 == 0 ? 0.5 : -0.5, k < 3 ? 0.5 : -0.4);
+    hull.mutable_shape()->set_friction(0.3);
+    hull.mutable_rotation()->set_w(1);
+    set(*hull.mutable_position(), 1, 4, 0);
+    v1::ImpulseInput& push = *batch.add_inputs()->mutable_impulse();
+    push.set_entity(2);
+    set(*push.mutable_impulse(), 500, 0, 10);
+    set(*push.mutable_point(), 0, 1, 0);
+    batch.add_inputs()->mutable_grab()->set_entity(3);
+    set(*batch.add_inputs()->mutable_drag()->mutable_target(), 1, 3, 1);
+    batch.add_inputs()->mutable_release();
+    batch.add_inputs()->mutable_delete_()->set_entity(5);
+    v1::ExplodeInput& bang = *batch.add_inputs()->mutable_explode();
+    set(*bang.mutable_center(), 0, 1, 0);
+    bang.set_radius(5);
+    bang.set_speed(10);
+    batch.mutable_ack()->set_frame(3);
+    return message;
+}
+
+v1::ClientMessage with(const std::function<void(v1::ClientMessage&)>& change) {
+    v1::ClientMessage message;
+    change(message);
+    return message;
+}
+
+std::vector<v1::ClientMessage> client_messages() {
+    return {hello(false),
+            hello(true),
+            inputs(1),
+            inputs(9),
+            with([](auto& m) { m.mutable_ack()->set_frame(7); }),
+            with([](auto& m) { m.mutable_ping()->set_client_time_us(99); }),
+            with([](auto& m) { m.mutable_leave(); })};
+}
+
+// Kinds of records: tests/fuzz/client_link.cpp.
+std::string talk(bool events) {
+    std::string out = record(0, hello(events).SerializeAsString()) + record(3);
+    for (std::uint32_t round = 0; round < 3; round++) {
+        out += record(0, inputs(1 + 8 * round).SerializeAsString());
+        out += record(1, "\3") + record(2, std::string("\x40\0", 2)) + record(3) + record(5, "\1");
+    }
+    out += record(4) + record(0, client_messages()[5].SerializeAsString());
+    return out + record(0, client_messages()[6].SerializeAsString()) + record(3);
+}
+
+// What a server says to a client who plays, each message for itself.
+std::vector<std::string> server_messages(bool events) {
+    SmallServer small;
+    server::Clock::time_point now = server::Clock::time_point() + 1000s;
+    server::ClientLink link(small.context, "seed", now);
+    std::vector<std::string> said;
+    const auto listen = [&] {
+        while (const auto out = link.take_message(now))
+            said.push_back(out->head + (out->shared ? *out->shared : ""));
+    };
+    link.receive(hello(events).SerializeAsString(), now);
+    for (std::uint32_t round = 0; round < 4; round++) {
+        listen();
+        link.receive(client_messages()[5].SerializeAsString(), now);
+        link.receive(inputs(1 + 8 * round).SerializeAsString(), now);
+        small.worlds.find("")->tick(now += 60ms);
+    }
+    listen();
+    return said;
+}
+
+void write_play(const fs::path& folder) {
+    Seeds messages(folder, "play_message"), link(folder, "client_link"),
+        client(folder, "client_conversation");
+    for (const v1::ClientMessage& message : client_messages()) messages.add(message);
+    for (const bool events : {false, true}) {
+        link.add(talk(events));
+        std::string all;
+        for (const std::string& message : server_messages(events)) {
+            client.add(record(0, message));
+            all += record(0, message);
+            if (message.size() % 3 == 0) all += record(1, std::string("\x20\0", 2));
+        }
+        client.add(all + record(1) + record(3) + record(2) + record(4));
+    }
+}
+
+// ---- frames ----
+
+// Kinds of records: tests/fuzz/frames.h, how far back each base lies.
+void write_frames(const fs::path& folder) {
+    Seeds decode(folder, "frame_decode"), round_trip(folder, "frame_round_trip");
+    for (const wire::GoldenSequence& golden : wire::golden_sequences()) {
+        std::string out(1, golden.name == "precise" ? '\1' : '\0');
+        const auto find = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+            for (const wire::GoldenFrame& g : golden.frames)
+                if (number != 0 && g.frame.frame == number) return &g.frame;
+            return nullptr;
+        };
+        std::uint32_t newest = 0;
+        for (std::size_t i = 0; i < 8; i++) {
+            const wire::GoldenFrame& g = golden.frames[i];
+            const auto packed =
+                encode_frame(g.frame, {find(g.base), find(g.base2), find(g.base3)}, golden.spec);
+            std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
+            bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
+            const int bases = (g.base != 0) + (g.base2 != 0) + (g.base3 != 0);
+            out += record(static_cast<std::uint8_t>(0b010101 & ((1 << 2 * bases) - 1)), bytes);
+            newest = g.frame.frame;
+        }
+        decode.add(out);
+    }
+    for (std::uint32_t seed = 1; seed <= 4; seed++) {
+        wire::Random random(seed);
+        std::string out(1, static_cast<char>(seed % 3));
+        for (int k = 0; k < 300; k++) out += static_cast<char>(random.below(256));
+        round_trip.add(out);
+    }
+}
+
+// ---- scenes and worlds ----
+
+constexpr std::size_t saved_bytes_max = 4096;  // more would be one world in a thousand runs
+
+void write_scenes(const fs::path& folder) {
+    Seeds message(folder, "scene_message"), json(folder, "scene_json"),
+        saved(folder, "saved_world");
+    for (const char* path :
+         {"tests/scenes/data/every_field.json", "tests/scenes/data/planar.json",
+          "scenes/data/carousel.json", "scenes/data/chain.json", "scenes/data/crater.json",
+          "scenes/data/gate.json", "scenes/data/linkage.json", "scenes/data/towers.json"})
+        json.add(read_file(path));
+    const auto add = [&](const physics::World& world) {
+        const auto bytes = save(world);
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        if (bytes.size() <= saved_bytes_max) saved.add(text);
+    };
+    v1::Scene whole;
+    static_cast<void>(google::protobuf::util::JsonStringToMessage(
+        read_file("tests/scenes/data/every_field.json"), &whole));
+    whole.clear_modules();  // of the tests alone
+    std::vector<v1::Scene> pieces = pieces_of(whole);
+    pieces.push_back(scenes::to_message(scenes::find_scene("hovercraft").value()));
+    for (const v1::Scene& scene : pieces) {
+        message.add(scene);
+        const auto description = scenes::from_message(scene).value();
+        json.add(scenes::write_scene_json(description));
+        auto built = scenes::build_scene(description).value();
+        for (int k = 0; k < 30; k++) built.world.step(1.0 / 60).expect();
+        add(built.world);
+    }
+    for (const physics::World& world : small_worlds()) add(world);
+}
+
+// ---- geometry ----
+
+void write_geometry(const fs::path& folder) {
+    Seeds hull(folder, "hull_points"), terrain(folder, "terrain");
+    hull.add(std::string("\0\0\0\0\20\0\0\0\20\0\0\0\20\20\20\20", 16));
+    wire::Random random(7);
+    std::string cloud(1, '\1'), box(1, '\2');
+    for (int k = 0; k < 3 * 40; k++) put(cloud, static_cast<std::int32_t>(random.in(-1e8, 1e8)));
+    for (int k = 0; k < 8; k++)
+        for (int axis = 0; axis < 3; axis++) put(box, (k >> axis & 1) != 0 ? 0.5 : -0.5);
+    hull.add(cloud);
+    hull.add(box);
+    // Four vertices on the grid and two triangles; then a height field of 4 x 4.
+    terrain.add(std::string("\0\0\4\0\0\0\20\0\0\20\0\20\0\1\20\0\1\2\0\2\3", 21));
+    std::string field("\1\4\4\1\20\20", 6);
+    for (int k = 0; k < 16; k++) field += static_cast<char>(random.below(20));
+    terrain.add(field + std::string("\0\0\1\0\0\0\0\0\0", 9));
+}
+
+// ---- text and requests ----
+
+void write_text(const fs::path& folder) {
+    Seeds config(folder, "config_text"), script(folder, "bot_script"),
+        target(folder, "http_target"), head(folder, "http_head"), socket(folder, "websocket"),
+        routes(folder, "http_routes");
+    config.add(read_file("server/jostle-server.toml"));
+    config.add("listen = \"[::1]:0\"\nscenes = [\"stack\"]\n[client]\ninputs_per_second = 1e3\n");
+    script.add(read_file("clients/bot/scripts/sandbox.bots"));
+    script.add("wander weight=2 period=0.5 strength=4 # so\npush\nthrow keep=3\nwatch weight=0\n");
+    for (const char* path : {"/", "/index.html", "/assets/app.js?v=1", "/a%20b/c#d", "/api/worlds",
+                             "/%2e%2e/secret", "/.git/config", "/a//b/", "/\xc3\xa4.png"}) {
+        target.add(path);
+        routes.add("GET\n" + std::string(path) + "\nlocalhost\n\n\n\n");
+    }
+    const std::string get = "GET /play HTTP/1.1\r\nHost: localhost:8080\r\n";
+    head.add("\xff" + get + "\r\n");
+    head.add(
+        "\4POST /api/worlds HTTP/1.1\r\nHost: a\r\nOrigin: http://a\r\nContent-Type: "
+        "application/json\r\nContent-Length: 2\r\n\r\n{}GET / HTTP/1.0\r\n\r\n");
+    head.add(
+        "\xffPUT / HTTP/1.1\r\nTransfer-Encoding: chunked\r\nExpect: 100-continue\r\n\r\n"
+        "3;x=y\r\nabc\r\n0\r\nTrailer: t\r\n\r\n");
+    const std::string upgrade = get +
+                                "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: "
+                                "dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n";
+    head.add("\xff" + upgrade);
+    // Frames of a client are masked: binary in two pieces, text, ping, close.
+    socket.add(upgrade + std::string("\2\202abcd\1\2\200\201abcd\3", 15));
+    socket.add(upgrade + std::string("\201\203abcd\xc4\xa5y\211\200abcd", 15));
+    socket.add(upgrade + std::string("\210\202abcd\x62\x8a", 8));
+    const std::string post = "\nlocalhost\n\napplication/json\n\n";
+    routes.add("POST\n/api/worlds" + post + R"({"name":"x","sceneName":"stack"})");
+    routes.add("POST\n/api/worlds" + post +
+               R"({"scene":{"name":"a","bodies":[{"shapes":[{"sphere":{"radius":0.5}}]}]}})");
+    routes.add("DELETE\n/api/worlds/w1" + post);
+    routes.add("POST\n/api/query/CastRays" + post +
+               R"({"rays":[{"origin":{"y":5},"motion":{"y":-9}}],"mode":"HIT_MODE_ALL"})");
+    routes.add("POST\n/api/query/Overlap" + post +
+               R"({"shape":{"box":{"halfExtents":{"x":1,"y":1,"z":1}}},"filter":{"ignore":2}})");
+    routes.add("POST\n/api/query/Debug" + post + R"({"contacts":true,"bounds":true})");
+}
+
+// The first byte names the method: tests/fuzz/rpc_request.cpp.
+void write_requests(const fs::path& folder) {
+    Seeds seeds(folder, "rpc_request");
+    const auto add = [&](char method, const google::protobuf::Message& message) {
+        seeds.add(method + message.SerializeAsString());
+    };
+    v1::CastRaysRequest rays;
+    set(*rays.add_rays()->mutable_origin(), 0, 5, 0);
+    set(*rays.mutable_rays(0)->mutable_motion(), 0, -9, 0);
+    rays.set_mode(v1::HIT_MODE_ALL);
+    rays.mutable_filter()->set_ignore(2);
+    add(0, rays);
+    v1::CastShapesRequest shapes;
+    v1::MovingShape& moving = *shapes.add_shapes();
+    moving.mutable_shape()->mutable_sphere()->set_radius(0.2);
+    set(*moving.mutable_shape()->mutable_position(), 0, 5, 0);
+    set(*moving.mutable_motion(), 0, -9, 0);
+    add(1, shapes);
+    v1::OverlapRequest overlap;
+    set(*overlap.mutable_shape()->mutable_box()->mutable_half_extents(), 1, 2, 1);
+    add(2, overlap);
+    v1::ClosestPointsRequest closest;
+    set(*closest.add_points(), 1, 2, 3);
+    add(3, closest);
+    v1::DebugRequest debug;
+    for (int k = 0; k < debug.GetDescriptor()->field_count(); k++)
+        if (const auto* field = debug.GetDescriptor()->field(k);
+            field->cpp_type() == google::protobuf::FieldDescriptor::CPPTYPE_BOOL)
+            debug.GetReflection()->SetBool(&debug, field, true);
+    add(4, debug);
+    v1::CreateWorldRequest create;
+    *create.mutable_scene() = scenes::to_message(small_scene());
+    create.set_name("second");
+    add(5, create);
+    add(6, v1::JoinWorldRequest());
+    v1::GetWorldRequest get;
+    get.set_world("w1");
+    add(7, get);
+    v1::DeleteWorldRequest remove;
+    remove.set_world("w1");
+    add(8, remove);
+}
+
+}  // namespace
+
+}  // namespace jostle::fuzz
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::cerr << "usage: fuzz-seeds FOLDER\n";
+        return 2;
+    }
+    using namespace jostle::fuzz;
+    const fs::path folder = arguments[1];
+    for (const auto write :
+         {write_play, write_frames, write_scenes, write_geometry, write_text, write_requests})
+        write(folder);
+    write_dictionaries(folder / "dictionaries");
+}

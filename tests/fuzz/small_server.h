@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// A server without threads and sockets: a world that stands still until it is told to tick, and all
+// that a conversation or a question needs. Made anew for each input.
+#pragma once
+
+#include <spdlog/spdlog.h>
+
+#include "jostle/scenes/scene.h"
+#include "protocol/play_context.h"
+#include "protocol/query_control.h"
+#include "protocol/world_control.h"
+
+namespace jostle::fuzz {
+
+// A floor, two boxes upon each other and a ball that falls.
+inline scenes::SceneDescription small_scene() {
+    using namespace physics;
+    scenes::SceneDescription scene{.name = "small"};
+    const auto add = [&](const Geometry& geometry, Vec3 position, BodyType type) {
+        scenes::SceneBody body{.name = "body"};
+        body.body.pose.position = position;
+        body.body.type = type;
+        body.shapes.push_back(ShapeDef{.geometry = geometry});
+        scene.bodies.push_back(std::move(body));
+    };
+    add(Plane{}, {}, BodyType::static_body);
+    add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0}, BodyType::dynamic);
+    add(Box{{0.5, 0.5, 0.5}}, {0, 1.5, 0}, BodyType::dynamic);
+    add(Sphere{0.3}, {2, 3, 0}, BodyType::dynamic);
+    return scene;
+}
+
+struct SmallServer {
+    SmallServer() {
+        spdlog::set_level(spdlog::level::off);
+        worlds.create("", scene()).value();
+    }
+
+    server::Config config = [] {
+        server::Config c;
+        c.world.worlds_max = 2;
+        c.world.bodies_max = 16;
+        c.client.bodies_owned_max = 6;
+        return c;
+    }();
+    server::SessionDirectory sessions{2};
+    server::WorldDirectory worlds{{.limits = {.bodies_max = config.world.bodies_max,
+                                              .bodies_owned_max = config.client.bodies_owned_max},
+                                   .command_queue_max = 256,
+                                   .own_thread = false},
+                                  config.world.worlds_max};
+    server::PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+
+private:
+    static const scenes::SceneDescription& scene() {
+        static const scenes::SceneDescription scene = small_scene();
+        return scene;
+    }
+};
+
+}  // namespace jostle::fuzz

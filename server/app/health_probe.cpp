@@ -2,6 +2,7 @@
 #include "app/health_probe.h"
 
 #include <grpcpp/create_channel.h>
+#include <grpcpp/security/tls_certificate_provider.h>
 #include <grpcpp/security/tls_credentials_options.h>
 #include <spdlog/fmt/fmt.h>
 
@@ -16,6 +17,8 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <optional>
 
 #include "base/clock.h"
@@ -52,9 +55,13 @@ Result<HostPort> reachable(const char* setting, const std::string& address) {
     return parsed;
 }
 
-std::shared_ptr<grpc::ChannelCredentials> credentials(bool tls) {
-    if (!tls) return grpc::InsecureChannelCredentials();
+std::shared_ptr<grpc::ChannelCredentials> credentials(const std::string& certificates) {
+    if (certificates.empty()) return grpc::InsecureChannelCredentials();
     grpc::experimental::TlsChannelCredentialsOptions options;
+    // gRPC wants roots even where it checks nothing by them, and an image may have none.
+    options.set_certificate_provider(
+        std::make_shared<grpc::experimental::StaticDataCertificateProvider>(certificates));
+    options.watch_root_certs();
     options.set_verify_server_certs(false);
     options.set_check_call_host(false);
     options.set_certificate_verifier(
@@ -67,8 +74,8 @@ std::optional<std::string> fault_of_grpc(const HealthTarget& target,
                                          std::chrono::milliseconds patience) {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // never by way of another machine
-    const auto stub = health::Health::NewStub(
-        grpc::CreateCustomChannel(text_of(target.grpc), credentials(target.tls), arguments));
+    const auto stub = health::Health::NewStub(grpc::CreateCustomChannel(
+        text_of(target.grpc), credentials(target.certificates), arguments));
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() + patience);
     health::HealthCheckResponse response;
@@ -95,7 +102,7 @@ asio::awaitable<http::status> ask_http(asio::io_context& io, const HealthTarget&
     const auto addresses = co_await resolver.async_resolve(
         target.http.host, std::to_string(target.http.port), asio::use_awaitable);
     const std::string host = text_of(target.http);
-    if (!target.tls) {
+    if (target.certificates.empty()) {
         beast::tcp_stream stream(io);
         co_await stream.async_connect(addresses, asio::use_awaitable);
         co_return co_await get_healthz(stream, host);
@@ -136,7 +143,14 @@ Result<HealthTarget> health_target(const Config& config) {
     if (!grpc.ok()) return grpc.error();
     const Result<HostPort> http = reachable("http", config.http);
     if (!http.ok()) return http.error();
-    return HealthTarget{.grpc = *grpc, .http = *http, .tls = !config.tls.certificate.empty()};
+    HealthTarget target{.grpc = *grpc, .http = *http};
+    if (config.tls.certificate.empty()) return target;
+    std::ifstream file(config.tls.certificate, std::ios::binary);
+    target.certificates.assign(std::istreambuf_iterator<char>(file), {});
+    if (target.certificates.empty())
+        return Error{ErrorCode::not_found,
+                     "tls.certificate: cannot read " + config.tls.certificate};
+    return target;
 }
 
 Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds patience) {
@@ -145,8 +159,8 @@ Result<std::string> probe_health(const HealthTarget& target, std::chrono::millis
         return std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
     };
     const std::string grpc = text_of(target.grpc);
-    const std::string http =
-        fmt::format("{}://{}/healthz", target.tls ? "https" : "http", text_of(target.http));
+    const std::string http = fmt::format(
+        "{}://{}/healthz", target.certificates.empty() ? "http" : "https", text_of(target.http));
     if (const auto fault = fault_of_grpc(target, left()))
         return Error{ErrorCode::unavailable, fmt::format("gRPC on {}: {}", grpc, *fault)};
     if (const auto fault = fault_of_http(target, left()))

@@ -16,12 +16,14 @@ namespace jostle::server {
 // Where to ask. A server that listens on all addresses is asked on loopback.
 struct HealthTarget {
     HostPort grpc, http;
-    // Whether both doors speak TLS. The certificate is not checked: it names the server as others
-    // see it, not the loopback address, and nothing secret is sent.
-    bool tls = false;
+    // The server's certificates as it presents them (PEM); empty: the doors speak no TLS. They are
+    // not checked: they name the server as others see it, not the loopback address, to start it
+    // anew would mend none of them, and nothing secret is sent.
+    std::string certificates;
 };
 
-// From settings that check() found good. Errors name the setting that leads to no port.
+// From settings that check() found good. Errors name the setting that leads to no port or to no
+// file.
 Result<HealthTarget> health_target(const Config& config);
 
 // What both doors said, in one line; an error says what the door that failed said. Takes no longer

@@ -47,6 +47,13 @@ TEST(HealthFlag, exits_with_0_while_the_server_serves_and_with_1_when_it_hangs_o
     EXPECT_EQ(probe.status, 1) << probe.process.log();
 }
 
+// The server was started with --insecure; its probe need not know.
+TEST(HealthFlag, what_listens_everywhere_is_asked_without_a_word_about_strangers) {
+    ServerProcess probe({"--health", "--listen", "0.0.0.0:1", "--http", "0.0.0.0:1"}, false);
+    EXPECT_EQ(probe.wait(3s), 1);
+    EXPECT_THAT(probe.log(), StartsWith("not healthy: gRPC on 127.0.0.1:1: "));
+}
+
 // The image's settings come by the environment alone; what is said on the command line wins.
 TEST(HealthFlag, server_and_probe_read_the_same_environment) {
     setenv("JOSTLE_LISTEN", "nonsense", 1);

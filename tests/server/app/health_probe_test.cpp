@@ -191,6 +191,10 @@ TEST(HealthProbe, what_listens_everywhere_is_asked_on_loopback) {
 
     config.http = "127.0.0.1:0";
     EXPECT_THAT(health_target(config).error().message, HasSubstr("http is 127.0.0.1:0"));
+    config.http = "127.0.0.1:8080";
+    config.tls.certificate = "/nowhere/tls.crt";
+    EXPECT_EQ(health_target(config).error().message,
+              "tls.certificate: cannot read /nowhere/tls.crt");
 }
 
 // gRPC's health service, serving.
@@ -223,14 +227,14 @@ TEST(HealthProbe, doors_that_speak_tls_are_understood) {
 
     const HealthTarget target{.grpc = {"127.0.0.1", static_cast<std::uint16_t>(port)},
                               .http = http.address(),
-                              .tls = true};
+                              .certificates = certificate.pem()};
     const Result<std::string> found = probe_health(target, 2s);
     ASSERT_TRUE(found.ok()) << found.error().message;
     EXPECT_THAT(*found, HasSubstr("https://" + text(http.address())));
 
     // The same doors asked in plain text.
     HealthTarget plain = target;
-    plain.tls = false;
+    plain.certificates.clear();
     EXPECT_THAT(error_of(plain), HasSubstr("gRPC on"));
 }
 

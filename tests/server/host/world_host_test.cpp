@@ -197,9 +197,10 @@ TEST(WorldDirectory, all_worlds_together_have_a_budget) {
     const auto stack = *scenes::find_scene("stack");
     ASSERT_EQ(stack.bodies.size(), 11u);
     ASSERT_TRUE(worlds.create("one", stack).ok() && worlds.create("two", stack).ok());
-    EXPECT_EQ(worlds.create("three", stack).error().message,
-              "all worlds together would have 33 bodies; world.bodies_total_max allows 25; delete a "
-              "world first");
+    EXPECT_EQ(
+        worlds.create("three", stack).error().message,
+        "all worlds together would have 33 bodies; world.bodies_total_max allows 25; delete a "
+        "world first");
     worlds.remove("one");
     EXPECT_TRUE(worlds.create("three", stack).ok());
     const double work = worlds.find("two")->work_per_second();

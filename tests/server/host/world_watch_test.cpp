@@ -28,7 +28,7 @@ scenes::SceneDescription heavy() {
     scenes::SceneDescription scene{.name = "heavy"};
     scene.world.substeps = 64;
     scene.world.sleeping = false;
-    for (int i = 0; i < 150; i++) {
+    for (int i = 0; i < 200; i++) {
         scenes::SceneBody body;
         body.body.pose.position = {i * 1e-4, 0, 0};
         body.shapes.push_back({.geometry = physics::Box{}});

@@ -84,7 +84,12 @@ private:
 
     SmallServer server_;
     Clock::time_point now_ = Clock::time_point() + 1000s;
-    server::ClientLink link_{server_.context, "fuzz", now_};
+    server::ClientLink link_{server_.context,
+                             server::Peer{.name = "fuzz",
+                                          .address = "127.0.0.1",
+                                          .call = "jostle.v1.PlayService/Play",
+                                          .who = server_.anybody()},
+                             now_};
     test::PlayState state_;
     int ticks_ = 0;
 };

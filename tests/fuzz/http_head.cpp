@@ -8,8 +8,9 @@
 
 #include "fuzz/reader.h"
 #include "fuzz/target.h"
-#include "gateway/http_routes.h"
 #include "gateway/peer_bytes.h"
+#include "identity/allowed_hosts.h"
+#include "identity/gate.h"
 
 namespace jostle::fuzz {
 
@@ -21,7 +22,9 @@ void look_at(const server::BeastRequest& raw, const server::GatewaySettings& set
     expect(request.target.size() <= settings.header_bytes_max, "a target fits into the header");
     expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
     static_cast<void>(boost::beast::websocket::is_upgrade(raw));
-    static_cast<void>(server::HttpRoutes::may_take_long(request));
+    static_cast<void>(server::host_is_allowed(request.host, {"play.example.org"}));
+    if (const auto bearer = server::bearer_in(request.authorization); bearer.ok())
+        expect(bearer->size() <= request.authorization.size(), "a token is part of its header");
     static_cast<void>(raw.keep_alive());
 }
 

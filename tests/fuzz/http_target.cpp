@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Targets of HTTP requests as file names: nothing leads out of the viewer's folder.
+// Targets of HTTP requests, as file names and as questions: nothing leads out of the viewer's
+// folder.
 #include "fuzz/target.h"
+#include "gateway/percent_decode.h"
 #include "gateway/web_files.h"
 
 namespace jostle::fuzz {
 
 void run(Bytes input) {
     const std::string_view target = text_of(input);
+    if (const auto world = server::query_field(target, "world"))
+        expect(world->size() <= target.size(), "what is decoded is no longer than it was");
     const auto path = server::relative_path_of(target);
     if (!path) return;
     expect(!path->starts_with('/'), "a path is relative");

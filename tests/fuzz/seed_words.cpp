@@ -85,6 +85,31 @@ void write_dictionaries(const std::filesystem::path& folder) {
                        "/readyz", "\napplication/json\n", "http://localhost"});
     write(folder, "http_routes", routes);
     write(folder, "config_text", config_words());
+    write(folder, "json_web_token",
+          {"\"alg\":\"ES256\"",
+           "\"alg\":\"none\"",
+           "\"alg\":\"HS256\"",
+           "\"typ\":\"JWT\"",
+           "\"kid\":\"first\"",
+           "\"crit\":[]",
+           "\"iss\":\"https://login.example.org\"",
+           "\"aud\":[\"jostle\"]",
+           "\"sub\":\"x\"",
+           "\"exp\":1790000100",
+           "\"nbf\":1790000000",
+           "\"iat\":1790000000",
+           "\"jti\":",
+           "\"role\":\"admin\"",
+           "\"world\":\"w1\"",
+           "1e308",
+           "-1",
+           "{",
+           "}",
+           ","});
+    write(folder, "key_set",
+          {"\"keys\":[", "\"kty\":\"EC\"", "\"kty\":\"RSA\"", "\"crv\":\"P-256\"",
+           "\"kid\":\"first\"", "\"use\":\"sig\"", "\"use\":\"enc\"", "\"alg\":\"ES256\"",
+           "\"key_ops\":[\"verify\"]", "\"x\":\"", "\"y\":\"", "\"d\":\"", "{", "}", ","});
     write(folder, "bot_script",
           {"wander", "push", "throw", "builder", "drag", "watch", "weight=", "period=", "strength=",
            "speed=", "keep=", "size=", " # ", "1e-300", "inf", "nan"});

@@ -19,10 +19,12 @@
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
+#include "jostle/v1/admin.pb.h"
 #include "jostle/v1/play.pb.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "protocol/client_link.h"
+#include "support/tokens.h"
 #include "wire/golden.h"
 
 namespace jostle::fuzz {
@@ -147,7 +149,12 @@ std::string talk(bool events) {
 std::vector<std::string> server_messages(bool events) {
     SmallServer small;
     server::Clock::time_point now = server::Clock::time_point() + 1000s;
-    server::ClientLink link(small.context, "seed", now);
+    server::ClientLink link(small.context,
+                            server::Peer{.name = "seed",
+                                         .address = "127.0.0.1",
+                                         .call = "jostle.v1.PlayService/Play",
+                                         .who = small.anybody()},
+                            now);
     std::vector<std::string> said;
     const auto listen = [&] {
         while (const auto out = link.take_message(now))
@@ -271,13 +278,14 @@ void write_geometry(const fs::path& folder) {
 void write_text(const fs::path& folder) {
     Seeds config(folder, "config_text"), script(folder, "bot_script"),
         target(folder, "http_target"), head(folder, "http_head"), socket(folder, "websocket"),
-        routes(folder, "http_routes");
+        routes(folder, "http_routes"), token(folder, "json_web_token"), keys(folder, "key_set");
     config.add(read_file("server/jostle-server.toml"));
     config.add("listen = \"[::1]:0\"\nscenes = [\"stack\"]\n[client]\ninputs_per_second = 1e3\n");
     script.add(read_file("clients/bot/scripts/sandbox.bots"));
     script.add("wander weight=2 period=0.5 strength=4 # so\npush\nthrow keep=3\nwatch weight=0\n");
-    for (const char* path : {"/", "/index.html", "/assets/app.js?v=1", "/a%20b/c#d", "/api/worlds",
-                             "/%2e%2e/secret", "/.git/config", "/a//b/", "/\xc3\xa4.png"}) {
+    for (const char* path :
+         {"/", "/index.html", "/assets/app.js?v=1", "/a%20b/c#d", "/api/worlds", "/%2e%2e/secret",
+          "/debug/profile?world=my%20arena&seconds=5", "/.git/config", "/a//b/", "/\xc3\xa4.png"}) {
         target.add(path);
         routes.add("GET\n" + std::string(path) + "\nlocalhost\n\n\n\n");
     }
@@ -297,7 +305,13 @@ void write_text(const fs::path& folder) {
     socket.add(upgrade + std::string("\2\202abcd\1\2\200\201abcd\3", 15));
     socket.add(upgrade + std::string("\201\203abcd\xc4\xa5y\211\200abcd", 15));
     socket.add(upgrade + std::string("\210\202abcd\x62\x8a", 8));
-    const std::string post = "\nlocalhost\n\napplication/json\n\n";
+    test::LoginService login;
+    const test::Json claims =
+        test::LoginService::claims("anna", "player", server::WallTime(1'790'000'000s));
+    token.add("1" + login.header().dump() + "\n" + claims.dump());
+    token.add("0" + login.token(claims));
+    keys.add(login.published());
+    const std::string post = "\nlocalhost\n\napplication/json\n\n\n";
     routes.add("POST\n/api/worlds" + post + R"({"name":"x","sceneName":"stack"})");
     routes.add("POST\n/api/worlds" + post +
                R"({"scene":{"name":"a","bodies":[{"shapes":[{"sphere":{"radius":0.5}}]}]}})");
@@ -350,6 +364,14 @@ void write_requests(const fs::path& folder) {
     v1::DeleteWorldRequest remove;
     remove.set_world("w1");
     add(8, remove);
+    add(9, v1::ListClientsRequest());
+    v1::KickRequest kick;
+    kick.set_client(1);
+    add(10, kick);
+    v1::SetPausedRequest pause;
+    pause.set_world("w1");
+    pause.set_paused(true);
+    add(11, pause);
 }
 
 }  // namespace

@@ -44,15 +44,34 @@ struct SmallServer {
         c.client.bodies_owned_max = 6;
         return c;
     }();
+    server::Gate& gate = open_gate();
     server::SessionDirectory sessions{2};
-    server::WorldDirectory worlds{{.limits = {.bodies_max = config.world.bodies_max,
-                                              .bodies_owned_max = config.client.bodies_owned_max},
-                                   .command_queue_max = 256,
-                                   .own_thread = false},
-                                  config.world.worlds_max};
-    server::PlayContext context{.config = config, .worlds = worlds, .sessions = sessions};
+    server::WorldDirectory worlds{
+        {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
+                    .bodies_owned_max = config.client.bodies_owned_max},
+         .command_queue_max = 256,
+         .own_thread = false},
+        config.world.worlds_max};
+    server::PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .gate = gate};
+
+    server::Identity anybody() { return gate.identify({.address = "127.0.0.1"}).value(); }
 
 private:
+    // One for all inputs, because its log has a thread: everybody may do everything, as often as
+    // he likes.
+    static server::Gate& open_gate() {
+        static const std::unique_ptr<server::Gate> gate = [] {
+            server::Config c;
+            c.auth.anonymous_role = "admin";
+            c.auth.audit_log = "/dev/null";
+            for (double* rate : {&c.quota.creates_per_minute, &c.quota.joins_per_minute,
+                                 &c.quota.queries_per_second})
+                *rate = 1e9;
+            return server::Gate::open(c).value();
+        }();
+        return *gate;
+    }
     static const scenes::SceneDescription& scene() {
         static const scenes::SceneDescription scene = small_scene();
         return scene;

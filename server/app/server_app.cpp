@@ -156,11 +156,10 @@ ConnectionTableLimits connection_limits(const ConnectionLimits& wanted) {
     const rlim_t most = known && limit.rlim_cur > 2 * others ? limit.rlim_cur - others
                         : known                              ? limit.rlim_cur / 2
                                                              : 512;
+    constexpr rlim_t of_connection = 3;  // the client's, and a pair towards gRPC
     return {.total_max = std::min(static_cast<std::size_t>(wanted.total_max),
-                                  static_cast<std::size_t>(most)),
-            .per_address_max = static_cast<std::size_t>(wanted.per_address_max),
-            .unread_bytes_max = wanted.unread_bytes_max,
-            .unread_total_max = wanted.unread_total_bytes_max};
+                                  static_cast<std::size_t>(most / of_connection)),
+            .per_address_max = static_cast<std::size_t>(wanted.per_address_max)};
 }
 
 // As many descriptors as the system lets us have: running out of them deafens a server.
@@ -423,6 +422,8 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .network_threads = config.network_threads,
                      .certificates = certificates.get(),
                      .connections = connection_limits(config.connection),
+                     .relay = {.unread_bytes_max = config.connection.unread_bytes_max,
+                               .unread_total_max = config.connection.unread_total_bytes_max},
                      .metrics = &metrics.listener(Listener::grpc),
                      .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(

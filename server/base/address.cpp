@@ -52,23 +52,17 @@ std::string network_of(std::string_view address) {
     return network_of(parsed);
 }
 
-std::string grpc_peer_name(const sockaddr_storage& address) {
+std::string address_name(const sockaddr_storage& address) {
+    if (const auto four = ipv4_of(address)) return text_of(AF_INET, &*four);
+    return address.ss_family == AF_INET6 ? text_of(AF_INET6, &six_of(address)) : "elsewhere";
+}
+
+std::string peer_name(const sockaddr_storage& address) {
     // Ports lie alike in both kinds of address.
     const std::string port =
         std::to_string(ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port));
-    if (const auto four = ipv4_of(address)) return "ipv4:" + text_of(AF_INET, &*four) + ":" + port;
-    return "ipv6:%5B" + text_of(AF_INET6, &six_of(address)) + "%5D:" + port;
-}
-
-std::string address_of_grpc_peer(std::string_view peer) {
-    const auto after = [&](std::string_view head) {
-        const bool has = peer.starts_with(head);
-        if (has) peer.remove_prefix(head.size());
-        return has;
-    };
-    if (after("ipv6:%5B")) return std::string(peer.substr(0, peer.find("%5D")));
-    if (after("ipv4:")) return std::string(peer.substr(0, peer.find(':')));
-    return {};
+    const std::string host = address_name(address);
+    return (host.find(':') != std::string::npos ? "[" + host + "]" : host) + ":" + port;
 }
 
 }  // namespace jostle::server

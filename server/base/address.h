@@ -16,9 +16,9 @@ namespace jostle::server {
 std::string network_of(std::string_view address);
 std::string network_of(const sockaddr_storage& address);
 
-// As gRPC names a peer: "ipv4:127.0.0.1:4711", "ipv6:%5B::1%5D:4711".
-std::string grpc_peer_name(const sockaddr_storage& address);
-// The address in such a name; empty: none is in it.
-std::string address_of_grpc_peer(std::string_view peer);
+// "192.0.2.7", "2001:db8::1"; IPv4 also when it came by an IPv6 socket.
+std::string address_name(const sockaddr_storage& address);
+// The same with its port: "192.0.2.7:4711", "[2001:db8::1]:4711".
+std::string peer_name(const sockaddr_storage& address);
 
 }  // namespace jostle::server

@@ -25,6 +25,12 @@ public:
         return true;
     }
 
+    // Takes `amount` whether it is there or not: what is owed flows in later.
+    void spend(double amount, Clock::time_point now) {
+        flow_in(now);
+        tokens_ -= amount;
+    }
+
     // How long until take(amount) can succeed; zero: it can now.
     Clock::duration wait_for(double amount, Clock::time_point now) {
         flow_in(now);

@@ -15,8 +15,8 @@
 #include "base/log.h"
 #include "base/work_pool.h"
 #include "gateway/http_session.h"
-#include "gateway/tls_contexts.h"
 #include "gateway/websocket_session.h"
+#include "tls/tls_contexts.h"
 
 namespace jostle::server {
 
@@ -76,7 +76,7 @@ struct Gateway::Impl {
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own
-    TlsContexts tls{settings.certificates, settings.require_certificates};
+    TlsContexts tls{settings.certificates, {.require_certificates = settings.require_certificates}};
     const HttpSession::Services services;
     // The sessions keep themselves alive; these only know them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gateway/socket_stream.h"
 
-#include <openssl/bio.h>
-#include <openssl/x509.h>
-
-#include "base/free_with.h"
+#include "tls/peer_certificate.h"
 
 namespace jostle::server {
 
@@ -16,16 +13,7 @@ SocketStream::SocketStream(boost::asio::ip::tcp::socket socket,
 }
 
 std::string SocketStream::certificate() const {
-    if (!tls_ || SSL_get_verify_result(tls_->native_handle()) != X509_V_OK) return {};
-    const std::unique_ptr<X509, FreeWith<X509_free>> shown(
-        SSL_get1_peer_certificate(tls_->native_handle()));
-    if (!shown) return {};
-    const std::unique_ptr<BIO, FreeWith<BIO_free>> text(BIO_new(BIO_s_mem()));
-    // As gRPC writes it.
-    X509_NAME_print_ex(text.get(), X509_get_subject_name(shown.get()), 0, XN_FLAG_RFC2253);
-    char* data = nullptr;
-    const long size = BIO_get_mem_data(text.get(), &data);
-    return size > 0 ? std::string(data, static_cast<std::size_t>(size)) : std::string{};
+    return tls_ ? verified_subject(tls_->native_handle()) : std::string();
 }
 
 void teardown(boost::beast::role_type role, SocketStream& stream, boost::beast::error_code& error) {

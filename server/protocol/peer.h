@@ -11,7 +11,7 @@
 namespace jostle::server {
 
 struct Peer {
-    std::string name;                   // for the log: "ipv4:192.0.2.7:4711"
+    std::string name;                   // for the log: "grpc:192.0.2.7:4711"
     std::string address;                // "192.0.2.7"
     std::string call;                   // the row of the access table by which it came
     Result<Identity> who = Identity{};  // an error: what it showed is not good

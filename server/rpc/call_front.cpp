@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/address.h"
 #include "base/log.h"
 #include "base/text.h"
 #include "rpc/caller_identity.h"
@@ -44,8 +43,8 @@ struct CallFront::Call {
         wrote{this, Tag::Event::wrote}, finished{this, Tag::Event::finished},
         done{this, Tag::Event::done};
     const CallMethod* method = nullptr;
-    std::shared_ptr<ConnectionMeter> meter;
-    std::string peer, request;
+    std::shared_ptr<Connection> connection;
+    std::string request;
     Clock::time_point since{};  // it came
     Identity who;
     grpc::ByteBuffer incoming;
@@ -164,17 +163,16 @@ void CallFront::handle(Tag& tag, bool ok) {
 void CallFront::forget(Call& call) {
     if (call.begun) {
         open_--;
-        if (call.meter) call.meter->calls--;
+        call.connection->calls--;
+        call.connection->questions--;
         if (call.method && call.method->work == CallWork::watch) watches_--;
-        if (const auto count = of_peer_.find(call.peer); --count->second == 0)
-            of_peer_.erase(count);
     }
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
 }
 
 Status CallFront::admit(Call& call) const {
     if (open_ > limits_.calls_max) return too_much("too many calls are open");
-    if (of_peer_.at(call.peer) > limits_.calls_per_peer_max)
+    if (call.connection->questions > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
     if (call.method->work == CallWork::watch && watches_ > limits_.watches_max)
         return too_much("too many watch already");
@@ -183,7 +181,7 @@ Status CallFront::admit(Call& call) const {
 
 // Who calls, and whether he may; of calls about a world that is asked when it is known which.
 Status CallFront::let_in(Call& call) const {
-    Result<Identity> who = identify(call.context, gate_);
+    Result<Identity> who = identify(call.context, *call.connection, gate_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
     if (call.method->asks_for_world) return {};
@@ -194,7 +192,7 @@ CallContext CallFront::context_of(const Call& call) const {
     return {.gate = gate_,
             .call = std::string_view(call.method->path).substr(1),
             .who = call.who,
-            .address = address_of_grpc_peer(call.peer),
+            .address = call.connection->address,
             .deadline = call.context.deadline(),
             .gave_up = [&call] { return call.gave_up.load(); }};
 }
@@ -202,11 +200,11 @@ CallContext CallFront::context_of(const Call& call) const {
 void CallFront::begin(Call& call) {
     call.begun = true;
     call.since = Clock::now();
-    call.peer = call.context.peer();
-    call.meter = connections_->find(call.peer);
-    if (call.meter) call.meter->calls++;
+    call.connection = connections_->of(call.context.peer());
+    call.connection->calls_taken++;
+    call.connection->calls++;
+    call.connection->questions++;
     open_++;
-    of_peer_[call.peer]++;
     const auto known = methods_.find(call.context.method());
     if (known != methods_.end()) call.method = &known->second;
     if (call.method && call.method->work == CallWork::watch) watches_++;
@@ -229,7 +227,7 @@ void CallFront::on_read(Call& call, bool ok) {
         return finish(call, Error{ErrorCode::invalid_argument, "the request is missing"});
     }
     const std::size_t size = call.incoming.Length();
-    if (call.meter) call.meter->consumed += size;
+    call.connection->consumed += size;
     if (size > call.method->request_bytes_max)
         return finish(call, Error{ErrorCode::resource_exhausted,
                                   fmt::format("the request has {} bytes; at most {} are allowed",

@@ -20,16 +20,16 @@
 
 #include "base/clock.h"
 #include "base/work_pool.h"
+#include "connection/connection_table.h"
 #include "rpc/call_method.h"
-#include "rpc/connection_table.h"
 #include "telemetry/rpc_metrics.h"
 
 namespace jostle::server {
 
 struct CallLimits {
-    std::size_t calls_max = 256;          // open at once
-    std::size_t calls_per_peer_max = 32;  // of one connection
-    std::size_t queue_max = 64;           // that wait for a thread, of each pool
+    std::size_t calls_max = 256;  // open at once
+    int calls_per_peer_max = 32;  // of one connection
+    std::size_t queue_max = 64;   // that wait for a thread, of each pool
     std::size_t watches_max = 64;
     double answer_bytes_max = 64e6;  // made but not yet taken by their clients
     int waiting_threads = 2;         // for what waits for a world
@@ -82,7 +82,6 @@ private:
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     const ConnectionTable* connections_ = nullptr;
     std::list<std::unique_ptr<Call>> calls_;  // also those that were asked for and did not come
-    std::map<std::string, std::size_t> of_peer_;
     std::size_t open_ = 0, watches_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false}, pools_stopped_{false};

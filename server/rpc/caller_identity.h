@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// What a gRPC call shows of who calls: a token in its metadata, a client certificate in its TLS.
+// What a gRPC call shows of who calls: a token in its metadata, the certificate of its connection.
 // Pure; any thread.
 #pragma once
 
 #include <grpcpp/server_context.h>
 
+#include "connection/connection_table.h"
 #include "identity/gate.h"
 
 namespace jostle::server {
 
-Result<Identity> identify(const grpc::ServerContext& call, Gate& gate);
+Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
+                          Gate& gate);
 
 }  // namespace jostle::server

@@ -12,20 +12,21 @@
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "rpc/health_methods.h"
 #include "rpc/reflection.h"
-#include "rpc/tls_credentials.h"
 
 namespace jostle::server {
 
 namespace {
 
-// Of gRPC's own buffers; beyond it windows shrink. The connection table cuts who fills them.
-constexpr std::size_t buffers_max = 160u << 20;
+// Of gRPC's own buffers; beyond it gRPC resets whatever stream it likes. The relay stops reading
+// long before.
+constexpr std::size_t buffers_max = 512u << 20;
 constexpr int message_bytes_max = 4 * 1024 * 1024;  // methods and play streams have limits of
                                                     // their own
 constexpr int streams_per_connection_max = 100;
 constexpr int header_bytes_max = 8 * 1024;
 constexpr int handshake_ms = 5'000;  // from the connection to the first settings
 constexpr auto shutdown_patience = std::chrono::seconds(1);
+constexpr auto last_words_max = std::chrono::milliseconds(300);
 constexpr auto ask_period = std::chrono::milliseconds(500);
 constexpr auto unanswered_max = std::chrono::milliseconds(1500);
 
@@ -75,7 +76,9 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
       settings_(std::move(settings)),
       front_(all_methods(std::move(methods), std::move(is_healthy)), context.gate, {},
              context.rpc_metrics),
-      acceptor_(settings_.connections, settings_.metrics) {}
+      table_(settings_.connections),
+      relay_(table_, settings_.relay, settings_.metrics),
+      acceptor_(table_, settings_.certificates, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
     stop();
@@ -104,33 +107,39 @@ Status GrpcServer::start() {
     grpc::ServerBuilder builder;
     door_ = builder.experimental().AddExternalConnectionAcceptor(
         grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
-        server_credentials(settings_.certificates));
+        grpc::InsecureServerCredentials());  // TLS ends at the relay
     set_keepalive(builder);
     set_limits(builder, settings_);
     builder.RegisterService(&play_service_);
     builder.RegisterAsyncGenericService(&front_.service());
     for (int i = 0; i < settings_.network_threads; ++i)
-        shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, acceptor_.table(),
+        shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, table_,
                                                       builder.AddCompletionQueue()));
     auto front_queue = builder.AddCompletionQueue();
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
-    front_.start(std::move(front_queue), acceptor_.table());
+    front_.start(std::move(front_queue), table_);
     for (const auto& shard : shards_) shard->start();
     serving_ = true;
     answered_ = Clock::now().time_since_epoch().count();
     asker_ = std::thread([this] { ask_itself(); });
-    acceptor_.start([this](int descriptor) {
+    const Status moving = relay_.start([this](int descriptor) {
         grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
         connection.fd = descriptor;
         door_->HandleNewConnection(&connection);
     });
+    if (!moving.ok()) return moving.error();
+    acceptor_.start(
+        [this](std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection) {
+            relay_.add(std::move(client), std::move(connection));
+        });
     return {};
 }
 
 std::optional<std::string> GrpcServer::trouble(Clock::time_point now) const {
     if (now - Clock::time_point(Clock::duration(answered_)) > unanswered_max)
         return "gRPC does not answer";
+    if (!relay_.is_moving(now)) return "gRPC's connections stand still";
     if (!acceptor_.is_listening(now)) return "gRPC takes no connections";
     return std::nullopt;
 }
@@ -162,7 +171,7 @@ void GrpcServer::drain(Clock::duration patience) {
     { const std::lock_guard lock(asker_mutex_); }
     asker_wake_.notify_all();
     if (asker_.joinable()) asker_.join();
-    acceptor_.close();
+    acceptor_.stop();
     shutdown_ = std::thread([this, patience] {
         // Those who watch our health are told first.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -180,7 +189,7 @@ void GrpcServer::stop() {
     if (shutdown_.joinable()) shutdown_.join();
     front_.stop();
     for (const auto& shard : shards_) shard->stop();
-    acceptor_.stop();
+    relay_.stop(last_words_max);
 }
 
 }  // namespace jostle::server

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The gRPC port: connections that we accept and measure ourselves, play streams on shards of their
-// own, all other calls behind the call front. start(), then drain() and stop() in that order; each
-// from one thread.
+// The gRPC port: connections that we accept, watch and relay ourselves, play streams on shards of
+// their own, all other calls behind the call front. start(), then drain() and stop() in that order;
+// each from one thread.
 #pragma once
 
 #include <grpcpp/server.h>
@@ -18,9 +18,10 @@
 #include <thread>
 #include <vector>
 
+#include "connection/connection_acceptor.h"
+#include "connection/connection_relay.h"
 #include "jostle/base/result.h"
 #include "rpc/call_front.h"
-#include "rpc/connection_acceptor.h"
 #include "rpc/play_shard.h"
 #include "tls/certificate_store.h"
 
@@ -32,6 +33,7 @@ struct GrpcSettings {
     int network_threads = 1;
     const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the server
     ConnectionTableLimits connections = {};
+    RelayLimits relay = {};
     const ListenerMetrics* metrics = nullptr;            // null: nobody counts
     Clock::duration idle_max = std::chrono::minutes(5);  // of a connection without a call
 };
@@ -69,6 +71,8 @@ private:
     std::atomic<bool> serving_{false};
     RawPlayService play_service_;
     CallFront front_;
+    ConnectionTable table_;
+    ConnectionRelay relay_;
     ConnectionAcceptor acceptor_;
     std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> door_;
     std::vector<std::unique_ptr<PlayShard>> shards_;

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "connection/connection_table.h"
 #include "rpc/play_stream.h"
 
 namespace jostle::server {

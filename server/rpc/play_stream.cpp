@@ -25,22 +25,23 @@ PlayStream::PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& que
 }
 
 PlayStream::~PlayStream() {
-    if (meter_) meter_->calls--;
+    if (connection_) connection_->calls--;
 }
 
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
                        Clock::time_point now) {
-    const std::string peer = context_.peer();
-    network_ = network_of(address_of_grpc_peer(peer));
-    meter_ = connections.find(peer);
-    if (meter_) meter_->calls++;
+    connection_ = connections.of(context_.peer());
+    network_ = network_of(connection_->address);
+    connection_->calls_taken++;
+    connection_->calls++;
     metrics_ = context.rpc_metrics;
-    link_ = std::make_unique<ClientLink>(context,
-                                         Peer{.name = peer,
-                                              .address = address_of_grpc_peer(peer),
-                                              .call = "jostle.v1.PlayService/Play",
-                                              .who = identify(context_, context.gate)},
-                                         now);
+    link_ =
+        std::make_unique<ClientLink>(context,
+                                     Peer{.name = "grpc:" + connection_->peer,
+                                          .address = connection_->address,
+                                          .call = "jostle.v1.PlayService/Play",
+                                          .who = identify(context_, *connection_, context.gate)},
+                                     now);
     start_read();
 }
 
@@ -55,7 +56,7 @@ void PlayStream::guarded(Clock::time_point now, const Work& work) {
     try {
         work();
     } catch (const std::exception& error) {
-        log_error("{}: {}", context_.peer(), error.what());
+        log_error("grpc:{}: {}", connection_->peer, error.what());
         link_->on_fault(now);
     }
 }
@@ -68,7 +69,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
             link_->on_peer_closed(now);
             return;
         }
-        if (meter_) meter_->consumed += incoming_.Length();
+        connection_->consumed += incoming_.Length();
         copy_bytes(incoming_bytes_, incoming_);
         incoming_.Clear();
         link_->receive(incoming_bytes_, now);

@@ -12,9 +12,9 @@
 #include <memory>
 #include <string>
 
+#include "connection/connection_table.h"
 #include "jostle/v1/play.grpc.pb.h"
 #include "protocol/client_link.h"
-#include "rpc/connection_table.h"
 
 namespace jostle::server {
 
@@ -70,7 +70,7 @@ private:
     PlayTag wrote_{this, PlayTag::Event::wrote};
     PlayTag finished_tag_{this, PlayTag::Event::finished};
     std::unique_ptr<ClientLink> link_;
-    std::shared_ptr<ConnectionMeter> meter_;
+    std::shared_ptr<Connection> connection_;
     RpcMetrics* metrics_ = nullptr;
     std::string network_;
     grpc::ByteBuffer incoming_;

@@ -28,15 +28,18 @@ constexpr auto names_of(Listener) {
     return std::to_array<std::string_view>({"grpc", "http", "admin"});
 }
 
-// Why a connection was closed as soon as it came.
+// Why a connection was closed, most of them as soon as they came.
 enum class ConnectionRefusal {
     limit,          // the listener has as many as it may
     address_limit,  // ... as many of that address
     handshake,      // TLS could not be agreed on
     busy,           // no thread to answer it: too many wait already
+    penalty,        // one of that address was an attack, a moment ago
+    attack,         // it sent what no client sends
 };
 constexpr auto names_of(ConnectionRefusal) {
-    return std::to_array<std::string_view>({"limit", "address_limit", "handshake", "busy"});
+    return std::to_array<std::string_view>(
+        {"limit", "address_limit", "handshake", "busy", "penalty", "attack"});
 }
 
 // In the order of ErrorCode.

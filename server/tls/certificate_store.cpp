@@ -15,10 +15,7 @@ constexpr auto between_trials = 1min;  // of files that were refused and have no
 }  // namespace
 
 Result<std::unique_ptr<CertificateStore>> CertificateStore::open(TlsSettings files, WallTime now) {
-    Result<std::unique_ptr<PrivateFolder>> folder = PrivateFolder::make();
-    if (!folder.ok()) return folder.error();
-    std::unique_ptr<CertificateStore> store(
-        new CertificateStore(std::move(files), std::move(*folder)));
+    std::unique_ptr<CertificateStore> store(new CertificateStore(std::move(files)));
     const std::lock_guard reading(store->reading_);
     if (Status s = store->read(now); !s.ok()) return s.error();
     return store;
@@ -44,10 +41,6 @@ CertificateStore::Change CertificateStore::reload(WallTime now) {
     return read_and_say(now);
 }
 
-std::string CertificateStore::client_ca_file() const {
-    return files_.client_ca.empty() ? std::string() : folder_->path() + "/client_ca.pem";
-}
-
 CertificateStore::Stamps CertificateStore::stamps() const {
     return {stamp_of(files_.certificate), stamp_of(files_.key),
             files_.client_ca.empty() ? FileStamp{} : stamp_of(files_.client_ca)};
@@ -59,12 +52,6 @@ Status CertificateStore::read(WallTime now) {
     last_read_ = now;
     Result<Material> read = read_material(files_, now);
     if (!read.ok()) return read.error();
-    // The authorities first: nobody may be let in by the old ones once the new pair is in force.
-    if (!files_.client_ca.empty()) {
-        if (Status s = folder_->write("client_ca.pem", read->client_ca_pem); !s.ok()) return s;
-    }
-    if (Status s = folder_->write("identity.pem", read->key_pem + read->chain_pem); !s.ok())
-        return s;
     for (const std::string& warning : read->warnings) log_warn("{}", warning);
     log_info("the certificate of {} is in force", read->subject);
     const std::lock_guard lock(mutex_);

@@ -5,9 +5,8 @@
 // what has changed, and takes it over only when all of it is good (material.h); else the old stays
 // in force.
 //
-// Listeners get it in two ways: material() for those that are told, and two files for gRPC's
-// FileWatcherCertificateProvider, which reads files by itself and would break every handshake on a
-// pair that does not fit. Key and chain are one file, so they change together.
+// Both listeners take it from here. (gRPC would read the files by itself, and break every handshake
+// on a pair that does not fit.)
 //
 // material() and expiry() from any thread; poll() and reload() from whoever keeps time.
 #pragma once
@@ -19,7 +18,6 @@
 
 #include "base/watched_file.h"
 #include "tls/material.h"
-#include "tls/private_folder.h"
 
 namespace jostle::server {
 
@@ -41,23 +39,16 @@ public:
     // Reads them now (SIGHUP).
     Change reload(WallTime now);
 
-    // For gRPC: key and chain in one PEM file, and whose certificates clients may show (empty
-    // without tls.client_ca).
-    std::string identity_file() const { return folder_->path() + "/identity.pem"; }
-    std::string client_ca_file() const;
-
 private:
     using Stamps = std::array<FileStamp, 3>;
 
-    CertificateStore(TlsSettings files, std::unique_ptr<PrivateFolder> folder)
-        : files_(std::move(files)), folder_(std::move(folder)) {}
+    explicit CertificateStore(TlsSettings files) : files_(std::move(files)) {}
 
     Stamps stamps() const;
     Status read(WallTime now);
     Change read_and_say(WallTime now);
 
     const TlsSettings files_;
-    const std::unique_ptr<PrivateFolder> folder_;
     mutable std::mutex mutex_;  // of material_
     std::shared_ptr<const Material> material_;
     std::mutex reading_;   // of what follows

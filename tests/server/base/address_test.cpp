@@ -31,12 +31,11 @@ TEST(Address, everything_else_is_one_network) {
         EXPECT_EQ(network_of(text), "elsewhere") << text;
 }
 
-TEST(Address, peers_are_named_as_grpc_names_them) {
-    EXPECT_EQ(grpc_peer_name(six("::ffff:192.0.2.7", 4711)), "ipv4:192.0.2.7:4711");
-    EXPECT_EQ(grpc_peer_name(six("::1", 4711)), "ipv6:%5B::1%5D:4711");
-    EXPECT_EQ(address_of_grpc_peer("ipv4:192.0.2.7:4711"), "192.0.2.7");
-    EXPECT_EQ(address_of_grpc_peer("ipv6:%5B::1%5D:4711"), "::1");
-    EXPECT_EQ(address_of_grpc_peer("unix:/tmp/x"), "");
+TEST(Address, peers_are_named_with_their_ports) {
+    EXPECT_EQ(peer_name(six("::ffff:192.0.2.7", 4711)), "192.0.2.7:4711");
+    EXPECT_EQ(peer_name(six("::1", 4711)), "[::1]:4711");
+    EXPECT_EQ(address_name(six("::ffff:192.0.2.7", 4711)), "192.0.2.7");
+    EXPECT_EQ(address_name(six("::1", 4711)), "::1");
 }
 
 }  // namespace

@@ -18,11 +18,6 @@ using test::TestCertificate;
 using Change = CertificateStore::Change;
 namespace fs = std::filesystem;
 
-std::string text_of(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 class CertificateStoreTest : public testing::Test {
 protected:
     TestCertificate issue(const std::string& name) const {
@@ -44,16 +39,17 @@ protected:
     std::chrono::system_clock::time_point now = std::chrono::system_clock::now();
 };
 
-TEST_F(CertificateStoreTest, publishes_key_and_chain_in_one_file_and_the_authorities_in_another) {
+TEST_F(CertificateStoreTest, has_key_chain_and_the_authorities) {
     const TestCertificate leaf = issue("one");
     put(leaf);
     folder.write("client_ca.pem", root.pem());
     const auto store = open(true);
-    EXPECT_EQ(text_of(store->identity_file()), leaf.key_pem() + leaf.pem());
-    EXPECT_EQ(text_of(store->client_ca_file()), root.pem());
+    EXPECT_EQ(store->material()->key_pem, leaf.key_pem());
+    EXPECT_EQ(store->material()->chain_pem, leaf.pem());
+    EXPECT_EQ(store->material()->client_ca_pem, root.pem());
     EXPECT_EQ(store->material()->subject, "CN=one");
     EXPECT_NEAR(std::chrono::duration<double>(store->expiry() - now).count(), 86400, 5);
-    EXPECT_EQ(open()->client_ca_file(), "");
+    EXPECT_EQ(open()->material()->client_ca_pem, "");
 }
 
 TEST_F(CertificateStoreTest, the_first_files_must_be_good) {
@@ -83,7 +79,6 @@ TEST_F(CertificateStoreTest, a_bad_pair_is_refused_once_and_the_old_stays_in_for
     const TestCertificate one = issue("one");
     put(one);
     const auto store = open();
-    const std::string published = text_of(store->identity_file());
     put(issue("two"), one);
     EXPECT_EQ(store->poll(now += 1s), Change::refused);
     for (int i = 0; i < 120; ++i)
@@ -92,7 +87,6 @@ TEST_F(CertificateStoreTest, a_bad_pair_is_refused_once_and_the_old_stays_in_for
     fs::remove(folder / "key.pem");
     EXPECT_EQ(store->poll(now += 1s), Change::refused);
     EXPECT_EQ(store->material()->subject, "CN=one");
-    EXPECT_EQ(text_of(store->identity_file()), published);
     put(issue("three"));
     EXPECT_EQ(store->poll(now += 1s), Change::taken);
 }
@@ -143,10 +137,10 @@ TEST_F(CertificateStoreTest, of_fifty_rotations_ten_are_broken_and_a_good_pair_i
     std::jthread reader([&] {
         const test::TempFolder own;
         while (!done) {
-            // The published file is a certificate and key of one pair at any moment.
-            const std::string file = own.write("pair.pem", text_of(store->identity_file()));
+            // A certificate and key of one pair at any moment.
+            const std::shared_ptr<const Material> seen = store->material();
+            const std::string file = own.write("pair.pem", seen->key_pem + seen->chain_pem);
             if (!read_material({.certificate = file, .key = file}, now).ok()) ++broken;
-            if (store->material()->subject.empty()) ++broken;
             ++looks;
         }
     });
@@ -162,7 +156,7 @@ TEST_F(CertificateStoreTest, of_fifty_rotations_ten_are_broken_and_a_good_pair_i
             folder.write("chain.pem", next.pem().substr(0, 300));  // cut off
         }
         if (store->reload(now) == Change::refused) ++refused;
-        EXPECT_EQ(text_of(store->identity_file()), last.key_pem() + last.pem()) << i;
+        EXPECT_EQ(store->material()->key_pem, last.key_pem()) << i;
         EXPECT_EQ(store->material()->chain_pem, last.pem()) << i;
     }
     done = true;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "rpc/connection_acceptor.h"
+#include "connection/connection_acceptor.h"
 
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
-#include <poll.h>
+#include <sys/epoll.h>
 #include <sys/eventfd.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -18,7 +20,9 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int sweep_period_ms = 20;
+constexpr int look_period_ms = 50;
+constexpr int niceness = 5;
+constexpr auto handshake_max = std::chrono::seconds(5);
 constexpr int backlog = 1024;
 constexpr auto tell_period = std::chrono::seconds(5);
 // When no descriptor is left, trying again at once would only spin.
@@ -43,6 +47,7 @@ std::uint16_t port_of(int descriptor) {
 ConnectionAcceptor::~ConnectionAcceptor() {
     stop();
     if (wake_ >= 0) ::close(wake_);
+    if (epoll_ >= 0) ::close(epoll_);
 }
 
 Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
@@ -71,6 +76,10 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
         return failed(std::strerror(error));
     }
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    epoll_ = epoll_create1(EPOLL_CLOEXEC);
+    if (wake_ < 0 || epoll_ < 0) return failed(std::strerror(errno));
+    watch(wake_, EPOLLIN, EPOLL_CTL_ADD);
+    watch(listener_, EPOLLIN, EPOLL_CTL_ADD);
     port_ = port_of(listener_);
     return {};
 }
@@ -80,14 +89,9 @@ void ConnectionAcceptor::start(HandOver hand_over) {
     thread_ = std::thread([this] { run(); });
 }
 
-void ConnectionAcceptor::close() {
-    closed_ = true;
-    if (wake_ >= 0) eventfd_write(wake_, 1);
-}
-
 void ConnectionAcceptor::stop() {
     stopping_ = true;
-    close();
+    if (wake_ >= 0) eventfd_write(wake_, 1);
     if (thread_.joinable()) thread_.join();
     if (listener_ >= 0) ::close(std::exchange(listener_, -1));
 }
@@ -97,66 +101,124 @@ bool ConnectionAcceptor::is_listening(Clock::time_point now) const {
     return since(looked_) < std::chrono::seconds(1) && since(starved_) > 2 * accept_pause;
 }
 
+void ConnectionAcceptor::watch(int descriptor, std::uint32_t events, int how) const {
+    epoll_event event{.events = events, .data = {.fd = descriptor}};
+    epoll_ctl(epoll_, how, descriptor, &event);
+}
+
 void ConnectionAcceptor::run() {
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+    std::array<epoll_event, 64> events;
     while (!stopping_) {
-        if (closed_ && listener_ >= 0) ::close(std::exchange(listener_, -1));
-        const bool pausing = Clock::now() < accept_again_;
-        pollfd ready[2] = {{wake_, POLLIN, 0}, {pausing ? -1 : listener_, POLLIN, 0}};
-        poll(ready, 2, sweep_period_ms);
-        if (ready[0].revents != 0) {
-            eventfd_t ignored = 0;
-            eventfd_read(wake_, &ignored);
-        }
-        if (ready[1].revents != 0 && !closed_) accept_all();
+        const int count =
+            epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), look_period_ms);
         const Clock::time_point now = Clock::now();
         looked_ = now.time_since_epoch().count();
-        table_.sweep(now);
+        for (int i = 0; i < count; i++) {
+            const int descriptor = events[static_cast<std::size_t>(i)].data.fd;
+            if (descriptor == listener_)
+                accept_all(now);
+            else if (descriptor != wake_)
+                shake_hands(descriptor);
+        }
+        // Without descriptors the listener would be ready for ever.
+        watch(listener_, now < accept_again_ ? 0u : EPOLLIN, EPOLL_CTL_MOD);
+        drop_the_slow(now);
         if (metrics_) metrics_->open.Set(static_cast<double>(table_.size()));
         tell_refusals(now);
     }
+    for (auto& [descriptor, newcomer] : newcomers_) table_.forget(*newcomer.connection);
+    newcomers_.clear();
 }
 
-// At most so many between two sweeps: those who came are measured, too.
-void ConnectionAcceptor::accept_all() {
+// At most so many at once: those who shake hands have their turns, too.
+void ConnectionAcceptor::accept_all(Clock::time_point now) {
     for (int i = 0; i < backlog; i++) {
         sockaddr_storage peer{};
         socklen_t size = sizeof peer;
         const int descriptor = accept4(listener_, reinterpret_cast<sockaddr*>(&peer), &size,
                                        SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (descriptor >= 0) {
-            accept_one(descriptor, peer);
+            accept_one(descriptor, peer, now);
             continue;
         }
         if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) {
             log_warn("gRPC: cannot take a connection: {}", std::strerror(errno));
-            starved_ = Clock::now().time_since_epoch().count();
-            accept_again_ = Clock::now() + accept_pause;
+            starved_ = now.time_since_epoch().count();
+            accept_again_ = now + accept_pause;
         }
         if (errno != EINTR && errno != ECONNABORTED) return;
     }
 }
 
-void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer) {
-    if (const auto why = table_.admit(descriptor, peer)) {
-        refused_++;
-        if (metrics_)
-            metrics_
-                ->refused(*why == ConnectionTable::Refusal::full ? ConnectionRefusal::limit
-                                                                 : ConnectionRefusal::address_limit)
-                .Increment();
+void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer,
+                                    Clock::time_point now) {
+    if (const auto why = table_.refuses(peer, now)) {
+        count(*why);
         ::close(descriptor);  // the cheapest answer there is
         return;
     }
     set_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
     set_option(descriptor, IPPROTO_TCP, TCP_USER_TIMEOUT, silent_peer_ms);
-    hand_over_(descriptor);
+    const auto tls = tls_.present();
+    auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
+    const std::shared_ptr<Connection> connection = table_.admit(peer);
+    if (!tls) return hand_over_(std::move(socket), connection);
+    newcomers_[descriptor] = {std::move(socket), connection, now + handshake_max};
+    watch(descriptor, EPOLLIN, EPOLL_CTL_ADD);
+}
+
+void ConnectionAcceptor::count(ConnectionTable::Refusal why) {
+    refused_++;
+    if (!metrics_) return;
+    using enum ConnectionTable::Refusal;
+    metrics_
+        ->refused(why == full           ? ConnectionRefusal::limit
+                  : why == address_full ? ConnectionRefusal::address_limit
+                                        : ConnectionRefusal::penalty)
+        .Increment();
+}
+
+void ConnectionAcceptor::shake_hands(int descriptor) {
+    const auto at = newcomers_.find(descriptor);
+    if (at == newcomers_.end()) return;
+    Newcomer& newcomer = at->second;
+    const ClientSocket::State state = newcomer.socket->handshake();
+    if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write)
+        return watch(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
+                     EPOLL_CTL_MOD);
+    watch(descriptor, 0, EPOLL_CTL_DEL);
+    if (state == ClientSocket::State::open) {
+        newcomer.connection->certificate = newcomer.socket->certificate();
+        hand_over_(std::move(newcomer.socket), newcomer.connection);
+    } else {
+        turn_away(newcomer, newcomer.socket->failure());
+    }
+    newcomers_.erase(at);
+}
+
+void ConnectionAcceptor::turn_away(Newcomer& newcomer, const std::string& why) {
+    log_debug("{}: no TLS: {}", newcomer.connection->peer, why);
+    if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
+    table_.forget(*newcomer.connection);
+}
+
+void ConnectionAcceptor::drop_the_slow(Clock::time_point now) {
+    for (auto at = newcomers_.begin(); at != newcomers_.end();) {
+        if (now < at->second.deadline) {
+            ++at;
+            continue;
+        }
+        turn_away(at->second, "it took too long");
+        at = newcomers_.erase(at);
+    }
 }
 
 void ConnectionAcceptor::tell_refusals(Clock::time_point now) {
     if (refused_ == refused_told_ || now - told_ < tell_period) return;
     log_warn(
         "gRPC: {} connections were refused: {} are open, the most allowed in all or from one "
-        "address",
+        "address, or others of their addresses were attacks",
         refused_ - refused_told_, table_.size());
     refused_told_ = refused_;
     told_ = now;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The certificates in force as Asio takes them: made anew when they change, so that each new
-// connection gets the present ones and those that run keep theirs. On the gateway's thread.
+// The certificates in force as listeners take them: made anew when they change, so that each new
+// connection gets the present ones and those that run keep theirs. One thread: the listener's.
 #pragma once
 
 #include <boost/asio/ssl/context.hpp>
@@ -13,17 +13,22 @@ namespace jostle::server {
 
 class TlsContexts {
 public:
+    struct Demands {
+        bool require_certificates = false;
+        bool only_http2 = false;  // clients must offer "h2" by ALPN, as those of gRPC do
+    };
+
     // Null: no TLS. The store outlives the contexts. With a CA for clients in it, who shows a
     // certificate must show a good one; `require_certificates`: and everybody must.
-    TlsContexts(const CertificateStore* store, bool require_certificates)
-        : store_(store), require_certificates_(require_certificates) {}
+    TlsContexts(const CertificateStore* store, Demands demands)
+        : store_(store), demands_(demands) {}
 
     // For the next connection; null: no TLS.
     std::shared_ptr<boost::asio::ssl::context> present();
 
 private:
     const CertificateStore* store_;
-    const bool require_certificates_;
+    const Demands demands_;
     std::shared_ptr<const Material> material_;
     std::shared_ptr<boost::asio::ssl::context> context_;
 };

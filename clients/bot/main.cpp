@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "bot/player.h"
+#include "flags/security_flags.h"
 
 namespace {
 
@@ -31,6 +32,7 @@ Without a script each bot does one of these.
 Exit status: 0 in order, 1 when a bot could not play, 2 wrong flags or script.)";
 
 struct Flags {
+    jostle::client::SecurityFiles files;
     std::string target = "localhost:50051", world, script;
     int count = 5;
     double seconds = 0;
@@ -75,13 +77,15 @@ std::string to_lines(const jostle::v1::Events& events) {
     return lines;
 }
 
-int play(const Flags& flags, const jostle::bots::Script& script) {
+int play(const Flags& flags, const jostle::client::Security& security,
+         const jostle::bots::Script& script) {
     jostle::client::Loop loop;
     std::vector<std::unique_ptr<jostle::bots::Player>> players;
     for (int i = 0; i < flags.count; i++)
         players.push_back(std::make_unique<jostle::bots::Player>(
             loop,
             jostle::client::ClientOptions{.target = flags.target,
+                                          .security = security,
                                           .world = flags.world,
                                           .name = "bot " + std::to_string(i + 1),
                                           // All bots see the same: one tells.
@@ -136,6 +140,7 @@ int main(int argc, char** argv) {
     CLI::App app{"Headless players for a Jostle server."};
     Flags flags;
     app.add_option("--target", flags.target, "Server, HOST:PORT")->capture_default_str();
+    jostle::client::add_security_flags(app, flags.files);
     app.add_option("--world", flags.world, "World by name or id; the first when not given");
     app.add_option("--count", flags.count, "How many bots")
         ->capture_default_str()
@@ -154,7 +159,12 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "jostle-bot: %s\n", script.error().message.c_str());
         return 2;
     }
+    const auto security = jostle::client::read_security(flags.files, flags.target);
+    if (!security.ok()) {
+        std::fprintf(stderr, "jostle-bot: %s\n", security.error().message.c_str());
+        return 2;
+    }
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
-    return play(flags, *script);
+    return play(flags, *security, *script);
 }

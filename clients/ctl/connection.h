@@ -11,16 +11,16 @@
 #include <string>
 
 #include "jostle/base/result.h"
+#include "jostle/client/security.h"
 #include "jostle/v1/admin.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
 
 namespace jostle::ctl {
 
-// As the flags say; paths of PEM files and of a file that holds a token.
+// As the flags say.
 struct ConnectionFlags {
     std::string server = "127.0.0.1:50051";
-    std::string token_file, ca, certificate, key;
-    bool tls = false;  // with the system's authorities; --ca names others
+    client::SecurityFiles files;
 };
 
 class Connection {
@@ -47,8 +47,8 @@ private:
     template <class Stub>
     Stub& stub() const;
 
-    std::string server_, token_;
-    bool encrypted_ = false;
+    std::string server_;
+    client::Security security_;
     std::shared_ptr<v1::AdminService::Stub> admin_;
     std::shared_ptr<v1::WorldService::Stub> worlds_;
 };

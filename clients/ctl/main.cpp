@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "ctl/commands.h"
+#include "flags/security_flags.h"
 
 namespace {
 
@@ -43,11 +44,7 @@ void add_connection_flags(CLI::App& app, Flags& flags) {
     app.add_option("--server", c.server, "gRPC address of the server, HOST:PORT")
         ->envname("JOSTLE_SERVER")
         ->capture_default_str();
-    app.add_option("--token-file", c.token_file, "File with a token of role admin");
-    app.add_flag("--tls", c.tls, "Speaks TLS; the system's authorities are believed");
-    app.add_option("--ca", c.ca, "Speaks TLS; the authorities in this PEM file are believed");
-    app.add_option("--cert", c.certificate, "PEM file of this operator's own certificate");
-    app.add_option("--key", c.key, "PEM file of its private key");
+    jostle::client::add_security_flags(app, c.files);
     app.add_flag("--json", flags.wanted.json, "Prints the answer as JSON, for programs");
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "bot/player.h"
+#include "flags/security_flags.h"
 #include "load/report.h"
 #include "load/server_cpu.h"
 
@@ -31,6 +32,7 @@ here), errors (streams that ended, snapshots that did not decode, inputs of good
 Exit status: 0 plan kept, 1 plan missed, 2 wrong flags or script.)";
 
 struct Flags {
+    jostle::client::SecurityFiles files;
     std::string target = "localhost:50051", world, script, json;
     int clients = 10;
     double seconds = 10, ramp = 1;
@@ -73,7 +75,8 @@ std::uint64_t count_bad_refusals(jostle::bots::Player& player, std::string& last
     return bad;
 }
 
-Report run(const Flags& flags, const jostle::bots::Script& script) {
+Report run(const Flags& flags, const jostle::client::Security& security,
+           const jostle::bots::Script& script) {
     jostle::client::Loop loop;
     Players players;
     Report report{.clients = flags.clients};
@@ -103,6 +106,7 @@ Report run(const Flags& flags, const jostle::bots::Script& script) {
             players.push_back(std::make_unique<jostle::bots::Player>(
                 loop,
                 jostle::client::ClientOptions{.target = flags.target,
+                                              .security = security,
                                               .world = flags.world,
                                               .name = "load " + std::to_string(i + 1)},
                 line_for(script, i), static_cast<std::uint32_t>(i + 1)));
@@ -155,6 +159,7 @@ Report run(const Flags& flags, const jostle::bots::Script& script) {
 
 void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--target", flags.target, "Server, HOST:PORT")->capture_default_str();
+    jostle::client::add_security_flags(app, flags.files);
     app.add_option("--world", flags.world, "World by name or id; the first when not given");
     app.add_option("--clients", flags.clients, "How many clients")
         ->capture_default_str()
@@ -192,9 +197,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "jostle-load: %s\n", script.error().message.c_str());
         return 2;
     }
+    const auto security = jostle::client::read_security(flags.files, flags.target);
+    if (!security.ok()) {
+        std::fprintf(stderr, "jostle-load: %s\n", security.error().message.c_str());
+        return 2;
+    }
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
-    const Report report = run(flags, *script);
+    const Report report = run(flags, *security, *script);
     std::fputs(to_text(report).c_str(), stdout);
     if (!flags.json.empty()) {
         std::ofstream out(flags.json);

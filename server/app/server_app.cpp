@@ -425,6 +425,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .relay = {.unread_bytes_max = config.connection.unread_bytes_max,
                                .unread_total_max = config.connection.unread_total_bytes_max},
                      .metrics = &metrics.listener(Listener::grpc),
+                     .silence_max = from_seconds(config.stream.silence_seconds),
                      .idle_max = from_seconds(config.connection.idle_seconds)});
     Gateway gateway(
         context, routes,

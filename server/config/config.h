@@ -26,7 +26,7 @@ struct ClientLimits {
 struct WorldLimits {
     int worlds_max = 64;
     int bodies_max = 20000;             // per world
-    int bodies_total_max = 60000;       // of all worlds: some 2 kB each
+    int bodies_total_max = 50000;       // of all worlds: some 5 kB each
     int clients_max = 1000;             // per server
     int clients_per_address_max = 250;  // of one IPv4 address or IPv6 /64
     int command_queue_max = 8192;       // commands waiting for a tick; full: the input is refused

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <new>
 
 #include "tls/peer_certificate.h"
@@ -42,6 +43,13 @@ ClientSocket::ClientSocket(int descriptor, SSL_CTX* tls)
 
 ClientSocket::~ClientSocket() {
     ::close(descriptor_);
+}
+
+void ClientSocket::block_broken_pipe_signal() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &set, nullptr);
 }
 
 ClientSocket::State ClientSocket::state_of(int result) {

@@ -53,6 +53,9 @@ public:
 
     std::uint64_t received() const;  // bytes off the line, TLS's own included
 
+    // OpenSSL writes to sockets by write(): who uses these on a thread of its own calls this first.
+    static void block_broken_pipe_signal();
+
 private:
     State state_of(int result);
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "base/socket_options.h"
 
 namespace jostle::server {
 
@@ -27,13 +28,6 @@ constexpr int backlog = 1024;
 constexpr auto tell_period = std::chrono::seconds(5);
 // When no descriptor is left, trying again at once would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
-// A peer that acknowledges nothing for so long is gone.
-constexpr unsigned silent_peer_ms = 20'000;
-
-template <class Value>
-void set_option(int descriptor, int level, int name, Value value) {
-    setsockopt(descriptor, level, name, &value, sizeof value);
-}
 
 std::uint16_t port_of(int descriptor) {
     sockaddr_storage own{};
@@ -67,8 +61,8 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
     listener_ = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (listener_ < 0) return failed(std::strerror(errno));
-    set_option(listener_, SOL_SOCKET, SO_REUSEADDR, 1);
-    if (found->ai_family == AF_INET6) set_option(listener_, IPPROTO_IPV6, IPV6_V6ONLY, 0);
+    set_socket_option(listener_, SOL_SOCKET, SO_REUSEADDR, 1);
+    if (found->ai_family == AF_INET6) set_socket_option(listener_, IPPROTO_IPV6, IPV6_V6ONLY, 0);
     if (bind(listener_, found->ai_addr, found->ai_addrlen) != 0 ||
         ::listen(listener_, backlog) != 0) {
         const int error = errno;
@@ -107,6 +101,7 @@ void ConnectionAcceptor::watch(int descriptor, std::uint32_t events, int how) co
 }
 
 void ConnectionAcceptor::run() {
+    ClientSocket::block_broken_pipe_signal();
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
     std::array<epoll_event, 64> events;
     while (!stopping_) {
@@ -158,8 +153,8 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
         ::close(descriptor);  // the cheapest answer there is
         return;
     }
-    set_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
-    set_option(descriptor, IPPROTO_TCP, TCP_USER_TIMEOUT, silent_peer_ms);
+    set_socket_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
+    drop_when_silent(descriptor, silence_max_);
     const auto tls = tls_.present();
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);

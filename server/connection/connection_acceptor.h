@@ -28,9 +28,13 @@ public:
         std::function<void(std::unique_ptr<ClientSocket>, std::shared_ptr<Connection>)>;
 
     // All outlive the acceptor. Null certificates: without TLS; null metrics: nobody counts.
+    // `silence_max`: a peer that takes nothing for so long is gone.
     ConnectionAcceptor(ConnectionTable& table, const CertificateStore* certificates,
-                       const ListenerMetrics* metrics)
-        : table_(table), tls_(certificates, {.only_http2 = true}), metrics_(metrics) {}
+                       Clock::duration silence_max, const ListenerMetrics* metrics)
+        : table_(table),
+          tls_(certificates, {.only_http2 = true}),
+          silence_max_(silence_max),
+          metrics_(metrics) {}
     ~ConnectionAcceptor();
 
     // Binds. An error says which address and why. Port 0: any that is free.
@@ -64,6 +68,7 @@ private:
 
     ConnectionTable& table_;
     TlsContexts tls_;
+    const Clock::duration silence_max_;
     const ListenerMetrics* const metrics_;
     HandOver hand_over_;
     int listener_ = -1, epoll_ = -1;

@@ -127,6 +127,7 @@ bool ConnectionRelay::is_moving(Clock::time_point now) const {
 }
 
 void ConnectionRelay::run() {
+    ClientSocket::block_broken_pipe_signal();
     std::array<epoll_event, events_max> events;
     Clock::time_point swept{};
     for (;;) {
@@ -223,6 +224,8 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
         return;
     }
     if (count == 0 || stream.grpc_deaf) return;
+    if (stream.unread > limits_.unread_bytes_max) measure(stream, now);
+    if (stream.unread > limits_.unread_bytes_max) return cut_unread(stream, now);
     const std::span<const std::uint8_t> bytes(up_.data(), count);
     if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok())
         return cut(stream, allowed.error().message, now);
@@ -372,7 +375,7 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     for (const auto& [stream, owned] : streams_) {
         measure(*stream, now);
         if (stream->unread > limits_.unread_bytes_max)
-            cut(*stream, fmt::format("{:.0f} bytes of no message", stream->unread), now);
+            cut_unread(*stream, now);
         else if (stream->deadline != Clock::time_point{} && now >= stream->deadline)
             close(*stream);
         if (stream->is_dead) continue;
@@ -389,6 +392,10 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     }
     for (const auto& [stream, owned] : streams_)
         if (!stream->is_dead) update_interest(*stream, now);
+}
+
+void ConnectionRelay::cut_unread(Stream& stream, Clock::time_point now) {
+    cut(stream, fmt::format("{:.0f} bytes of no message", stream.unread), now);
 }
 
 void ConnectionRelay::cut(Stream& stream, const std::string& why, Clock::time_point now) {

@@ -79,6 +79,7 @@ private:
     void update_interest(Stream& stream, Clock::time_point now);
     void sweep(Clock::time_point now);
     void measure(Stream& stream, Clock::time_point now) const;
+    void cut_unread(Stream& stream, Clock::time_point now);
     void cut(Stream& stream, const std::string& why, Clock::time_point now);
     void close(Stream& stream);
     void bury();

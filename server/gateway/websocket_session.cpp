@@ -9,6 +9,7 @@
 #include <chrono>
 #include <string_view>
 
+#include "base/socket_options.h"
 #include "base/text.h"
 #include "gateway/peer_bytes.h"
 
@@ -63,6 +64,8 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     socket_.next_layer()
         .tcp()
         .expires_never();  // from here on the WebSocket layer and the link keep time
+    drop_when_silent(socket_.next_layer().tcp().socket().native_handle(),
+                     from_seconds(context_.config.stream.silence_seconds));
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one

@@ -24,7 +24,7 @@ namespace jostle::server {
 
 // Of all worlds of a process together.
 struct TotalLimits {
-    int bodies_max = 60000;
+    int bodies_max = 50000;
     double work_per_second_max = 4e8;  // as scene_budget.h estimates it
 };
 

@@ -167,6 +167,12 @@ Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryF
     return {};
 }
 
+CopyParts parts_of(const v1::DebugRequest& request) {
+    return (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
+           (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
+           (request.broad_phase() ? copy_broad_phase : 0);
+}
+
 }  // namespace
 
 Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
@@ -295,20 +301,26 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
 
 Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& response,
                            const StillWanted&) const {
-    const CopyParts parts =
-        (request.contacts() ? copy_contacts : 0) | (request.islands() ? copy_islands : 0) |
-        (request.bounds() ? copy_bounds : 0) | (request.joints() ? copy_joints : 0) |
-        (request.broad_phase() ? copy_broad_phase : 0);
+    const Result<QueryFramePtr> frame = debug_frame(request);
+    if (!frame.ok()) return frame.error();
+    write_debug(request, **frame, response);
+    return {};
+}
+
+Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request) const {
+    const CopyParts parts = parts_of(request);
     if (parts == 0)
         return invalid("ask for at least one of contacts, islands, bounds, joints, broad_phase");
-    const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), parts);
-    if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = *asked;
-    response.set_tick(frame->tick);
-    response.set_cut((frame->cut & parts) != 0);
+    return ask(context_.worlds, request.world(), parts);
+}
+
+void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
+                               v1::DebugResponse& response) {
+    response.set_tick(frame.tick);
+    response.set_cut((frame.cut & parts_of(request)) != 0);
     // The copy may hold more than this request asked for: others ask as well.
     if (request.contacts())
-        for (const DebugContact& from : frame->contacts) {
+        for (const DebugContact& from : frame.contacts) {
             v1::DebugContact& to = *response.add_contacts();
             write_vector(*to.mutable_point(), from.point);
             write_vector(*to.mutable_normal(), from.normal);
@@ -317,15 +329,15 @@ Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& r
             to.set_touching(from.touching);
         }
     if (request.islands())
-        for (const DebugIsland& from : frame->islands) {
+        for (const DebugIsland& from : frame.islands) {
             v1::DebugIsland& to = *response.add_islands();
             to.mutable_entities()->Add(from.entities.begin(), from.entities.end());
             to.set_asleep(from.asleep);
         }
     if (request.bounds())
-        for (const physics::Aabb& box : frame->bounds) write_box(*response.add_bounds(), box);
+        for (const physics::Aabb& box : frame.bounds) write_box(*response.add_bounds(), box);
     if (request.joints())
-        for (const DebugJoint& from : frame->joints) {
+        for (const DebugJoint& from : frame.joints) {
             v1::DebugJoint& to = *response.add_joints();
             to.set_entity_a(from.entity_a);
             to.set_entity_b(from.entity_b);
@@ -334,8 +346,7 @@ Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& r
             to.set_kind(from.kind);
         }
     if (request.broad_phase())
-        for (const physics::Aabb& cell : frame->cells) write_box(*response.add_broad_phase(), cell);
-    return {};
+        for (const physics::Aabb& cell : frame.cells) write_box(*response.add_broad_phase(), cell);
 }
 
 }  // namespace jostle::server

@@ -9,6 +9,7 @@
 
 #include <functional>
 
+#include "host/query_frame.h"
 #include "jostle/base/result.h"
 #include "protocol/play_context.h"
 
@@ -47,6 +48,10 @@ public:
                           const StillWanted& wanted = always) const;
     Status debug(const v1::DebugRequest& request, v1::DebugResponse& response,
                  const StillWanted& wanted = always) const;
+    // Its two halves, for who keeps answers: the same request about the same copy gets the same.
+    Result<QueryFramePtr> debug_frame(const v1::DebugRequest& request) const;
+    static void write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
+                            v1::DebugResponse& response);
 
 private:
     PlayContext& context_;

@@ -165,17 +165,18 @@ void CallFront::forget(Call& call) {
         open_--;
         call.connection->calls--;
         call.connection->questions--;
-        if (call.method && call.method->work == CallWork::watch) watches_--;
+        if (call.method && call.method->stays_open()) staying_--;
     }
     std::erase_if(calls_, [&](const auto& entry) { return entry.get() == &call; });
 }
 
 Status CallFront::admit(Call& call) const {
-    if (open_ > limits_.calls_max) return too_much("too many calls are open");
+    if (open_ > limits_.calls_max && !call.method->is_probe)
+        return too_much("too many calls are open");
     if (call.connection->questions > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
-    if (call.method->work == CallWork::watch && watches_ > limits_.watches_max)
-        return too_much("too many watch already");
+    if (call.method->stays_open() && staying_ > limits_.staying_max)
+        return too_much("too many streams of this kind are open");
     return let_in(call);
 }
 
@@ -207,7 +208,7 @@ void CallFront::begin(Call& call) {
     open_++;
     const auto known = methods_.find(call.context.method());
     if (known != methods_.end()) call.method = &known->second;
-    if (call.method && call.method->work == CallWork::watch) watches_++;
+    if (call.method && call.method->stays_open()) staying_++;
     if (!call.method) {
         call.finishing = true;
         count(call, grpc::StatusCode::UNIMPLEMENTED);
@@ -239,7 +240,8 @@ void CallFront::on_read(Call& call, bool ok) {
 }
 
 void CallFront::enqueue(Call& call) {
-    if (unsent_bytes_ > limits_.answer_bytes_max)
+    // Quick answers are small.
+    if (unsent_bytes_ > limits_.answer_bytes_max && call.method->work != CallWork::quick)
         return finish(call, too_much("answers wait for clients that do not read"));
     if (!pool_of(*call.method).add([this, &call] { answer(call); }))
         finish(call, too_much("too many calls wait to be answered"));

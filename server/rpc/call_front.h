@@ -27,10 +27,10 @@
 namespace jostle::server {
 
 struct CallLimits {
-    std::size_t calls_max = 256;  // open at once
-    int calls_per_peer_max = 32;  // of one connection
-    std::size_t queue_max = 64;   // that wait for a thread, of each pool
-    std::size_t watches_max = 64;
+    std::size_t calls_max = 256;     // open at once
+    int calls_per_peer_max = 32;     // of one connection
+    std::size_t queue_max = 64;      // that wait for a thread, of each pool
+    std::size_t staying_max = 64;    // streams and watches
     double answer_bytes_max = 64e6;  // made but not yet taken by their clients
     int waiting_threads = 2;         // for what waits for a world
     // For a request to come in, and for an answer to be taken.
@@ -82,7 +82,7 @@ private:
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     const ConnectionTable* connections_ = nullptr;
     std::list<std::unique_ptr<Call>> calls_;  // also those that were asked for and did not come
-    std::size_t open_ = 0, watches_ = 0;
+    std::size_t open_ = 0, staying_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false}, pools_stopped_{false};
     WorkPool quick_, asking_, changing_, waiting_;

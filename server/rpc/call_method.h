@@ -49,9 +49,26 @@ struct CallMethod {
     std::size_t request_bytes_max = 64 * 1024;
     // Calls about a world ask the gate when they know which; for the others the front has asked.
     bool asks_for_world = false;
+    bool is_probe = false;  // is answered however many calls of others are open
     // On a thread of a pool; a watch's on that of the front, again and again.
     std::function<Status(const CallContext&, std::string_view request, AnswerBytes& answer)> run;
+
+    // Until its client ends it.
+    bool stays_open() const { return work == CallWork::stream || work == CallWork::watch; }
 };
+
+inline Status parse(std::string_view bytes, google::protobuf::Message& request) {
+    if (request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return {};
+    return Error{ErrorCode::invalid_argument,
+                 "the request is no " + request.GetDescriptor()->full_name()};
+}
+
+// Whether who calls may do so with this world.
+inline Status admit(const CallContext& context, const WorldDirectory& worlds,
+                    const std::string& name) {
+    const std::shared_ptr<WorldHost> world = worlds.find(name);
+    return context.gate.admit(context.who, context.ask(world ? asked_world(*world) : AskedWorld{}));
+}
 
 // `handle` is called as Status(const CallContext&, const Request&, Response&).
 template <class Request, class Response, class Handle>
@@ -60,15 +77,16 @@ CallMethod unary_method(std::string path, CallWork work, std::size_t request_byt
     auto run = [handle = std::move(handle)](const CallContext& context, std::string_view bytes,
                                             AnswerBytes& answer) -> Status {
         Request request;
-        if (!request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
-            return Error{ErrorCode::invalid_argument,
-                         "the request is no " + request.GetDescriptor()->full_name()};
+        if (Status s = parse(bytes, request); !s.ok()) return s;
         Response response;
         if (Status s = handle(context, request, response); !s.ok()) return s;
         answer = std::make_shared<const std::string>(response.SerializeAsString());
         return {};
     };
-    return {std::move(path), work, request_bytes_max, false, std::move(run)};
+    return {.path = std::move(path),
+            .work = work,
+            .request_bytes_max = request_bytes_max,
+            .run = std::move(run)};
 }
 
 // The same of a call about the world that `request.world()` names: it is let in by whose that is.
@@ -79,9 +97,7 @@ CallMethod world_method(std::string path, CallWork work, std::size_t request_byt
         std::move(path), work, request_bytes_max,
         [&worlds, handle = std::move(handle)](const CallContext& context, const Request& request,
                                               Response& response) -> Status {
-            const std::shared_ptr<WorldHost> world = worlds.find(request.world());
-            const AskedWorld asked = world ? asked_world(*world) : AskedWorld{};
-            if (Status s = context.gate.admit(context.who, context.ask(asked)); !s.ok()) return s;
+            if (Status s = admit(context, worlds, request.world()); !s.ok()) return s;
             return handle(context, request, response);
         });
     method.asks_for_world = true;

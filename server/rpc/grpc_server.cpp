@@ -63,8 +63,7 @@ void announce(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
     using enum RpcMetrics::Kind;
     metrics.add(play_path, streaming);
     for (const CallMethod& method : methods) {
-        const bool streams = method.work == CallWork::stream || method.work == CallWork::watch;
-        metrics.add(method.path, streams ? streaming : unary);
+        metrics.add(method.path, method.stays_open() ? streaming : unary);
     }
 }
 
@@ -78,7 +77,7 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
              context.rpc_metrics),
       table_(settings_.connections),
       relay_(table_, settings_.relay, settings_.metrics),
-      acceptor_(table_, settings_.certificates, settings_.metrics) {}
+      acceptor_(table_, settings_.certificates, settings_.silence_max, settings_.metrics) {}
 
 GrpcServer::~GrpcServer() {
     stop();

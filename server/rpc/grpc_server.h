@@ -34,8 +34,9 @@ struct GrpcSettings {
     const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the server
     ConnectionTableLimits connections = {};
     RelayLimits relay = {};
-    const ListenerMetrics* metrics = nullptr;            // null: nobody counts
-    Clock::duration idle_max = std::chrono::minutes(5);  // of a connection without a call
+    const ListenerMetrics* metrics = nullptr;                // null: nobody counts
+    Clock::duration silence_max = std::chrono::seconds(10);  // of who takes nothing
+    Clock::duration idle_max = std::chrono::minutes(5);      // of a connection without a call
 };
 
 class GrpcServer {

@@ -32,10 +32,11 @@ std::vector<CallMethod> health_methods(std::vector<std::string> services,
     };
     constexpr std::size_t request_bytes_max = 1024;
     const std::string service = "/grpc.health.v1.Health/";
-    return {unary_method<HealthCheckRequest, HealthCheckResponse>(
-                service + "Check", CallWork::quick, request_bytes_max, check),
-            unary_method<HealthCheckRequest, HealthCheckResponse>(
-                service + "Watch", CallWork::watch, request_bytes_max, watch)};
+    CallMethod checks = unary_method<HealthCheckRequest, HealthCheckResponse>(
+        service + "Check", CallWork::quick, request_bytes_max, check);
+    checks.is_probe = true;
+    return {std::move(checks), unary_method<HealthCheckRequest, HealthCheckResponse>(
+                                   service + "Watch", CallWork::watch, request_bytes_max, watch)};
 }
 
 }  // namespace jostle::server

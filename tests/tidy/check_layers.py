@@ -50,9 +50,10 @@ FLOORS = {
     "server/app": ["server/base", "server/connection", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", "server/protocol", "server/rpc", "server/gateway", "scenes/include", "generated"],
     "server": ["server/base", "server/config", "server/app", "scenes/include"],
     "clients/cpp": ["proto/wire", "proto/status", "generated"],
-    "clients/bot": ["clients/cpp", "generated"],
-    "clients/ctl": ["proto/status", "generated"],
-    "clients/load": ["clients/cpp", "clients/bot", "generated"],
+    "clients/bot": ["clients/cpp", "clients/flags", "generated"],
+    "clients/flags": ["clients/cpp"],
+    "clients/ctl": ["proto/status", "clients/cpp", "clients/flags", "generated"],
+    "clients/load": ["clients/cpp", "clients/bot", "clients/flags", "generated"],
 }
 # Only host/ includes the World; scene.h brings it to those who build worlds.
 WORLD = "jostle/physics/world.h"

@@ -2,31 +2,34 @@
 #include "connection.h"
 
 #include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
 
 #include <vector>
+
+#include "credentials.h"
 
 namespace jostle::client {
 namespace {
 
-std::shared_ptr<grpc::Channel> make_channel(const std::string& target) {
+std::shared_ptr<grpc::Channel> make_channel(const ClientOptions& options) {
     grpc::ChannelArguments arguments;
     // A connection of its own per client, as real players have; else gRPC would share one socket
     // among all.
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
     arguments.SetMaxReceiveMessageSize(64 * 1024 * 1024);  // the first snapshot of a large world
-    return grpc::CreateCustomChannel(target, grpc::InsecureChannelCredentials(), arguments);
+    return grpc::CreateCustomChannel(options.target, channel_credentials(options.security),
+                                     arguments);
 }
 
 }  // namespace
 
-Connection::Connection(const std::string& target, grpc::CompletionQueue& queue, void* owner)
-    : channel_(make_channel(target)),
+Connection::Connection(const ClientOptions& options, grpc::CompletionQueue& queue, void* owner)
+    : channel_(make_channel(options)),
       stub_(channel_),
       started_tag_{this, Event::started, owner},
       read_tag_{this, Event::read, owner},
       wrote_tag_{this, Event::wrote, owner},
       finished_tag_{this, Event::finished, owner} {
+    show_token(context_, options.security);
     stream_ = stub_.PrepareCall(&context_, "/jostle.v1.PlayService/Play", &queue);
     in_flight_++;
     stream_->StartCall(&started_tag_);

@@ -12,6 +12,8 @@
 #include <memory>
 #include <string>
 
+#include "jostle/client/client_options.h"
+
 namespace jostle::client {
 
 class Connection {
@@ -24,7 +26,7 @@ public:
     };
 
     // Begins to connect; the started event tells how it went. `owner` comes back with each event.
-    Connection(const std::string& target, grpc::CompletionQueue& queue, void* owner);
+    Connection(const ClientOptions& options, grpc::CompletionQueue& queue, void* owner);
 
     // What the queue gave back. Returns received bytes when a message came, else null.
     const std::string* handle(Event event, bool ok);

@@ -80,7 +80,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         }
         client.conversation.begin(now);
         client.connection =
-            std::make_unique<Connection>(client.conversation.options().target, queue_, &client);
+            std::make_unique<Connection>(client.conversation.options(), queue_, &client);
         return;
     }
     if (client.gone) client.connection->cancel();

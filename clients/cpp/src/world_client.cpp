@@ -7,6 +7,7 @@
 
 #include <chrono>
 
+#include "credentials.h"
 #include "jostle/client/query_client.h"
 #include "jostle/v1/query.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
@@ -20,8 +21,9 @@ constexpr auto patience = std::chrono::seconds(5);
 template <class Stub, class Request, class Response>
 Result<Response> call(Stub& stub,
                       grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
-                      const Request& request) {
+                      const Request& request, const Security& security) {
     grpc::ClientContext context;
+    show_token(context, security);
     context.set_deadline(std::chrono::system_clock::now() + patience);
     context.set_wait_for_ready(true);
     Response response;
@@ -50,38 +52,49 @@ void write(v1::QueryFilter& to, const QueryOptions& from) {
 
 struct WorldClient::Impl {
     std::unique_ptr<v1::WorldService::Stub> stub;
+    Security security;
+
+    template <class Request, class Response>
+    Result<Response> ask(grpc::Status (v1::WorldService::Stub::*method)(grpc::ClientContext*,
+                                                                        const Request&, Response*),
+                         const Request& request) {
+        return call(*stub, method, request, security);
+    }
 };
 
-WorldClient::WorldClient(const std::string& target) : impl_(std::make_unique<Impl>()) {
+WorldClient::WorldClient(const std::string& target, Security security)
+    : impl_(std::make_unique<Impl>()) {
     impl_->stub =
-        v1::WorldService::NewStub(grpc::CreateChannel(target, grpc::InsecureChannelCredentials()));
+        v1::WorldService::NewStub(grpc::CreateChannel(target, channel_credentials(security)));
+    impl_->security = std::move(security);
 }
 WorldClient::~WorldClient() = default;
 
 Result<v1::ListWorldsResponse> WorldClient::list() {
-    return call(*impl_->stub, &v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
+    return impl_->ask(&v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
 }
 
 Result<v1::CreateWorldResponse> WorldClient::create(const v1::CreateWorldRequest& request) {
-    return call(*impl_->stub, &v1::WorldService::Stub::CreateWorld, request);
+    return impl_->ask(&v1::WorldService::Stub::CreateWorld, request);
 }
 
 Status WorldClient::remove(const std::string& world) {
     v1::DeleteWorldRequest request;
     request.set_world(world);
-    const auto removed = call(*impl_->stub, &v1::WorldService::Stub::DeleteWorld, request);
+    const auto removed = impl_->ask(&v1::WorldService::Stub::DeleteWorld, request);
     return removed.ok() ? Status() : removed.error();
 }
 
 Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world) {
     v1::JoinWorldRequest request;
     request.set_world(world);
-    return call(*impl_->stub, &v1::WorldService::Stub::JoinWorld, request);
+    return impl_->ask(&v1::WorldService::Stub::JoinWorld, request);
 }
 
 struct QueryClient::Impl {
     std::unique_ptr<v1::QueryService::Stub> stub;
     std::string world;
+    Security security;
 
     template <class Request, class Response>
     Result<Response> ask(grpc::Status (v1::QueryService::Stub::*method)(grpc::ClientContext*,
@@ -89,7 +102,7 @@ struct QueryClient::Impl {
                          Request& request, const QueryOptions& options) {
         request.set_world(world);
         write(*request.mutable_filter(), options);
-        return call(*stub, method, request);
+        return call(*stub, method, request, security);
     }
 
     Result<Answer<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
@@ -102,11 +115,12 @@ struct QueryClient::Impl {
     }
 };
 
-QueryClient::QueryClient(const std::string& target, std::string world)
+QueryClient::QueryClient(const std::string& target, std::string world, Security security)
     : impl_(std::make_unique<Impl>()) {
     impl_->stub =
-        v1::QueryService::NewStub(grpc::CreateChannel(target, grpc::InsecureChannelCredentials()));
+        v1::QueryService::NewStub(grpc::CreateChannel(target, channel_credentials(security)));
     impl_->world = std::move(world);
+    impl_->security = std::move(security);
 }
 QueryClient::~QueryClient() = default;
 

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// gRPC's own watcher on the store's files: fifty rotations under new handshakes, ten of them broken
-// pairs, and none fails. Channels that are open stay so.
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
-#include <grpcpp/security/server_credentials.h>
-#include <grpcpp/security/tls_certificate_provider.h>
-#include <grpcpp/security/tls_credentials_options.h>
-#include <grpcpp/server_builder.h>
+// Fifty players over TLS, and the certificate replaced fifty times under them, ten times by a pair
+// that does not fit: nobody is dropped, and no handshake that comes meanwhile fails.
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "grpc/health/v1/health.grpc.pb.h"
+#include "jostle/client/client.h"
+#include "jostle/client/world_client.h"
+#include "jostle/scenes/catalog.h"
+#include "protocol/world_control.h"
+#include "rpc/grpc_server.h"
+#include "rpc/world_methods.h"
 #include "support/certificates.h"
 #include "support/temp_folder.h"
-#include "tls/certificate_store.h"
 
 namespace jostle::server {
 namespace {
@@ -23,92 +21,107 @@ namespace {
 using namespace std::chrono_literals;
 using test::make_certificate;
 using test::TestCertificate;
-namespace health = grpc::health::v1;
 
-class Healthy final : public health::Health::Service {
-    grpc::Status Check(grpc::ServerContext*, const health::HealthCheckRequest*,
-                       health::HealthCheckResponse* response) override {
-        response->set_status(health::HealthCheckResponse::SERVING);
-        return grpc::Status::OK;
+class GrpcRotationTest : public testing::Test {
+protected:
+    void put(const TestCertificate& certificate, const TestCertificate& key) const {
+        folder.write("key.pem", key.key_pem());
+        folder.write("chain.pem", certificate.pem());
     }
-};
+    void SetUp() override {
+        put(last, last);
+        store =
+            CertificateStore::open({.certificate = folder / "chain.pem", .key = folder / "key.pem"},
+                                   std::chrono::system_clock::now())
+                .value();
+        ASSERT_TRUE(worlds.create("sandbox", *scenes::find_scene("stack")).ok());
+        config.quota.joins_per_minute = config.quota.queries_per_second = 1e6;
+        gate = *Gate::open(config);
+        context.reset(new PlayContext{
+            .config = config, .worlds = worlds, .sessions = sessions, .gate = *gate});
+        control = std::make_unique<WorldControl>(*context);
+        server = std::make_unique<GrpcServer>(
+            *context, world_methods(*control, worlds), [] { return true; },
+            GrpcSettings{.port = 0, .certificates = store.get()});
+        ASSERT_TRUE(server->start().ok());
+        woken = server.get();
+        target = "localhost:" + std::to_string(server->port());
+    }
+    void TearDown() override {
+        worlds.stop_all();
+        context->closing = true;
+        server->drain({});
+        server->stop();
+    }
+    client::Security believing(const TestCertificate& authority) const {
+        return {.tls = true, .authorities_pem = authority.pem()};
+    }
 
-std::shared_ptr<grpc::ServerCredentials> credentials_of(const CertificateStore& store) {
-    const auto provider = std::make_shared<grpc::experimental::FileWatcherCertificateProvider>(
-        store.identity_file(), store.identity_file(), 1);
-    grpc::experimental::TlsServerCredentialsOptions options(provider);
-    options.watch_identity_key_cert_pairs();
-    return grpc::experimental::TlsServerCredentials(options);
-}
-
-bool answers(health::Health::Stub& stub) {
-    grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + 20s);
-    health::HealthCheckResponse response;
-    return stub.Check(&context, {}, &response).ok();
-}
-
-TEST(GrpcRotation, fifty_rotations_with_ten_broken_pairs_fail_no_handshake) {
     const test::TempFolder folder;
     const TestCertificate root = test::make_authority();
     TestCertificate last = make_certificate({}, &root);
-    const auto put = [&](const TestCertificate& certificate, const TestCertificate& key) {
-        folder.write("key.pem", key.key_pem());
-        folder.write("chain.pem", certificate.pem());
+    std::unique_ptr<CertificateStore> store;
+    Config config;
+    SessionDirectory sessions{100};
+    std::atomic<GrpcServer*> woken = nullptr;
+    WorldDirectory worlds{{.on_frame =
+                               [this] {
+                                   if (GrpcServer* const s = woken) s->wake();
+                               }},
+                          4};
+    std::unique_ptr<Gate> gate;
+    std::unique_ptr<PlayContext> context;
+    std::unique_ptr<WorldControl> control;
+    std::unique_ptr<GrpcServer> server;
+    std::string target;
+};
+
+TEST_F(GrpcRotationTest, fifty_rotations_with_ten_broken_pairs_drop_nobody_and_fail_no_handshake) {
+    client::Loop loop;
+    std::vector<std::shared_ptr<client::Client>> players;
+    for (int i = 0; i < 50; i++)
+        players.push_back(client::Client::connect(
+            loop, {.target = target, .security = believing(root), .reconnect = false}));
+    const auto all_play = [&] {
+        return std::ranges::all_of(players, [](const auto& p) { return p->stats().connected; });
     };
-    put(last, last);
-    const auto store =
-        CertificateStore::open({.certificate = folder / "chain.pem", .key = folder / "key.pem"},
-                               std::chrono::system_clock::now())
-            .value();
-    Healthy service;
-    grpc::ServerBuilder builder;
-    int port = 0;
-    builder.AddListeningPort("127.0.0.1:0", credentials_of(*store), &port);
-    builder.RegisterService(&service);
-    const std::unique_ptr<grpc::Server> server = builder.BuildAndStart();
-    ASSERT_TRUE(server);
-    // A subchannel pool of its own: each channel makes a handshake of its own.
-    const auto connect = [&] {
-        grpc::ChannelArguments arguments;
-        arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-        return health::Health::NewStub(grpc::CreateCustomChannel(
-            "localhost:" + std::to_string(port),
-            grpc::SslCredentials({.pem_root_certs = root.pem()}), arguments));
-    };
-    const auto first = connect();
-    ASSERT_TRUE(answers(*first));
+    for (const auto end = Clock::now() + 20s; !all_play() && Clock::now() < end;)
+        std::this_thread::sleep_for(10ms);
+    ASSERT_TRUE(all_play()) << players[0]->stats().last_error;
+
     std::atomic<bool> done = false;
     std::atomic<int> handshakes = 0, failed = 0;
-    std::vector<std::jthread> clients;
-    for (int t = 0; t < 2; ++t)
-        clients.emplace_back([&] {
-            while (!done) {
-                if (!answers(*connect())) ++failed;
-                ++handshakes;
-                std::this_thread::sleep_for(2ms);
-            }
-        });
+    std::jthread newcomer([&] {
+        while (!done) {
+            if (!client::WorldClient(target, believing(root)).list().ok()) ++failed;
+            ++handshakes;
+        }
+    });
     for (int i = 1; i <= 50; ++i) {
         const TestCertificate next = make_certificate({}, &root);
-        if (i % 5 != 0) {
-            put(next, next);
-            last = next;
-        } else {
-            put(next, last);
-        }
+        const bool fits = i % 5 != 0;
+        put(next, fits ? next : last);
+        if (fits) last = next;
         EXPECT_EQ(store->reload(std::chrono::system_clock::now()),
-                  i % 5 != 0 ? CertificateStore::Change::taken : CertificateStore::Change::refused);
-        std::this_thread::sleep_for(
-            100ms);  // gRPC looks each second: several changes between looks
+                  fits ? CertificateStore::Change::taken : CertificateStore::Change::refused);
+        std::this_thread::sleep_for(20ms);
     }
     done = true;
-    clients.clear();
+    newcomer.join();
     EXPECT_EQ(failed, 0) << "of " << handshakes;
     EXPECT_GT(handshakes, 20);
-    EXPECT_TRUE(answers(*first)) << "the first channel, from before all of them";
-    server->Shutdown(std::chrono::system_clock::now() + 1s);
-    RecordProperty("handshakes", handshakes);
+    for (const auto& player : players) {
+        EXPECT_TRUE(player->stats().connected);
+        EXPECT_EQ(player->stats().stream_failures, 0u);
+        EXPECT_GT(player->stats().snapshots, 20u);
+    }
+}
+
+TEST_F(GrpcRotationTest, who_does_not_know_the_authority_or_speaks_no_tls_gets_no_answer) {
+    const TestCertificate stranger = test::make_authority();
+    EXPECT_FALSE(client::WorldClient(target, believing(stranger)).list().ok());
+    EXPECT_FALSE(client::WorldClient(target).list().ok());
+    EXPECT_TRUE(client::WorldClient(target, believing(root)).list().ok());
 }
 
 }  // namespace

@@ -12,6 +12,10 @@
 namespace jostle::physics {
 namespace {
 
+// Of one pair of shapes. Two bodies that touch in so many places lie in one another; what they are
+// made of could have a billion pairs, which no memory holds.
+constexpr std::size_t part_manifolds_max = 1 << 14;
+
 bool is_surface(const Placed& shape) {
     const ShapeKind kind = kind_of(*shape.geometry);
     return kind == ShapeKind::mesh || kind == ShapeKind::height_field;
@@ -102,7 +106,8 @@ void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<PartManifold>& out, const std::atomic<bool>* stopped) {
     for_each_two(a, b, margin, [&](const Placed& pa, const Placed& pb, std::uint64_t key) {
         collide_parts(pa, pb, margin, key, out);
-        return stopped != nullptr && stopped->load(std::memory_order_relaxed);
+        return out.size() >= part_manifolds_max ||
+               (stopped != nullptr && stopped->load(std::memory_order_relaxed));
     });
 }
 

@@ -26,7 +26,7 @@ inline bool is_composite(ShapeKind kind) {
 }
 
 // Appends every part's manifold with points within the margin, in an order that depends on the two
-// shapes alone.
+// shapes alone; of more than some 16,000 only the first.
 // `stopped`: looked at between parts; when it is set, parts are missing.
 void collide_composite(const Placed& a, const Placed& b, double margin,
                        std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr);

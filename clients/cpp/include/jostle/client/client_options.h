@@ -6,13 +6,16 @@
 #include <cstdint>
 #include <string>
 
+#include "jostle/client/security.h"
+
 namespace jostle::client {
 
 struct ClientOptions {
-    std::string target = "localhost:50051";  // of the server's gRPC port; no TLS
-    std::string world;                       // name or id; empty: the server's first
-    std::string ticket;                      // from WorldClient::join, when the server asks for one
-    std::string name;                        // shown to others; at most 32 bytes
+    std::string target = "localhost:50051";  // of the server's gRPC port
+    Security security;
+    std::string world;              // name or id; empty: the server's first
+    std::string ticket;             // from WorldClient::join, when the server asks for one
+    std::string name;               // shown to others; at most 32 bytes
     std::uint32_t snapshot_hz = 0;  // snapshots a second that it wants; 0: the world's rate
     bool spectator = false;         // the server refuses its inputs
     bool events = false;            // asks for what happens in the world: Client::take_events()

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "jostle/client/security.h"
 #include "jostle/v1/query.pb.h"
 
 namespace jostle::client {
@@ -52,7 +53,7 @@ struct Answer {
 class QueryClient {
 public:
     // `world`: id or name; empty: the server's first.
-    explicit QueryClient(const std::string& target, std::string world = {});
+    explicit QueryClient(const std::string& target, std::string world = {}, Security security = {});
     ~QueryClient();
 
     // The first thing that the ray from `origin` to `origin + motion` meets, if any.

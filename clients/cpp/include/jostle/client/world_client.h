@@ -8,13 +8,15 @@
 #include <string>
 
 #include "jostle/base/result.h"
+#include "jostle/client/security.h"
 #include "jostle/v1/world.pb.h"
 
 namespace jostle::client {
 
 class WorldClient {
 public:
-    explicit WorldClient(const std::string& target);  // of the server's gRPC port; no TLS
+    // Of the server's gRPC port.
+    explicit WorldClient(const std::string& target, Security security = {});
     ~WorldClient();
 
     Result<v1::ListWorldsResponse> list();

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// A client's Security as gRPC takes it. Pure; any thread.
+#pragma once
+
+#include <grpcpp/client_context.h>
+#include <grpcpp/security/credentials.h>
+
+#include <memory>
+
+#include "jostle/client/security.h"
+
+namespace jostle::client {
+
+std::shared_ptr<grpc::ChannelCredentials> channel_credentials(const Security& security);
+// Shows the token, if there is one.
+void show_token(grpc::ClientContext& call, const Security& security);
+
+}  // namespace jostle::client

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/client/security.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace jostle::client {
+
+namespace {
+
+constexpr std::size_t file_bytes_max = 1u << 20;
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+bool is_this_machine(const std::string& target) {
+    const std::string host = target.substr(0, target.rfind(':'));
+    return host == "localhost" || host.starts_with("127.") || host == "[::1]";
+}
+
+Status read_text(const std::string& path, std::string& out) {
+    std::error_code ignored;
+    std::ifstream file(path, std::ios::binary);
+    if (!file || std::filesystem::is_directory(path, ignored))
+        return invalid("cannot read " + path + ": it is not there, or not yours to read");
+    out.resize(file_bytes_max + 1);
+    file.read(out.data(), static_cast<std::streamsize>(out.size()));
+    out.resize(static_cast<std::size_t>(file.gcount()));
+    if (out.size() > file_bytes_max) return invalid(path + " has more than 1 MiB");
+    return {};
+}
+
+// No path: nothing.
+Status read_pem(const std::string& path, std::string& out) {
+    if (path.empty()) return {};
+    if (Status s = read_text(path, out); !s.ok()) return s;
+    if (out.find("-----BEGIN ") == std::string::npos)
+        return invalid(path + " is no PEM file: it has no line -----BEGIN ...-----");
+    return {};
+}
+
+Status read_token(const std::string& path, std::string& out) {
+    if (path.empty()) return {};
+    if (Status s = read_text(path, out); !s.ok()) return s;
+    // Without the line end that an editor leaves.
+    out.erase(out.find_last_not_of("\r\n ") + 1);
+    return out.empty() ? invalid(path + " holds no token") : Status();
+}
+
+}  // namespace
+
+Result<Security> read_security(const SecurityFiles& files, const std::string& target) {
+    Security security;
+    if (files.certificate.empty() != files.key.empty())
+        return invalid("--cert and --key go together: the certificate and its private key");
+    security.tls = files.tls || !files.certificate.empty() || !files.authorities.empty();
+    for (const auto& [path, out] : {std::pair(&files.authorities, &security.authorities_pem),
+                                    std::pair(&files.certificate, &security.certificate_pem),
+                                    std::pair(&files.key, &security.key_pem)})
+        if (Status s = read_pem(*path, *out); !s.ok()) return s.error();
+    if (Status s = read_token(files.token, security.token); !s.ok()) return s.error();
+    if (!security.token.empty() && !security.tls && !is_this_machine(target))
+        return invalid(
+            "without TLS everybody on the way could read the token; give --tls, or --ca FILE for "
+            "an authority of your own");
+    return security;
+}
+
+}  // namespace jostle::client

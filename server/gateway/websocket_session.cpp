@@ -57,58 +57,60 @@ std::string peer_name(beast::tcp_stream& stream) {
 
 WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
                                    std::size_t message_bytes_max)
-    : context_(context), socket_(std::move(stream)), peer_(peer_name(socket_.next_layer().tcp())) {
+    : context_(context) {
+    socket_.emplace(std::move(stream));
+    boost::beast::tcp_stream& tcp = socket_->next_layer().tcp();
+    peer_ = peer_name(tcp);
     beast::error_code error;
-    const auto endpoint = socket_.next_layer().tcp().socket().remote_endpoint(error);
+    const auto endpoint = tcp.socket().remote_endpoint(error);
     if (!error) address_ = endpoint.address().to_string();
-    socket_.next_layer()
-        .tcp()
-        .expires_never();  // from here on the WebSocket layer and the link keep time
-    drop_when_silent(socket_.next_layer().tcp().socket().native_handle(),
+    tcp.expires_never();  // from here on the WebSocket layer and the link keep time
+    drop_when_silent(tcp.socket().native_handle(),
                      from_seconds(context_.config.stream.silence_seconds));
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
     timeout.keep_alive_pings = false;
-    socket_.set_option(timeout);
-    set_bounds(socket_, message_bytes_max);
-    socket_.auto_fragment(
+    socket_->set_option(timeout);
+    set_bounds(*socket_, message_bytes_max);
+    socket_->auto_fragment(
         false);  // a snapshot is one frame, and its pieces are sent from where they lie
 }
 
 void WebSocketSession::start(const Request& upgrade) {
-    socket_.async_accept(upgrade, [self = shared_from_this()](beast::error_code error) {
+    socket_->async_accept(upgrade, [self = shared_from_this()](beast::error_code error) {
         self->on_accepted(error);
     });
 }
 
 void WebSocketSession::on_accepted(beast::error_code error) {
-    if (error) return;  // the socket closes with the last reference to this session
+    if (error || !socket_) return;  // the socket closes with the last reference to this session
     link_.emplace(
         context_,
         Peer{.name = peer_,
              .address = address_,
              .call = "GET /play",
              .who = context_.gate.identify(
-                 {.certificate = socket_.next_layer().certificate(), .address = address_})},
+                 {.certificate = socket_->next_layer().certificate(), .address = address_})},
         Clock::now());
     read();
 }
 
 void WebSocketSession::read() {
-    socket_.async_read(incoming_,
-                       [self = shared_from_this()](beast::error_code error, std::size_t) {
-                           self->on_read(error);
-                       });
+    socket_->async_read(incoming_,
+                        [self = shared_from_this()](beast::error_code error, std::size_t) {
+                            self->on_read(error);
+                        });
 }
 
 void WebSocketSession::on_read(beast::error_code error) {
+    if (!socket_) return;
     const Clock::time_point now = Clock::now();
     if (error == websocket::error::message_too_big) {
         link_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
     } else if (error) {
         link_->on_peer_closed(now);
-    } else if (socket_.got_text()) {
+    } else if (socket_->got_text()) {
         link_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
     } else {
         const const_buffer bytes = incoming_.cdata();
@@ -121,6 +123,7 @@ void WebSocketSession::on_read(beast::error_code error) {
 }
 
 void WebSocketSession::on_wrote(beast::error_code error) {
+    if (!socket_) return;
     const Clock::time_point now = Clock::now();
     writing_ = false;
     if (error) link_->on_peer_closed(now);
@@ -128,7 +131,11 @@ void WebSocketSession::on_wrote(beast::error_code error) {
 }
 
 void WebSocketSession::advance(Clock::time_point now) {
-    if (!link_ || closing_) return;
+    if (!link_ || !socket_) return;
+    if (closing_since_) {
+        if (now >= *closing_since_ + handshake_timeout) abort();
+        return;
+    }
     if (writing_) {
         link_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its socket, for ever.
@@ -140,23 +147,22 @@ void WebSocketSession::advance(Clock::time_point now) {
         writing_ = true;
         std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
         if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
-        socket_.async_write(pieces,
-                            [self = shared_from_this()](beast::error_code error, std::size_t) {
-                                self->on_wrote(error);
-                            });
+        socket_->async_write(pieces,
+                             [self = shared_from_this()](beast::error_code error, std::size_t) {
+                                 self->on_wrote(error);
+                             });
         return;
     }
-    if (const std::optional<Status>& end = link_->end()) close(*end);
+    if (const std::optional<Status>& end = link_->end()) close(*end, now);
 }
 
-void WebSocketSession::close(const Status& end) {
-    closing_ = true;
-    socket_.async_close(reason_of(end), [self = shared_from_this()](beast::error_code) {});
+void WebSocketSession::close(const Status& end, Clock::time_point now) {
+    closing_since_ = now;
+    socket_->async_close(reason_of(end), [self = shared_from_this()](beast::error_code) {});
 }
 
 void WebSocketSession::abort() {
-    beast::error_code ignored;
-    socket_.next_layer().tcp().socket().close(ignored);
+    socket_.reset();
 }
 
 }  // namespace jostle::server

@@ -32,7 +32,7 @@ public:
     // Starts the next write when none is in flight and there is something to say, or closes the
     // socket.
     void advance(Clock::time_point now);
-    // The gateway stops: closes the socket at once.
+    // Closes the socket at once: the gateway stops, or the client does not let us go.
     void abort();
     // We did not listen for so long.
     void on_pause(Clock::duration pause) {
@@ -45,15 +45,18 @@ private:
     void read();
     void on_read(boost::beast::error_code error);
     void on_wrote(boost::beast::error_code error);
-    void close(const Status& end);
+    void close(const Status& end, Clock::time_point now);
 
     PlayContext& context_;
-    boost::beast::websocket::stream<SocketStream> socket_;
+    // Nothing: given up. Beast (1.74) can tie a close and a read that fails to each other for ever;
+    // what waits inside of the stream holds the session, and goes with it.
+    std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
     std::string peer_, address_;
     std::optional<ClientLink> link_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;
-    bool writing_ = false, closing_ = false;
+    bool writing_ = false;
+    std::optional<Clock::time_point> closing_since_;
 };
 
 }  // namespace jostle::server

@@ -5,14 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <condition_variable>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -20,9 +13,11 @@
 #include <mutex>
 #include <optional>
 #include <random>
-#include <thread>
 
+#include "app/hard_exit.h"
 #include "app/service_manager.h"
+#include "app/shutdown.h"
+#include "app/upkeep.h"
 #include "base/log.h"
 #include "config/exposure.h"
 #include "gateway/admin_routes.h"
@@ -41,13 +36,8 @@
 namespace jostle::server {
 namespace {
 
-namespace asio = boost::asio;
-
-constexpr auto poll_period = std::chrono::milliseconds(20);
-constexpr auto goodbye_time = std::chrono::milliseconds(100);
 // From the end of the drain: sockets, threads and worlds are taken down within this, or else.
 constexpr auto orderly_end_max = std::chrono::milliseconds(2500);
-constexpr int hard_exit_status = 3;
 
 // Frames come before the transports exist and go on while those are taken down: the wake-up goes
 // through here.
@@ -209,156 +199,10 @@ Status write_ports(const std::string& path, int grpc_port, int http_port, int ad
     return {};
 }
 
-// Waits for the first signal, or for an operator's word, then gives clients the time to leave; a
-// further signal ends the wait.
-class Shutdown {
-public:
-    Shutdown(double drain_seconds, GrpcServer& grpc, Gateway& gateway, PlayContext& context)
-        : drain_(from_seconds(drain_seconds)), grpc_(grpc), gateway_(gateway), context_(context) {}
-
-    void wait() {
-        await_signal();
-        await_operator();
-        io_.run();
-    }
-
-private:
-    void await_signal() {
-        signals_.async_wait([this](const boost::system::error_code& error, int) {
-            if (error) return;
-            if (begun_) return io_.stop();
-            begin();
-            await_signal();
-        });
-    }
-    void await_operator() {
-        if (begun_) return;
-        if (context_.drain_asked) return begin();
-        operator_timer_.expires_after(poll_period);
-        operator_timer_.async_wait([this](const boost::system::error_code&) { await_operator(); });
-    }
-    void begin() {
-        begun_ = true;
-        log_info("going down: telling {} clients", context_.sessions.clients());
-        notify_stopping();
-        context_.draining = true;
-        grpc_.drain(drain_);
-        grpc_.wake();
-        gateway_.wake();
-        deadline_ = Clock::now() + drain_;
-        wait_for_clients();
-    }
-    void wait_for_clients() {
-        if (context_.sessions.clients() == 0 || Clock::now() >= deadline_) return finish();
-        timer_.expires_after(poll_period);
-        timer_.async_wait([this](const boost::system::error_code&) { wait_for_clients(); });
-    }
-
-    // What is still there is told that it is over, and given a moment to hear it.
-    void finish() {
-        context_.closing = true;
-        grpc_.wake();
-        gateway_.wake();
-        timer_.expires_after(goodbye_time);
-        timer_.async_wait([this](const boost::system::error_code&) { io_.stop(); });
-    }
-
-    const Clock::duration drain_;
-    GrpcServer& grpc_;
-    Gateway& gateway_;
-    PlayContext& context_;
-    asio::io_context io_{1};
-    asio::signal_set signals_{io_, SIGTERM, SIGINT};
-    asio::steady_timer timer_{io_}, operator_timer_{io_};
-    bool begun_ = false;
-    Clock::time_point deadline_{};
-};
-
-// What is to be done now and then: looks every second whether keys and certificates have changed,
-// reads them at once on SIGHUP, and tells systemd that the server is well while it is.
-class Upkeep {
-public:
-    Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well)
-        : gate_(gate), certificates_(certificates), is_well_(std::move(is_well)), thread_([this] {
-              wait_for_signal();
-              look_again();
-              tell_again();
-              io_.run();
-          }) {}
-    ~Upkeep() {
-        io_.stop();
-        thread_.join();
-    }
-
-private:
-    void wait_for_signal() {
-        signals_.async_wait([this](const boost::system::error_code& error, int) {
-            if (error) return;
-            log_info("SIGHUP: keys and certificates are read again");
-            gate_.reload();
-            if (certificates_) certificates_->reload(std::chrono::system_clock::now());
-            wait_for_signal();
-        });
-    }
-    void look_again() {
-        timer_.expires_after(std::chrono::seconds(1));
-        timer_.async_wait([this](const boost::system::error_code& error) {
-            if (error) return;
-            gate_.poll();
-            if (certificates_) certificates_->poll(std::chrono::system_clock::now());
-            look_again();
-        });
-    }
-
-    void tell_again() {
-        const auto period = watchdog_period();
-        if (!period) return;
-        if (is_well_()) notify_watchdog();
-        watchdog_timer_.expires_after(*period);
-        watchdog_timer_.async_wait([this](const boost::system::error_code& error) {
-            if (!error) tell_again();
-        });
-    }
-
-    Gate& gate_;
-    CertificateStore* const certificates_;
-    const std::function<bool()> is_well_;
-    asio::io_context io_{1};
-    asio::signal_set signals_{io_, SIGHUP};
-    asio::steady_timer timer_{io_}, watchdog_timer_{io_};
-    std::thread thread_;  // the last, so that all of the above is there
-};
-
-// Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
-class HardExit {
-public:
-    explicit HardExit(Clock::duration patience)
-        : thread_([this, patience] {
-              std::unique_lock lock(mutex_);
-              if (ended_.wait_for(lock, patience, [this] { return done_; })) return;
-              log_error("something did not end in time: exit at once");
-              stop_log();
-              std::_Exit(hard_exit_status);
-          }) {}
-    ~HardExit() {
-        {
-            const std::lock_guard lock(mutex_);
-            done_ = true;
-        }
-        ended_.notify_all();
-        thread_.join();
-    }
-
-private:
-    std::mutex mutex_;
-    std::condition_variable ended_;
-    bool done_ = false;
-    std::thread thread_;
-};
-
 }  // namespace
 
 int run_server(const Config& config, const std::string& port_file, const std::string& version) {
+    Shutdown shutdown;
     Metrics metrics(version, stage_names());
     metrics.clients_max.Set(config.world.clients_max);
     RpcMetrics rpc_metrics(metrics);
@@ -448,7 +292,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         fmt::format("{}:{}", reachable(http.host, config.advertise), gateway.port());
     control.set_addresses(
         {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertise), grpc.port()),
-         .websocket = "ws://" + web + "/play"});
+         .websocket = (certificates ? "wss://" : "ws://") + web + "/play"});
     wakers.set(&grpc, &gateway);
     if (Status s = write_ports(port_file, grpc.port(), gateway.port(), admin_port); !s.ok()) {
         wakers.set(nullptr, nullptr);
@@ -467,7 +311,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
         });
         notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
                                  worlds.list().size()));
-        Shutdown(config.drain_seconds, grpc, gateway, context).wait();
+        shutdown.wait(config.drain_seconds, grpc, gateway, context);
     }
 
     const HardExit hard_exit(orderly_end_max);

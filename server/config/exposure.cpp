@@ -11,7 +11,9 @@ namespace {
 // The first setting whose address strangers can reach, as "listen is 0.0.0.0:50051"; empty: none.
 std::string reachable(const Config& config) {
     for (const auto& [key, address] :
-         {std::pair("listen", config.listen), std::pair("http", config.http)}) {
+         {std::pair("listen", config.listen), std::pair("http", config.http),
+          std::pair("admin", config.admin)}) {
+        if (address.empty()) continue;  // no such port
         const Result<HostPort> parsed = parse_host_port(address);
         if (!parsed.ok() || !is_loopback(parsed->host)) return std::string(key) + " is " + address;
     }

@@ -185,8 +185,9 @@ Result<Material> read_material(const TlsSettings& files, WallTime now) {
                       .chain_pem = to_pem(*chain),
                       .subject = name_in(X509_get_subject_name(chain->front().get())),
                       .expires = first_end(*chain)};
-    if ((stamp_of(files.key).mode & (S_IRWXG | S_IRWXO)) != 0)
-        material.warnings.push_back(files.key + " may be read by others than its owner; chmod 600");
+    // A group of its own is how containers and service managers hand a key over.
+    if ((stamp_of(files.key).mode & S_IRWXO) != 0)
+        material.warnings.push_back(files.key + " may be read by everybody here; chmod o= it");
     if (files.client_ca.empty()) return material;
     const Result<Chain> authorities = read_certificates(files.client_ca, client_cas_max);
     if (!authorities.ok()) return authorities.error();

@@ -374,6 +374,37 @@ void write_requests(const fs::path& folder) {
     add(11, pause);
 }
 
+// ---- HTTP/2 ----
+
+std::string http2_frame(std::uint8_t type, std::uint8_t flags, std::uint8_t stream,
+                        std::size_t length) {
+    std::string out{0,
+                    static_cast<char>(length >> 8),
+                    static_cast<char>(length),
+                    static_cast<char>(type),
+                    static_cast<char>(flags),
+                    0,
+                    0,
+                    0,
+                    static_cast<char>(stream)};
+    return out + std::string(length, 'x');
+}
+
+void write_http2(const fs::path& folder) {
+    Seeds seeds(folder, "frame_guard");
+    const std::string hello = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n" + http2_frame(4, 0, 0, 36);
+    seeds.add(hello + http2_frame(4, 1, 0, 0) + http2_frame(1, 4, 1, 60) +
+              http2_frame(0, 1, 1, 40) + http2_frame(8, 0, 0, 4) + http2_frame(6, 1, 0, 8));
+    seeds.add(hello + http2_frame(1, 0, 1, 20) + http2_frame(9, 0, 1, 20) +
+              http2_frame(9, 4, 1, 20) + http2_frame(3, 0, 1, 4) + http2_frame(7, 0, 0, 8));
+    std::string resets = hello;
+    for (std::uint8_t stream = 1; stream < 120; stream += 2)
+        resets += http2_frame(1, 5, stream, 1) + http2_frame(3, 0, stream, 4);
+    seeds.add(resets);
+    seeds.add(hello + http2_frame(2, 0, 1, 5) + http2_frame(5, 0, 1, 9));
+    seeds.add("GET / HTTP/1.1\r\n");
+}
+
 }  // namespace
 
 }  // namespace jostle::fuzz
@@ -385,8 +416,8 @@ int main(int count, char** arguments) {
     }
     using namespace jostle::fuzz;
     const fs::path folder = arguments[1];
-    for (const auto write :
-         {write_play, write_frames, write_scenes, write_geometry, write_text, write_requests})
+    for (const auto write : {write_play, write_frames, write_scenes, write_geometry, write_text,
+                             write_requests, write_http2})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

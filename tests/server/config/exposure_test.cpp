@@ -27,7 +27,7 @@ TEST(Exposure, knows_what_only_this_machine_can_reach) {
 
 TEST(Exposure, beyond_loopback_takes_tls_and_tokens_or_a_word_that_it_is_meant) {
     EXPECT_TRUE(check_exposure({}).ok()) << "loopback";
-    for (std::string Config::*listener : {&Config::listen, &Config::http}) {
+    for (std::string Config::*listener : {&Config::listen, &Config::http, &Config::admin}) {
         Config config;
         config.*listener = "0.0.0.0:50051";
         EXPECT_FALSE(check_exposure(config).ok());

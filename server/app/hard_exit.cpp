@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "app/hard_exit.h"
+
+#include <cstdlib>
+
+#include "base/log.h"
+
+namespace jostle::server {
+
+HardExit::HardExit(Clock::duration patience)
+    : thread_([this, patience] {
+          std::unique_lock lock(mutex_);
+          if (ended_.wait_for(lock, patience, [this] { return done_; })) return;
+          log_error("something did not end in time: exit at once");
+          stop_log();
+          std::_Exit(status);
+      }) {}
+
+HardExit::~HardExit() {
+    {
+        const std::lock_guard lock(mutex_);
+        done_ = true;
+    }
+    ended_.notify_all();
+    thread_.join();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "app/shutdown.h"
+
+#include "app/service_manager.h"
+#include "base/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr auto poll_period = std::chrono::milliseconds(20);
+constexpr auto goodbye_time = std::chrono::milliseconds(100);
+
+}  // namespace
+
+void Shutdown::wait(double drain_seconds, GrpcServer& grpc, Gateway& gateway,
+                    PlayContext& context) {
+    drain_ = from_seconds(drain_seconds);
+    grpc_ = &grpc;
+    gateway_ = &gateway;
+    context_ = &context;
+    await_signal();
+    await_operator();
+    io_.run();
+}
+
+void Shutdown::await_signal() {
+    signals_.async_wait([this](const boost::system::error_code& error, int) {
+        if (error) return;
+        if (begun_) return io_.stop();
+        begin();
+        await_signal();
+    });
+}
+
+void Shutdown::await_operator() {
+    if (begun_) return;
+    if (context_->drain_asked) return begin();
+    operator_timer_.expires_after(poll_period);
+    operator_timer_.async_wait([this](const boost::system::error_code&) { await_operator(); });
+}
+
+void Shutdown::begin() {
+    begun_ = true;
+    log_info("going down: telling {} clients", context_->sessions.clients());
+    notify_stopping();
+    context_->draining = true;
+    grpc_->drain(drain_);
+    wake();
+    deadline_ = Clock::now() + drain_;
+    wait_for_clients();
+}
+
+void Shutdown::wait_for_clients() {
+    if (context_->sessions.clients() == 0 || Clock::now() >= deadline_) return finish();
+    timer_.expires_after(poll_period);
+    timer_.async_wait([this](const boost::system::error_code&) { wait_for_clients(); });
+}
+
+// What is still there is told that it is over, and given a moment to hear it.
+void Shutdown::finish() {
+    context_->closing = true;
+    wake();
+    timer_.expires_after(goodbye_time);
+    timer_.async_wait([this](const boost::system::error_code&) { io_.stop(); });
+}
+
+void Shutdown::wake() {
+    grpc_->wake();
+    gateway_->wake();
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// The end of a server: by a signal (SIGTERM, SIGINT) or an operator's word. Signals are caught from
+// the moment this exists, so that one that comes while worlds are still built is not lost. One
+// thread.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+
+#include "gateway/gateway.h"
+#include "protocol/play_context.h"
+#include "rpc/grpc_server.h"
+
+namespace jostle::server {
+
+class Shutdown {
+public:
+    // Waits for the first of them, then gives clients `drain_seconds` to leave; a further signal
+    // ends the wait.
+    void wait(double drain_seconds, GrpcServer& grpc, Gateway& gateway, PlayContext& context);
+
+private:
+    void await_signal();
+    void await_operator();
+    void begin();
+    void wait_for_clients();
+    void finish();
+    void wake();
+
+    Clock::duration drain_{};
+    GrpcServer* grpc_ = nullptr;
+    Gateway* gateway_ = nullptr;
+    PlayContext* context_ = nullptr;
+    boost::asio::io_context io_{1};
+    boost::asio::signal_set signals_{io_, SIGTERM, SIGINT};
+    boost::asio::steady_timer timer_{io_}, operator_timer_{io_};
+    bool begun_ = false;
+    Clock::time_point deadline_{};
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "app/upkeep.h"
+
+#include <utility>
+
+#include "app/service_manager.h"
+#include "base/log.h"
+
+namespace jostle::server {
+
+Upkeep::Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well)
+    : gate_(gate), certificates_(certificates), is_well_(std::move(is_well)) {
+    thread_ = std::thread([this] {
+        wait_for_signal();
+        look_again();
+        tell_again();
+        io_.run();
+    });
+}
+
+Upkeep::~Upkeep() {
+    io_.stop();
+    thread_.join();
+}
+
+void Upkeep::wait_for_signal() {
+    signals_.async_wait([this](const boost::system::error_code& error, int) {
+        if (error) return;
+        log_info("SIGHUP: keys and certificates are read again");
+        gate_.reload();
+        if (certificates_) certificates_->reload(std::chrono::system_clock::now());
+        wait_for_signal();
+    });
+}
+
+void Upkeep::look_again() {
+    timer_.expires_after(std::chrono::seconds(1));
+    timer_.async_wait([this](const boost::system::error_code& error) {
+        if (error) return;
+        gate_.poll();
+        if (certificates_) certificates_->poll(std::chrono::system_clock::now());
+        look_again();
+    });
+}
+
+void Upkeep::tell_again() {
+    const auto period = watchdog_period();
+    if (!period) return;
+    if (is_well_()) notify_watchdog();
+    watchdog_timer_.expires_after(*period);
+    watchdog_timer_.async_wait([this](const boost::system::error_code& error) {
+        if (!error) tell_again();
+    });
+}
+
+}  // namespace jostle::server

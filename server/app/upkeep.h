@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What is to be done now and then: looks every second whether keys and certificates have changed,
+// reads them at once on SIGHUP, and tells systemd that the server is well while it is. Has a thread
+// of its own for as long as it lives.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include "identity/gate.h"
+#include "tls/certificate_store.h"
+
+namespace jostle::server {
+
+class Upkeep {
+public:
+    // Gate and certificates outlive it; null certificates: there are none. `is_well`: any thread.
+    Upkeep(Gate& gate, CertificateStore* certificates, std::function<bool()> is_well);
+    ~Upkeep();
+
+private:
+    void wait_for_signal();
+    void look_again();
+    void tell_again();
+
+    Gate& gate_;
+    CertificateStore* const certificates_;
+    const std::function<bool()> is_well_;
+    boost::asio::io_context io_{1};
+    boost::asio::signal_set signals_{io_, SIGHUP};
+    boost::asio::steady_timer timer_{io_}, watchdog_timer_{io_};
+    std::thread thread_;
+};
+
+}  // namespace jostle::server

@@ -71,8 +71,8 @@ void PlayShard::stop() {
 }
 
 void PlayShard::run() {
-    kept_ = Clock::now();
-    Clock::time_point housekeeping = kept_ + housekeeping_period;
+    looked_ = Clock::now();
+    Clock::time_point housekeeping = looked_ + housekeeping_period;
     bool shut_down = false;
     for (;;) {
         // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
@@ -91,6 +91,7 @@ void PlayShard::run() {
         if (next == grpc::CompletionQueue::SHUTDOWN) break;
 
         const Clock::time_point now = Clock::now();
+        forgive_pause(now);  // before anybody is asked how long he was silent
         if (next == grpc::CompletionQueue::GOT_EVENT) {
             if (tag != nullptr) {
                 handle(*static_cast<PlayTag*>(tag), ok, now);
@@ -141,10 +142,13 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
 }
 
 // Who was silent while we did not listen is not to blame.
-void PlayShard::housekeep(Clock::time_point now) {
-    const Clock::duration since = now - std::exchange(kept_, now);
+void PlayShard::forgive_pause(Clock::time_point now) {
+    const Clock::duration since = now - std::exchange(looked_, now);
     if (since > pause_of_ours)
         for (const auto& stream : streams_) stream->link().on_pause(since);
+}
+
+void PlayShard::housekeep(Clock::time_point now) {
     advance_all(now);
     drop_finished();
 }

@@ -17,7 +17,8 @@ Error invalid(std::string message) {
 
 bool is_this_machine(const std::string& target) {
     const std::string host = target.substr(0, target.rfind(':'));
-    return host == "localhost" || host.starts_with("127.") || host == "[::1]";
+    const bool is_ipv4 = host.find_first_not_of("0123456789.") == std::string::npos;
+    return host == "localhost" || (is_ipv4 && host.starts_with("127.")) || host == "[::1]";
 }
 
 Status read_text(const std::string& path, std::string& out) {

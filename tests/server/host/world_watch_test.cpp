@@ -23,12 +23,19 @@ bool wait_until(const std::function<bool()>& condition) {
     return false;
 }
 
+// The thread sanitizer makes everything slower.
+#ifdef __SANITIZE_THREAD__
+constexpr int pile_size = 60;
+#else
+constexpr int pile_size = 200;
+#endif
+
 // A pile whose step takes a while: boxes in one place, as no budget would let in.
 scenes::SceneDescription heavy() {
     scenes::SceneDescription scene{.name = "heavy"};
     scene.world.substeps = 64;
     scene.world.sleeping = false;
-    for (int i = 0; i < 200; i++) {
+    for (int i = 0; i < pile_size; i++) {
         scenes::SceneBody body;
         body.body.pose.position = {i * 1e-4, 0, 0};
         body.shapes.push_back({.geometry = physics::Box{}});

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// A client as ours are, on a line that may be bad: plays, leaves, comes again. Checks what it is
+// promised: each input has one answer, and what it decodes is the state of the server's world.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "bot/behaviour.h"
+#include "conversation.h"
+#include "host/world_host.h"
+#include "simulation/line.h"
+
+namespace jostle::simulation {
+
+// What is told of a promise that was broken: ends the run.
+using Complaint = std::function<void(const std::string&)>;
+
+// Counted over a run.
+struct Tally {
+    std::uint64_t connections = 0, snapshots = 0, inputs = 0, applied = 0, refused = 0;
+    std::uint64_t spawned = 0, frames_compared = 0, hostile_messages = 0, faults = 0;
+};
+
+class HonestClient {
+public:
+    HonestClient(std::string name, std::uint64_t seed, Tally& tally, Complaint complain);
+
+    // The frame of a tick not long ago; null: not known any more.
+    using FrameOf = std::function<server::FramePtr(const std::string& world, std::uint32_t tick)>;
+
+    void connect(std::shared_ptr<Line> line, Clock::time_point now);
+    // Hears, thinks and speaks.
+    void act(Clock::time_point now, const FrameOf& frame_of);
+    void leave() { conversation_.leave(); }
+    bool is_connected() const { return line_ != nullptr; }
+
+private:
+    void hear(Clock::time_point now, const FrameOf& frame_of);
+    void speak(Clock::time_point now);
+    void check_results();
+    void compare(const server::Frame& truth);
+    void end();
+
+    const std::string name_;
+    Chance chance_;
+    Tally& tally_;
+    const Complaint complain_;
+    client::Conversation conversation_;
+    bots::Behaviour behaviour_;
+    std::shared_ptr<Line> line_;
+    Clock::time_point connected_at_{};
+    std::uint32_t sent_ = 0, answered_ = 0;  // sequences of this connection
+    std::uint64_t snapshots_ = 0, decode_errors_ = 0;
+    std::set<std::uint32_t> spawned_;  // entities, of this connection
+};
+
+}  // namespace jostle::simulation

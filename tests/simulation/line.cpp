@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/line.h"
+
+#include <utility>
+
+namespace jostle::simulation {
+
+namespace {
+
+// What a client may have on its way up before it has to wait.
+constexpr std::size_t up_max = 4 * Pipe::capacity;
+constexpr int messages_of_turn = 64;
+
+server::Peer peer(server::PlayContext& context, const std::string& name,
+                  const std::string& address) {
+    return {.name = name,
+            .address = address,
+            .call = "jostle.v1.PlayService/Play",
+            .who = context.gate.identify({.address = address})};
+}
+
+}  // namespace
+
+Line::Line(server::PlayContext& context, const std::string& name, const std::string& address,
+           LineQuality quality, std::uint64_t seed, Clock::time_point now)
+    : chance_(seed), quality_(quality), link_(context, peer(context, name, address), now) {}
+
+Clock::time_point Line::arrival(Clock::time_point now) {
+    return now + quality_.delay +
+           std::chrono::duration_cast<Clock::duration>(quality_.delay * chance_.share());
+}
+
+void Line::send(std::string bytes, Clock::time_point now) {
+    if (hung_up_ || over_ || up_.bytes() > up_max) return;
+    if (chance_.one_in(quality_.cuts_after)) return cut(now, "the line broke");
+    up_.put(std::move(bytes), arrival(now));
+}
+
+std::optional<std::string> Line::receive(Clock::time_point now) {
+    if (over_) return std::nullopt;
+    std::optional<std::string> out = down_.take(now);
+    if (!out && closed_ && down_.bytes() == 0) over_ = true;
+    return out;
+}
+
+void Line::hang_up(Clock::time_point now) {
+    if (hung_up_) return;
+    hung_up_ = true;
+    if (!closed_) link_.on_peer_closed(now);
+}
+
+void Line::cut(Clock::time_point now, const std::string& why) {
+    hang_up(now);
+    over_ = true;
+    end_ = Error{ErrorCode::unavailable, why};
+}
+
+void Line::serve(Clock::time_point now) {
+    if (closed_) return;
+    deliver(now);
+    write(now);
+}
+
+void Line::deliver(Clock::time_point now) {
+    for (int i = 0; i < messages_of_turn && !hung_up_; i++) {
+        const std::optional<std::string> message = up_.take(now);
+        if (!message) return;
+        if (!link_.end()) link_.receive(*message, now);
+    }
+}
+
+void Line::write(Clock::time_point now) {
+    while (!down_.is_full()) {
+        const std::optional<server::OutMessage> out = link_.take_message(now);
+        if (!out) {
+            if (link_.end()) {
+                closed_ = true;
+                if (end_.ok()) end_ = *link_.end();
+            }
+            return;
+        }
+        if (hung_up_) continue;
+        std::string bytes = out->head;
+        if (out->shared) bytes += *out->shared;
+        down_.put(std::move(bytes), arrival(now));
+    }
+    link_.wait_for_write(now);
+    // As the transports do with who takes nothing: nobody waits for the last word to be heard.
+    if (link_.end()) {
+        closed_ = true;
+        end_ = *link_.end();
+    }
+}
+
+}  // namespace jostle::simulation

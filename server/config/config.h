@@ -50,7 +50,7 @@ struct TickSettings {
     int physics_threads = 1;  // per world
     // A step that takes longer is interrupted and its world paused, so that it holds up nobody
     // else.
-    double step_seconds_max = 2;
+    double step_seconds_max = 1;
 };
 
 struct StreamSettings {

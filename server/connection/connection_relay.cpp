@@ -231,8 +231,12 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     if (stream.unread > limits_.unread_bytes_max) measure(stream, now);
     if (stream.unread > limits_.unread_bytes_max) return cut_unread(stream, now);
     const std::span<const std::uint8_t> bytes(up_.data(), count);
-    if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok())
-        return cut(stream, allowed.error().message, now);
+    if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
+        if (stream.guard.has_preface()) return cut(stream, allowed.error().message, now);
+        // A browser, or TLS where there is none: a mistake, and no attack.
+        log_debug("{}: {}", stream.connection->peer, allowed.error().message);
+        return close(stream);
+    }
     const std::uint64_t opened = stream.guard.streams_opened();
     const double streams = static_cast<double>(opened - std::exchange(stream.opened, opened));
     stream.backlog += streams;

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "grpc/health/v1/health.grpc.pb.h"
-#include "rpc/grpc_log.h"
 #include "rpc/health_methods.h"
+#include "rpc/library_logs.h"
 #include "rpc/reflection.h"
 
 namespace jostle::server {
@@ -103,7 +103,7 @@ std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
 }
 
 Status GrpcServer::start() {
-    send_grpc_log_to_ours();
+    send_library_logs_to_ours();
     if (Status s = acceptor_.listen(settings_.host, settings_.port); !s.ok()) return s;
     grpc::ServerBuilder builder;
     door_ = builder.experimental().AddExternalConnectionAcceptor(

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -31,18 +32,20 @@ public:
     HonestClient(std::string name, std::uint64_t seed, Tally& tally, Complaint complain);
 
     // The frame of a tick not long ago; null: not known any more.
-    using FrameOf = std::function<server::FramePtr(const std::string& world, std::uint32_t tick)>;
+    using FrameOf = std::function<server::FramePtr(std::uint32_t tick)>;
 
     void connect(std::shared_ptr<Line> line, Clock::time_point now);
     // Hears, thinks and speaks.
     void act(Clock::time_point now, const FrameOf& frame_of);
     void leave() { conversation_.leave(); }
     bool is_connected() const { return line_ != nullptr; }
+    bool has_left() const { return conversation_.leaving(); }
 
 private:
     void hear(Clock::time_point now, const FrameOf& frame_of);
     void speak(Clock::time_point now);
-    void check_results();
+    void check_results(const FrameOf& frame_of);
+    void check_spawn(const v1::InputResult& result, const FrameOf& frame_of);
     void compare(const server::Frame& truth);
     void end();
 
@@ -54,9 +57,13 @@ private:
     bots::Behaviour behaviour_;
     std::shared_ptr<Line> line_;
     Clock::time_point connected_at_{};
-    std::uint32_t sent_ = 0, answered_ = 0;  // sequences of this connection
+    // Of this connection: sequences of inputs, and entities.
+    std::uint32_t last_sequence_ = 0, answered_ = 0, carried_over_ = 0;
+    std::uint64_t sends_ = 0;  // of all connections
+    std::set<std::uint32_t> spawns_asked_, spawned_;
+    std::map<std::uint32_t, std::uint64_t> unexplained_;  // entities of its own: since which act
+    std::uint64_t acts_ = 0;
     std::uint64_t snapshots_ = 0, decode_errors_ = 0;
-    std::set<std::uint32_t> spawned_;  // entities, of this connection
 };
 
 }  // namespace jostle::simulation

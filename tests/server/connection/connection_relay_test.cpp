@@ -182,6 +182,7 @@ TEST_F(ConnectionRelayTest, grpc_hears_of_nobody_who_does_not_speak_http2) {
     const Owned browser = connect();
     browser.write("GET / HTTP/1.1\r\n\r\n");
     EXPECT_TRUE(browser.is_closed()) << "at once";
+    EXPECT_FALSE(table.refuses(peer, Clock::now())) << "a mistake, and no attack";
     EXPECT_EQ(handed.size(), 0u);
     EXPECT_TRUE(forgotten());
 }

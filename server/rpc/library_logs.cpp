@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "rpc/grpc_log.h"
+#include "rpc/library_logs.h"
 
+#include <google/protobuf/stubs/logging.h>
 #include <grpc/support/log.h>
+
+#include <string>
 
 #include "base/log.h"
 #include "base/text.h"
@@ -13,7 +16,7 @@ namespace {
 constexpr std::size_t message_bytes_max = 400;
 
 // Its errors are mostly about single peers: they are no trouble of the server's.
-void write(gpr_log_func_args* said) {
+void write_grpc(gpr_log_func_args* said) {
     const std::string text = printable(said->message, message_bytes_max);
     if (said->severity == GPR_LOG_SEVERITY_ERROR)
         log_warn("gRPC: {}", text);
@@ -21,10 +24,16 @@ void write(gpr_log_func_args* said) {
         log_debug("gRPC: {}", text);
 }
 
+// Of messages that are none, mostly: who reads them knows what to do.
+void write_protobuf(google::protobuf::LogLevel, const char*, int, const std::string& message) {
+    log_debug("protobuf: {}", printable(message, message_bytes_max));
+}
+
 }  // namespace
 
-void send_grpc_log_to_ours() {
-    gpr_set_log_function(write);
+void send_library_logs_to_ours() {
+    gpr_set_log_function(write_grpc);
+    google::protobuf::SetLogHandler(write_protobuf);
 }
 
 }  // namespace jostle::server

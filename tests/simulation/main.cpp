@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// jostle-simulation: whole servers in no time, from seeds.
+#include <google/protobuf/stubs/logging.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+
+#include "simulation/simulation.h"
+
+namespace {
+
+using jostle::simulation::Simulation;
+using jostle::simulation::Tally;
+
+constexpr const char* footer = R"(
+Three honest clients and a hostile one play on lines that are slow and break, while the machine stands still now and then, worlds
+are paused and made anew and the process restarts. Checked all along: what honest clients decode is the world's state, bit by bit;
+each input is answered once, and what was spawned is there from the tick that the answer names; who leaves leaves nothing behind;
+memory does not grow.
+
+A run that fails names its seed and tick: the same seed with --ticks up to there does the same again.
+
+Exit status: 0 all held, 1 a promise was broken, 2 wrong flags.)";
+
+// Resident memory of this process in MB.
+double resident_mb() {
+    std::ifstream file("/proc/self/statm");
+    double all = 0, resident = 0;
+    file >> all >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+// What the second half of a run may add to the first: pages that allocators keep.
+constexpr double growth_mb_max = 16;
+
+struct Flags {
+    std::uint64_t seed = 1, ticks = 200'000;
+    bool twice = false;
+};
+
+int run(const Flags& flags) {
+    const auto began = std::chrono::steady_clock::now();
+    Simulation simulation(flags.seed);
+    const bool live = isatty(STDERR_FILENO) != 0;
+    double half_mb = 0;
+    constexpr std::uint64_t part = 10'000;
+    while (simulation.ticks() < flags.ticks && simulation.complaint().empty()) {
+        simulation.run(std::min(part, flags.ticks - simulation.ticks()));
+        if (half_mb == 0 && 2 * simulation.ticks() >= flags.ticks) half_mb = resident_mb();
+        if (live)
+            std::fprintf(stderr, "\r%llu of %llu ticks ",
+                         static_cast<unsigned long long>(simulation.ticks()),
+                         static_cast<unsigned long long>(flags.ticks));
+    }
+    if (live) std::fprintf(stderr, "\r");
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const Tally& t = simulation.tally();
+    const auto n = [](std::uint64_t x) { return static_cast<unsigned long long>(x); };
+    std::printf("seed %llu: %llu ticks in %.1f s, %.0f a minute; fingerprint %016llx\n",
+                n(flags.seed), n(simulation.ticks()), seconds,
+                60 * static_cast<double>(simulation.ticks()) / seconds,
+                n(simulation.fingerprint()));
+    std::printf(
+        "  %llu connections, %llu snapshots decoded, %llu of them compared; %llu inputs, %llu "
+        "applied, %llu refused, %llu bodies spawned\n",
+        n(t.connections), n(t.snapshots), n(t.frames_compared), n(t.inputs), n(t.applied),
+        n(t.refused), n(t.spawned));
+    std::printf("  %llu hostile messages, %llu faults; %.0f MB at half of it, %.0f MB at the end\n",
+                n(t.hostile_messages), n(t.faults), half_mb, resident_mb());
+    if (!simulation.complaint().empty()) {
+        std::printf("BROKEN: %s\n", simulation.complaint().c_str());
+        return 1;
+    }
+    if (resident_mb() > half_mb + growth_mb_max) {
+        std::printf("BROKEN: memory grows\n");
+        return 1;
+    }
+    if (!flags.twice) return 0;
+    Simulation again(flags.seed);
+    again.run(flags.ticks);
+    if (again.fingerprint() == simulation.fingerprint()) return 0;
+    std::printf("BROKEN: the same seed did something else\n");
+    return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Simulates whole servers with their clients, much faster than time passes."};
+    Flags flags;
+    app.add_option("--seed", flags.seed, "Where chance begins")->capture_default_str();
+    app.add_option("--ticks", flags.ticks, "How long")
+        ->capture_default_str()
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+    app.add_flag("--twice", flags.twice, "Runs it again: the same seed must do the same");
+    app.footer(footer);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    spdlog::set_level(spdlog::level::off);
+    google::protobuf::SetLogHandler(nullptr);  // hostile clients make it talk
+    return run(flags);
+}

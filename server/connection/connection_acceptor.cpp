@@ -111,10 +111,15 @@ void ConnectionAcceptor::run() {
         looked_ = now.time_since_epoch().count();
         for (int i = 0; i < count; i++) {
             const int descriptor = events[static_cast<std::size_t>(i)].data.fd;
-            if (descriptor == listener_)
-                accept_all(now);
-            else if (descriptor != wake_)
-                shake_hands(descriptor);
+            try {
+                if (descriptor == listener_)
+                    accept_all(now);
+                else if (descriptor != wake_)
+                    shake_hands(descriptor);
+            } catch (const std::exception& error) {
+                // Memory has run out: this one is not let in.
+                log_error("gRPC: a connection failed: {}", error.what());
+            }
         }
         // Without descriptors the listener would be ready for ever.
         watch(listener_, now < accept_again_ ? 0u : EPOLLIN, EPOLL_CTL_MOD);
@@ -158,7 +163,7 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
     const auto tls = tls_.present();
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);
-    if (!tls) return hand_over_(std::move(socket), connection);
+    if (!tls) return let_in(std::move(socket), connection);
     newcomers_[descriptor] = {std::move(socket), connection, now + handshake_max};
     watch(descriptor, EPOLLIN, EPOLL_CTL_ADD);
 }
@@ -177,19 +182,26 @@ void ConnectionAcceptor::count(ConnectionTable::Refusal why) {
 void ConnectionAcceptor::shake_hands(int descriptor) {
     const auto at = newcomers_.find(descriptor);
     if (at == newcomers_.end()) return;
-    Newcomer& newcomer = at->second;
-    const ClientSocket::State state = newcomer.socket->handshake();
+    const ClientSocket::State state = at->second.socket->handshake();
     if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write)
         return watch(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
                      EPOLL_CTL_MOD);
     watch(descriptor, 0, EPOLL_CTL_DEL);
-    if (state == ClientSocket::State::open) {
-        newcomer.connection->certificate = newcomer.socket->certificate();
-        hand_over_(std::move(newcomer.socket), newcomer.connection);
-    } else {
-        turn_away(newcomer, newcomer.socket->failure());
-    }
+    Newcomer newcomer = std::move(at->second);
     newcomers_.erase(at);
+    if (state != ClientSocket::State::open) return turn_away(newcomer, newcomer.socket->failure());
+    newcomer.connection->certificate = newcomer.socket->certificate();
+    let_in(std::move(newcomer.socket), newcomer.connection);
+}
+
+void ConnectionAcceptor::let_in(std::unique_ptr<ClientSocket> socket,
+                                const std::shared_ptr<Connection>& connection) {
+    try {
+        hand_over_(std::move(socket), connection);
+    } catch (...) {
+        table_.forget(*connection);
+        throw;
+    }
 }
 
 void ConnectionAcceptor::turn_away(Newcomer& newcomer, const std::string& why) {

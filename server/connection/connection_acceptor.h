@@ -62,6 +62,8 @@ private:
     void accept_one(int descriptor, const sockaddr_storage& peer, Clock::time_point now);
     void count(ConnectionTable::Refusal why);
     void shake_hands(int descriptor);
+    void let_in(std::unique_ptr<ClientSocket> socket,
+                const std::shared_ptr<Connection>& connection);
     void turn_away(Newcomer& newcomer, const std::string& why);
     void drop_the_slow(Clock::time_point now);
     void tell_refusals(Clock::time_point now);

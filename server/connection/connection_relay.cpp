@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <exception>
 #include <utility>
 
 #include "base/log.h"
@@ -77,6 +78,7 @@ struct ConnectionRelay::Stream {
     std::uint64_t received = 0, opened = 0;  // when it was last read
     std::uint64_t consumed = 0, taken = 0;   // when it was last measured
     Clock::time_point measured;
+    bool waits = false;         // for its turn to be opened towards gRPC
     bool client_ended = false;  // sends no more
     bool grpc_ended = false;    // sends no more
     bool grpc_deaf = false;     // takes no more: what comes is dropped
@@ -87,7 +89,12 @@ struct ConnectionRelay::Stream {
 
 ConnectionRelay::ConnectionRelay(ConnectionTable& table, RelayLimits limits,
                                  const ListenerMetrics* metrics)
-    : table_(table), limits_(limits), metrics_(metrics), up_(up_bytes), down_(down_bytes) {}
+    : table_(table),
+      limits_(limits),
+      metrics_(metrics),
+      up_(up_bytes),
+      down_(down_bytes),
+      openings_(limits.openings_per_second, Clock::now()) {}
 
 ConnectionRelay::~ConnectionRelay() {
     stop({});
@@ -140,13 +147,15 @@ void ConnectionRelay::run() {
         looked_ = now.time_since_epoch().count();
         for (int i = 0; i < count; i++) {
             const epoll_event& event = events[static_cast<std::size_t>(i)];
-            if (event.data.ptr) {
-                on_event(*static_cast<End*>(event.data.ptr), event.events, now);
-            } else {
+            if (!event.data.ptr) {
                 take_new(now);
+                continue;
             }
+            End& end = *static_cast<End*>(event.data.ptr);
+            guarded(*end.stream, [&] { on_event(end, event.events, now); });
         }
         bury();
+        open_waiting(now);
         if (now - swept >= sweep_period) {
             sweep(now);
             bury();
@@ -173,9 +182,22 @@ void ConnectionRelay::take_new(Clock::time_point now) {
         Stream& stream = *owned;
         streams_.emplace(&stream, std::move(owned));
         stream.deadline = now + limits_.introduction_max;
-        // The client may have spoken already, and TLS have read it.
-        read_client(stream, now);
-        update_interest(stream, now);
+        guarded(stream, [&] {
+            // The client may have spoken already, and TLS have read it.
+            read_client(stream, now);
+            if (!stream.is_dead) update_interest(stream, now);
+        });
+    }
+}
+
+// Memory may run out while bytes wait: this connection ends and no other does.
+template <class Work>
+void ConnectionRelay::guarded(Stream& stream, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        log_error("{} was closed: {}", stream.connection->peer, error.what());
+        close(stream);
     }
 }
 
@@ -201,6 +223,7 @@ void ConnectionRelay::on_event(End& end, std::uint32_t events, Clock::time_point
 void ConnectionRelay::on_client_event(Stream& stream, std::uint32_t events, Clock::time_point now) {
     const bool hung_up = (events & EPOLLHUP) != 0;
     if ((events & EPOLLERR) != 0) return close(stream);
+    if (stream.waits && (events & EPOLLRDHUP) != 0) return close(stream);
     if (stream.grpc_ended && hung_up) return close(stream);  // both have said all
     if (!stream.for_client.empty() && ((events & EPOLLOUT) != 0 || stream.write_wants_read)) {
         stream.write_wants_read = false;
@@ -249,9 +272,26 @@ void ConnectionRelay::to_grpc(Stream& stream, std::span<const std::uint8_t> byte
     if (stream.grpc >= 0) bytes = bytes.subspan(send_to_grpc(stream, bytes));
     if (stream.grpc_deaf) return;
     stream.for_grpc.insert(stream.for_grpc.end(), bytes.begin(), bytes.end());
-    if (stream.grpc < 0 && stream.guard.has_preface()) {
-        open_grpc(stream);
-        if (stream.grpc >= 0) flush_to_grpc(stream);
+    if (stream.grpc >= 0 || !stream.guard.has_preface()) return;
+    stream.waits = true;
+    waiting_.push_back(&stream);
+}
+
+// A connection costs gRPC far more than it costs who makes it. Who has gone before it is his turn
+// costs it nothing.
+void ConnectionRelay::open_waiting(Clock::time_point now) {
+    while (!waiting_.empty()) {
+        Stream* const stream = waiting_.front();
+        const bool is_there = streams_.contains(stream) && stream->waits && !stream->is_dead;
+        if (is_there && !openings_.take(1, now)) return;
+        waiting_.pop_front();
+        if (!is_there) continue;
+        stream->waits = false;
+        guarded(*stream, [&] {
+            open_grpc(*stream);
+            if (stream->grpc >= 0) flush_to_grpc(*stream);
+            if (!stream->is_dead) update_interest(*stream, now);
+        });
     }
 }
 
@@ -334,7 +374,7 @@ void ConnectionRelay::on_grpc_ended(Stream& stream, Clock::time_point now) {
 
 bool ConnectionRelay::may_read(const Stream& stream, Clock::time_point now) const {
     if (stream.grpc_deaf) return true;
-    if (!stream.for_grpc.empty() && stream.grpc >= 0) return false;
+    if (stream.waits || (!stream.for_grpc.empty() && stream.grpc >= 0)) return false;
     if (now < stream.read_again || stream.backlog > limits_.backlog_max) return false;
     if (backlog_total_ > limits_.backlog_total_max && stream.backlog > small_backlog) return false;
     return unread_total_ <= limits_.unread_total_max || stream.unread <= small_unread;
@@ -352,7 +392,7 @@ void ConnectionRelay::update_interest(Stream& stream, Clock::time_point now) {
     const bool reads = !stream.client_ended && may_read(stream, now);
     const bool writes = !stream.for_client.empty() && !stream.write_wants_read;
     watch(stream.client_end, stream.client->descriptor(),
-          (reads || stream.write_wants_read ? EPOLLIN : 0u) |
+          (reads || stream.write_wants_read ? EPOLLIN : 0u) | (stream.waits ? EPOLLRDHUP : 0u) |
               (writes || stream.read_wants_write ? EPOLLOUT : 0u));
     if (stream.is_dead || stream.grpc < 0) return;
     if (stream.grpc_ended) return close_if_open(stream.grpc);

@@ -14,6 +14,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,6 +24,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/token_bucket.h"
 #include "connection/client_socket.h"
 #include "connection/connection_table.h"
 #include "jostle/base/result.h"
@@ -35,6 +37,7 @@ struct RelayLimits {
     double unread_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
     // Streams that were begun and that gRPC has not given us yet.
     double backlog_max = 100, backlog_total_max = 2000;
+    double openings_per_second = 500;  // of connections towards gRPC, and at once
     Clock::duration introduction_max = std::chrono::seconds(5);  // until HTTP/2's preface is there
     Clock::duration farewell_max = std::chrono::seconds(2);      // from gRPC's end to the client's
 };
@@ -64,11 +67,14 @@ private:
 
     void run();
     void take_new(Clock::time_point now);
+    template <class Work>
+    void guarded(Stream& stream, const Work& work);
     void on_event(End& end, std::uint32_t events, Clock::time_point now);
     void on_client_event(Stream& stream, std::uint32_t events, Clock::time_point now);
     void read_client(Stream& stream, Clock::time_point now);
     void to_grpc(Stream& stream, std::span<const std::uint8_t> bytes);
     std::size_t send_to_grpc(Stream& stream, std::span<const std::uint8_t> bytes);
+    void open_waiting(Clock::time_point now);
     void open_grpc(Stream& stream);
     void flush_to_grpc(Stream& stream);
     static bool can_read_grpc(const Stream& stream);
@@ -93,7 +99,9 @@ private:
     std::vector<std::unique_ptr<Stream>> new_;
     std::map<Stream*, std::unique_ptr<Stream>> streams_;
     std::vector<Stream*> dead_;
+    std::deque<Stream*> waiting_;          // to be opened; some may have gone
     std::vector<std::uint8_t> up_, down_;  // scratch of one move
+    TokenBucket openings_;
     double unread_total_ = 0, backlog_total_ = 0;
     std::atomic<std::uint64_t> cut_{0};
     std::atomic<Clock::rep> looked_{0};

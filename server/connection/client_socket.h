@@ -35,7 +35,6 @@ public:
     ClientSocket& operator=(const ClientSocket&) = delete;
 
     int descriptor() const { return descriptor_; }
-    bool is_encrypted() const { return tls_ != nullptr; }
 
     // Until `open`; not needed without TLS, and then open at once.
     State handshake();

@@ -96,7 +96,6 @@ Status FrameGuard::on_head(const Head& head, Clock::time_point now) {
     if (block_stream_ != 0) return on_continuation(head);
     switch (head.type) {
         case data:
-            data_bytes_ += head.length;
             if (head.length == 0 && (head.flags & end_stream) == 0)
                 return allow(empty_, "empty DATA", now);
             return {};

@@ -34,7 +34,6 @@ public:
     Clock::duration pause(Clock::time_point now) { return work_.wait_for(0, now); }
 
     std::uint64_t streams_opened() const { return streams_opened_; }
-    std::uint64_t data_bytes() const { return data_bytes_; }  // of DATA frames, padding included
 
 private:
     struct Head {
@@ -55,7 +54,7 @@ private:
     std::uint32_t last_stream_ = 0;
     std::uint32_t block_stream_ = 0;  // whose header block goes on; 0: none does
     std::uint32_t block_bytes_ = 0, block_frames_ = 0;
-    std::uint64_t streams_opened_ = 0, data_bytes_ = 0;
+    std::uint64_t streams_opened_ = 0;
     TokenBucket work_, resets_, settings_, pings_, empty_, odd_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 struct Verdict {
     bool let_in = true;
     std::string why;
-    std::uint64_t streams = 0, data = 0;
+    std::uint64_t streams = 0;
 
     bool operator==(const Verdict&) const = default;
 };
@@ -36,7 +36,7 @@ Verdict judge(Bytes input, std::size_t piece) {
         expect(guard.pause(now) < std::chrono::seconds(30), "a short input is paid for soon");
     }
     // What was cut stays as it was when its piece was given.
-    if (verdict.let_in) verdict.streams = guard.streams_opened(), verdict.data = guard.data_bytes();
+    if (verdict.let_in) verdict.streams = guard.streams_opened();
     return verdict;
 }
 

@@ -354,7 +354,7 @@ void write_requests(const fs::path& folder) {
             debug.GetReflection()->SetBool(&debug, field, true);
     add(4, debug);
     v1::CreateWorldRequest create;
-    *create.mutable_scene() = scenes::to_message(small_scene());
+    *create.mutable_scene() = scenes::to_message(test::small_scene());
     create.set_name("second");
     add(5, create);
     add(6, v1::JoinWorldRequest());

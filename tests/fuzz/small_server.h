@@ -10,26 +10,9 @@
 #include "protocol/play_context.h"
 #include "protocol/query_control.h"
 #include "protocol/world_control.h"
+#include "support/small_scene.h"
 
 namespace jostle::fuzz {
-
-// A floor, two boxes upon each other and a ball that falls.
-inline scenes::SceneDescription small_scene() {
-    using namespace physics;
-    scenes::SceneDescription scene{.name = "small"};
-    const auto add = [&](const Geometry& geometry, Vec3 position, BodyType type) {
-        scenes::SceneBody body{.name = "body"};
-        body.body.pose.position = position;
-        body.body.type = type;
-        body.shapes.push_back(ShapeDef{.geometry = geometry});
-        scene.bodies.push_back(std::move(body));
-    };
-    add(Plane{}, {}, BodyType::static_body);
-    add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0}, BodyType::dynamic);
-    add(Box{{0.5, 0.5, 0.5}}, {0, 1.5, 0}, BodyType::dynamic);
-    add(Sphere{0.3}, {2, 3, 0}, BodyType::dynamic);
-    return scene;
-}
 
 struct SmallServer {
     SmallServer() {
@@ -73,7 +56,7 @@ private:
         return *gate;
     }
     static const scenes::SceneDescription& scene() {
-        static const scenes::SceneDescription scene = small_scene();
+        static const scenes::SceneDescription scene = test::small_scene();
         return scene;
     }
 };

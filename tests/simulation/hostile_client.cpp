@@ -50,7 +50,7 @@ void HostileClient::misbehave(Clock::time_point now) {
             return say(std::move(bytes), now);
         }
         case Kind::flooder:
-            if (chance_.one_in(50)) sequence_ = static_cast<std::uint32_t>(chance_.next());
+            if (chance_.one_in(50)) sequence_ = static_cast<std::uint32_t>(chance_.bits());
             for (int i = 0; i < 3; i++) say(inputs(20), now);
             return;
         case Kind::hoarder:
@@ -59,7 +59,7 @@ void HostileClient::misbehave(Clock::time_point now) {
         case Kind::liar: {
             v1::ClientMessage ack;
             ack.mutable_ack()->set_frame(
-                chance_.one_in(20) ? static_cast<std::uint32_t>(chance_.next()) : ++frame_);
+                chance_.one_in(20) ? static_cast<std::uint32_t>(chance_.bits()) : ++frame_);
             ack.mutable_ack()->set_need_keyframe(chance_.one_in(3));
             return say(ack, now);
         }
@@ -98,16 +98,16 @@ v1::ClientMessage HostileClient::inputs(int count) {
 v1::Input HostileClient::some_input() {
     v1::Input input;
     const auto put = [&](v1::Vec3& to, double reach) {
-        to.set_x(chance_.between(-reach, reach));
-        to.set_y(chance_.between(0, reach));
-        to.set_z(chance_.between(-reach, reach));
+        to.set_x(chance_.in(-reach, reach));
+        to.set_y(chance_.in(0, reach));
+        to.set_z(chance_.in(-reach, reach));
     };
     const auto entity = static_cast<std::uint32_t>(chance_.below(40));
     switch (chance_.below(7)) {
         case 0:
         case 1: {
             v1::SpawnInput& spawn = *input.mutable_spawn();
-            const double size = chance_.one_in(10) ? chance_.between(-1, 1e3) : 0.3;
+            const double size = chance_.one_in(10) ? chance_.in(-1, 1e3) : 0.3;
             if (chance_.one_in(2))
                 spawn.mutable_shape()->mutable_sphere()->set_radius(size);
             else

@@ -27,7 +27,7 @@ Line::Line(server::PlayContext& context, const std::string& name, const std::str
 
 Clock::time_point Line::arrival(Clock::time_point now) {
     return now + quality_.delay +
-           std::chrono::duration_cast<Clock::duration>(quality_.delay * chance_.share());
+           std::chrono::duration_cast<Clock::duration>(quality_.delay * chance_.in(0, 1));
 }
 
 void Line::send(std::string bytes, Clock::time_point now) {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-#include "jostle/scenes/scene.h"
+#include "support/small_scene.h"
 
 namespace jostle::simulation {
 
@@ -17,24 +17,11 @@ constexpr double hz = 60;
 constexpr std::size_t frames_kept = 900;  // 15 s: longer than any line takes
 constexpr std::uint64_t day = 20'000;     // ticks; then everybody leaves
 
-// A floor, two boxes upon each other and a ball: what a world costs is not the matter here.
-scenes::SceneDescription small_scene() {
-    using namespace physics;
-    scenes::SceneDescription scene{.name = "small"};
-    scene.hz = hz;
-    scene.world.substeps = 2;
-    const auto add = [&](const Geometry& geometry, Vec3 position, BodyType type) {
-        scenes::SceneBody body{.name = "body"};
-        body.body.pose.position = position;
-        body.body.type = type;
-        body.shapes.push_back(ShapeDef{.geometry = geometry});
-        scene.bodies.push_back(std::move(body));
-    };
-    add(Plane{}, {}, BodyType::static_body);
-    add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0}, BodyType::dynamic);
-    add(Box{{0.5, 0.5, 0.5}}, {0, 1.5, 0}, BodyType::dynamic);
-    add(Sphere{0.3}, {2, 3, 0}, BodyType::dynamic);
-    return scene;
+scenes::SceneDescription scene() {
+    scenes::SceneDescription small = test::small_scene();
+    small.hz = hz;
+    small.world.substeps = 2;
+    return small;
 }
 
 server::Config small_config() {
@@ -56,7 +43,7 @@ server::Config small_config() {
 // A process, from start to end.
 struct Simulation::Server {
     explicit Server(server::Gate& opened) : gate(opened) {
-        world = worlds.create("", small_scene()).value();
+        world = worlds.create("", scene()).value();
     }
 
     const server::Config config = small_config();
@@ -140,7 +127,7 @@ void Simulation::faults() {
         // The world is deleted under its clients, and one of the same scene takes its place.
         tally_.faults++;
         server_->worlds.remove(server_->world->id());
-        server_->world = server_->worlds.create("", small_scene()).value();
+        server_->world = server_->worlds.create("", scene()).value();
         frames_.clear();
         resume_at_ = {};
     }
@@ -176,7 +163,7 @@ std::shared_ptr<Line> Simulation::new_line(const std::string& name, bool is_hone
         (is_honest ? "192.0.2." : "198.51.100.") + std::to_string(1 + chance_.below(200));
     lines_.push_back(std::make_shared<Line>(server_->context,
                                             name + " " + std::to_string(++lines_made_), address,
-                                            quality, chance_.next(), now_));
+                                            quality, chance_.bits(), now_));
     return lines_.back();
 }
 
@@ -189,7 +176,7 @@ void Simulation::act_honest(Seat& seat) {
     if (!seat.client) {
         if (night_ || now_ < seat.again) return;
         seat.client = std::make_unique<HonestClient>(
-            "honest", chance_.next(), tally_, [this](const std::string& what) { complain(what); });
+            "honest", chance_.bits(), tally_, [this](const std::string& what) { complain(what); });
     }
     HonestClient& client = *seat.client;
     if (!client.is_connected()) {
@@ -212,7 +199,7 @@ void Simulation::act_hostile() {
         return;
     }
     if (night_ || now_ < hostile_again_) return;
-    hostile_ = std::make_unique<HostileClient>(chance_.next(), tally_);
+    hostile_ = std::make_unique<HostileClient>(chance_.bits(), tally_);
     hostile_->connect(new_line("hostile", false));
     hostile_again_ = now_ + std::chrono::milliseconds(chance_.below(1500));
 }

@@ -89,14 +89,14 @@ struct Owned {
 
 class ConnectionRelayTest : public testing::Test {
 protected:
-    void SetUp() override {
-        ASSERT_TRUE(relay
-                        .start([this](int descriptor) {
-                            const std::lock_guard lock(mutex);
-                            handed.emplace_back(descriptor);
-                            came.notify_all();
-                        })
-                        .ok());
+    void SetUp() override { start(relay); }
+    void start(ConnectionRelay& which) {
+        const Status started = which.start([this](int descriptor) {
+            const std::lock_guard lock(mutex);
+            handed.emplace_back(descriptor);
+            came.notify_all();
+        });
+        ASSERT_TRUE(started.ok());
     }
     // The client's socket; the other one is in the relay.
     Owned connect(SSL_CTX* tls = nullptr) {
@@ -116,7 +116,7 @@ protected:
         peer = address;
         auto socket_of_client = std::make_unique<ClientSocket>(served, tls);
         if (tls) return shake_hands(std::move(client), std::move(socket_of_client));
-        relay.add(std::move(socket_of_client), connection);
+        door->add(std::move(socket_of_client), connection);
         return client;
     }
     // As the acceptor would, with a client that takes any certificate.
@@ -151,6 +151,7 @@ protected:
     ConnectionTable table{{}};
     ConnectionRelay relay{
         table, {.unread_bytes_max = 1e6, .introduction_max = 300ms, .farewell_max = 300ms}};
+    ConnectionRelay* door = &relay;
     std::shared_ptr<Connection> connection;
     sockaddr_storage peer{};
     std::unique_ptr<SSL_CTX, FreeWith<SSL_CTX_free>> client_context;
@@ -247,6 +248,27 @@ TEST_F(ConnectionRelayTest, who_sends_messages_sends_as_many_as_he_likes) {
     for (int i = 0; i < 1000; i++) ASSERT_TRUE(client.write(data_frame(16'384)));
     EXPECT_EQ(relay.cut(), 0u);
     shutdown(client.descriptor, SHUT_WR);
+}
+
+TEST_F(ConnectionRelayTest, of_many_who_come_at_once_those_who_go_again_cost_grpc_nothing) {
+    ConnectionRelay slow(table, {.openings_per_second = 2});
+    start(slow);
+    door = &slow;
+    std::vector<Owned> clients;
+    for (int i = 0; i < 4; i++) {
+        clients.push_back(connect());
+        clients.back().write(preface);
+    }
+    const Owned first = grpc_end(), second = grpc_end();
+    clients[2].close();  // before its turn
+    std::this_thread::sleep_for(100ms);
+    EXPECT_EQ(table.size(), 3u);
+    EXPECT_TRUE(handed.empty());
+    const Owned fourth = grpc_end();  // after half a second
+    EXPECT_EQ(fourth.read(preface.size()), preface);
+    std::this_thread::sleep_for(600ms);
+    EXPECT_TRUE(handed.empty()) << "of the third gRPC never heard";
+    slow.stop({});
 }
 
 TEST_F(ConnectionRelayTest, tls_ends_here) {

@@ -56,7 +56,6 @@ TEST_F(FrameGuardTest, a_player_of_an_hour_is_never_held_up) {
         ASSERT_EQ(guard.pause(now), Clock::duration::zero());
     }
     EXPECT_EQ(guard.streams_opened(), 1u);
-    EXPECT_EQ(guard.data_bytes(), 60u * 3600 * 40);
 }
 
 TEST_F(FrameGuardTest, a_message_of_four_megabytes_passes_at_once) {

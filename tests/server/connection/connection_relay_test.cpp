@@ -139,6 +139,10 @@ protected:
         handed.pop_back();
         return out;
     }
+    bool nothing_was_handed() {
+        const std::lock_guard lock(mutex);
+        return handed.empty();
+    }
     bool forgotten() const {
         for (const auto end = Clock::now() + 5s; Clock::now() < end;)
             if (table.size() == 0) return true;
@@ -254,20 +258,21 @@ TEST_F(ConnectionRelayTest, of_many_who_come_at_once_those_who_go_again_cost_grp
     ConnectionRelay slow(table, {.openings_per_second = 2});
     start(slow);
     door = &slow;
-    std::vector<Owned> clients;
-    for (int i = 0; i < 4; i++) {
-        clients.push_back(connect());
-        clients.back().write(preface);
-    }
-    const Owned first = grpc_end(), second = grpc_end();
-    clients[2].close();  // before its turn
-    std::this_thread::sleep_for(100ms);
+    const auto come = [&] {
+        Owned client = connect();
+        client.write(preface);
+        return client;
+    };
+    const Owned first = come(), first_grpc = grpc_end();
+    const Owned second = come(), second_grpc = grpc_end();
+    Owned third = come();
+    const Owned fourth = come();
+    third.close();  // before its turn
+    const Owned fourth_grpc = grpc_end();  // after half a second
+    EXPECT_EQ(fourth_grpc.read(preface.size()), preface);
     EXPECT_EQ(table.size(), 3u);
-    EXPECT_TRUE(handed.empty());
-    const Owned fourth = grpc_end();  // after half a second
-    EXPECT_EQ(fourth.read(preface.size()), preface);
     std::this_thread::sleep_for(600ms);
-    EXPECT_TRUE(handed.empty()) << "of the third gRPC never heard";
+    EXPECT_TRUE(nothing_was_handed()) << "of the third gRPC never heard";
     slow.stop({});
 }
 

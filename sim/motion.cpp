@@ -32,7 +32,7 @@ double angle_between(Quat a, Quat b) {
     return 2 * std::atan2(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), std::abs(d.w));
 }
 
-struct Sum {
+struct DistanceSum {
     Rms position, angle;
 
     void add(const Motion& a, const Motion& b, std::size_t sample) {
@@ -105,14 +105,14 @@ double extent_of(const Motion& motion) {
 }
 
 Distance distance_between(const Motion& a, const Motion& b) {
-    Sum sum;
+    DistanceSum sum;
     const std::size_t samples = std::min(a.samples(), b.samples());
     for (std::size_t sample = 0; sample < samples; sample++) sum.add(a, b, sample);
     return sum.value();
 }
 
 Distance distance_at(const Motion& a, const Motion& b, std::size_t sample) {
-    Sum sum;
+    DistanceSum sum;
     sum.add(a, b, sample);
     return sum.value();
 }

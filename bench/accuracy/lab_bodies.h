@@ -11,6 +11,7 @@
 namespace jostle::bench::lab {
 
 inline constexpr double g = 9.81;  // m/s^2
+inline constexpr Vec3 half_cube{0.5, 0.5, 0.5};
 
 // Of solids, about the centre of mass.
 Vec3 box_inertia(double mass, Vec3 half_extents);

@@ -10,8 +10,6 @@
 namespace jostle::bench::lab {
 namespace {
 
-constexpr Vec3 half_cube{0.5, 0.5, 0.5};
-
 Start standing(Scene scene, double seconds) {
     auto meter = rest_meter(scene);
     return {std::move(scene), seconds, std::move(meter)};

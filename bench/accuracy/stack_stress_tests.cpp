@@ -12,8 +12,6 @@
 namespace jostle::bench::lab {
 namespace {
 
-constexpr Vec3 half_cube{0.5, 0.5, 0.5};
-
 Start resting(Scene scene, double seconds) {
     auto meter = rest_meter(scene, When::ever);
     return {std::move(scene), seconds, std::move(meter)};

@@ -15,7 +15,7 @@ using physics::Vec3;
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::size_t crowded = 16;  // boxes in a cell that is divided, if that pays
+constexpr std::size_t crowded_cell = 16;  // boxes in a cell that is divided, if that pays
 constexpr int depth_max = 48;
 constexpr int bins = 16;          // planes between them are tried
 constexpr double plane_cost = 1;  // of passing a plane, in tests of a box
@@ -81,11 +81,11 @@ void KdTree::rebuild() {
     spare_.clear();
     for (auto k = static_cast<std::int32_t>(cells_.size()); k-- > 1;) spare_.push_back(k);
     Cell& all = cell(0);
-    all.patience = crowded;
+    all.patience = crowded_cell;
     all.region = {{-endless, -endless, -endless}, {endless, endless, endless}};
     for (const Entry& e : entries_)
         if (e.handle >= 0) all.entries.push_back(e);
-    if (all.entries.size() > crowded) divide(0, 0);
+    if (all.entries.size() > crowded_cell) divide(0, 0);
 }
 
 std::int32_t KdTree::new_cell(const Aabb& region) {
@@ -96,7 +96,7 @@ std::int32_t KdTree::new_cell(const Aabb& region) {
     const std::int32_t made = spare_.back();
     spare_.pop_back();
     cell(made).region = region;
-    cell(made).patience = crowded;
+    cell(made).patience = crowded_cell;
     return made;
 }
 
@@ -151,7 +151,7 @@ void KdTree::divide(std::int32_t at, int depth) {
     const std::int32_t high = new_cell(region);
     Cell &below = cell(low), &above = cell(high);
     below.region.high[split.axis] = split.plane;
-    below.patience = crowded;
+    below.patience = crowded_cell;
     for (const Entry& e : below.entries)
         if (is_above(e.box, split.axis, split.plane)) above.entries.push_back(e);
     std::erase_if(below.entries,
@@ -161,7 +161,7 @@ void KdTree::divide(std::int32_t at, int depth) {
     nodes_.push_back({.below = high});
     node(at) = {split.plane, split.axis, pair};
     for (const std::int32_t side : {pair, pair + 1})
-        if (cell(node(side).below).entries.size() > crowded) divide(side, depth + 1);
+        if (cell(node(side).below).entries.size() > crowded_cell) divide(side, depth + 1);
 }
 
 void KdTree::put_in(std::int32_t at, const Entry& e, int depth) {

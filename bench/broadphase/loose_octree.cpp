@@ -11,8 +11,8 @@ using physics::Vec3;
 
 namespace {
 
-constexpr std::size_t crowded = 16;  // boxes in a cube that is divided
-constexpr double side_min = 0x1p-6;  // m
+constexpr std::size_t crowded_cube = 16;  // boxes in a cube that is divided
+constexpr double side_min = 0x1p-6;       // m
 // A box fits while it is a little smaller than its cube: rounding of its centre takes less.
 constexpr double fill = 0.999;
 
@@ -125,7 +125,7 @@ void LooseOctree::divide(std::int32_t at) {
 void LooseOctree::put_in(const Entry& entry, std::int32_t from) {
     std::int32_t at = from;
     for (;;) {
-        if (!cube(at).divided && cube(at).entries.size() >= crowded) divide(at);
+        if (!cube(at).divided && cube(at).entries.size() >= crowded_cube) divide(at);
         const std::int32_t below = cube(at).divided ? child_for(at, entry.box) : none;
         if (below == none) break;
         at = below;

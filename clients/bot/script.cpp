@@ -26,10 +26,6 @@ const std::vector<Known>& known() {
     return list;
 }
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 const Known* find(const std::string& behaviour) {
     for (const Known& k : known())
         if (behaviour == k.behaviour) return &k;
@@ -45,30 +41,32 @@ Result<ScriptLine> parse_line(const std::string& text) {
         std::string names;
         for (const Known& k : known())
             names += std::string(names.empty() ? "" : ", ") + k.behaviour;
-        return invalid("there is no behaviour \"" + line.behaviour + "\"; there are " + names);
+        return invalid_argument("there is no behaviour \"" + line.behaviour + "\"; there are " +
+                                names);
     }
     line.values = behaviour->defaults;
     for (std::string word; words >> word;) {
         const std::size_t at = word.find('=');
         const std::string key = word.substr(0, at);
-        if (at == std::string::npos) return invalid("\"" + word + "\" is no key=value");
+        if (at == std::string::npos) return invalid_argument("\"" + word + "\" is no key=value");
         double value = 0;
         const char* end = word.data() + word.size();
         const auto [stop, error] = std::from_chars(word.data() + at + 1, end, value);
         if (error != std::errc{} || stop != end || !(value >= 0 && value <= 1e6))
-            return invalid("\"" + word + "\": the value must be a number from 0 to 1000000");
+            return invalid_argument("\"" + word +
+                                    "\": the value must be a number from 0 to 1000000");
         if (key == "weight") {
             line.weight = value;
         } else if (const auto slot = line.values.find(key); slot != line.values.end()) {
             slot->second = value;
         } else {
-            return invalid(line.behaviour + " has no key \"" + key + "\"");
+            return invalid_argument(line.behaviour + " has no key \"" + key + "\"");
         }
     }
     if (line.values.contains("period") && line.values["period"] < 0.05)
-        return invalid("period must be at least 0.05 s");
+        return invalid_argument("period must be at least 0.05 s");
     if (line.values.contains("size") && !(line.values["size"] >= 0.05 && line.values["size"] <= 2))
-        return invalid("size must be from 0.05 to 2 m");
+        return invalid_argument("size must be from 0.05 to 2 m");
     return line;
 }
 
@@ -85,12 +83,13 @@ Result<Script> parse_script(const std::string& text, const std::string& name) {
         if (text_line.find_first_not_of(" \t\r") == std::string::npos) continue;
         Result<ScriptLine> line = parse_line(text_line);
         if (!line.ok())
-            return invalid(name + ":" + std::to_string(number) + ": " + line.error().message);
+            return invalid_argument(name + ":" + std::to_string(number) + ": " +
+                                    line.error().message);
         weights += line->weight;
         script.push_back(std::move(*line));
     }
-    if (script.empty()) return invalid(name + ": there is no behaviour in it");
-    if (weights <= 0) return invalid(name + ": all weights are zero");
+    if (script.empty()) return invalid_argument(name + ": there is no behaviour in it");
+    if (weights <= 0) return invalid_argument(name + ": all weights are zero");
     return script;
 }
 

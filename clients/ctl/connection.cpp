@@ -19,15 +19,11 @@ namespace {
 constexpr int message_bytes_max = 128 << 20;  // an exported world, a trace
 constexpr std::size_t file_bytes_max = 64u << 20;
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
     const auto failed = [&](const char* why) {
-        return invalid("cannot read " + path + ": " + why);
+        return invalid_argument("cannot read " + path + ": " + why);
     };
     std::error_code ignored;
     std::ifstream file;
@@ -50,13 +46,14 @@ Status write_file(const std::string& path, const std::string& content) {
         const bool good = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
         return good && std::fflush(stdout) == 0
                    ? Status()
-                   : invalid("cannot write to standard output: nobody reads it any more");
+                   : invalid_argument("cannot write to standard output: nobody reads it any more");
     }
     std::ofstream out(path, std::ios::binary);
     out << content;
     out.close();
     if (out) return {};
-    return invalid("cannot write " + path + ": the folder is not there or not yours, or full");
+    return invalid_argument("cannot write " + path +
+                            ": the folder is not there or not yours, or full");
 }
 
 Result<Connection> Connection::open(const ConnectionFlags& flags) {

@@ -12,7 +12,7 @@ namespace jostle::scenes {
 
 namespace {
 
-constexpr std::size_t name_bytes_max = 64;
+constexpr std::size_t setting_name_bytes_max = 64;
 constexpr double setting_max = 1e300;
 
 // Such names have one spelling in JSON, and no letter that a path of fields uses.
@@ -20,7 +20,7 @@ bool is_name(const std::string& text) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
     };
-    return !text.empty() && text.size() <= name_bytes_max &&
+    return !text.empty() && text.size() <= setting_name_bytes_max &&
            std::all_of(text.begin(), text.end(), fits);
 }
 
@@ -31,7 +31,7 @@ std::map<std::string, Value> read_names(FieldReader& in, const std::string& path
     std::map<std::string, Value> sorted(given.begin(), given.end());
     for (const auto& [name, value] : sorted)
         if (!is_name(name))
-            in.note(path, "\"" + name.substr(0, name_bytes_max) +
+            in.note(path, "\"" + name.substr(0, setting_name_bytes_max) +
                               "\" is no name; give 1 to 64 of a-z, 0-9 and _");
     return sorted;
 }

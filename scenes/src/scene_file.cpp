@@ -206,10 +206,6 @@ private:
     std::size_t shapes_ = 0;  // after repeats
 };
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 void write_body(v1::Body& out, const SceneBody& body) {
     const BodyDef& b = body.body;
     out.set_name(body.name);
@@ -237,24 +233,25 @@ void write_body(v1::Body& out, const SceneBody& body) {
 Result<SceneDescription> from_message(const v1::Scene& message) {
     Reader reader;
     SceneDescription scene = reader.scene(message);
-    if (reader.fault()) return invalid(reader.fault()->path + ": " + reader.fault()->what);
+    if (reader.fault()) return invalid_argument(reader.fault()->path + ": " + reader.fault()->what);
     return scene;
 }
 
 Result<SceneDescription> read_scene_json(std::string_view text) {
     // The mark that some editors put before UTF-8 text.
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-    if (const auto fault = find_json_fault(text, *v1::Scene::descriptor())) return invalid(*fault);
+    if (const auto fault = find_json_fault(text, *v1::Scene::descriptor()))
+        return invalid_argument(*fault);
     v1::Scene message;
     const auto parsed =
         google::protobuf::util::JsonStringToMessage({text.data(), text.size()}, &message);
-    if (!parsed.ok()) return invalid(std::string(parsed.message()));
+    if (!parsed.ok()) return invalid_argument(std::string(parsed.message()));
     Reader reader;
     SceneDescription scene = reader.scene(message);
     if (!reader.fault()) return scene;
     const int line = line_of(text, place_of(reader.fault()->path));
-    return invalid((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-                   reader.fault()->path + ": " + reader.fault()->what);
+    return invalid_argument((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
+                            reader.fault()->path + ": " + reader.fault()->what);
 }
 
 Result<SceneDescription> read_scene_file(const std::string& path) {
@@ -265,7 +262,7 @@ Result<SceneDescription> read_scene_file(const std::string& path) {
     while (in.read(buffer, sizeof buffer) || in.gcount() > 0) {
         text.append(buffer, static_cast<std::size_t>(in.gcount()));
         if (text.size() > file_bytes_max)
-            return invalid(path + ": larger than 64 MiB; that is no scene");
+            return invalid_argument(path + ": larger than 64 MiB; that is no scene");
     }
     if (in.bad() || !in.eof())
         return Error{ErrorCode::not_found, "cannot read the scene file " + path};

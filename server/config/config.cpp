@@ -9,10 +9,6 @@ namespace jostle::server {
 
 namespace {
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 std::string text(double x) {
     std::string s = std::to_string(x);
     while (s.back() == '0') s.pop_back();
@@ -32,20 +28,20 @@ struct Range {
 // Settings that only make sense together, or with one of a few words.
 Status check_access(const Config& c) {
     if (c.tls.certificate.empty() != c.tls.key.empty())
-        return invalid("tls.certificate and tls.key belong together; set both or neither");
+        return invalid_argument("tls.certificate and tls.key belong together; set both or neither");
     if (!c.tls.client_ca.empty() && c.tls.certificate.empty())
-        return invalid("tls.client_ca is set without tls.certificate and tls.key");
+        return invalid_argument("tls.client_ca is set without tls.certificate and tls.key");
     if (!c.auth.keys.empty() && (c.auth.issuer.empty() || c.auth.audience.empty()))
-        return invalid(
+        return invalid_argument(
             "auth.keys is set without auth.issuer and auth.audience: say whose tokens for whom");
     static constexpr std::array roles = {"", "none", "viewer", "player", "director", "admin"};
     if (std::find(roles.begin(), roles.end(), c.auth.anonymous_role) == roles.end())
-        return invalid("auth.anonymous_role is \"" + c.auth.anonymous_role +
-                       "\"; it must be none, viewer, player, director or admin");
+        return invalid_argument("auth.anonymous_role is \"" + c.auth.anonymous_role +
+                                "\"; it must be none, viewer, player, director or admin");
     for (const std::string& host : c.allowed_hosts)
         if (host.empty() || host.find_first_of("/ ") != std::string::npos)
-            return invalid("allowed_hosts names \"" + host +
-                           "\"; write a host's name alone, as play.example.org");
+            return invalid_argument("allowed_hosts names \"" + host +
+                                    "\"; write a host's name alone, as play.example.org");
     return {};
 }
 
@@ -98,31 +94,31 @@ Status check(const Config& c) {
     };
     for (const Range& r : ranges)
         if (!(r.low <= r.value && r.value <= r.high))
-            return invalid(std::string(r.key) + " is " + text(r.value) + "; it must be from " +
-                           text(r.low) + " to " + text(r.high));
+            return invalid_argument(std::string(r.key) + " is " + text(r.value) +
+                                    "; it must be from " + text(r.low) + " to " + text(r.high));
     if (c.stream.ack_window_max < c.stream.ack_window_min)
-        return invalid("stream.ack_window_max is below stream.ack_window_min");
+        return invalid_argument("stream.ack_window_max is below stream.ack_window_min");
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
-            return invalid(std::string(key) + ": " + parsed.error().message);
+            return invalid_argument(std::string(key) + ": " + parsed.error().message);
     if (!c.admin.empty())
         if (const auto parsed = parse_host_port(c.admin); !parsed.ok())
-            return invalid("admin: " + parsed.error().message);
+            return invalid_argument("admin: " + parsed.error().message);
     static constexpr std::array levels = {"trace", "debug", "info", "warn", "error"};
     if (std::find(levels.begin(), levels.end(), c.log_level) == levels.end())
-        return invalid("log_level is \"" + c.log_level +
-                       "\"; it must be trace, debug, info, warn or error");
+        return invalid_argument("log_level is \"" + c.log_level +
+                                "\"; it must be trace, debug, info, warn or error");
     if (c.log_format != "text" && c.log_format != "json")
-        return invalid("log_format is \"" + c.log_format + "\"; it must be text or json");
-    if (c.scenes.empty()) return invalid("scenes is empty; name at least one scene");
+        return invalid_argument("log_format is \"" + c.log_format + "\"; it must be text or json");
+    if (c.scenes.empty()) return invalid_argument("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
-        return invalid("scenes names more worlds than world.worlds_max");
+        return invalid_argument("scenes names more worlds than world.worlds_max");
     return check_access(c);
 }
 
 Result<HostPort> parse_host_port(const std::string& address) {
     const auto bad = [&](const char* why) {
-        return invalid("\"" + address + "\" is no HOST:PORT: " + why);
+        return invalid_argument("\"" + address + "\" is no HOST:PORT: " + why);
     };
     const std::size_t colon = address.rfind(':');
     if (colon == std::string::npos) return bad("there is no colon");

@@ -22,11 +22,6 @@ constexpr std::string_view index =
     "  /healthz, /readyz                     200 or 503\n"
     "  /debug/profile?world=NAME&seconds=N   a trace of the world's ticks, for ui.perfetto.dev\n";
 
-HttpResponse text(int status, std::string_view body) {
-    return {
-        .status = status, .headers = {{"Cache-Control", "no-store"}}, .body = std::string(body)};
-}
-
 // "5" or "2.5"; nothing else.
 std::optional<double> number_of(const std::string& text) {
     double number = 0;
@@ -54,19 +49,19 @@ HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
 
 HttpResponse AdminRoutes::answer(const HttpRequest& request) const {
     if (request.method != "GET" && request.method != "HEAD") {
-        HttpResponse refused = text(405, "This port takes GET.\n");
+        HttpResponse refused = plain_text(405, "This port takes GET.\n");
         refused.headers.emplace_back("Allow", "GET, HEAD");
         return refused;
     }
     const std::string_view path = path_of(request.target);
-    if (path == "/") return text(200, index);
+    if (path == "/") return plain_text(200, std::string(index));
     if (path == "/metrics") return metrics();
     if (path == "/healthz" || path == "/readyz") return health(path);
     if (path == profile_path) {
-        if (const auto refusal = refuse_page(request)) return text(403, *refusal + "\n");
+        if (const auto refusal = refuse_page(request)) return plain_text(403, *refusal + "\n");
         return profile(request);
     }
-    return text(404, "There is no such path; / lists those there are.\n");
+    return plain_text(404, "There is no such path; / lists those there are.\n");
 }
 
 // Prometheus and probes come by whatever name they like, and read what names nobody.
@@ -92,15 +87,16 @@ Status AdminRoutes::let_in(const HttpRequest& request, const std::string& world)
 }
 
 HttpResponse AdminRoutes::health(std::string_view path) const {
-    if (const auto trouble = settings_.trouble()) return text(503, *trouble + "\n");
-    if (path == "/healthz") return text(200, "ok\n");
-    return settings_.is_draining() ? text(503, "the server is going down\n") : text(200, "ready\n");
+    if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
+    if (path == "/healthz") return plain_text(200, "ok\n");
+    return settings_.is_draining() ? plain_text(503, "the server is going down\n")
+                                   : plain_text(200, "ready\n");
 }
 
 HttpResponse AdminRoutes::metrics() const {
     const std::lock_guard lock(metrics_mutex_);
     if (settings_.refresh) settings_.refresh();
-    HttpResponse response = text(200, metrics_text(metrics_));
+    HttpResponse response = plain_text(200, metrics_text(metrics_));
     response.content_type = metrics_content_type;
     return response;
 }
@@ -118,7 +114,7 @@ HttpResponse AdminRoutes::profile(const HttpRequest& request) const {
     message.set_seconds(*seconds);
     v1::ProfileResponse profile;
     if (Status s = control_.profile(message, profile); !s.ok()) return to_http(s.error());
-    HttpResponse response = text(200, profile.trace());
+    HttpResponse response = plain_text(200, profile.trace());
     response.content_type = "application/json";
     response.headers.emplace_back("Content-Disposition",
                                   "attachment; filename=\"" + file_name_of(*world) + "\"");

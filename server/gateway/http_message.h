@@ -31,6 +31,11 @@ struct HttpResponse {
     std::string body;
 };
 
+// Nobody keeps it.
+inline HttpResponse plain_text(int status, std::string body) {
+    return {.status = status, .headers = {{"Cache-Control", "no-store"}}, .body = std::move(body)};
+}
+
 // What stands before the '?' of a target.
 inline std::string_view path_of(std::string_view target) {
     return target.substr(0, target.find_first_of("?#"));

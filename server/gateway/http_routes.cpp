@@ -39,16 +39,8 @@ HttpResponse json(int status, const google::protobuf::Message& message) {
     return json(status, std::move(body));
 }
 
-HttpResponse text(int status, std::string body) {
-    HttpResponse response;
-    response.status = status;
-    response.headers.emplace_back("Cache-Control", "no-store");
-    response.body = std::move(body);
-    return response;
-}
-
 HttpResponse method_not_allowed(std::string allowed) {
-    HttpResponse response = text(405, "This path takes " + allowed + ".\n");
+    HttpResponse response = plain_text(405, "This path takes " + allowed + ".\n");
     response.headers.emplace_back("Allow", std::move(allowed));
     return response;
 }
@@ -64,7 +56,7 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
                                       const HttpRequest& request) {
     // Forms can send text from any page without asking the server first; JSON they cannot.
     if (!request.content_type.starts_with("application/json")) {
-        return text(415, "Send the body as JSON, with Content-Type: application/json.\n");
+        return plain_text(415, "Send the body as JSON, with Content-Type: application/json.\n");
     }
     const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
     if (read.ok()) return std::nullopt;
@@ -139,9 +131,10 @@ std::optional<std::string> HttpRoutes::refuse_page(const HttpRequest& request) c
 }
 
 HttpResponse HttpRoutes::answer_health(std::string_view path) const {
-    if (const auto trouble = settings_.trouble()) return text(503, *trouble + "\n");
-    if (path == "/healthz") return text(200, "ok\n");
-    return settings_.is_draining() ? text(503, "the server is going down\n") : text(200, "ready\n");
+    if (const auto trouble = settings_.trouble()) return plain_text(503, *trouble + "\n");
+    if (path == "/healthz") return plain_text(200, "ok\n");
+    return settings_.is_draining() ? plain_text(503, "the server is going down\n")
+                                   : plain_text(200, "ready\n");
 }
 
 HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
@@ -149,10 +142,10 @@ HttpResponse HttpRoutes::answer(const HttpRequest& request) const {
     // Probes come by whatever name they like.
     if (path == "/healthz" || path == "/readyz") return answer_health(path);
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
-        return text(403, *refuse_page(request) + "\n");
+        return plain_text(403, *refuse_page(request) + "\n");
     if (path == "/api" || path.starts_with("/api/")) return answer_api(request, path);
     if (path == "/play") {
-        HttpResponse response = text(426, "This path takes WebSocket clients.\n");
+        HttpResponse response = plain_text(426, "This path takes WebSocket clients.\n");
         response.headers.emplace_back("Upgrade", "websocket");
         return response;
     }
@@ -188,7 +181,7 @@ Status HttpRoutes::let_to_world(const Asker& asker, const std::string& world) co
 HttpResponse HttpRoutes::answer_api(const HttpRequest& request, std::string_view path) const {
     const bool changes = request.method != "GET" && request.method != "HEAD";
     if (changes && !origin_is_allowed(request))
-        return text(403, "A page from another origin may not use this server.\n");
+        return plain_text(403, "A page from another origin may not use this server.\n");
     const bool is_query = path.starts_with(query_path);
     const bool is_list = path == worlds_path;
     std::string world;

@@ -92,11 +92,11 @@ void HttpSession::on_head(beast::error_code error) {
     const std::size_t most =
         large ? services_.settings.body_bytes_max : services_.settings.small_body_bytes_max;
     parser_->body_limit(most);
-    // Who does not say how much comes may send the most.
-    const auto length = parser_->content_length();
-    if (length && *length > most) return refuse(413, "The request's body is too big.\n");
-    const bool has_body = length ? *length > 0 : parser_->chunked();
-    if (has_body && !reserve_body(length ? static_cast<std::size_t>(*length) : most))
+    // Beast 1.74 asserts things of chunks that a client can make wrong.
+    if (parser_->chunked()) return refuse(411, "Say the body's length: Content-Length.\n");
+    const std::uint64_t length = parser_->content_length().value_or(0);
+    if (length > most) return refuse(413, "The request's body is too big.\n");
+    if (length > 0 && !reserve_body(static_cast<std::size_t>(length)))
         return refuse(503, "Too many requests are being received; try again in a second.\n");
     read_body();
 }
@@ -147,9 +147,7 @@ void HttpSession::answer_request() {
 
 // The peer sent what we cannot read on from: one answer, then the connection ends.
 void HttpSession::refuse(int status, std::string text) {
-    HttpResponse answer;
-    answer.status = status;
-    answer.body = std::move(text);
+    HttpResponse answer = plain_text(status, std::move(text));
     answer.headers.emplace_back("Connection", "close");
     if (status == 503) answer.headers.emplace_back("Retry-After", "1");
     closing_ = true;

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using std::chrono::seconds;
 
-constexpr std::size_t depth_max = 4;
+constexpr std::size_t token_depth_max = 4;
 constexpr std::size_t audiences_max = 32;
 
 Error refused(std::string message) {
@@ -40,7 +40,7 @@ std::optional<Parts> split(std::string_view token) {
 Result<json> read_object(std::string_view encoded, const std::string& what) {
     const std::optional<std::string> text = from_base64url(encoded);
     if (!text) return refused("the token's " + what + " is no base64url");
-    Result<json> object = parse_strict_json(*text, depth_max);
+    Result<json> object = parse_strict_json(*text, token_depth_max);
     if (!object.ok())
         return refused("the token's " + what + " cannot be read: " + object.error().message);
     if (!object->is_object()) return refused("the token's " + what + " is no JSON object");

@@ -16,7 +16,7 @@ using nlohmann::json;
 constexpr std::size_t file_bytes_max = 1 << 18;
 constexpr std::size_t keys_max = 100;
 constexpr std::size_t id_bytes_max = 256;
-constexpr std::size_t depth_max = 8;  // keys of other kinds may carry what they like
+constexpr std::size_t set_depth_max = 8;  // keys of other kinds may carry what they like
 
 Error broken(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
@@ -51,7 +51,7 @@ std::optional<VerifyKey> point_of(const json& key) {
 }  // namespace
 
 Result<KeySetText> read_key_set(std::string_view text) {
-    const Result<json> set = parse_strict_json(text, depth_max);
+    const Result<json> set = parse_strict_json(text, set_depth_max);
     if (!set.ok()) return broken("it cannot be read: " + set.error().message);
     const auto list = set->is_object() ? set->find("keys") : set->end();
     if (list == set->end() || !list->is_array())

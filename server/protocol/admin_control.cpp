@@ -18,13 +18,9 @@ constexpr std::size_t export_bytes_max = 64u << 20;
 // Beyond the time that steps take at the world's rate.
 constexpr double step_patience_s = 2;
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 // An operator names the world that is meant: the first one is not a good guess.
 Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const std::string& name) {
-    if (name.empty()) return invalid("name the world; ListWorlds lists them");
+    if (name.empty()) return invalid_argument("name the world; ListWorlds lists them");
     std::shared_ptr<WorldHost> world = context.worlds.find(name);
     if (!world)
         return Error{ErrorCode::not_found,
@@ -34,8 +30,8 @@ Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const 
 
 Status check_reason(const std::string& reason) {
     if (reason.size() <= reason_bytes_max) return {};
-    return invalid(fmt::format("the reason has {} bytes; at most {} are shown to clients",
-                               reason.size(), reason_bytes_max));
+    return invalid_argument(fmt::format("the reason has {} bytes; at most {} are shown to clients",
+                                        reason.size(), reason_bytes_max));
 }
 
 // One of the few that may wait for a world.
@@ -119,7 +115,7 @@ Status AdminControl::set_paused(const v1::SetPausedRequest& request,
 Status AdminControl::step_world(const v1::StepWorldRequest& request,
                                 v1::StepWorldResponse& response) {
     if (request.steps() < 1 || request.steps() > steps_max)
-        return invalid(
+        return invalid_argument(
             fmt::format("steps is {}; it must be from 1 to {}", request.steps(), steps_max));
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
@@ -168,8 +164,8 @@ Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response)
 
 Status AdminControl::profile(const v1::ProfileRequest& request, v1::ProfileResponse& response) {
     if (!(1 <= request.seconds() && request.seconds() <= profile_seconds_max))
-        return invalid(fmt::format("seconds is {:g}; it must be from 1 to {:g}", request.seconds(),
-                                   profile_seconds_max));
+        return invalid_argument(fmt::format("seconds is {:g}; it must be from 1 to {:g}",
+                                            request.seconds(), profile_seconds_max));
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
     const Waiting waiting(waiting_);

@@ -16,17 +16,13 @@ using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedOutputStream;
 namespace {
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 // All zero means no rotation, and readers normalise; what has no direction is refused.
 Result<physics::Quat> to_rotation(const v1::Quat& q) {
     const physics::Quat quat{q.x(), q.y(), q.z(), q.w()};
     const double size = norm_squared(quat);
     if (size == 0) return physics::Quat{};
     if (!(size > 1e-12 && size < 1e12))
-        return invalid("rotation is not a quaternion near unit length");
+        return invalid_argument("rotation is not a quaternion near unit length");
     return normalized(quat);
 }
 
@@ -38,13 +34,14 @@ Status check_kind(const v1::Shape& shape) {
         case v1::Shape::kHeightField:
         case v1::Shape::kCompound: {
             const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(shape.kind_case());
-            return invalid(
+            return invalid_argument(
                 fmt::format("spawn.shape is a {}; {}", kind->name(), spawned_shapes_allowed));
         }
         case v1::Shape::kHull:
             if (shape.hull().points_size() > spawned_hull_points_max)
-                return invalid(fmt::format("spawn.shape.hull.points has {} entries; {}",
-                                           shape.hull().points_size(), spawned_shapes_allowed));
+                return invalid_argument(fmt::format("spawn.shape.hull.points has {} entries; {}",
+                                                    shape.hull().points_size(),
+                                                    spawned_shapes_allowed));
             return {};
         default:
             return {};
@@ -93,7 +90,7 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::KIND_NOT_SET:
             break;
     }
-    return invalid("the input is empty, or of a kind that this server does not know");
+    return invalid_argument("the input is empty, or of a kind that this server does not know");
 }
 
 Ack decode(const v1::Ack& ack) {
@@ -102,8 +99,8 @@ Ack decode(const v1::Ack& ack) {
 
 Result<ClientMessage> decode(const v1::Hello& hello) {
     if (hello.name().size() > client_name_bytes_max) {
-        return invalid(fmt::format("hello.name has {} bytes; at most {} are allowed",
-                                   hello.name().size(), client_name_bytes_max));
+        return invalid_argument(fmt::format("hello.name has {} bytes; at most {} are allowed",
+                                            hello.name().size(), client_name_bytes_max));
     }
     return ClientMessage{Hello{.protocol = hello.protocol(),
                                .world = hello.world(),
@@ -118,10 +115,11 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
 Result<ClientMessage> decode(const v1::InputBatch& batch) {
     const std::uint64_t first = batch.first_sequence();
     if (first == 0 && batch.inputs_size() > 0) {
-        return invalid("input.first_sequence is 0; inputs are numbered from 1");
+        return invalid_argument("input.first_sequence is 0; inputs are numbered from 1");
     }
     if (first + static_cast<std::uint64_t>(batch.inputs_size()) > 0xffffffffu) {
-        return invalid("input.first_sequence leaves no numbers for the inputs; join again");
+        return invalid_argument(
+            "input.first_sequence leaves no numbers for the inputs; join again");
     }
     InputBatch decoded;
     decoded.first_sequence = batch.first_sequence();
@@ -137,7 +135,8 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
 Result<ClientMessage> decode_client_message(std::string_view bytes) {
     v1::ClientMessage message;
     if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-        return invalid(fmt::format("the {} bytes are not a jostle.v1.ClientMessage", bytes.size()));
+        return invalid_argument(
+            fmt::format("the {} bytes are not a jostle.v1.ClientMessage", bytes.size()));
     }
     switch (message.message_case()) {
         case v1::ClientMessage::kHello:
@@ -153,7 +152,8 @@ Result<ClientMessage> decode_client_message(std::string_view bytes) {
         case v1::ClientMessage::MESSAGE_NOT_SET:
             break;
     }
-    return invalid("the ClientMessage is empty, or of a kind that this server does not know");
+    return invalid_argument(
+        "the ClientMessage is empty, or of a kind that this server does not know");
 }
 
 }  // namespace jostle::server

@@ -21,10 +21,6 @@ constexpr int hull_points_max = 1000;
 constexpr std::size_t hits_max = 50000;
 constexpr double coordinate_max = physics::limits::max_coordinate;  // m
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 Error no_longer_wanted() {
     return {ErrorCode::deadline_exceeded, "the deadline passed while the answer was made"};
 }
@@ -39,12 +35,14 @@ Error from_solver(const Error& error) {
 
 Status check_count(const char* field, int count, int most) {
     if (count <= most) return {};
-    return invalid(fmt::format("{} has {} entries; at most {} are allowed", field, count, most));
+    return invalid_argument(
+        fmt::format("{} has {} entries; at most {} are allowed", field, count, most));
 }
 
 Status check_number(const std::string& field, double x, double low, double high) {
     if (low <= x && x <= high) return {};
-    return invalid(fmt::format("{} is {:g}; it must be from {:g} to {:g}", field, x, low, high));
+    return invalid_argument(
+        fmt::format("{} is {:g}; it must be from {:g} to {:g}", field, x, low, high));
 }
 
 Status check_vector(const std::string& field, const v1::Vec3& v) {
@@ -61,8 +59,9 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
     switch (message.kind_case()) {
         case v1::Shape::kHull:
             if (const int points = message.hull().points_size(); points > hull_points_max)
-                return invalid(fmt::format("{}.hull.points has {} entries; at most {} are allowed",
-                                           field, points, hull_points_max));
+                return invalid_argument(
+                    fmt::format("{}.hull.points has {} entries; at most {} are allowed", field,
+                                points, hull_points_max));
             break;
         case v1::Shape::kPlane:
         case v1::Shape::kMesh:
@@ -70,7 +69,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
         case v1::Shape::kCompound:
         case v1::Shape::kGeometry:
         case v1::Shape::KIND_NOT_SET:
-            return invalid(
+            return invalid_argument(
                 fmt::format("{} is {}; ask with a sphere, capsule, box, cylinder, cone or hull",
                             field, kind != nullptr ? "a " + kind->name() : "empty"));
         default:
@@ -148,7 +147,7 @@ Status check_ray(const v1::Ray& ray, int number) {
     if (Status s = check_vector(field + ".origin", ray.origin()); !s.ok()) return s;
     if (Status s = check_vector(field + ".motion", ray.motion()); !s.ok()) return s;
     if (to_vector(ray.motion()) == physics::Vec3{})
-        return invalid(field + ".motion is zero; it must have a length");
+        return invalid_argument(field + ".motion is zero; it must have a length");
     return {};
 }
 
@@ -179,9 +178,9 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
                                const StillWanted& wanted) const {
     if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()))
-        return invalid(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
-                                   static_cast<int>(request.mode()),
-                                   static_cast<int>(v1::HitMode_MAX)));
+        return invalid_argument(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
+                                            static_cast<int>(request.mode()),
+                                            static_cast<int>(v1::HitMode_MAX)));
     for (int i = 0; i < request.rays_size(); i++)
         if (Status s = check_ray(request.rays(i), i); !s.ok()) return s;
     const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
@@ -205,7 +204,7 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                                  const StillWanted& wanted) const {
     if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
-        return invalid(
+        return invalid_argument(
             fmt::format("mode is {}; shapes are cast with HIT_MODE_CLOSEST (1) or HIT_MODE_ALL (3)",
                         static_cast<int>(request.mode())));
     std::vector<physics::ShapeCast> casts;
@@ -250,7 +249,7 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
             if (Status s = check_vector("point", request.point()); !s.ok()) return s;
             break;
         case v1::OverlapRequest::WHAT_NOT_SET:
-            return invalid("give shape or point");
+            return invalid_argument("give shape or point");
     }
     const Result<QueryFramePtr> asked = ask(context_.worlds, request.world(), copy_shapes);
     if (!asked.ok()) return asked.error();
@@ -310,7 +309,8 @@ Status QueryControl::debug(const v1::DebugRequest& request, v1::DebugResponse& r
 Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request) const {
     const CopyParts parts = parts_of(request);
     if (parts == 0)
-        return invalid("ask for at least one of contacts, islands, bounds, joints, broad_phase");
+        return invalid_argument(
+            "ask for at least one of contacts, islands, bounds, joints, broad_phase");
     return ask(context_.worlds, request.world(), parts);
 }
 

@@ -10,9 +10,9 @@ namespace jostle::server {
 namespace {
 
 // Timeouts and statistics need no better; frames and messages wake the thread by themselves.
-constexpr auto housekeeping_period = std::chrono::milliseconds(20);
+constexpr auto shard_housekeeping_period = std::chrono::milliseconds(20);
 // Calls that may arrive together before one of them has to wait for the thread.
-constexpr std::size_t calls_asked_for = 16;
+constexpr std::size_t plays_asked_for = 16;
 constexpr std::size_t streams_without_hello_max = 256;
 constexpr std::size_t streams_without_hello_of_address_max = 64;
 
@@ -28,7 +28,7 @@ PlayShard::~PlayShard() {
 }
 
 void PlayShard::start() {
-    for (std::size_t i = 0; i < calls_asked_for; ++i) ask_for_call();
+    for (std::size_t i = 0; i < plays_asked_for; ++i) ask_for_call();
     thread_ = std::thread([this] { run(); });
 }
 
@@ -72,7 +72,7 @@ void PlayShard::stop() {
 
 void PlayShard::run() {
     looked_ = Clock::now();
-    Clock::time_point housekeeping = looked_ + housekeeping_period;
+    Clock::time_point housekeeping = looked_ + shard_housekeeping_period;
     bool shut_down = false;
     for (;;) {
         // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
@@ -102,7 +102,7 @@ void PlayShard::run() {
         }
         if (now >= housekeeping && !stopping_) {
             housekeep(now);
-            housekeeping = now + housekeeping_period;
+            housekeeping = now + shard_housekeeping_period;
         }
     }
     streams_.clear();

@@ -18,10 +18,6 @@ constexpr double spawn_speed_max = 50;             // m/s and rad/s
 constexpr double impulse_max = 1e7;                // N s; the world cuts it to what gives 20 m/s
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 // Written so that NaN fails.
 bool within(double x, double low, double high) {
     return low <= x && x <= high;
@@ -32,19 +28,21 @@ bool within(Vec3 v, double limit) {
 
 Status check_point(const char* what, Vec3 p) {
     if (within(p, coordinate_max)) return {};
-    return invalid(fmt::format("{} ({:g}, {:g}, {:g}) is not within {:g} m of the origin", what,
-                               p.x, p.y, p.z, coordinate_max));
+    return invalid_argument(fmt::format("{} ({:g}, {:g}, {:g}) is not within {:g} m of the origin",
+                                        what, p.x, p.y, p.z, coordinate_max));
 }
 
 Status check_length(const char* what, Vec3 v, double limit) {
     const double size = length(v);
     if (within(size, 0, limit)) return {};
-    return invalid(fmt::format("{} is {:g} long; at most {:g} is allowed", what, size, limit));
+    return invalid_argument(
+        fmt::format("{} is {:g} long; at most {:g} is allowed", what, size, limit));
 }
 
 Status check_number(const char* what, double x, double low, double high) {
     if (within(x, low, high)) return {};
-    return invalid(fmt::format("{} is {:g}; it must be from {:g} to {:g}", what, x, low, high));
+    return invalid_argument(
+        fmt::format("{} is {:g}; it must be from {:g} to {:g}", what, x, low, high));
 }
 
 Status check_size(const char* what, double size) {
@@ -100,18 +98,19 @@ private:
         }
         if (const auto* hull = std::get_if<physics::Hull>(&geometry))
             return check_hull(*hull->data);
-        return invalid(fmt::format("a {} cannot be spawned; {}",
-                                   kind_name(physics::kind_of(geometry)), spawned_shapes_allowed));
+        return invalid_argument(fmt::format("a {} cannot be spawned; {}",
+                                            kind_name(physics::kind_of(geometry)),
+                                            spawned_shapes_allowed));
     }
     // Its smallest size is the ball that fits inside: no slivers. Its largest is from the body's
     // origin, which it may not be far away from.
     static Status check_hull(const physics::ConvexHull& hull) {
         if (hull.vertices.size() > static_cast<std::size_t>(spawned_hull_points_max))
-            return invalid(fmt::format("the hull has {} points; {}", hull.vertices.size(),
-                                       spawned_shapes_allowed));
+            return invalid_argument(fmt::format("the hull has {} points; {}", hull.vertices.size(),
+                                                spawned_shapes_allowed));
         for (const Vec3& p : hull.vertices)
             if (!within(p, size_max))
-                return invalid(
+                return invalid_argument(
                     fmt::format("hull.points: ({:g}, {:g}, {:g}) is not within {:g} m of the "
                                 "origin along each axis",
                                 p.x, p.y, p.z, size_max));

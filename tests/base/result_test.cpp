@@ -9,7 +9,7 @@ namespace jostle {
 namespace {
 
 Result<int> half(int x) {
-    if (x % 2 != 0) return Error{ErrorCode::invalid_argument, std::to_string(x) + " is odd"};
+    if (x % 2 != 0) return invalid_argument(std::to_string(x) + " is odd");
     return x / 2;
 }
 

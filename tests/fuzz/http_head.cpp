@@ -38,8 +38,11 @@ void run(Bytes input) {
     for (int requests = 0; requests < 8; requests++) {
         server::BeastRequestParser parser;
         set_bounds(parser, settings);
-        parser.eager(true);
         while (!parser.is_done()) {
+            if (parser.is_header_done()) {
+                if (parser.chunked()) return;  // refused, and the connection closed
+                parser.eager(true);
+            }
             const Bytes fresh = in.take(piece);
             const bool ended = fresh.empty();
             buffer.commit(boost::asio::buffer_copy(

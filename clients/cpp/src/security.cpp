@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::size_t file_bytes_max = 1u << 20;
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 bool is_this_machine(const std::string& target) {
     const std::string host = target.substr(0, target.rfind(':'));
     const bool is_ipv4 = host.find_first_not_of("0123456789.") == std::string::npos;
@@ -25,11 +21,11 @@ Status read_text(const std::string& path, std::string& out) {
     std::error_code ignored;
     std::ifstream file(path, std::ios::binary);
     if (!file || std::filesystem::is_directory(path, ignored))
-        return invalid("cannot read " + path + ": it is not there, or not yours to read");
+        return invalid_argument("cannot read " + path + ": it is not there, or not yours to read");
     out.resize(file_bytes_max + 1);
     file.read(out.data(), static_cast<std::streamsize>(out.size()));
     out.resize(static_cast<std::size_t>(file.gcount()));
-    if (out.size() > file_bytes_max) return invalid(path + " has more than 1 MiB");
+    if (out.size() > file_bytes_max) return invalid_argument(path + " has more than 1 MiB");
     return {};
 }
 
@@ -38,7 +34,7 @@ Status read_pem(const std::string& path, std::string& out) {
     if (path.empty()) return {};
     if (Status s = read_text(path, out); !s.ok()) return s;
     if (out.find("-----BEGIN ") == std::string::npos)
-        return invalid(path + " is no PEM file: it has no line -----BEGIN ...-----");
+        return invalid_argument(path + " is no PEM file: it has no line -----BEGIN ...-----");
     return {};
 }
 
@@ -47,7 +43,7 @@ Status read_token(const std::string& path, std::string& out) {
     if (Status s = read_text(path, out); !s.ok()) return s;
     // Without the line end that an editor leaves.
     out.erase(out.find_last_not_of("\r\n ") + 1);
-    return out.empty() ? invalid(path + " holds no token") : Status();
+    return out.empty() ? invalid_argument(path + " holds no token") : Status();
 }
 
 }  // namespace
@@ -55,7 +51,8 @@ Status read_token(const std::string& path, std::string& out) {
 Result<Security> read_security(const SecurityFiles& files, const std::string& target) {
     Security security;
     if (files.certificate.empty() != files.key.empty())
-        return invalid("--cert and --key go together: the certificate and its private key");
+        return invalid_argument(
+            "--cert and --key go together: the certificate and its private key");
     security.tls = files.tls || !files.certificate.empty() || !files.authorities.empty();
     for (const auto& [path, out] : {std::pair(&files.authorities, &security.authorities_pem),
                                     std::pair(&files.certificate, &security.certificate_pem),
@@ -63,7 +60,7 @@ Result<Security> read_security(const SecurityFiles& files, const std::string& ta
         if (Status s = read_pem(*path, *out); !s.ok()) return s.error();
     if (Status s = read_token(files.token, security.token); !s.ok()) return s.error();
     if (!security.token.empty() && !security.tls && !is_this_machine(target))
-        return invalid(
+        return invalid_argument(
             "without TLS everybody on the way could read the token; give --tls, or --ca FILE for "
             "an authority of your own");
     return security;

@@ -10,10 +10,6 @@
 
 namespace jostle::physics {
 
-inline Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 inline std::string text(double x) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.9g", x);

@@ -14,7 +14,7 @@ namespace jostle::physics {
 namespace {
 
 Error compound_error(std::string message) {
-    return invalid("compound: " + std::move(message));
+    return invalid_argument("compound: " + std::move(message));
 }
 
 void add_to(Hasher& hasher, const Geometry& geometry) {

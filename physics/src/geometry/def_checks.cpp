@@ -19,8 +19,8 @@ Status check_pose(const char* name, const Transform& pose) {
     const double norm = norm_squared(pose.rotation);
     if (is_finite(norm) && norm > 1e-12 && norm < 1e12) return {};
     const Quat q = pose.rotation;
-    return invalid(prefix + ".rotation is (" + text(q.x) + ", " + text(q.y) + ", " + text(q.z) +
-                   ", " + text(q.w) + "); it must be finite and not zero");
+    return invalid_argument(prefix + ".rotation is (" + text(q.x) + ", " + text(q.y) + ", " +
+                            text(q.z) + ", " + text(q.w) + "); it must be finite and not zero");
 }
 
 Status check_material(const Material& m) {
@@ -32,7 +32,7 @@ Status check_material(const Material& m) {
     if (Status s = check_vector("surface_velocity", m.surface_velocity, limits::max_speed); !s.ok())
         return s;
     if (m.friction_rule > Combine::maximum || m.restitution_rule > Combine::maximum)
-        return invalid("friction_rule or restitution_rule is of no known kind");
+        return invalid_argument("friction_rule or restitution_rule is of no known kind");
     return {};
 }
 

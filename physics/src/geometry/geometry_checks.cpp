@@ -22,15 +22,15 @@ Status check_round(const char* name, double radius, double half_length) {
 
 Status check_data(const char* name, bool given, const char* builder) {
     if (given) return {};
-    return invalid(std::string(name) + " has no data; make it with " + builder);
+    return invalid_argument(std::string(name) + " has no data; make it with " + builder);
 }
 
 }  // namespace
 
 Status check_range(const char* name, double value, double low, double high) {
     if (low <= value && value <= high) return {};
-    return invalid(std::string(name) + " is " + text(value) + "; it must be from " + text(low) +
-                   " to " + text(high));
+    return invalid_argument(std::string(name) + " is " + text(value) + "; it must be from " +
+                            text(low) + " to " + text(high));
 }
 
 Status check_geometry(const char* name, const Geometry& geometry) {
@@ -51,8 +51,9 @@ Status check_geometry(const char* name, const Geometry& geometry) {
             const Vec3 n = std::get<Plane>(geometry).normal;
             const double l2 = length_squared(n);
             if (is_finite(l2) && l2 > 1e-12 && l2 < 1e12) return {};
-            return invalid(std::string(name) + ".normal is (" + text(n.x) + ", " + text(n.y) +
-                           ", " + text(n.z) + "); it must be finite and not zero");
+            return invalid_argument(std::string(name) + ".normal is (" + text(n.x) + ", " +
+                                    text(n.y) + ", " + text(n.z) +
+                                    "); it must be finite and not zero");
         }
         case ShapeKind::cylinder: {
             const Cylinder& c = std::get<Cylinder>(geometry);
@@ -72,15 +73,15 @@ Status check_geometry(const char* name, const Geometry& geometry) {
         case ShapeKind::compound:
             return check_data(name, std::get<Compound>(geometry).data != nullptr, "build_compound");
     }
-    return invalid(std::string(name) + " is of no known kind");
+    return invalid_argument(std::string(name) + " is of no known kind");
 }
 
 Status check_vector(const char* name, Vec3 value, double limit) {
     const Vec3 size = abs(value);
     if (size.x <= limit && size.y <= limit && size.z <= limit) return {};
-    return invalid(std::string(name) + " is (" + text(value.x) + ", " + text(value.y) + ", " +
-                   text(value.z) + "); each component must be finite and at most " + text(limit) +
-                   " in size");
+    return invalid_argument(std::string(name) + " is (" + text(value.x) + ", " + text(value.y) +
+                            ", " + text(value.z) + "); each component must be finite and at most " +
+                            text(limit) + " in size");
 }
 
 }  // namespace jostle::physics

@@ -9,7 +9,7 @@ namespace jostle::physics {
 namespace {
 
 Error height_field_error(std::string message) {
-    return invalid("height field: " + std::move(message));
+    return invalid_argument("height field: " + std::move(message));
 }
 
 std::uint64_t hash_of(const HeightGrid& grid) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double merge_fraction = 1e-6;  // of the size: how far a vertex may lie off its face
 
 Error hull_error(std::string message) {
-    return invalid("hull: " + std::move(message));
+    return invalid_argument("hull: " + std::move(message));
 }
 
 Vec3 normal_of(std::span<const Vec3> points, const HullTriangle& t) {

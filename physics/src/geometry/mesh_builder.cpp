@@ -15,7 +15,7 @@ namespace jostle::physics {
 namespace {
 
 Error mesh_error(std::string message) {
-    return invalid("mesh: " + std::move(message));
+    return invalid_argument("mesh: " + std::move(message));
 }
 
 // For each vertex the lowest one at the same place.

@@ -10,10 +10,11 @@ namespace jostle::physics {
 Status check_world(const WorldDef& def) {
     if (Status s = check_vector("gravity", def.gravity, 1e4); !s.ok()) return s;
     if (def.planar && def.gravity.z != 0)
-        return invalid("gravity.z is " + text(def.gravity.z) + "; in a planar world it is 0");
+        return invalid_argument("gravity.z is " + text(def.gravity.z) +
+                                "; in a planar world it is 0");
     if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
     if (def.broad_phase > BroadPhase::uniform_grid)
-        return invalid("broad_phase is of no known kind");
+        return invalid_argument("broad_phase is of no known kind");
     if (def.tolerance != 0)
         if (Status s = check_range("tolerance", def.tolerance, 1e-9, 1e3); !s.ok()) return s;
     if (Status s =
@@ -28,8 +29,8 @@ Status check_world(const WorldDef& def) {
 
 Status check_joint_solver(const char* name, JointSolver solver) {
     if (solver <= JointSolver::direct) return {};
-    return invalid(std::string(name) + " is " + std::to_string(static_cast<int>(solver)) +
-                   "; it must be automatic (0), iterative (1) or direct (2)");
+    return invalid_argument(std::string(name) + " is " + std::to_string(static_cast<int>(solver)) +
+                            "; it must be automatic (0), iterative (1) or direct (2)");
 }
 
 Status check_body(const BodyDef& def) {
@@ -44,28 +45,29 @@ Status check_body(const BodyDef& def) {
     if (Status s = check_range("gravity_scale", def.gravity_scale, -1e3, 1e3); !s.ok()) return s;
     if (Status s = check_mass(def.mass); !s.ok()) return s;
     if (Status s = check_body_type(def.type); !s.ok()) return s;
-    if (def.locks >= 64) return invalid("locks has bits beyond the six axes");
+    if (def.locks >= 64) return invalid_argument("locks has bits beyond the six axes");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
     if (def.type == BodyType::static_body && moves)
-        return invalid(
+        return invalid_argument(
             "a static body has no velocity; make it kinematic, or leave the velocity out");
     return {};
 }
 
 Status check_flat(const char* name, const Transform& pose) {
     if (pose.position.z != 0)
-        return invalid(std::string(name) + ".position.z is " + text(pose.position.z) +
-                       "; in a planar world it is 0");
+        return invalid_argument(std::string(name) + ".position.z is " + text(pose.position.z) +
+                                "; in a planar world it is 0");
     if (pose.rotation.x != 0 || pose.rotation.y != 0)
-        return invalid(std::string(name) +
-                       ".rotation is not about z; in a planar world bodies turn about z alone");
+        return invalid_argument(
+            std::string(name) +
+            ".rotation is not about z; in a planar world bodies turn about z alone");
     return {};
 }
 
 Status check_flat_body(const BodyDef& def) {
     if (Status s = check_flat("pose", def.pose); !s.ok()) return s;
     if (def.linear_velocity.z != 0 || def.angular_velocity.x != 0 || def.angular_velocity.y != 0)
-        return invalid(
+        return invalid_argument(
             "linear_velocity.z, angular_velocity.x and angular_velocity.y are 0 in a planar world");
     return {};
 }
@@ -73,11 +75,12 @@ Status check_flat_body(const BodyDef& def) {
 Status check_flat_shape(const ShapeDef& def) {
     const ShapeKind kind = kind_of(def.geometry);
     if (kind != ShapeKind::plane && !has_outline(kind))
-        return invalid(std::string("a ") + kind_name(kind) +
-                       " has no place in a planar world; use spheres (discs), capsules, boxes, "
-                       "hulls and planes");
+        return invalid_argument(
+            std::string("a ") + kind_name(kind) +
+            " has no place in a planar world; use spheres (discs), capsules, boxes, "
+            "hulls and planes");
     if (kind == ShapeKind::plane && std::get<Plane>(def.geometry).normal.z != 0)
-        return invalid("the plane's normal.z is not 0; in a planar world it is");
+        return invalid_argument("the plane's normal.z is not 0; in a planar world it is");
     return check_flat("shape pose", def.pose);
 }
 
@@ -87,27 +90,28 @@ Status check_shape(const ShapeDef& def, BodyType type) {
     if (Status s = check_material(def.material); !s.ok()) return s;
     const ShapeKind kind = kind_of(def.geometry);
     if (kind == ShapeKind::plane && type != BodyType::static_body)
-        return invalid("a plane is infinite; only a static body may carry one");
+        return invalid_argument("a plane is infinite; only a static body may carry one");
     const bool surface = kind == ShapeKind::mesh || kind == ShapeKind::height_field;
     if (surface && type == BodyType::dynamic)
-        return invalid(std::string("a ") + kind_name(kind) +
-                       " has no inside and no mass; give a dynamic body hulls or a compound");
+        return invalid_argument(
+            std::string("a ") + kind_name(kind) +
+            " has no inside and no mass; give a dynamic body hulls or a compound");
     if (surface && def.trigger)
-        return invalid(std::string("a ") + kind_name(kind) +
-                       " has no inside; a trigger needs a solid shape");
+        return invalid_argument(std::string("a ") + kind_name(kind) +
+                                " has no inside; a trigger needs a solid shape");
     if (Status s = check_mass(def.mass); !s.ok()) return s;
     if (type != BodyType::dynamic || def.trigger || def.mass > 0)
         return check_range("density", def.density, 0, limits::max_density);
     if (!(def.density > 0))
-        return invalid("density is " + text(def.density) +
-                       "; a dynamic body needs a shape of density above 0 to have mass");
+        return invalid_argument("density is " + text(def.density) +
+                                "; a dynamic body needs a shape of density above 0 to have mass");
     return check_range("density", def.density, 1e-6, limits::max_density);
 }
 
 Status check_body_type(BodyType type) {
     if (type == BodyType::static_body || type == BodyType::kinematic || type == BodyType::dynamic)
         return {};
-    return invalid("type is of no known kind");
+    return invalid_argument("type is of no known kind");
 }
 
 Status check_body_in(const WorldState& world, const BodyDef& def) {

@@ -24,13 +24,14 @@ void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::
                         std::size_t most, double limit) {
     const std::string path = path_ + name;
     if (status_.ok() && (points.size() < least || points.size() > most))
-        status_ = invalid(path + " are " + std::to_string(points.size()) + "; give " +
-                          std::to_string(least) + " to " + std::to_string(most));
+        status_ = invalid_argument(path + " are " + std::to_string(points.size()) + "; give " +
+                                   std::to_string(least) + " to " + std::to_string(most));
     for (std::size_t k = 0; k < points.size() && status_.ok(); k++) {
         const std::string which = "[" + std::to_string(k) + "]";
         vector((name + which).c_str(), points[k], limit);
         if (status_.ok() && k > 0 && length(points[k] - points[k - 1]) < 1e-6)
-            status_ = invalid(path + which + " is where the one before it is; leave one out");
+            status_ =
+                invalid_argument(path + which + " is where the one before it is; leave one out");
     }
 }
 
@@ -49,8 +50,8 @@ void JointCheck::limit(const char* name, const JointLimit& limit, double low, do
     JointCheck inside(prefix.c_str());
     visit_limit(inside, limit, low, high);
     if (inside.status_.ok() && limit.lower > limit.upper)
-        inside.status_ =
-            invalid(prefix + ".lower is above " + prefix + ".upper; give the lower one first");
+        inside.status_ = invalid_argument(prefix + ".lower is above " + prefix +
+                                          ".upper; give the lower one first");
     if (status_.ok()) status_ = inside.status_;
 }
 
@@ -66,9 +67,10 @@ void JointCheck::axis(const char* name, const JointAxis& axis, double low, doubl
     visit_axis(inside, axis, low, high);
     const bool moves = axis.limit.enabled || axis.spring.hertz > 0 || axis.motor.enabled;
     if (inside.status_.ok() && !axis.free && (moves || axis.friction > 0))
-        inside.status_ = invalid(prefix +
-                                 " is locked and has a limit, spring, motor or friction; make it "
-                                 "free, or take those away");
+        inside.status_ =
+            invalid_argument(prefix +
+                             " is locked and has a limit, spring, motor or friction; make it "
+                             "free, or take those away");
     if (status_.ok()) status_ = inside.status_;
 }
 

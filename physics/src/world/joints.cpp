@@ -25,7 +25,7 @@ Status check_joint(const WorldState& world, const JointDef& def) {
         if (Status s = check_id(world, def.body_a); !s.ok()) return s;
     if (Status s = check_id(world, def.body_b); !s.ok()) return s;
     if (def.body_a == def.body_b)
-        return invalid("body_a and body_b are the same body; a joint joins two");
+        return invalid_argument("body_a and body_b are the same body; a joint joins two");
     if (!is_dynamic(world, def.body_a.index) && !is_dynamic(world, def.body_b.index))
         return Error{ErrorCode::failed_precondition,
                      "neither body_a nor body_b is dynamic; a joint moves at least one of them"};

@@ -20,11 +20,5 @@ TEST(Messages, numbers_have_nine_digits_at_most) {
     EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "inf");
 }
 
-TEST(Messages, invalid_blames_the_argument) {
-    const Error error = invalid("radius is -1");
-    EXPECT_EQ(error.code, ErrorCode::invalid_argument);
-    EXPECT_EQ(error.message, "radius is -1");
-}
-
 }  // namespace
 }  // namespace jostle::test

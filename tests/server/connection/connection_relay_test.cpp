@@ -267,7 +267,7 @@ TEST_F(ConnectionRelayTest, of_many_who_come_at_once_those_who_go_again_cost_grp
     const Owned second = come(), second_grpc = grpc_end();
     Owned third = come();
     const Owned fourth = come();
-    third.close();  // before its turn
+    third.close();                         // before its turn
     const Owned fourth_grpc = grpc_end();  // after half a second
     EXPECT_EQ(fourth_grpc.read(preface.size()), preface);
     EXPECT_EQ(table.size(), 3u);

@@ -37,6 +37,9 @@ struct Error {
     // Of resource_exhausted and unavailable: when to ask again; 0: not said.
     int retry_after_ms = 0;
 };
+inline Error invalid_argument(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
 
 // A value was taken where there is none: the program ends and says what was wrong.
 [[noreturn]] inline void end_without_value(const Error& error) {

@@ -103,8 +103,8 @@ private:
 Result<std::vector<ConvexPart>> convex_parts(std::span<const Vec2> polygon,
                                              std::size_t max_corners) {
     if (max_corners < 3)
-        return invalid("max_corners is " + std::to_string(max_corners) +
-                       "; a part has at least 3 corners");
+        return invalid_argument("max_corners is " + std::to_string(max_corners) +
+                                "; a part has at least 3 corners");
     const auto triangles = triangulate(polygon);
     if (!triangles.ok()) return triangles.error();
     return PartJoiner(polygon, *triangles, max_corners).run();

@@ -38,8 +38,8 @@ Status check_polygon(std::span<const Vec2> polygon) {
     const std::size_t n = polygon.size();
     for (std::size_t k = 0; k < n; k++)
         if (polygon[k] == polygon[(k + 1) % n])
-            return invalid("polygon: corners " + pair_of(k, (k + 1) % n) +
-                           " are equal; give each once, the last is joined to the first");
+            return invalid_argument("polygon: corners " + pair_of(k, (k + 1) % n) +
+                                    " are equal; give each once, the last is joined to the first");
     const auto side = [&](std::size_t k) { return Segment{polygon[k], polygon[(k + 1) % n]}; };
     const auto low = [&](std::size_t k) { return minimum(side(k).from.x, side(k).to.x); };
     const auto high = [&](std::size_t k) { return maximum(side(k).from.x, side(k).to.x); };
@@ -57,11 +57,12 @@ Status check_polygon(std::span<const Vec2> polygon) {
             const SegmentRelation relation = meet(side(i), side(j)).relation;
             if (relation == (neighbours ? SegmentRelation::touching : SegmentRelation::apart))
                 continue;
-            return invalid("polygon: sides " + pair_of(i, j) +
-                           (neighbours ? " double back on each other"
-                                       : " meet; sides may share the corner between neighbours and "
-                                         "nothing else") +
-                           " (side k leads from corner k to the next)");
+            return invalid_argument(
+                "polygon: sides " + pair_of(i, j) +
+                (neighbours ? " double back on each other"
+                            : " meet; sides may share the corner between neighbours and "
+                              "nothing else") +
+                " (side k leads from corner k to the next)");
         }
     return {};
 }

@@ -23,8 +23,9 @@ Status check_reach(std::span<const Vec2> polygon) {
     for (std::size_t k = 0; k < polygon.size(); k++) {
         const Vec2 p = polygon[k];
         if (absolute(p.x) > max_shape_size || absolute(p.y) > max_shape_size)
-            return invalid("polygon[" + std::to_string(k) + "] is (" + text(p.x) + ", " +
-                           text(p.y) + "); shapes reach to +-" + text(max_shape_size) + " m");
+            return invalid_argument("polygon[" + std::to_string(k) + "] is (" + text(p.x) + ", " +
+                                    text(p.y) + "); shapes reach to +-" + text(max_shape_size) +
+                                    " m");
     }
     return {};
 }
@@ -49,13 +50,14 @@ Result<std::vector<std::shared_ptr<const ConvexHull>>> build_prisms(std::span<co
             for (const Vec2 p : face) points.push_back({p.x, p.y, z});
         const auto prism = build_hull(points);
         if (!prism.ok())
-            return invalid("polygon: the part at corner " + std::to_string((*parts)[k][0]) +
-                           " makes no prism: " + prism.error().message);
+            return invalid_argument("polygon: the part at corner " +
+                                    std::to_string((*parts)[k][0]) +
+                                    " makes no prism: " + prism.error().message);
         prisms.push_back(*prism);
     }
     if (prisms.empty())
-        return invalid("polygon: it is too thin for half_depth " + text(half_depth) +
-                       "; all its parts are slivers");
+        return invalid_argument("polygon: it is too thin for half_depth " + text(half_depth) +
+                                "; all its parts are slivers");
     return prisms;
 }
 

@@ -94,7 +94,7 @@ Result<std::vector<Triangle>> triangles_of_checked(std::span<const Vec2> polygon
     std::vector<Triangle> triangles;
     triangles.reserve(polygon.size() - 2);
     if (EarClipper(polygon).run(triangles)) return triangles;
-    return invalid(
+    return invalid_argument(
         "polygon: its corners are too close together to be told apart; give coordinates of 1e-130 "
         "m or more");
 }

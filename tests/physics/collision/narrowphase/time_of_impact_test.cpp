@@ -51,10 +51,14 @@ TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
     for (int round = 0; round < 72; round++) {
         const double turns[] = {0, 0.3, 3, 12};
         const Vec3 place = random.direction() * random.in(3, 6);
-        Mover a = random_mover(random_geometry(kinds[round % 6], random), {}, random.vector(1),
-                               turns[random.below(4)], random),
-              b = random_mover(random_geometry(kinds[round / 6 % 6], random), place,
-                               place * -1.5 + random.vector(2), turns[random.below(4)], random);
+        // One after the other: compilers evaluate arguments in orders of their own.
+        const auto mover = [&](int kind, Vec3 center, Vec3 motion, double spread) {
+            const Geometry geometry = random_geometry(kinds[kind], random);
+            const Vec3 way = motion + random.vector(spread);
+            const double turn = turns[random.below(4)];
+            return random_mover(geometry, center, way, turn, random);
+        };
+        Mover a = mover(round % 6, {}, {}, 1), b = mover(round / 6 % 6, place, place * -1.5, 2);
         a.swept.geometry = &a.geometry;
         b.swept.geometry = &b.geometry;
         const auto distance_at = [&](double fraction) {
@@ -70,7 +74,11 @@ TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
             ASSERT_GT(distance_at(fraction), 0.9 * gap) << "round " << round << ", at " << fraction;
         }
         if (!meets) continue;
-        const double there = distance_at(hit.fraction);
+        // The oracle's search ends short of the top now and then; along the normal it need not
+        // search.
+        const double there = std::max(distance_at(hit.fraction),
+                                      slab_gap(a.geometry, a.pose(hit.fraction), b.geometry,
+                                               b.pose(hit.fraction), hit.normal));
         EXPECT_GT(there, 0.9 * gap) << "round " << round;
         worst_early = std::max(worst_early, there);
     }

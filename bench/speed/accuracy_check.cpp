@@ -2,17 +2,28 @@
 #include "speed/accuracy_check.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <type_traits>
+
+#include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
 
 namespace jostle::bench {
 namespace {
 
 using physics::Box;
 using physics::Capsule;
+using physics::Hull;
 using physics::Mat3;
+using physics::Mesh;
 using physics::Sphere;
 using physics::Transform;
 using physics::Vec3;
+
+template <class Shape>
+concept ConvexShape = !std::is_same_v<Shape, Mesh>;
 
 struct Segment {
     Vec3 from, to;
@@ -151,15 +162,156 @@ Vec3 reach_of(const Box& box, const Transform& pose) {
            abs(axes.z) * box.half_extents.z;
 }
 
+// Of a hull about its own origin, which may be off its middle.
+Vec3 reach_of(const Hull& hull, const Transform& pose) {
+    Vec3 reach;
+    for (const Vec3& v : hull.data->vertices) reach = max(reach, abs(rotate(pose.rotation, v)));
+    return reach;
+}
+
+// The furthest along a direction, m.
+double support(const Sphere& sphere, const Transform& pose, Vec3 n) {
+    return dot(pose.position, n) + sphere.radius * length(n);
+}
+
+double support(const Capsule& capsule, const Transform& pose, Vec3 n) {
+    return dot(pose.position, n) + capsule.radius * length(n) +
+           capsule.half_length * physics::absolute(inverse_rotate(pose.rotation, n).y);
+}
+
+double support(const Box& box, const Transform& pose, Vec3 n) {
+    return dot(pose.position, n) + dot(abs(inverse_rotate(pose.rotation, n)), box.half_extents);
+}
+
+double support(const Hull& hull, const Transform& pose, Vec3 n) {
+    const Vec3 in_hull = inverse_rotate(pose.rotation, n);
+    double furthest = -std::numeric_limits<double>::infinity();
+    for (const Vec3& v : hull.data->vertices)
+        furthest = physics::maximum(furthest, dot(v, in_hull));
+    return dot(pose.position, n) + furthest;
+}
+
+// Normals of faces, from the shape outwards; those of a box, as a hull has them.
+std::vector<Vec3> face_normals(const auto& shape, const Transform& pose) {
+    std::vector<Vec3> normals;
+    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Hull>)
+        for (const physics::HullFace& face : shape.data->faces)
+            normals.push_back(rotate(pose.rotation, face.normal));
+    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Box>)
+        for (const double side : {1.0, -1.0})
+            for (const Vec3& axis : {Vec3{side, 0, 0}, Vec3{0, side, 0}, Vec3{0, 0, side}})
+                normals.push_back(rotate(pose.rotation, axis));
+    return normals;
+}
+
+// The overlap of two convex shapes is the least that their projections overlap over all directions
+// from a to b. From the best of the faces' normals downhill, in a ring of directions that shrinks
+// when none is better.
+template <class A, class B>
+double least_overlap(const A& a, const Transform& pose_a, const B& b, const Transform& pose_b) {
+    const auto overlap = [&](Vec3 n) { return support(a, pose_a, n) + support(b, pose_b, -n); };
+    Vec3 best = normalized(pose_b.position - pose_a.position);
+    double least = overlap(best);
+    const auto try_one = [&](Vec3 n) {
+        const double here = overlap(n);
+        if (here >= least) return false;
+        least = here;
+        best = n;
+        return true;
+    };
+    for (const Vec3& n : face_normals(a, pose_a)) try_one(n);
+    for (const Vec3& n : face_normals(b, pose_b)) try_one(-n);
+    double ring = 0.1, turn = 0;
+    while (least > 0 && ring > 1e-6) {
+        const Vec3 n = best;
+        const Vec3 x =
+            normalized(cross(n, physics::absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+        const Vec3 y = cross(n, x);
+        bool better = false;
+        for (int k = 0; k < 8; k++) {
+            const physics::SinCos at = physics::sin_cos(turn + k * physics::pi / 4);
+            better |= try_one(normalized(n + (x * at.cos + y * at.sin) * ring));
+        }
+        turn += 0.4;
+        if (!better) ring *= 0.5;
+    }
+    return least;
+}
+
+double depth(const ConvexShape auto& shape, const Transform& pose, const Hull& hull,
+             const Transform& pose_of_hull) {
+    return least_overlap(shape, pose, hull, pose_of_hull);
+}
+
+// Whether a point in the plane of a triangle is in it.
+bool is_within(Vec3 point, const std::array<Vec3, 3>& corners, Vec3 normal) {
+    for (std::size_t k = 0; k < 3; k++) {
+        const Vec3 from = corners[k], along = corners[(k + 1) % 3] - from;
+        if (dot(cross(along, point - from), normal) < 0) return false;
+    }
+    return true;
+}
+
+// Where the shape reaches furthest along a direction.
+Vec3 furthest_point(const Sphere& sphere, const Transform& pose, Vec3 n) {
+    return pose.position + n * sphere.radius;
+}
+Vec3 furthest_point(const Capsule& capsule, const Transform& pose, Vec3 n) {
+    const Vec3 reach = rotate(pose.rotation, {0, capsule.half_length, 0});
+    return pose.position + (dot(reach, n) < 0 ? -reach : reach) + n * capsule.radius;
+}
+Vec3 furthest_point(const Box& box, const Transform& pose, Vec3 n) {
+    Vec3 corner = inverse_rotate(pose.rotation, n);
+    for (int k = 0; k < 3; k++) corner[k] = std::copysign(box.half_extents[k], corner[k]);
+    return apply(pose, corner);
+}
+Vec3 furthest_point(const Hull& hull, const Transform& pose, Vec3 n) {
+    const Vec3 in_hull = inverse_rotate(pose.rotation, n);
+    return apply(pose, *std::ranges::max_element(hull.data->vertices, {},
+                                                 [&](const Vec3& v) { return dot(v, in_hull); }));
+}
+
+// Below the surface by more than this is on the other side of it, m.
+constexpr double deepest_in_mesh = 0.5;
+
+double depth(const ConvexShape auto& shape, const Transform& pose, const Mesh& mesh,
+             const Transform& pose_of_mesh) {
+    const Transform in_mesh{apply_inverse(pose_of_mesh, pose.position),
+                            conjugate(pose_of_mesh.rotation) * pose.rotation};
+    const Vec3 reach = reach_of(shape, in_mesh), low = in_mesh.position - reach,
+               high = in_mesh.position + reach;
+    double deepest = 0;
+    for (const auto& triangle : mesh.data->triangles) {
+        const std::array<Vec3, 3> corners = {mesh.data->vertices[triangle[0]],
+                                             mesh.data->vertices[triangle[1]],
+                                             mesh.data->vertices[triangle[2]]};
+        const Vec3 least = min(corners[0], min(corners[1], corners[2])),
+                   most = max(corners[0], max(corners[1], corners[2]));
+        if (least.x > high.x || most.x < low.x || least.z > high.z || most.z < low.z ||
+            least.y > high.y || most.y < low.y)
+            continue;
+        const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const Vec3 point = furthest_point(shape, in_mesh, -normal);
+        const double below = dot(corners[0] - point, normal);
+        if (below > deepest && below < deepest_in_mesh && is_within(point, corners, normal))
+            deepest = below;
+    }
+    return deepest;
+}
+
 struct Bounds {
     Vec3 low, high;
-    std::uint32_t body;
+    std::uint32_t piece;
 };
 
-Bounds bounds_of(std::uint32_t body, const Primitive& primitive, const Transform& pose) {
+Vec3 reach_of(const Mesh& mesh, const Transform& pose) {
+    return reach_of(Box{max(abs(mesh.data->bounds.low), abs(mesh.data->bounds.high))}, pose);
+}
+
+Bounds bounds_of(std::uint32_t piece, const Primitive& primitive, const Transform& pose) {
     const Vec3 reach =
         std::visit([&](const auto& shape) { return reach_of(shape, pose); }, primitive);
-    return {pose.position - reach, pose.position + reach, body};
+    return {pose.position - reach, pose.position + reach, piece};
 }
 
 bool meet(const Bounds& a, const Bounds& b) {
@@ -185,7 +337,8 @@ double penetration_depth(const Primitive& a, const Transform& pose_a, const Prim
     if (a.index() > b.index()) return penetration_depth(b, pose_b, a, pose_a);
     return std::visit(
         [&]<class A, class B>(const A& first, const B& second) {
-            // Only the order sphere, capsule, box has a depth(); the others were turned round.
+            // Only the order sphere, capsule, box, hull, mesh has a depth(); the others were turned
+            // round. Two meshes have none.
             if constexpr (requires { depth(first, pose_a, second, pose_b); })
                 return depth(first, pose_a, second, pose_b);
             else
@@ -203,8 +356,8 @@ AccuracyCheck::AccuracyCheck(const scenes::SceneDescription& scene) {
     std::sort(joined_.begin(), joined_.end());
     for (std::uint32_t k = 0; k < scene.bodies.size(); k++) {
         const scenes::SceneBody& body = scene.bodies[k];
-        shapes_.push_back(primitive_of(body));
-        if (collides(body)) (is_static(body) ? static_ : moving_).push_back(k);
+        if (!collides(body)) continue;
+        for (Part& part : parts_of(body)) pieces_.push_back({k, is_dynamic(body), std::move(part)});
     }
 }
 
@@ -212,24 +365,27 @@ bool AccuracyCheck::joined(std::uint32_t a, std::uint32_t b) const {
     return std::binary_search(joined_.begin(), joined_.end(), pair_key(a, b));
 }
 
-// Sweeps along x. The few static bodies are large and are tried with everyone.
+// Sweeps along x. The few pieces that are not dynamic are large and are tried with everyone.
 Penetration AccuracyCheck::penetration(std::span<const Transform> poses) const {
     Penetration result;
-    std::vector<Bounds> standing, moving;
-    const auto bounds = [&](std::uint32_t body) {
-        return bounds_of(body, shapes_[body], poses[body]);
-    };
-    for (const std::uint32_t body : static_) standing.push_back(bounds(body));
     for (const Transform& pose : poses) result.lost += is_finite(pose) ? 0 : 1;
-    for (const std::uint32_t body : moving_)
-        if (is_finite(poses[body])) moving.push_back(bounds(body));
+    std::vector<Bounds> standing, moving;
+    const auto pose_of = [&](const Piece& piece) {
+        return compose(poses[piece.body], piece.part.pose);
+    };
+    for (std::uint32_t k = 0; k < pieces_.size(); k++) {
+        const Piece& piece = pieces_[k];
+        if (is_finite(poses[piece.body]))
+            (piece.is_dynamic ? moving : standing)
+                .push_back(bounds_of(k, piece.part.shape, pose_of(piece)));
+    }
     std::sort(moving.begin(), moving.end(), [](const Bounds& a, const Bounds& b) {
-        return a.low.x != b.low.x ? a.low.x < b.low.x : a.body < b.body;
+        return a.low.x != b.low.x ? a.low.x < b.low.x : a.piece < b.piece;
     });
-    const auto try_pair = [&](const Bounds& a, const Bounds& b) {
-        if (!meet(a, b) || joined(a.body, b.body)) return;
-        count(result,
-              penetration_depth(shapes_[a.body], poses[a.body], shapes_[b.body], poses[b.body]));
+    const auto try_pair = [&](const Bounds& x, const Bounds& y) {
+        const Piece &a = pieces_[x.piece], &b = pieces_[y.piece];
+        if (a.body == b.body || !meet(x, y) || joined(a.body, b.body)) return;
+        count(result, penetration_depth(a.part.shape, pose_of(a), b.part.shape, pose_of(b)));
     };
     for (std::size_t k = 0; k < moving.size(); k++) {
         for (const Bounds& other : standing) try_pair(moving[k], other);

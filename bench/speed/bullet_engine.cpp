@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
 #include "speed/portable_scene.h"
 
 namespace jostle::bench {
@@ -47,6 +49,21 @@ std::unique_ptr<btCollisionShape> make_shape(const physics::Box& box) {
     return std::make_unique<btBoxShape>(vector(box.half_extents));
 }
 
+// Where a body's centre of mass is and how its principal axes are turned, in the body.
+struct Principal {
+    btTransform frame;
+    btVector3 inertia;
+};
+
+Principal principal_of(const SolidMass& solid) {
+    const physics::Mat3& m = solid.inertia;
+    btMatrix3x3 inertia(scalar(m.x.x), scalar(m.y.x), scalar(m.z.x), scalar(m.x.y), scalar(m.y.y),
+                        scalar(m.z.y), scalar(m.x.z), scalar(m.y.z), scalar(m.z.z));
+    btMatrix3x3 axes;
+    inertia.diagonalize(axes, scalar(1e-6), 20);
+    return {btTransform(axes, vector(solid.center)), {inertia[0][0], inertia[1][1], inertia[2][2]}};
+}
+
 // In the world; its x, y and z axes are the columns.
 btTransform world_frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) {
     const btVector3 cx = vector(x), cy = vector(y), cz = vector(z);
@@ -73,7 +90,7 @@ std::unique_ptr<btTypedConstraint> make_constraint(const JointAxes& axes,
         auto hinge = std::make_unique<btHingeConstraint>(a, b, to_a * frame, to_b * frame);
         // Bullet's hinge angle is that of a against b.
         const physics::JointLimit& limit = jostle_hinge->limit;
-        hinge->setLimit(scalar(-limit.upper), scalar(-limit.lower));
+        if (limit.enabled) hinge->setLimit(scalar(-limit.upper), scalar(-limit.lower));
         return hinge;
     }
     const btVector3 anchor = vector(axes.anchor);
@@ -91,7 +108,10 @@ public:
         if (auto status = check_portable(scene); !status) return status;
         step_seconds_ = 1 / scene.hz;
         world_.setGravity(vector(scene.world.gravity));
-        for (const SceneBody& body : scene.bodies) add_body(body, scene.world.sleeping);
+        const auto masses = solid_masses(scene);
+        if (!masses) return masses.error();
+        for (std::size_t k = 0; k < scene.bodies.size(); k++)
+            add_body(scene.bodies[k], (*masses)[k], scene.world.sleeping);
         for (const SceneJoint& joint : scene.joints) {
             constraints_.push_back(make_constraint(axes_of(scene, joint), joint.joint.kind,
                                                    *bodies_[joint.body_a], *bodies_[joint.body_b]));
@@ -100,10 +120,19 @@ public:
         return {};
     }
 
-    void step() override { world_.stepSimulation(scalar(step_seconds_), 0); }
+    void step() override {
+        for (btRigidBody* body : driven_) {
+            btTransform next;
+            btTransformUtil::integrateTransform(
+                body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
+                scalar(step_seconds_), next);
+            body->setWorldTransform(next);
+        }
+        world_.stepSimulation(scalar(step_seconds_), 0);
+    }
 
     Transform pose(std::uint32_t body) const override {
-        const btTransform& t = bodies_[body]->getWorldTransform();
+        const btTransform t = bodies_[body]->getWorldTransform() * frames_[body].inverse();
         const btVector3& at = t.getOrigin();
         const btQuaternion q = t.getRotation();
         return {{at.x(), at.y(), at.z()}, {q.x(), q.y(), q.z(), q.w()}};
@@ -120,47 +149,107 @@ public:
     }
 
     int awake() const override {
-        return static_cast<int>(std::ranges::count_if(
-            bodies_, [](const auto& body) { return !body->isStaticObject() && body->isActive(); }));
+        return static_cast<int>(std::ranges::count_if(bodies_, [](const auto& body) {
+            return !body->isStaticOrKinematicObject() && body->isActive();
+        }));
     }
 
 private:
-    // Bodies of one geometry share a shape, as Bullet's manual asks for.
-    btCollisionShape* shape_of(const Primitive& primitive) {
+    // Bodies of one geometry share a shape, as Bullet's manual asks for. A hull is told in the
+    // frame that all bodies of this shape have.
+    btCollisionShape* shape_of(const Primitive& primitive, const btTransform& frame) {
         for (const auto& [known, shape] : shapes_)
             if (known == primitive) return shape.get();
-        shapes_.emplace_back(
-            primitive, std::visit([](const auto& shape) { return make_shape(shape); }, primitive));
-        return shapes_.back().second.get();
+        shapes_.emplace_back(primitive, nullptr);
+        std::unique_ptr<btCollisionShape>& made = shapes_.back().second;
+        if (const auto* hull = std::get_if<physics::Hull>(&primitive)) {
+            auto convex = std::make_unique<btConvexHullShape>();
+            const btTransform into = frame.inverse();
+            for (const Vec3& v : hull->data->vertices) convex->addPoint(into * vector(v), false);
+            convex->recalcLocalAabb();
+            made = std::move(convex);
+        } else if (const auto* mesh = std::get_if<physics::Mesh>(&primitive)) {
+            auto triangles = std::make_unique<btTriangleMesh>();
+            const auto& at = mesh->data->vertices;
+            for (const auto& corner : mesh->data->triangles)
+                triangles->addTriangle(vector(at[corner[0]]), vector(at[corner[1]]),
+                                       vector(at[corner[2]]));
+            made = std::make_unique<btBvhTriangleMeshShape>(triangles.get(), true);
+            meshes_.push_back(std::move(triangles));
+        } else {
+            made = std::visit(
+                []<class Shape>(const Shape& shape) -> std::unique_ptr<btCollisionShape> {
+                    if constexpr (requires { make_shape(shape); })
+                        return make_shape(shape);
+                    else
+                        return nullptr;
+                },
+                primitive);
+        }
+        return made.get();
     }
 
-    void add_body(const SceneBody& body, bool sleep) {
+    // One hull is told about its centre of mass; else parts that are off it make a compound.
+    btCollisionShape* shape_of(const std::vector<Part>& parts, const btTransform& frame) {
+        const bool is_hull = std::holds_alternative<physics::Hull>(parts[0].shape);
+        if (parts.size() == 1 && parts[0].pose == Transform{} &&
+            (is_hull || frame == btTransform::getIdentity()))
+            return shape_of(parts[0].shape, frame);
+        auto compound = std::make_unique<btCompoundShape>();
+        for (const Part& part : parts)
+            compound->addChildShape(frame.inverse() * transform(part.pose),
+                                    shape_of(part.shape, btTransform::getIdentity()));
+        compounds_.push_back(std::move(compound));
+        return compounds_.back().get();
+    }
+
+    void add_body(const SceneBody& body, const SolidMass& solid, bool sleep) {
         const physics::BodyDef& def = body.body;
-        const Primitive primitive = primitive_of(body);
-        const SolidMass solid = is_static(body) ? SolidMass{} : solid_mass(body);
-        btRigidBody::btRigidBodyConstructionInfo info(scalar(solid.mass), nullptr,
-                                                      shape_of(primitive), vector(solid.inertia));
-        info.m_startWorldTransform = transform(def.pose);
+        const std::vector<Part> parts = parts_of(body);
+        // Of what has one primitive in its middle Bullet knows the axes.
+        const bool is_plain = parts.size() == 1 && parts[0].pose == Transform{} &&
+                              !std::holds_alternative<physics::Hull>(parts[0].shape);
+        Principal principal{
+            btTransform::getIdentity(),
+            {scalar(solid.inertia.x.x), scalar(solid.inertia.y.y), scalar(solid.inertia.z.z)}};
+        if (is_dynamic(body) && !is_plain) principal = principal_of(solid);
+        frames_.push_back(principal.frame);
+        btRigidBody::btRigidBodyConstructionInfo info(
+            scalar(solid.mass), nullptr, shape_of(parts, principal.frame), principal.inertia);
+        info.m_startWorldTransform = transform(def.pose) * principal.frame;
         // Bullet multiplies the two.
         info.m_friction = scalar(std::sqrt(body.shapes[0].material.friction));
         info.m_restitution = 0;
         info.m_linearDamping = scalar(def.linear_damping);
         info.m_angularDamping = scalar(def.angular_damping);
         auto rigid = std::make_unique<btRigidBody>(info);
+        if (!is_dynamic(body) && !is_static(body)) {
+            rigid->setCollisionFlags(rigid->getCollisionFlags() |
+                                     btCollisionObject::CF_KINEMATIC_OBJECT);
+            driven_.push_back(rigid.get());
+        }
         rigid->setLinearVelocity(vector(def.linear_velocity));
         rigid->setAngularVelocity(vector(def.angular_velocity));
-        if (!sleep && !is_static(body)) rigid->setActivationState(DISABLE_DEACTIVATION);
-        // Sweeps must be asked for: whoever would pass its own width in a step is swept.
-        if (const auto* sphere = std::get_if<physics::Sphere>(&primitive);
-            sphere && length(def.linear_velocity) * step_seconds_ > 2 * sphere->radius) {
-            rigid->setCcdMotionThreshold(scalar(0.75 * sphere->radius));
-            rigid->setCcdSweptSphereRadius(scalar(0.5 * sphere->radius));
-        }
+        if ((!sleep && is_dynamic(body)) || rigid->isKinematicObject())
+            rigid->setActivationState(DISABLE_DEACTIVATION);
+        sweep_if_fast(*rigid, parts, def.linear_velocity);
         if (collides(body))
             world_.addRigidBody(rigid.get());
         else
             world_.addRigidBody(rigid.get(), btBroadphaseProxy::DefaultFilter, 0);
         bodies_.push_back(std::move(rigid));
+    }
+
+    // Sweeps must be asked for: whoever would pass its own width in a step is swept.
+    void sweep_if_fast(btRigidBody& rigid, const std::vector<Part>& parts, Vec3 velocity) const {
+        double radius = 0;  // of a ball inside
+        if (const auto* sphere = std::get_if<physics::Sphere>(&parts[0].shape))
+            radius = sphere->radius;
+        if (const auto* box = std::get_if<physics::Box>(&parts[0].shape))
+            radius = std::min({box->half_extents.x, box->half_extents.y, box->half_extents.z});
+        if (parts.size() != 1 || length(velocity) * step_seconds_ <= 2 * radius) return;
+        rigid.setCcdMotionThreshold(scalar(0.75 * radius));
+        rigid.setCcdSweptSphereRadius(scalar(0.5 * radius));
     }
 
     btDefaultCollisionConfiguration configuration_;
@@ -170,7 +259,11 @@ private:
     btDiscreteDynamicsWorld world_{&dispatcher_, &broad_phase_, &solver_, &configuration_};
     double step_seconds_ = 0;
     std::vector<std::pair<Primitive, std::unique_ptr<btCollisionShape>>> shapes_;
+    std::vector<std::unique_ptr<btTriangleMesh>> meshes_;
+    std::vector<std::unique_ptr<btCompoundShape>> compounds_;
+    std::vector<btTransform> frames_;  // of each body's centre of mass and axes, in the body
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
+    std::vector<btRigidBody*> driven_;  // kinematic
     std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
 };
 

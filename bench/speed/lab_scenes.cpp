@@ -19,6 +19,18 @@ constexpr LabScene table[] = {
     {.letter = "g", .name = "lab_joint_grid_10000"},
     {.letter = "h", .name = "lab_asleep_10000", .asleep_first = true},
     {.letter = "i", .name = "lab_bullets_1000", .steps = 120, .tunnelled_beyond_x = 0},
+    {.letter = "trees", .name = "lab_trees"},
+    {.letter = "convex_pile", .name = "lab_convex_pile"},
+    {.letter = "washer", .name = "lab_washer"},
+    {.letter = "hull_terrain", .name = "lab_hull_terrain"},
+    {.letter = "chain", .name = "lab_chain"},
+    {.letter = "rain", .name = "lab_rain"},
+    {.letter = "vehicles", .name = "lab_vehicles"},
+    {.letter = "rods", .name = "lab_rods"},
+    {.letter = "box_shot", .name = "lab_box_shot", .steps = 240, .tunnelled_beyond_x = 0.25},
+    {.letter = "brick_wall", .name = "lab_brick_wall", .sleeps = true},
+    {.letter = "l_shapes", .name = "lab_l_shapes"},
+    {.letter = "junkyard", .name = "lab_junkyard"},
 };
 
 }  // namespace

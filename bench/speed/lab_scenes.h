@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The catalogue's scenes that are measured, by letter, and what is done with each that a scene does
-// not say: how long it runs, who is driven, what counts as gone through a wall.
+// The catalogue's scenes that are measured, by letter or word, and what is done with each that a
+// scene does not say: how long it runs, who is driven, what counts as gone through a wall.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct LabScene {
     const char* letter;
     const char* name;  // in the catalogue
     int steps = 600;
-    bool asleep_first = false;                 // sleep is on, and the clock starts when all sleep
+    bool sleeps = false;                       // sleep is on, whatever is asked for
+    bool asleep_first = false;                 // as well, and the clock starts when all sleep
     std::optional<std::string_view> player;    // the body of this name is driven in a circle
     std::optional<double> tunnelled_beyond_x;  // m: who ends there went through the wall
 };

@@ -20,6 +20,7 @@ using scenes::SceneDescription;
 
 constexpr int most_steps_to_sleep = 600;
 constexpr double moving_speed = 0.05;  // m/s
+constexpr double moving_share = 0.05;  // of the dynamic bodies: fewer, and all is at rest
 constexpr int steps_between_looks = 10;
 // A step of a world asleep takes less than reading the clock does.
 constexpr int steps_per_reading_asleep = 20;
@@ -31,6 +32,7 @@ public:
         : scene_(scene),
           asleep_first_(request.scene->asleep_first),
           player_(player_of(*request.scene, scene)),
+          dynamic_(std::ranges::count_if(scene.bodies, is_dynamic)),
           engine_(request.engine->make()),
           label_(std::string(request.scene->letter) + " " + request.scene->name + ", " +
                  request.engine->name + ", threads " + std::to_string(request.threads) + ": " +
@@ -70,9 +72,10 @@ public:
     int moving() const {
         int count = 0;
         for (std::uint32_t k = 0; k < scene_.bodies.size(); k++)
-            if (length(engine_->velocity(k)) > moving_speed) count++;
+            count += is_dynamic(scene_.bodies[k]) && length(engine_->velocity(k)) > moving_speed;
         return count;
     }
+    bool is_moving() const { return moving() > moving_share * static_cast<double>(dynamic_); }
     const std::vector<Transform>& poses() {
         poses_.resize(scene_.bodies.size());
         for (std::uint32_t k = 0; k < poses_.size(); k++) poses_[k] = engine_->pose(k);
@@ -90,6 +93,7 @@ private:
     const SceneDescription& scene_;
     bool asleep_first_;
     std::optional<std::uint32_t> player_;
+    std::ptrdiff_t dynamic_;  // bodies
     std::unique_ptr<Engine> engine_;
     std::string label_;
     std::optional<int> asleep_at_;
@@ -127,7 +131,7 @@ double percentile_99(std::vector<double> values) {
 double highest(const SceneDescription& scene, const std::vector<Transform>& poses) {
     double top = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < poses.size(); k++)
-        if (!is_static(scene.bodies[k]) && is_finite(poses[k]))
+        if (is_dynamic(scene.bodies[k]) && is_finite(poses[k]))
             top = std::max(top, poses[k].position.y);
     return 1e-4 * std::round(1e4 * top);
 }
@@ -137,17 +141,31 @@ std::optional<int> count_tunnelled(const LabScene& lab_scene, const SceneDescrip
     if (!lab_scene.tunnelled_beyond_x) return std::nullopt;
     int count = 0;
     for (std::size_t k = 0; k < poses.size(); k++)
-        count += !is_static(scene.bodies[k]) && poses[k].position.x > *lab_scene.tunnelled_beyond_x;
+        count += is_dynamic(scene.bodies[k]) && poses[k].position.x > *lab_scene.tunnelled_beyond_x;
     return count;
 }
 
-// The second run of the same steps: every tenth step and the last are looked at.
-void measure_accuracy(SpeedRow& row, const SceneDescription& scene, Run& run) {
+// Time while all moves and while it rests; of a block of steps its first counts.
+void split_by_motion(SpeedRow& row, const std::vector<double>& ms,
+                     const std::vector<bool>& is_moving) {
+    std::vector<double> moving, resting;
+    const std::size_t block = (is_moving.size() + ms.size() - 1) / ms.size();
+    for (std::size_t k = 1; k < ms.size(); k++)
+        (is_moving[k * block] ? moving : resting).push_back(ms[k]);
+    if (!moving.empty()) row.ms_moving_mean = rounded(mean(moving));
+    if (!resting.empty()) row.ms_rest_mean = rounded(mean(resting));
+}
+
+// The second run of the same steps: every tenth step and the last are looked at. Says in which
+// steps all moved.
+std::vector<bool> measure_accuracy(SpeedRow& row, const SceneDescription& scene, Run& run) {
+    std::vector<bool> is_moving;
     const AccuracyCheck check(scene);
     double peak = 0, peak_drift = 0;
     for (int k = 1; k <= row.steps; k++) {
         run.prepare(k - 1);
         run.step();
+        is_moving.push_back(run.is_moving());
         if (k % steps_between_looks != 0 && k != row.steps) continue;
         const std::vector<Transform>& poses = run.poses();
         const Penetration now = check.penetration(poses);
@@ -163,6 +181,7 @@ void measure_accuracy(SpeedRow& row, const SceneDescription& scene, Run& run) {
     }
     row.peak_penetration_m = rounded(peak);
     if (!scene.joints.empty()) row.peak_joint_drift_m = rounded(peak_drift);
+    return is_moving;
 }
 
 SpeedRow named_row(const RowRequest& request) {
@@ -173,16 +192,23 @@ SpeedRow named_row(const RowRequest& request) {
             .steps = request.steps};
 }
 
-// Fills in what the clock, the memory and the last poses say; the poses are the answer.
-physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowRequest& request,
-                                                  const SceneDescription& scene) {
+struct TimedRun {
+    std::vector<double> ms;        // of each step, or block of steps
+    std::vector<Transform> poses;  // at the end
+};
+
+// Fills in what the clock, the memory and the last poses say.
+physics::Result<TimedRun> run_timed(SpeedRow& row, const RowRequest& request,
+                                    const SceneDescription& scene) {
     Run run(request, scene, "timing");
     if (auto status = run.start(); !status) return status.error();
     const StepClock clock{request.threads};
-    const auto ms = time_steps(run, clock, row.steps,
-                               request.scene->asleep_first ? steps_per_reading_asleep : 1);
+    std::vector<double> ms = time_steps(run, clock, row.steps,
+                                        request.scene->asleep_first ? steps_per_reading_asleep : 1);
     row.ms_mean = rounded(mean(ms));
     row.ms_p99 = rounded(percentile_99(ms));
+    row.ms_first = rounded(ms[0]);
+    row.ms_worst = rounded(ms.size() == 1 ? ms[0] : *std::max_element(ms.begin() + 1, ms.end()));
     row.clock = clock.name();
     row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
     if (run.sleep_allowed()) {
@@ -190,11 +216,11 @@ physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowReques
         row.moving_at_end = run.moving();
     }
     row.top_m = highest(scene, run.poses());
-    const std::vector<Transform> poses = run.poses();
+    std::vector<Transform> poses = run.poses();
     row.tunnelled = count_tunnelled(*request.scene, scene, poses);
     run.let_player_go(row.steps);
     row.asleep_at_step = run.asleep_at();
-    return poses;
+    return TimedRun{std::move(ms), std::move(poses)};
 }
 
 }  // namespace
@@ -202,11 +228,11 @@ physics::Result<std::vector<Transform>> run_timed(SpeedRow& row, const RowReques
 SpeedRow measure_row(const RowRequest& request) {
     SceneDescription scene = build(*request.scene);
     scene.world.threads = request.threads;
-    scene.world.sleeping = request.sleep || request.scene->asleep_first;
+    scene.world.sleeping = request.sleep || request.scene->sleeps || request.scene->asleep_first;
     SpeedRow row = named_row(request);
     row.bodies = static_cast<int>(scene.bodies.size());
     if (row.steps == 0) row.steps = request.scene->steps;
-    const auto timed = run_timed(row, request, scene);
+    auto timed = run_timed(row, request, scene);
     if (!timed) {
         row.failed = timed.error().message;
         return row;
@@ -217,8 +243,8 @@ SpeedRow measure_row(const RowRequest& request) {
         row.failed = status.error().message;
         return row;
     }
-    measure_accuracy(row, scene, again);
-    row.repeats = again.poses() == *timed;
+    split_by_motion(row, timed->ms, measure_accuracy(row, scene, again));
+    row.repeats = again.poses() == timed->poses;
     return row;
 }
 

@@ -39,19 +39,24 @@ dGeomID make_geom(const physics::Box& box) {
     return dCreateBox(nullptr, sides.x, sides.y, sides.z);
 }
 
-dMass ode_mass(const SceneBody& body) {
-    const SolidMass solid = solid_mass(body);
+dMass ode_mass(const SolidMass& solid) {
+    const physics::Mat3& m = solid.inertia;
     dMass mass;
-    dMassSetParameters(&mass, solid.mass, 0, 0, 0, solid.inertia.x, solid.inertia.y,
-                       solid.inertia.z, 0, 0, 0);
+    dMassSetParameters(&mass, solid.mass, 0, 0, 0, m.x.x, m.y.y, m.z.z, m.x.y, m.x.z, m.y.z);
     return mass;
 }
 
 // ODE's capsules lie along z, the scenes' along y.
-Quat geom_rotation(const SceneBody& body) {
-    return std::holds_alternative<physics::Capsule>(primitive_of(body))
-               ? physics::from_axis_angle({1, 0, 0}, -0.5 * physics::pi)
-               : Quat{};
+Transform geom_pose(const Part& part) {
+    if (!std::holds_alternative<physics::Capsule>(part.shape)) return part.pose;
+    return {part.pose.position,
+            part.pose.rotation * physics::from_axis_angle({1, 0, 0}, -0.5 * physics::pi)};
+}
+
+// ODE collides its convex shapes and meshes with some others only.
+bool has_geom(const Part& part) {
+    return !std::holds_alternative<physics::Hull>(part.shape) &&
+           !std::holds_alternative<physics::Mesh>(part.shape);
 }
 
 class OdeEngine final : public Engine {
@@ -84,7 +89,13 @@ public:
         dWorldSetLinearDampingThreshold(world_, 0);
         dWorldSetAngularDampingThreshold(world_, 0);
         dWorldSetAutoDisableFlag(world_, scene.world.sleeping ? 1 : 0);
-        for (const SceneBody& body : scene.bodies) add_body(body);
+        const auto masses = solid_masses(scene);
+        if (!masses) return masses.error();
+        for (std::size_t k = 0; k < scene.bodies.size(); k++) {
+            if (!std::ranges::all_of(parts_of(scene.bodies[k]), has_geom))
+                return physics::Error{.message = "ode: hulls and meshes do not collide with all"};
+            add_body(scene.bodies[k], (*masses)[k]);
+        }
         for (const SceneJoint& joint : scene.joints) {
             // Whom a joint keeps from colliding ODE knows by their bodies, and a static one has
             // none.
@@ -106,7 +117,8 @@ public:
         const dBodyID id = bodies_[body];
         if (id == nullptr) return scene_->bodies[body].body.pose;
         const dReal *at = dBodyGetPosition(id), *q = dBodyGetQuaternion(id);
-        return {{at[0], at[1], at[2]}, {q[1], q[2], q[3], q[0]}};
+        const Quat rotation{q[1], q[2], q[3], q[0]};
+        return {Vec3{at[0], at[1], at[2]} - rotate(rotation, centers_[body]), rotation};
     }
 
     Vec3 velocity(std::uint32_t body) const override {
@@ -133,7 +145,9 @@ private:
         return static_cast<const SceneBody*>(dGeomGetData(geom))->shapes[0].material.friction;
     }
 
-    static bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 0; }
+    static bool is_awake(dBodyID body) {
+        return body != nullptr && dBodyIsKinematic(body) == 0 && dBodyIsEnabled(body) != 0;
+    }
 
     void collide(dGeomID a, dGeomID b) {
         const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
@@ -149,37 +163,61 @@ private:
         }
     }
 
-    // A static body is none at all in ODE, only a geom.
-    void add_body(const SceneBody& body) {
-        const dGeomID geom =
-            std::visit([](const auto& shape) { return make_geom(shape); }, primitive_of(body));
-        dGeomSetData(geom, const_cast<SceneBody*>(&body));
-        if (collides(body))
-            dSpaceAdd(space_, geom);
-        else
-            loose_geoms_.push_back(geom);
-        bodies_.push_back(is_static(body) ? nullptr : add_moving(body, geom));
-        if (!is_static(body)) return;
-        const auto& [at, rotation] = body.body.pose;
-        dGeomSetPosition(geom, at.x, at.y, at.z);
-        dGeomSetQuaternion(geom, OdeQuaternion(rotation * geom_rotation(body)).values);
+    // A static body is none at all in ODE, only geoms.
+    void add_body(const SceneBody& body, const SolidMass& solid) {
+        centers_.push_back(solid.center);
+        bodies_.push_back(is_static(body) ? nullptr : add_moving(body, solid));
+        for (const Part& part : parts_of(body)) {
+            const dGeomID geom = std::visit(
+                []<class Shape>(const Shape& shape) -> dGeomID {
+                    if constexpr (requires { make_geom(shape); })
+                        return make_geom(shape);
+                    else
+                        return nullptr;
+                },
+                part.shape);
+            dGeomSetData(geom, const_cast<SceneBody*>(&body));
+            if (collides(body))
+                dSpaceAdd(space_, geom);
+            else
+                loose_geoms_.push_back(geom);
+            place(geom, body, geom_pose(part));
+        }
     }
 
-    dBodyID add_moving(const SceneBody& body, dGeomID geom) {
+    void place(dGeomID geom, const SceneBody& body, const Transform& in_body) {
+        if (const dBodyID id = bodies_.back()) {
+            const Vec3 at = in_body.position - centers_.back();
+            dGeomSetBody(geom, id);
+            dGeomSetOffsetPosition(geom, at.x, at.y, at.z);
+            dGeomSetOffsetQuaternion(geom, OdeQuaternion(in_body.rotation).values);
+            return;
+        }
+        const auto [at, rotation] = compose(body.body.pose, in_body);
+        dGeomSetPosition(geom, at.x, at.y, at.z);
+        dGeomSetQuaternion(geom, OdeQuaternion(rotation).values);
+    }
+
+    dBodyID add_moving(const SceneBody& body, const SolidMass& solid) {
         const dBodyID id = dBodyCreate(world_);
-        const dMass mass = ode_mass(body);
-        dBodySetMass(id, &mass);
-        dGeomSetBody(geom, id);
-        dGeomSetOffsetQuaternion(geom, OdeQuaternion(geom_rotation(body)).values);
+        if (is_dynamic(body)) {
+            const dMass mass = ode_mass(solid);
+            dBodySetMass(id, &mass);
+        } else {
+            dBodySetKinematic(id);
+        }
         const physics::BodyDef& def = body.body;
-        const Vec3 at = def.pose.position, v = def.linear_velocity, w = def.angular_velocity;
+        const Vec3 at = apply(def.pose, solid.center), v = def.linear_velocity,
+                   w = def.angular_velocity;
         dBodySetPosition(id, at.x, at.y, at.z);
         dBodySetQuaternion(id, OdeQuaternion(def.pose.rotation).values);
         dBodySetLinearVel(id, v.x, v.y, v.z);
         dBodySetAngularVel(id, w.x, w.y, w.z);
         // A fraction of the velocity a step, where the scenes have one a second.
-        dBodySetLinearDamping(id, def.linear_damping * step_seconds_);
-        dBodySetAngularDamping(id, def.angular_damping * step_seconds_);
+        if (is_dynamic(body)) {
+            dBodySetLinearDamping(id, def.linear_damping * step_seconds_);
+            dBodySetAngularDamping(id, def.angular_damping * step_seconds_);
+        }
         return id;
     }
 
@@ -202,6 +240,7 @@ private:
         dJointAttach(hinge, a, b);
         dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
         dJointSetHingeAxis(hinge, axis.x, axis.y, axis.z);
+        if (!limit.enabled) return;
         // ODE's hinge angle is that of a against b.
         dJointSetHingeParam(hinge, dParamLoStop, -limit.upper);
         dJointSetHingeParam(hinge, dParamHiStop, -limit.lower);
@@ -231,6 +270,7 @@ private:
     dSpaceID space_ = nullptr;
     dJointGroupID contacts_ = nullptr;
     std::vector<dBodyID> bodies_;       // null: static
+    std::vector<Vec3> centers_;         // of mass, in each body, m
     std::vector<dGeomID> loose_geoms_;  // in no space: these collide with nothing
 };
 

@@ -8,7 +8,6 @@ namespace jostle::bench {
 namespace {
 
 using physics::BodyDef;
-using physics::pi;
 using physics::ShapeKind;
 using physics::Transform;
 using physics::Vec3;
@@ -21,12 +20,16 @@ constexpr double together = 1e-9;  // m, and part of a turn
 // What a body or joint is or has that is not portable; null when nothing.
 using Fault = const char*;
 
+bool is_mesh(const physics::ShapeDef& shape) {
+    return kind_of(shape.geometry) == ShapeKind::mesh;
+}
+
 Fault fault_of(const physics::ShapeDef& shape) {
     const physics::Filter& filter = shape.filter;
     const ShapeKind kind = kind_of(shape.geometry);
-    if (kind != ShapeKind::sphere && kind != ShapeKind::capsule && kind != ShapeKind::box)
-        return "is no sphere, capsule or box";
-    if (shape.pose != Transform{}) return "has a shape that is off its middle";
+    if (kind != ShapeKind::sphere && kind != ShapeKind::capsule && kind != ShapeKind::box &&
+        kind != ShapeKind::hull && kind != ShapeKind::mesh)
+        return "is no sphere, capsule, box, hull or mesh";
     if (shape.mass != 0) return "has a given mass; give it a density";
     if (shape.trigger) return "is a trigger";
     if (shape.material != physics::Material{.friction = shape.material.friction})
@@ -38,20 +41,24 @@ Fault fault_of(const physics::ShapeDef& shape) {
 
 Fault fault_of(const SceneBody& body) {
     const BodyDef& def = body.body;
-    if (def.type == physics::BodyType::kinematic) return "is kinematic";
     if (def.gravity_scale != 1) return "has a gravity of its own";
     if (def.locks != 0) return "has locked axes";
     if (def.mass != 0) return "has a given mass; give it a density";
     if (!def.sleep_allowed) return "may not sleep";
-    if (body.shapes.size() != 1) return "has not one shape";
-    return fault_of(body.shapes[0]);
+    for (const physics::ShapeDef& shape : body.shapes) {
+        if (const Fault fault = fault_of(shape)) return fault;
+        if (is_mesh(shape) && !is_static(body)) return "is a mesh that moves";
+        if (shape.material != body.shapes[0].material) return "has shapes of different friction";
+        if (shape.filter != body.shapes[0].filter) return "has shapes that collide differently";
+    }
+    return nullptr;
 }
 
 Fault fault_of_kind(const physics::JointKind& kind) {
     if (const auto* hinge = std::get_if<physics::HingeJoint>(&kind))
-        return *hinge == physics::HingeJoint{.limit = hinge->limit} && hinge->limit.enabled
+        return *hinge == physics::HingeJoint{.limit = hinge->limit}
                    ? nullptr
-                   : "is a hinge of more than limits, or without";
+                   : "is a hinge of more than limits";
     if (const auto* shoulder = std::get_if<physics::ConeTwistJoint>(&kind))
         return shoulder->friction_torque == 0 && shoulder->twist.enabled
                    ? nullptr
@@ -81,28 +88,6 @@ physics::Error not_portable(const char* list, std::size_t index, const std::stri
                 "; other engines could not be given the same"};
 }
 
-SolidMass mass_of(const physics::Sphere& sphere, double density) {
-    const double r = sphere.radius, mass = density * 4 / 3 * pi * r * r * r,
-                 turn = 0.4 * mass * r * r;
-    return {mass, {turn, turn, turn}};
-}
-
-SolidMass mass_of(const physics::Box& box, double density) {
-    const Vec3 h = box.half_extents, s = scaled(h, h);
-    const double mass = density * 8 * h.x * h.y * h.z;
-    return {mass, Vec3{s.y + s.z, s.x + s.z, s.x + s.y} * (mass / 3)};
-}
-
-// A cylinder and two half balls, each of which has its own centre 3/8 r from its disc.
-SolidMass mass_of(const physics::Capsule& capsule, double density) {
-    const double r = capsule.radius, length = 2 * capsule.half_length;
-    const double tube = density * pi * r * r * length, ball = density * 4 / 3 * pi * r * r * r;
-    const double along = tube * r * r / 2 + ball * 0.4 * r * r;
-    const double across = tube * (length * length / 12 + r * r / 4) +
-                          ball * (0.4 * r * r + length * length / 4 + 3.0 / 8 * length * r);
-    return {tube + ball, {across, along, across}};
-}
-
 }  // namespace
 
 physics::Status check_portable(const SceneDescription& scene) {
@@ -118,15 +103,23 @@ physics::Status check_portable(const SceneDescription& scene) {
     return {};
 }
 
-Primitive primitive_of(const SceneBody& body) {
-    return std::visit(
-        [&]<class Shape>(const Shape& shape) -> Primitive {
-            if constexpr (std::is_constructible_v<Primitive, Shape>)
-                return shape;
-            else
-                throw std::logic_error("'" + body.name + "' is no sphere, capsule or box");
-        },
-        body.shapes.at(0).geometry);
+std::vector<Part> parts_of(const SceneBody& body) {
+    std::vector<Part> parts;
+    for (const physics::ShapeDef& shape : body.shapes)
+        parts.push_back({std::visit(
+                             [&]<class Shape>(const Shape& one) -> Primitive {
+                                 if constexpr (std::is_constructible_v<Primitive, Shape>)
+                                     return one;
+                                 else
+                                     throw std::logic_error("'" + body.name + "' is not portable");
+                             },
+                             shape.geometry),
+                         shape.pose});
+    return parts;
+}
+
+bool is_dynamic(const SceneBody& body) {
+    return body.body.type == physics::BodyType::dynamic;
 }
 
 bool is_static(const SceneBody& body) {
@@ -137,9 +130,17 @@ bool collides(const SceneBody& body) {
     return body.shapes[0].filter.mask != 0;
 }
 
-SolidMass solid_mass(const SceneBody& body) {
-    return std::visit([&](const auto& shape) { return mass_of(shape, body.shapes[0].density); },
-                      primitive_of(body));
+physics::Result<std::vector<SolidMass>> solid_masses(const SceneDescription& scene) {
+    const auto built = scenes::build_scene(scene);
+    if (!built) return built.error();
+    std::vector<SolidMass> masses;
+    for (const physics::BodyId id : built->bodies) {
+        const physics::BodyState body = built->world.body(id).value();
+        const physics::Mat3 axes = to_matrix(body.pose.rotation);
+        masses.push_back({body.mass, apply_inverse(body.pose, body.center),
+                          transpose(axes) * body.inertia * axes});
+    }
+    return masses;
 }
 
 JointAxes axes_of(const SceneDescription& scene, const SceneJoint& joint) {

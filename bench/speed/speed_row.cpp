@@ -24,6 +24,10 @@ void visit_figures(Row& row, Field&& field) {
     field("bodies", row.bodies);
     field("ms_mean", row.ms_mean);
     field("ms_p99", row.ms_p99);
+    field("ms_worst", row.ms_worst);
+    field("ms_first", row.ms_first);
+    field("ms_moving_mean", row.ms_moving_mean);
+    field("ms_rest_mean", row.ms_rest_mean);
     field("clock", row.clock);
     field("max_penetration_m", row.max_penetration_m);
     field("peak_penetration_m", row.peak_penetration_m);

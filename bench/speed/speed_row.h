@@ -19,7 +19,12 @@ struct SpeedRow {
 
     int bodies = 0;
     double ms_mean = 0, ms_p99 = 0;  // of a step
-    std::string clock;               // "cpu": of the thread that steps; "wall"
+    double ms_first = 0;             // the first step, in which all is found for the first time
+    double ms_worst = 0;             // of all but the first
+    // While a twentieth of the dynamic bodies are faster than 5 cm/s, and while not; without the
+    // first step. Null where there are no such steps, or no check for accuracy.
+    std::optional<double> ms_moving_mean, ms_rest_mean;
+    std::string clock;  // "cpu": of the thread that steps; "wall"
 
     // The accuracy check's; null without it, and those of joints where there are none.
     std::optional<double> max_penetration_m, peak_penetration_m, mean_penetration_m;

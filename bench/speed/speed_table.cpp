@@ -19,6 +19,10 @@ std::string millimetres(const std::optional<double>& metres) {
     return metres ? print("%.3g", 1e3 * *metres) : nothing;
 }
 
+std::string milliseconds(const std::optional<double>& value) {
+    return value ? print("%.4g", *value) : nothing;
+}
+
 std::string count(const std::optional<int>& value) {
     return value ? std::to_string(*value) : nothing;
 }
@@ -38,14 +42,15 @@ std::string remarks(const SpeedRow& row) {
 }
 
 std::string identity(const std::string& first, const std::string& engine, int threads) {
-    return print("%-22s %-7s %3d", first.c_str(), engine.c_str(), threads);
+    return print("%-30s %-7s %3d", first.c_str(), engine.c_str(), threads);
 }
 
 }  // namespace
 
 std::string speed_heading() {
-    return print("%-22s %-7s %3s %6s %5s %9s %9s %5s", "scene", "engine", "thr", "bodies", "steps",
-                 "ms_mean", "ms_p99", "clock") +
+    return print("%-30s %-7s %3s %6s %5s %9s %9s %9s %9s %9s %9s %5s", "scene", "engine", "thr",
+                 "bodies", "steps", "ms_mean", "moving", "rest", "ms_p99", "ms_worst", "ms_first",
+                 "clock") +
            print(" %8s %8s %8s %6s %8s %8s", "deep_mm", "peak_mm", "mean_mm", ">1cm", "drift_mm",
                  "worst_mm") +
            print(" %6s %6s %6s %8s %6s %6s", "asleep", "awake", "moving", "top_m", "tunnel", "MiB");
@@ -54,8 +59,9 @@ std::string speed_heading() {
 std::string speed_line(const SpeedRow& row) {
     const std::string start = identity(row.scene + " " + row.name, row.engine, row.threads);
     if (row.failed) return start + "  failed: " + *row.failed;
-    return start +
-           print(" %6d %5d %9.4g %9.4g %5s", row.bodies, row.steps, row.ms_mean, row.ms_p99,
+    return start + print(" %6d %5d %9.4g", row.bodies, row.steps, row.ms_mean) +
+           cell(milliseconds(row.ms_moving_mean), 9) + cell(milliseconds(row.ms_rest_mean), 9) +
+           print(" %9.4g %9.4g %9.4g %5s", row.ms_p99, row.ms_worst, row.ms_first,
                  row.clock.c_str()) +
            cell(millimetres(row.max_penetration_m), 8) +
            cell(millimetres(row.peak_penetration_m), 8) +
@@ -67,7 +73,7 @@ std::string speed_line(const SpeedRow& row) {
 }
 
 std::string growth_heading() {
-    return print("%-22s %-7s %3s %8s %5s %10s", "bodies", "engine", "thr", "ms_mean", "clock",
+    return print("%-30s %-7s %3s %8s %5s %10s", "bodies", "engine", "thr", "ms_mean", "clock",
                  "bytes/body");
 }
 

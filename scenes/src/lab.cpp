@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lab_parts.h"
 #include "lab_ragdoll.h"
 #include "parts.h"
 
@@ -12,42 +13,17 @@ using namespace physics;
 
 namespace {
 
-// What is the same for all, whatever the defaults become.
-SceneDescription finished(SceneDescription scene) {
-    scene.world.gravity = {0, -9.81, 0};
-    for (SceneBody& body : scene.bodies) {
-        body.body.linear_damping = body.body.angular_damping = 0.05;
-        body.shapes[0].density = 1000;
-        body.shapes[0].material = {.friction = 0.5, .restitution = 0};
-    }
-    return scene;
-}
-
-void add_floor(SceneDescription& scene, double half_width) {
-    scene.bodies.push_back(fixed_box("floor", {0, -1, 0}, {half_width, 1, half_width}));
-}
-
 void add_cube(SceneDescription& scene, const char* name, double half_width, Vec3 center) {
     scene.bodies.push_back(loose(name, center, Box{{half_width, half_width, half_width}}));
 }
 
 SceneDescription flat_pyramid(int base, double pitch) {
     SceneDescription scene;
-    add_floor(scene, 200);
+    add_lab_floor(scene, 200);
     for (int row = 0; row < base; row++)
         for (int k = 0; k < base - row; k++)
             add_cube(scene, "box", 0.5, {(k - (base - row - 1) * 0.5) * pitch, 0.5 + row, 0});
-    return finished(std::move(scene));
-}
-
-// Four walls, 20 m high and 1 m thick, around a square of this inner half width.
-void add_walls(SceneDescription& scene, double half_width) {
-    for (const double side : {1.0, -1.0})
-        scene.bodies.push_back(
-            fixed_box("wall", {side * (half_width + 0.5), 10, 0}, {0.5, 10, half_width + 1}));
-    for (const double side : {1.0, -1.0})
-        scene.bodies.push_back(
-            fixed_box("wall", {0, 10, side * (half_width + 0.5)}, {half_width + 1, 10, 0.5}));
+    return finished_lab(std::move(scene));
 }
 
 Geometry sphere_box_or_capsule(int index) {
@@ -59,8 +35,8 @@ Geometry sphere_box_or_capsule(int index) {
 // `count` bodies in layers of side * side, poured between walls.
 SceneDescription poured(int count, int side, double half_width) {
     SceneDescription scene;
-    add_floor(scene, 200);
-    add_walls(scene, half_width);
+    add_lab_floor(scene, 200);
+    add_lab_walls(scene, half_width);
     Random random;
     for (int i = 0; i < count; i++) {
         const int layer = i / (side * side), cell = i % (side * side);
@@ -74,7 +50,7 @@ SceneDescription poured(int count, int side, double half_width) {
         scene.bodies.push_back(loose("piece", at, sphere_box_or_capsule(i),
                                      from_axis_angle(axis, random.in(0, 2 * pi))));
     }
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 // A joint between two static bodies holds nothing, and engines differ in whether they take it.
@@ -96,7 +72,7 @@ SceneDescription lab_pyramid_5050() {
 
 SceneDescription lab_boxes_1000() {
     SceneDescription scene;
-    add_floor(scene, 200);
+    add_lab_floor(scene, 200);
     Random random;
     for (int y = 0; y < 10; y++)
         for (int z = 0; z < 10; z++)
@@ -105,7 +81,7 @@ SceneDescription lab_boxes_1000() {
                 add_cube(scene, "box", 0.5,
                          {(x - 4.5) * 1.2 + dx, 1.5 + 1.2 * y, (z - 4.5) * 1.2 + dz});
             }
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 SceneDescription lab_pile_5000() {
@@ -121,16 +97,16 @@ SceneDescription lab_pile(int count) {
 
 SceneDescription lab_player_901() {
     SceneDescription scene;
-    add_floor(scene, 200);
+    add_lab_floor(scene, 200);
     for (int z = 0; z < 30; z++)
         for (int x = 0; x < 30; x++) add_cube(scene, "cube", 0.2, {x - 14.5, 0.2, z - 14.5});
     add_cube(scene, "player", 0.75, {-18, 0.75, 0});
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 SceneDescription lab_ragdolls_40() {
     SceneDescription scene;
-    add_floor(scene, 200);
+    add_lab_floor(scene, 200);
     const Quat leaning = from_axis_angle({1, 0, 0}, 0.35);
     for (int level = 0; level < 10; level++)
         for (int corner = 0; corner < 4; corner++) {
@@ -138,7 +114,7 @@ SceneDescription lab_ragdolls_40() {
             const double heading = 0.62831853 * level + 0.3 * corner;
             add_lab_ragdoll(scene, {feet, from_axis_angle({0, 1, 0}, heading) * leaning});
         }
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 SceneDescription lab_joint_grid_10000() {
@@ -155,16 +131,16 @@ SceneDescription lab_joint_grid_10000() {
             if (y > 0) join_in_the_middle(scene, index - 1, index);
             if (x > 0) join_in_the_middle(scene, index - side, index);
         }
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 SceneDescription lab_asleep_10000() {
     SceneDescription scene;
-    add_floor(scene, 250);
+    add_lab_floor(scene, 250);
     for (int z = 0; z < 100; z++)
         for (int x = 0; x < 100; x++)
             add_cube(scene, "box", 0.5, {(x - 49.5) * 2, 0.5, (z - 49.5) * 2});
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 SceneDescription lab_bullets_1000() {
@@ -176,7 +152,7 @@ SceneDescription lab_bullets_1000() {
         scene.bodies.push_back(loose("bullet", at, Sphere{0.1}));
         scene.bodies.back().body.linear_velocity = {200, 0, 0};
     }
-    return finished(std::move(scene));
+    return finished_lab(std::move(scene));
 }
 
 }  // namespace jostle::scenes

@@ -67,5 +67,17 @@ SceneDescription lab_ragdolls_40();
 SceneDescription lab_joint_grid_10000();
 SceneDescription lab_asleep_10000();
 SceneDescription lab_bullets_1000();
+SceneDescription lab_trees();
+SceneDescription lab_convex_pile();
+SceneDescription lab_washer();
+SceneDescription lab_hull_terrain();
+SceneDescription lab_chain();
+SceneDescription lab_rain();
+SceneDescription lab_vehicles();
+SceneDescription lab_rods();
+SceneDescription lab_box_shot();
+SceneDescription lab_brick_wall();
+SceneDescription lab_l_shapes();
+SceneDescription lab_junkyard();
 
 }  // namespace jostle::scenes

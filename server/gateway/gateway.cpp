@@ -81,8 +81,7 @@ struct Gateway::Impl {
     // The sessions keep themselves alive; these only know them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
     std::vector<std::weak_ptr<WebSocketSession>> play_sessions;
-    std::size_t first = 0;  // whose write starts first this time
-    Clock::time_point advanced = Clock::now();
+    std::size_t first = 0;           // whose write starts first this time
     std::atomic<bool> awake{false};  // a wake-up is on its way
     std::uint16_t real_port = 0;
     std::thread thread;
@@ -199,13 +198,8 @@ void Gateway::Impl::schedule_housekeeping() {
 // Each round begins with the next client, so that not always the same one is written to last.
 void Gateway::Impl::advance_all() {
     const Clock::time_point now = Clock::now();
-    const Clock::duration since = now - std::exchange(advanced, now);
     const std::size_t count = drop_gone(play_sessions);
     if (count == 0) return;
-    // Who was silent while we did not listen is not to blame.
-    if (since > pause_of_ours)
-        for (const auto& known : play_sessions)
-            if (const auto session = known.lock()) session->on_pause(since);
     first = (first + 1) % count;
     for (std::size_t i = 0; i < count; ++i) {
         // advance() starts operations only, so no session can end or begin while we walk.

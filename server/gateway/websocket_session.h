@@ -35,9 +35,6 @@ public:
     // Closes the socket at once: the gateway stops, or the client does not let us go.
     void abort();
     // We did not listen for so long.
-    void on_pause(Clock::duration pause) {
-        if (link_) link_->on_pause(pause);
-    }
     const std::string& address() const { return address_; }
 
 private:

@@ -44,7 +44,7 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
 }  // namespace
 
 ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
-    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now) {}
+    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now), looked_(now) {}
 
 ClientLink::~ClientLink() {
     leave_world();
@@ -254,12 +254,6 @@ void ClientLink::on_fault(Clock::time_point now) {
     finish(Error{ErrorCode::internal, "a fault of the server ended the conversation"}, now);
 }
 
-void ClientLink::on_pause(Clock::duration pause) {
-    begun_ += pause;
-    last_received_ += pause;
-    if (writing_since_) *writing_since_ += pause;
-}
-
 // --- how it ends ---
 
 void ClientLink::refuse(Error error, Clock::time_point now) {
@@ -289,9 +283,18 @@ void ClientLink::leave_world() {
     client_ = 0;
 }
 
+void ClientLink::forgive_pause(Clock::time_point now) {
+    const Clock::duration pause = now - std::exchange(looked_, now);
+    if (pause <= pause_of_ours) return;
+    begun_ += pause;
+    last_received_ = std::min(last_received_ + pause, now);
+    if (writing_since_) writing_since_ = std::min(*writing_since_ + pause, now);
+}
+
 // What time alone decides, and what the server as a whole decided.
 void ClientLink::check_timeouts(Clock::time_point now) {
     if (end_) return;
+    forgive_pause(now);
     const StreamSettings& limits = context_.config.stream;
     if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
     if (context_.draining && !draining_sent_) {

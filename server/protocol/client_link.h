@@ -46,11 +46,9 @@ public:
     void refuse(Error error, Clock::time_point now);
     // A message could not be read or made by a fault of ours: nothing is sent any more.
     void on_fault(Clock::time_point now);
-    // We did not listen for so long: that was not the client's silence.
-    void on_pause(Clock::duration pause);
-
     // The next message to write. Nothing: call again when a message arrived, a world has a new
-    // frame or time passed.
+    // frame or 20 ms passed. When nobody called for half a second, this process or its machine
+    // stood still, and that was not the client's silence.
     std::optional<OutMessage> take_message(Clock::time_point now);
     // The transport cannot write yet: a frame that comes and goes meanwhile counts as skipped.
     // Checks timeouts as well.
@@ -78,6 +76,7 @@ private:
     Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
     void drop_message(Clock::time_point now);
 
+    void forgive_pause(Clock::time_point now);
     void check_timeouts(Clock::time_point now);
     void send(std::string message);
     void drop_waiting();
@@ -98,6 +97,7 @@ private:
     const Peer peer_;
     Clock::time_point begun_;
     Clock::time_point last_received_;
+    Clock::time_point looked_;  // when timeouts were checked last
     std::optional<Status> end_;
     Clock::time_point end_time_{};
     std::deque<OutMessage> waiting_;   // to send, not yet taken

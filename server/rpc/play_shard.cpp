@@ -71,8 +71,7 @@ void PlayShard::stop() {
 }
 
 void PlayShard::run() {
-    looked_ = Clock::now();
-    Clock::time_point housekeeping = looked_ + shard_housekeeping_period;
+    Clock::time_point housekeeping = Clock::now() + shard_housekeeping_period;
     bool shut_down = false;
     for (;;) {
         // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
@@ -91,7 +90,6 @@ void PlayShard::run() {
         if (next == grpc::CompletionQueue::SHUTDOWN) break;
 
         const Clock::time_point now = Clock::now();
-        forgive_pause(now);  // before anybody is asked how long he was silent
         if (next == grpc::CompletionQueue::GOT_EVENT) {
             if (tag != nullptr) {
                 handle(*static_cast<PlayTag*>(tag), ok, now);
@@ -139,13 +137,6 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             stream.on_finished();
             break;
     }
-}
-
-// Who was silent while we did not listen is not to blame.
-void PlayShard::forgive_pause(Clock::time_point now) {
-    const Clock::duration since = now - std::exchange(looked_, now);
-    if (since > pause_of_ours)
-        for (const auto& stream : streams_) stream->link().on_pause(since);
 }
 
 void PlayShard::housekeep(Clock::time_point now) {

@@ -43,7 +43,6 @@ private:
     void run();
     void handle(PlayTag& tag, bool ok, Clock::time_point now);
     void advance_all(Clock::time_point now);
-    void forgive_pause(Clock::time_point now);
     void housekeep(Clock::time_point now);
     void drop_finished();
     void ask_for_call();
@@ -56,8 +55,7 @@ private:
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
-    std::size_t first_ = 0;       // whose write starts first this time
-    Clock::time_point looked_{};  // when its thread did last
+    std::size_t first_ = 0;  // whose write starts first this time
     std::atomic<std::size_t> stream_count_{0};
     grpc::Alarm alarm_;
     std::mutex wake_mutex_;           // no alarm may be set on a queue that shuts down

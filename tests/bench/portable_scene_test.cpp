@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
+#include "jostle/physics/mesh.h"
 #include "parts.h"
 #include "support/near.h"
 
@@ -31,6 +33,7 @@ SceneDescription elbow(const JointKind& kind = BallJoint{}) {
 TEST(PortableScene, balls_hinges_and_shoulders_within_limits_are_portable) {
     for (const JointKind& kind :
          {JointKind{BallJoint{}}, JointKind{HingeJoint{.limit = {true, -1, 1}}},
+          JointKind{HingeJoint{}},
           JointKind{ConeTwistJoint{.swing = 0.5, .twist = {true, -1, 1}}}}) {
         const auto status = check_portable(elbow(kind));
         EXPECT_TRUE(status.ok()) << status.error().message;
@@ -38,28 +41,34 @@ TEST(PortableScene, balls_hinges_and_shoulders_within_limits_are_portable) {
 }
 
 TEST(PortableScene, what_other_engines_could_not_be_given_is_named) {
+    static constexpr Vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+    static constexpr std::array<std::uint32_t, 3> triangle[] = {{0, 2, 1}};
     const struct {
         std::function<void(SceneDescription&)> change;
         const char* message;
     } cases[] = {
         {[](auto& s) { s.bodies[1].shapes[0].geometry = Cylinder{}; },
-         "bodies[1] 'upper' is no sphere, capsule or box"},
-        {[](auto& s) { s.bodies[1].shapes.push_back({}); }, "bodies[1] 'upper' has not one shape"},
-        {[](auto& s) { s.bodies[2].shapes[0].pose.position.x = 1; },
-         "bodies[2] 'lower' has a shape that is off its middle"},
+         "bodies[1] 'upper' is no sphere, capsule, box, hull or mesh"},
+        {[](auto& s) {
+             s.bodies[1].shapes.push_back({.geometry = Box{}, .material = {.friction = 0.1}});
+         },
+         "bodies[1] 'upper' has shapes of different friction"},
+        {[](auto& s) { s.bodies[1].shapes.push_back({.geometry = Box{}, .filter = {.mask = 0}}); },
+         "bodies[1] 'upper' has shapes that collide differently"},
+        {[](auto& s) { s.bodies[1].shapes[0].geometry = Mesh{*build_mesh(corners, triangle)}; },
+         "bodies[1] 'upper' is a mesh that moves"},
         {[](auto& s) { s.bodies[2].shapes[0].material.restitution = 1; },
          "bodies[2] 'lower' has a material of more than friction"},
         {[](auto& s) { s.bodies[2].shapes[0].filter.group = -1; },
          "bodies[2] 'lower' collides with some"},
-        {[](auto& s) { s.bodies[2].body.type = BodyType::kinematic; },
-         "bodies[2] 'lower' is kinematic"},
+        {[](auto& s) { s.bodies[2].body.locks = 1; }, "bodies[2] 'lower' has locked axes"},
         {[](auto& s) { s.joints[0].joint.break_force = 1; }, "joints[0] 'elbow' breaks"},
         {[](auto& s) { s.joints[0].joint.frame_a.position.x = 0.01; },
          "joints[0] 'elbow' has ends that are apart at the start"},
         {[](auto& s) { s.joints[0].joint.kind = FixedJoint{}; },
          "joints[0] 'elbow' is no ball, hinge or cone_twist"},
-        {[](auto& s) { s.joints[0].joint.kind = HingeJoint{}; },
-         "joints[0] 'elbow' is a hinge of more than limits, or without"},
+        {[](auto& s) { s.joints[0].joint.kind = HingeJoint{.motor = {.max_torque = 1}}; },
+         "joints[0] 'elbow' is a hinge of more than limits"},
         {[](auto& s) {
              s.joints[0].joint.kind = HingeJoint{.limit = {true, -1, 1}};
              s.joints[0].joint.frame_b.rotation = {};
@@ -86,17 +95,27 @@ TEST(PortableScene, axes_of_a_joint_are_in_the_world) {
 }
 
 TEST(PortableScene, masses_are_those_of_solid_bodies) {
-    for (const Geometry& geometry :
-         {Geometry{Sphere{0.3}}, Geometry{Box{{0.3, 0.25, 0.35}}}, Geometry{Capsule{0.2, 0.25}}}) {
-        auto world = std::move(*World::create());
-        SceneBody described = loose("body", {}, geometry);
-        described.shapes[0].density = 700;
-        const auto body = *world.body(*world.create_body(described.body, described.shapes[0]));
-        const SolidMass solid = solid_mass(described);
-        EXPECT_NEAR(solid.mass, body.mass, 1e-9 * body.mass);
-        const Vec3 turns{body.inertia.x.x, body.inertia.y.y, body.inertia.z.z};
-        EXPECT_TRUE(near(solid.inertia, turns, 1e-9 * length(turns)));
-    }
+    SceneDescription scene{
+        .bodies = {fixed_box("floor", {0, -1, 0}, {10, 1, 10}),
+                   loose("ball", {1, 2, 3}, Sphere{0.3}),
+                   loose("L", {5, 5, 5}, Box{{0.5, 0.1, 0.1}}, from_axis_angle({1, 2, 3}, 1))}};
+    scene.bodies[2].shapes.push_back(
+        {.geometry = Box{{0.1, 0.1, 0.1}}, .pose = {{0.4, 0.2, 0}, {}}});
+    for (std::size_t k = 1; k < 3; k++)
+        for (ShapeDef& shape : scene.bodies[k].shapes) shape.density = 700;
+    const auto masses = *solid_masses(scene);
+    ASSERT_EQ(masses.size(), 3u);
+    EXPECT_EQ(masses[0].mass, 0);
+    const double ball = 700 * 4 / 3.0 * pi * 0.027;
+    EXPECT_NEAR(masses[1].mass, ball, 1e-9 * ball);
+    EXPECT_NEAR(masses[1].inertia.x.x, 0.4 * ball * 0.09, 1e-9 * ball);
+    // A bar of 28 kg and a cube of 5.6 kg over its end: a sixth of the mass.
+    EXPECT_NEAR(masses[2].mass, 33.6, 1e-9);
+    EXPECT_TRUE(near(masses[2].center, {0.4 / 6, 0.2 / 6, 0}, 1e-12));
+    const double apart = 28 * 5.6 / 33.6;  // reduced mass, kg
+    EXPECT_NEAR(masses[2].inertia.z.z,
+                28 * (0.25 + 0.01) / 3 + 5.6 * 0.02 / 3 + apart * (0.16 + 0.04), 1e-9);
+    EXPECT_NEAR(masses[2].inertia.x.y, -apart * 0.4 * 0.2, 1e-9);
 }
 
 }  // namespace

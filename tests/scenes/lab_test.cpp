@@ -51,6 +51,16 @@ const Expected expected[] = {
     {"lab_pyramid_5050", 5051, 0, 1, {-49.5, 0.5, 0}, {0, 99.5, 0}},
     {"lab_player_901", 902, 0, 1, {-14.5, 0.2, -14.5}, {-18, 0.75, 0}},
     {"lab_joint_grid_10000", 10000, 19794, 7, {0, 0, 0}, {99, -99, 0}},
+    {"lab_chain", 1000, 999, 1, {0.5, 0, 0}, {499.5, 0, 0}},
+    {"lab_vehicles",
+     501,
+     400,
+     1,
+     {-36, 0.5 * (std::sin(-5.4) + std::sin(-15.2)) + 1.6, -76},
+     {37, 0.5 * (std::sin(5.4) + std::sin(-0.8)) + 1.35, -2.7}},
+    {"lab_brick_wall", 402, 0, 1, {-4.875, 0.125, 0}, {0, 2, 8}},
+    {"lab_convex_pile", 5125, 0, 5, {-4.5, 0.4, -4.5}, {4.5, 11.8, 4.5}},
+    {"lab_junkyard", 10590, 0, 5, {0, 0.6, 0}, {7, 17.7, 7}},
     {"lab_asleep_10000", 10001, 0, 1, {-99, 0.5, -99}, {99, 0.5, 99}},
 };
 
@@ -78,20 +88,22 @@ TEST(Lab, gravity_density_friction_and_damping_are_the_same_for_all) {
         EXPECT_EQ(scene.hz, 60);
         EXPECT_EQ(scene.world.gravity, (Vec3{0, -9.81, 0}));
         for (const SceneBody& body : scene.bodies) {
-            ASSERT_EQ(body.shapes.size(), 1u);
-            ASSERT_EQ(body.shapes[0].density, 1000);
-            ASSERT_EQ(body.shapes[0].material, (Material{.friction = 0.5, .restitution = 0}));
+            for (const ShapeDef& shape : body.shapes) {
+                ASSERT_EQ(shape.density, 1000);
+                ASSERT_EQ(shape.material, (Material{.friction = 0.5, .restitution = 0}));
+            }
             ASSERT_EQ(body.body.linear_damping, 0.05);
             ASSERT_EQ(body.body.angular_damping, 0.05);
         }
     }
-    EXPECT_EQ(scenes, 9);
+    EXPECT_EQ(scenes, 21);
 }
 
 TEST(Lab, floors_are_two_metres_thick) {
     for (const char* name :
          {"lab_pyramid_465", "lab_pyramid_5050", "lab_boxes_1000", "lab_pile_5000",
-          "lab_player_901", "lab_ragdolls_40", "lab_asleep_10000"}) {
+          "lab_player_901", "lab_ragdolls_40", "lab_asleep_10000", "lab_convex_pile", "lab_rods",
+          "lab_brick_wall", "lab_l_shapes", "lab_junkyard"}) {
         const SceneBody floor = find_scene(name)->bodies[0];
         const double half = std::string_view(name) == "lab_asleep_10000" ? 250 : 200;
         EXPECT_EQ(shape<Box>(floor).half_extents, (Vec3{half, 1, half})) << name;

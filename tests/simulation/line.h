@@ -33,7 +33,6 @@ public:
 
     // --- the server's end, once a tick and when a frame came: as a transport would ---
     void serve(Clock::time_point now);
-    void on_pause(Clock::duration pause) { link_.on_pause(pause); }
     bool is_closed() const { return closed_; }  // may be forgotten by the server
 
 private:

@@ -149,9 +149,7 @@ void Simulation::faults() {
 // SIGSTOP, or a virtual machine that is moved: the server's clock goes on, and it does not.
 void Simulation::pause_of_machine() {
     tally_.faults++;
-    const auto pause = std::chrono::milliseconds(600 + chance_.below(15'000));
-    now_ += pause;
-    for (const auto& line : lines_) line->on_pause(pause);
+    now_ += std::chrono::milliseconds(600 + chance_.below(15'000));
 }
 
 // ---- who plays ----

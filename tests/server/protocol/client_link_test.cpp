@@ -77,6 +77,10 @@ struct TestClient {
             state.take(message);
         }
     }
+    // As a transport does while time passes; the client says nothing.
+    void stay_silent(Clock::duration from, Clock::duration until) {
+        for (auto later = from; later <= until; later += 100ms) listen(later);
+    }
     bool listen_until(const std::function<bool()>& condition, bool acknowledge = true) {
         for (const auto end = Clock::now() + 5s; Clock::now() < end;) {
             listen();
@@ -315,14 +319,29 @@ TEST_F(ClientLinkTest, a_full_server_says_so) {
 TEST_F(ClientLinkTest, silence_ends_a_conversation) {
     TestClient mute(context), quiet(context);
     quiet.hello();
-    mute.listen(4s);
+    mute.stay_silent(0s, 4s);
     EXPECT_FALSE(mute.link.end());
-    mute.listen(6s);
+    mute.stay_silent(4s, 6s);
     ASSERT_TRUE(mute.link.end() && !mute.link.end()->ok());
     EXPECT_EQ(mute.link.end()->error().code, ErrorCode::deadline_exceeded);
-    quiet.listen(9s);
+    quiet.stay_silent(0s, 9s);
     EXPECT_FALSE(quiet.link.end());
-    quiet.link.wait_for_write(Clock::now() + 11s);  // it does not read either
+    for (Clock::duration later = 9s; later <= 11s; later += 100ms)
+        quiet.link.wait_for_write(Clock::now() + later);  // it does not read either
+    ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
+    EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
+}
+
+TEST_F(ClientLinkTest, a_pause_of_ours_is_not_the_clients_silence) {
+    TestClient mute(context), quiet(context);
+    quiet.hello();
+    for (TestClient* client : {&mute, &quiet}) {
+        client->listen(12s);  // the first look after 12 s
+        EXPECT_FALSE(client->link.end());
+        client->stay_silent(12s, 15s);
+        EXPECT_FALSE(client->link.end());
+    }
+    quiet.stay_silent(15s, 23s);
     ASSERT_TRUE(quiet.link.end() && !quiet.link.end()->ok());
     EXPECT_EQ(quiet.link.end()->error().code, ErrorCode::deadline_exceeded);
 }

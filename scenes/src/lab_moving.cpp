@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes of the laboratory in which all moves for long: hulls, compounds, meshes, long chains, fast
+// crowds.
+#include <array>
+
+#include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
+#include "lab_parts.h"
+#include "lab_ragdoll.h"
+#include "parts.h"
+
+namespace jostle::scenes {
+
+using namespace physics;
+
+namespace {
+
+Geometry hull_of(std::span<const Vec3> points) {
+    return Hull{build_hull(points).value()};
+}
+
+// Points in random directions, each on the hull.
+Geometry round_stone(Random& random, int corners, double radius) {
+    std::vector<Vec3> points;
+    for (int k = 0; k < corners; k++) {
+        const double x = random.in(-1, 1), y = random.in(-1, 1), z = random.in(-1, 1);
+        points.push_back(normalized(Vec3{x, y, z}) * radius);
+    }
+    return hull_of(points);
+}
+// So many, so that not every stone has data of its own.
+std::vector<Geometry> round_stones(Random& random, int count, int corners, double radius) {
+    std::vector<Geometry> stones;
+    for (int k = 0; k < count; k++) stones.push_back(round_stone(random, corners, radius));
+    return stones;
+}
+
+// A prism of so many sides from one disc to another, which may differ.
+Geometry prism(int sides, Vec3 from, double radius_from, Vec3 to, double radius_to) {
+    const Vec3 along = normalized(to - from);
+    const Vec3 x =
+        normalized(cross(along, absolute(along.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+    const Vec3 y = cross(along, x);
+    std::vector<Vec3> points;
+    for (int k = 0; k < sides; k++) {
+        const SinCos at = sin_cos(2 * pi * k / sides);
+        const Vec3 out = x * at.cos + y * at.sin;
+        points.push_back(from + out * radius_from);
+        points.push_back(to + out * radius_to);
+    }
+    return hull_of(points);
+}
+
+// A square of cells around the origin, as a mesh of two triangles each.
+template <class Height>
+SceneBody mesh_ground(std::uint32_t cells, double spacing, Height&& height) {
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t r = 0; r <= cells; r++)
+        for (std::uint32_t c = 0; c <= cells; c++) {
+            const double x = (c - 0.5 * cells) * spacing, z = (r - 0.5 * cells) * spacing;
+            vertices.push_back({x, height(x, z), z});
+        }
+    for (std::uint32_t r = 0; r < cells; r++)
+        for (std::uint32_t c = 0; c < cells; c++) {
+            const std::uint32_t v = r * (cells + 1) + c, below = v + cells + 1;
+            triangles.push_back({v, below, v + 1});
+            triangles.push_back({v + 1, below, below + 1});
+        }
+    return {.name = "ground",
+            .body = {.type = BodyType::static_body},
+            .shapes = {{.geometry = Mesh{build_mesh(vertices, triangles).value()}}},
+            .color = {}};
+}
+
+// A ring that lies, as a mesh.
+Geometry torus(double radius, double tube) {
+    constexpr std::uint32_t around = 24, across = 12;
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t i = 0; i < around; i++)
+        for (std::uint32_t j = 0; j < across; j++) {
+            const SinCos a = sin_cos(2 * pi * i / around), b = sin_cos(2 * pi * j / across);
+            const double r = radius + tube * b.cos;
+            vertices.push_back({r * a.cos, tube * b.sin, r * a.sin});
+            const std::uint32_t next = (i + 1) % around * across, beside = (j + 1) % across;
+            const std::uint32_t p = i * across + j, q = i * across + beside;
+            triangles.push_back({p, q, next + j});
+            triangles.push_back({q, next + beside, next + j});
+        }
+    return Mesh{build_mesh(vertices, triangles).value()};
+}
+
+Quat random_turn(Random& random) {
+    const double x = random.in(-1, 1), y = random.in(-1, 1), z = random.in(-1, 1);
+    return from_axis_angle(Vec3{x, y, z} + Vec3{0, 1e-3, 0}, random.in(0, 2 * pi));
+}
+
+// Stones in columns, at random turns.
+void add_stones(SceneDescription& scene, Random& random, const std::vector<Geometry>& stones,
+                int side, int layers, double pitch, double lowest) {
+    const double middle = 0.5 * (side - 1);
+    for (int y = 0; y < layers; y++)
+        for (int z = 0; z < side; z++)
+            for (int x = 0; x < side; x++) {
+                const Vec3 at{(x - middle) * pitch, lowest + y * pitch, (z - middle) * pitch};
+                const std::size_t which = scene.bodies.size() % stones.size();
+                scene.bodies.push_back(loose("stone", at, stones[which], random_turn(random)));
+            }
+}
+
+// A trunk of six pieces and sixteen branches.
+SceneBody tree(Random& random, double height) {
+    SceneBody body{.name = "tree", .body = {}, .shapes = {}, .color = {}};
+    const auto add = [&](Vec3 from, double radius_from, Vec3 to, double radius_to) {
+        body.shapes.push_back({.geometry = prism(6, from, radius_from, to, radius_to)});
+    };
+    const double piece = height / 6, thick = 0.02 * height;
+    for (int k = 0; k < 6; k++)
+        add({0, (k - 3) * piece, 0}, thick * (1 - 0.14 * k), {0, (k - 2) * piece, 0},
+            thick * (1 - 0.14 * (k + 1)));
+    for (int k = 0; k < 16; k++) {
+        const double up = height * (-0.15 + 0.038 * k), length = height * (0.14 - 0.005 * k);
+        const SinCos at = sin_cos(2.4 * k + random.in(-0.3, 0.3));
+        const Vec3 out{at.cos, 0, at.sin}, from{0, up, 0};
+        add(from + out * (0.5 * thick), 0.3 * thick, from + out * length + Vec3{0, 0.4 * length, 0},
+            0.15 * thick);
+    }
+    return body;
+}
+
+}  // namespace
+
+SceneDescription lab_trees() {
+    SceneDescription scene;
+    scene.bodies.push_back(mesh_ground(100, 4, [](double x, double z) {
+        return 2.5 * sin_cos(0.11 * x).sin + 1.5 * sin_cos(0.07 * z + 1).sin;
+    }));
+    Random random;
+    const Quat lying = from_axis_angle({1, 0, 0}, pi / 2);
+    for (int row = 0; row < 5; row++)
+        for (int k = 0; k < 10; k++) {
+            SceneBody body = tree(random, random.in(25, 45));
+            body.body.pose = {{(k - 4.5) * 16, 14, (row - 2.0) * 55},
+                              from_axis_angle({0, 1, 0}, random.in(-0.1, 0.1)) * lying};
+            body.body.linear_velocity = {6, 0, 0};
+            scene.bodies.push_back(body);
+        }
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_convex_pile() {
+    SceneDescription scene;
+    add_lab_floor(scene, 200);
+    add_lab_walls(scene, 5);
+    Random random;
+    const auto stones = round_stones(random, 16, 32, 0.25);
+    add_stones(scene, random, stones, 16, 20, 0.6, 0.4);
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_washer() {
+    constexpr int staves = 36;
+    constexpr double radius = 4, half_length = 3, thickness = 0.25, paddle = 0.5;
+    SceneDescription scene;
+    SceneBody drum{.name = "drum",
+                   .body = {.type = BodyType::kinematic, .angular_velocity = {0, 0, 0.5}},
+                   .shapes = {},
+                   .color = {}};
+    for (int k = 0; k < staves; k++) {
+        const double inside = radius - (k % 9 == 0 ? paddle : 0), outside = radius + 2 * thickness;
+        const double half_width = outside * 1.02 * pi / staves;
+        const Quat turn = from_axis_angle({0, 0, 1}, 2 * pi * k / staves);
+        std::vector<Vec3> corners;
+        for (const double x : {inside, outside})
+            for (const double y : {-half_width, half_width})
+                for (const double z : {-half_length, half_length})
+                    corners.push_back(rotate(turn, {x, y, z}));
+        drum.shapes.push_back({.geometry = hull_of(corners)});
+    }
+    scene.bodies.push_back(drum);
+    for (const double side : {1.0, -1.0})
+        scene.bodies.push_back(fixed_box("end", {0, 0, side * (half_length + 0.5)}, {6, 6, 0.5}));
+    for (int y = 0; y < 20; y++)
+        for (int z = 0; z < 20; z++)
+            for (int x = 0; x < 20; x++)
+                scene.bodies.push_back(loose("cube",
+                                             {(x - 9.5) * 0.22, (y - 9.5) * 0.22, (z - 9.5) * 0.22},
+                                             Box{{0.1, 0.1, 0.1}}));
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_hull_terrain() {
+    SceneDescription scene;
+    scene.bodies.push_back(mesh_ground(60, 1, [](double x, double z) {
+        return 0.8 * sin_cos(0.5 * x).sin * sin_cos(0.4 * z).cos + 0.15 * sin_cos(2.3 * x + z).sin +
+               0.004 * (x * x + z * z);
+    }));
+    Random random;
+    const auto stones = round_stones(random, 30, 24, 0.5);
+    add_stones(scene, random, stones, 10, 3, 1.6, 5);
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_chain() {
+    SceneDescription scene;
+    const Quat along_x = from_axis_angle({0, 0, 1}, -pi / 2);
+    for (int k = 0; k < 1000; k++) {
+        scene.bodies.push_back(loose("link", {0.5 * k, 0, 0}, Capsule{0.1, 0.14}, along_x));
+        if (k > 0)
+            join(scene, "joint", scene.bodies.size() - 2, scene.bodies.size() - 1,
+                 {{0.5 * k - 0.25, 0, 0}, {}}, BallJoint{});
+    }
+    scene.bodies[0].body.type = BodyType::static_body;
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_rain() {
+    SceneDescription scene;
+    // Bowls beside each other.
+    scene.bodies.push_back(mesh_ground(60, 0.5, [](double x, double z) {
+        return 0.8 * sin_cos(0.9 * x).sin * sin_cos(0.9 * x).sin +
+               0.8 * sin_cos(0.9 * z).sin * sin_cos(0.9 * z).sin;
+    }));
+    const Geometry ring = torus(1.2, 0.3);
+    for (int k = 0; k < 9; k++)
+        scene.bodies.push_back({.name = "ring",
+                                .body = {.type = BodyType::static_body,
+                                         .pose = {{(k % 3 - 1) * 4.0, 3, (k / 3 - 1) * 4.0}, {}}},
+                                .shapes = {{.geometry = ring}},
+                                .color = {}});
+    for (int level = 0; level < 8; level++)
+        for (int k = 0; k < 9; k++) {
+            const Vec3 feet{(k % 3 - 1) * 4.0 + 0.3 * (level % 3 - 1), 4.5 + 2.4 * level,
+                            (k / 3 - 1) * 4.0 + 0.2 * (level % 2)};
+            add_lab_ragdoll(scene, {feet, from_axis_angle({0, 1, 0}, 0.7 * level + k)});
+        }
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_vehicles() {
+    constexpr double wheel_radius = 0.45, speed = 10;
+    const auto height = [](double x, double z) {
+        return 0.5 * sin_cos(0.15 * x).sin + 0.5 * sin_cos(0.2 * z).sin;
+    };
+    SceneDescription scene;
+    scene.bodies.push_back(mesh_ground(120, 2.5, height));
+    const Geometry wheel = prism(16, {-0.15, 0, 0}, wheel_radius, {0.15, 0, 0}, wheel_radius);
+    // A hinge turns about its frame's z axis: here along x.
+    const Quat axle = from_axis_angle({0, 1, 0}, pi / 2);
+    for (int k = 0; k < 100; k++) {
+        const double x = (k % 10 - 4.5) * 8, z = (k / 10 - 9.5) * 8;
+        const std::size_t chassis = scene.bodies.size();
+        const Vec3 middle{x, height(x, z) + 1.6, z};
+        scene.bodies.push_back(loose("chassis", middle, Box{{0.8, 0.25, 1.8}}));
+        scene.bodies.back().body.linear_velocity = {0, 0, speed};
+        for (int corner = 0; corner < 4; corner++) {
+            const Vec3 at = middle + Vec3{corner & 1 ? 1.0 : -1.0, -0.25, corner & 2 ? 1.3 : -1.3};
+            scene.bodies.push_back(loose("wheel", at, wheel));
+            scene.bodies.back().body.linear_velocity = {0, 0, speed};
+            scene.bodies.back().body.angular_velocity = {speed / wheel_radius, 0, 0};
+            join(scene, "axle", chassis, scene.bodies.size() - 1, {at, axle}, HingeJoint{});
+        }
+    }
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_rods() {
+    SceneDescription scene;
+    add_lab_floor(scene, 200);
+    add_lab_walls(scene, 3);
+    Random random;
+    const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2),
+               along_z = from_axis_angle({1, 0, 0}, pi / 2);
+    for (int k = 0; k < 2000; k++) {
+        const int layer = k / 100, cell = k % 100;
+        const double across = (cell % 20 - 9.5) * 0.25, along = (cell / 20 - 2) * 1.1;
+        Vec3 at = layer % 2 == 0 ? Vec3{along, 0, across} : Vec3{across, 0, along};
+        at += {random.in(-0.03, 0.03), 0.5 + 0.3 * layer, random.in(-0.03, 0.03)};
+        const Quat askew = from_axis_angle({0, 1, 0}, random.in(-0.1, 0.1));
+        scene.bodies.push_back(
+            loose("rod", at, Capsule{0.03, 0.45}, askew * (layer % 2 == 0 ? along_x : along_z)));
+    }
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_box_shot() {
+    SceneDescription scene;
+    scene.bodies.push_back(fixed_box("wall", {0.25, 0, 0}, {0.25, 20, 20}));
+    Random random;
+    for (int i = 0; i < 1000; i++) {
+        const double x = random.in(-30, -5);
+        const Vec3 at{x, (i % 32 - 15.5) * 0.6, (i / 32 - 15.5) * 0.6};
+        scene.bodies.push_back(loose("box", at, Box{{0.15, 0.15, 0.15}}, random_turn(random)));
+        scene.bodies.back().body.linear_velocity = {150, 0, 0};
+    }
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_brick_wall() {
+    SceneDescription scene;
+    add_lab_floor(scene, 200);
+    for (int row = 0; row < 20; row++)
+        for (int k = 0; k < 20; k++)
+            scene.bodies.push_back(
+                loose("brick", {(k - 9.75 + 0.5 * (row % 2)) * 0.5, 0.125 + 0.25 * row, 0},
+                      Box{{0.25, 0.125, 0.125}}));
+    scene.bodies.push_back(loose("ball", {0, 2, 8}, Sphere{1}));
+    scene.bodies.back().body.linear_velocity = {0, 2, -16};
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_l_shapes() {
+    SceneDescription scene;
+    add_lab_floor(scene, 200);
+    add_lab_walls(scene, 4);
+    Random random;
+    for (int k = 0; k < 500; k++) {
+        const int layer = k / 25, cell = k % 25;
+        const Vec3 at{(cell % 5 - 2) * 1.5, 1 + 1.3 * layer, (cell / 5 - 2) * 1.5};
+        SceneBody body = loose("L", at, Box{{0.5, 0.15, 0.15}}, random_turn(random));
+        body.shapes.push_back({.geometry = Box{{0.15, 0.35, 0.15}}, .pose = {{0.35, 0.5, 0}, {}}});
+        scene.bodies.push_back(body);
+    }
+    return finished_lab(std::move(scene));
+}
+
+SceneDescription lab_junkyard() {
+    SceneDescription scene;
+    add_lab_floor(scene, 200);
+    add_lab_walls(scene, 8);
+    SceneBody sweeper = fixed_box("sweeper", {0, 0.6, 0}, {7.5, 0.5, 0.25});
+    sweeper.body.type = BodyType::kinematic;
+    sweeper.body.angular_velocity = {0, 1, 0};
+    scene.bodies.push_back(sweeper);
+    Random random;
+    const auto stones = round_stones(random, 12, 14, 0.3);
+    add_stones(scene, random, stones, 21, 24, 0.7, 1.6);
+    return finished_lab(std::move(scene));
+}
+
+}  // namespace jostle::scenes

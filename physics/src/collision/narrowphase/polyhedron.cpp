@@ -28,7 +28,8 @@ Polyhedron box_of(Vec3 h, PolyhedronParts& parts) {
         n[f / 2] = f % 2 == 0 ? -1 : 1;
         parts.faces[f] = {n, h[f / 2], static_cast<std::uint32_t>(4 * f), 4};
     }
-    return {{parts.vertices.data(), 8}, {parts.faces.data(), 6}, box_loops, box_edges, {}};
+    return {{parts.vertices.data(), 8},     {parts.faces.data(), 6}, box_loops, box_edges, {},
+            minimum(h.x, minimum(h.y, h.z))};
 }
 
 Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
@@ -54,7 +55,8 @@ Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts) {
     if (shape.core == Core::triangle) return flat_of(shape.corner, parts);
     ASSERT(shape.core == Core::hull);
     const ConvexHull& hull = *shape.hull;
-    return {hull.vertices, hull.faces, hull.face_vertices, hull.edges, hull.center};
+    return {hull.vertices, hull.faces,  hull.face_vertices,
+            hull.edges,    hull.center, hull.inner_radius};
 }
 
 }  // namespace jostle::physics

@@ -19,6 +19,7 @@ struct Polyhedron {
     std::span<const std::uint16_t> face_vertices;
     std::span<const HullEdge> edges;
     Vec3 middle;
+    double inner_radius = 0;  // m: of a ball about `middle` that fits inside
 
     std::span<const std::uint16_t> vertices_of(const HullFace& face) const {
         return face_vertices.subspan(face.first, face.count);

@@ -26,6 +26,7 @@ struct Pair {
     Vec3 middle_b;
     Vec3 position;  // of b's frame in a's
     Mat3 axes;      // b's axes in a's
+    double size;    // m
 
     Vec3 normal_b(std::uint32_t face) const { return axes * b.faces[face].normal; }
 };
@@ -35,6 +36,104 @@ struct Best {
     Vec3 normal;  // from a to b
     AxisCode code = 0;
     Vec3 on_a, on_b;
+};
+
+// The last point of a face on the way from its middle to a point in its plane: one of the shape's.
+Vec3 last_on_face(const Polyhedron& shape, std::uint32_t face, Vec3 point) {
+    const auto corners = shape.vertices_of(shape.faces[face]);
+    const Vec3 normal = shape.faces[face].normal;
+    Vec3 middle;
+    for (const std::uint16_t k : corners) middle += shape.vertices[k];
+    middle = middle * (1.0 / static_cast<double>(corners.size()));
+    double part = 1;
+    for (std::size_t k = 0; k < corners.size(); k++) {
+        const Vec3 from = shape.vertices[corners[k]],
+                   to = shape.vertices[corners[(k + 1) % corners.size()]];
+        const Vec3 out = cross(to - from, normal);
+        const double inside = dot(out, from - middle), beyond = dot(out, point - middle);
+        if (beyond > inside) part = minimum(part, inside / beyond);
+    }
+    return middle + (point - middle) * maximum(part, 0);
+}
+
+// Points of the two shapes, in a's frame, near where an axis is attained: the one that is beside a
+// face may not be on it.
+Vec3 point_of_a(const Pair& p, const Best& axis) {
+    return kind_of(axis.code) == face_of_a ? last_on_face(p.a, first_edge(axis.code), axis.on_a)
+                                           : axis.on_a;
+}
+Vec3 point_of_b(const Pair& p, const Best& axis) {
+    if (kind_of(axis.code) != face_of_b) return axis.on_b;
+    const Vec3 in_b = transposed_times(p.axes, axis.on_b - p.position);
+    return p.position + p.axes * last_on_face(p.b, first_edge(axis.code), in_b);
+}
+
+// A ball in a and one in b: along n from a to b the shapes are no further apart than the balls are,
+// n . apart - radii.
+struct InnerBalls {
+    Vec3 apart;  // from a's to b's, in a's frame or in b's
+    double radii;
+};
+
+// Which axes cannot be the best: most of them, once one is known. Balls inside the shapes bound
+// what an axis shows, and so all the axes of an edge's arc.
+class AxisFilter {
+public:
+    AxisFilter(const Pair& p, const Best& old) : axes_(p.axes), slack_(1e-4 * p.size) {
+        add(p.a.middle, p.a.inner_radius, p.middle_b, p.b.inner_radius);
+        if (old.code == 0) return;
+        // Where the shapes were nearest: of what is long the ball in the middle says little.
+        add(point_of_a(p, old), 0, p.middle_b, p.b.inner_radius);
+        add(p.a.middle, p.a.inner_radius, point_of_b(p, old), 0);
+        learn(old.distance);
+    }
+    // An axis shows so much: who shows less by more than ties may turn is of no interest.
+    void learn(double distance) { known_ = maximum(known_, distance - slack_); }
+
+    // n: from a to b, in a's frame.
+    bool may_be_best(Vec3 n) const {
+        for (int k = 0; k < count_; k++)
+            if (dot(n, in_a_[k].apart) - in_a_[k].radii < known_) return false;
+        return true;
+    }
+    // Any normal between those of an edge's two faces, both out of the shape; along: the edge.
+    bool may_be_best_a(Vec3 first, Vec3 second, Vec3 along) const {
+        return may_be_best(in_a_, 1, first, second, along);
+    }
+    bool may_be_best_b(Vec3 first, Vec3 second, Vec3 along) const {
+        return may_be_best(in_b_, -1, first, second, along);
+    }
+
+private:
+    void add(Vec3 in_a, double radius_a, Vec3 in_b, double radius_b) {
+        in_a_[count_] = {in_b - in_a, radius_a + radius_b};
+        in_b_[count_] = {transposed_times(axes_, in_a_[count_].apart), radius_a + radius_b};
+        count_++;
+    }
+
+    bool may_be_best(const InnerBalls* balls, double sign, Vec3 first, Vec3 second,
+                     Vec3 along) const {
+        for (int k = 0; k < count_; k++) {
+            const Vec3 d = balls[k].apart * sign;
+            double most = maximum(dot(d, first), dot(d, second));
+            if (most - balls[k].radii >= known_) continue;
+            // Of all directions square to the edge d itself, without its part along the edge, shows
+            // most, when it is between the two.
+            const Vec3 turn = cross(first, second);
+            if (dot(cross(first, d), turn) >= 0 && dot(cross(d, second), turn) >= 0) {
+                const double part = dot(d, along);
+                most = square_root(
+                    maximum(0, length_squared(d) - part * part / length_squared(along)));
+            }
+            if (most - balls[k].radii < known_) return false;
+        }
+        return true;
+    }
+
+    const Mat3& axes_;
+    double slack_, known_ = -1e300;
+    int count_ = 0;
+    InnerBalls in_a_[3], in_b_[3];
 };
 
 // How far b's deepest vertex is from a face of a.
@@ -92,7 +191,11 @@ Nearest nearest_on_edges(Vec3 r, Vec3 u, Vec3 v, double least) {
 }
 
 // The axis of two edges, whether or not they are a face of the difference.
-Best edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
+struct EdgeAxis {
+    double distance = -1e300;
+    Vec3 normal;
+};
+EdgeAxis edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     const HullEdge &x = p.a.edges[ea], &y = p.b.edges[eb];
     const Vec3 pa = p.a.vertices[x.from], u = p.a.vertices[x.to] - pa;
     const Vec3 pb = p.vertices_b[y.from], v = p.vertices_b[y.to] - pb;
@@ -102,27 +205,55 @@ Best edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     n = n * (1 / square_root(l2));
     // Out of a and into b: of a triangle's edge with one that lies in its plane only b can tell.
     if (dot(n, pa - p.a.middle) < dot(n, pb - p.middle_b)) n = -n;
-    const Vec3 r = pb - pa;
-    const Nearest at = nearest_on_edges(r, u, v, 0);
-    return {dot(n, r), n, edge_pair | ea << 14 | eb, pa + u * at.s, pb + v * at.t};
+    return {dot(n, pb - pa), n};
 }
 
-Best edge_axes(const Pair& p) {
-    Best best;
-    for (std::uint32_t j = 0; j < p.b.edges.size(); j++) {
+Best with_points(const Pair& p, const EdgeAxis& axis, std::uint32_t ea, std::uint32_t eb) {
+    if (axis.distance == EdgeAxis{}.distance) return {};
+    const HullEdge &x = p.a.edges[ea], &y = p.b.edges[eb];
+    const Vec3 pa = p.a.vertices[x.from], u = p.a.vertices[x.to] - pa;
+    const Vec3 pb = p.vertices_b[y.from], v = p.vertices_b[y.to] - pb;
+    const Nearest at = nearest_on_edges(pb - pa, u, v, 0);
+    return {axis.distance, axis.normal, edge_pair | ea << 14 | eb, pa + u * at.s, pb + v * at.t};
+}
+
+// An edge between two faces, as the arc of its normals.
+struct EdgeArc {
+    std::uint32_t edge;
+    Vec3 first, second, along;
+};
+
+constexpr std::size_t max_hull_edges = 3 * max_hull_vertices;
+
+Best edge_axes(const Pair& p, const AxisFilter& filter) {
+    UninitializedArray<EdgeArc, max_hull_edges> arcs;
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < p.a.edges.size(); i++) {
+        const HullEdge& x = p.a.edges[i];
+        const EdgeArc arc{i, p.a.faces[x.left].normal, p.a.faces[x.right].normal,
+                          p.a.vertices[x.to] - p.a.vertices[x.from]};
+        if (filter.may_be_best_a(arc.first, arc.second, arc.along)) arcs[count++] = arc;
+    }
+    EdgeAxis best;
+    std::uint32_t best_a = 0, best_b = 0;
+    for (std::uint32_t j = 0; count > 0 && j < p.b.edges.size(); j++) {
         const HullEdge& y = p.b.edges[j];
-        const Vec3 nb1 = -p.normal_b(y.left), nb2 = -p.normal_b(y.right);
+        const Vec3 first = p.b.faces[y.left].normal, second = p.b.faces[y.right].normal;
+        if (!filter.may_be_best_b(first, second, p.b.vertices[y.to] - p.b.vertices[y.from]))
+            continue;
+        const Vec3 nb1 = -(p.axes * first), nb2 = -(p.axes * second);
         const Vec3 v = p.vertices_b[y.to] - p.vertices_b[y.from];
-        for (std::uint32_t i = 0; i < p.a.edges.size(); i++) {
-            const HullEdge& x = p.a.edges[i];
-            const Vec3 u = p.a.vertices[x.to] - p.a.vertices[x.from];
-            if (!arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal, u, nb1, nb2, v))
-                continue;
-            const Best e = edge_axis(p, i, j);
-            if (e.distance > best.distance) best = e;
+        for (std::size_t k = 0; k < count; k++) {
+            const EdgeArc& arc = arcs[k];
+            if (!arcs_cross(arc.first, arc.second, arc.along, nb1, nb2, v)) continue;
+            const EdgeAxis e = edge_axis(p, arc.edge, j);
+            if (e.distance <= best.distance) continue;
+            best = e;
+            best_a = arc.edge;
+            best_b = j;
         }
     }
-    return best;
+    return with_points(p, best, best_a, best_b);
 }
 
 void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts_a,
@@ -131,6 +262,7 @@ void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts
     p.b = polyhedron_of(b, parts_b);
     p.position = transposed_times(a.axes, b.position - a.position);
     p.axes = transpose(a.axes) * b.axes;
+    p.size = minimum(size_of(a), size_of(b));
     p.middle_b = p.position + p.axes * p.b.middle;
     for (std::size_t k = 0; k < p.b.vertices.size(); k++)
         p.vertices_b[k] = p.position + p.axes * p.b.vertices[k];
@@ -148,7 +280,8 @@ Best axis_of(const Pair& p, AxisCode code) {
         if (arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal,
                        p.a.vertices[x.to] - p.a.vertices[x.from], -p.normal_b(y.left),
                        -p.normal_b(y.right), p.vertices_b[y.to] - p.vertices_b[y.from]))
-            return edge_axis(p, first_edge(code), second_edge(code));
+            return with_points(p, edge_axis(p, first_edge(code), second_edge(code)),
+                               first_edge(code), second_edge(code));
     }
     return {};
 }
@@ -169,21 +302,26 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
 
     // Of axes that are equal up to rounding the cached one stays, else faces go before edges: the
     // normal of a resting contact must not flicker.
-    const double tie = 2e-5 * minimum(size_of(a), size_of(b));
+    const double tie = 2e-5 * p.size;
+    AxisFilter filter(p, old);
     Best best;
     for (std::uint32_t f = 0; f < p.a.faces.size(); f++) {
+        if (!filter.may_be_best(p.a.faces[f].normal)) continue;
         const Best candidate = face_axis_a(p, f);
         if (candidate.distance > enough) return in_world(a, candidate);
         if (candidate.distance > best.distance) best = candidate;
+        filter.learn(candidate.distance);
     }
     Best face_b;
     for (std::uint32_t f = 0; f < p.b.faces.size(); f++) {
+        if (!filter.may_be_best(-p.normal_b(f))) continue;
         const Best candidate = face_axis_b(p, f);
         if (candidate.distance > enough) return in_world(a, candidate);
         if (candidate.distance > face_b.distance) face_b = candidate;
+        filter.learn(candidate.distance);
     }
     if (face_b.distance > best.distance + 1e-9 * size_of(a)) best = face_b;
-    const Best edge = edge_axes(p);
+    const Best edge = edge_axes(p, filter);
     if (edge.distance > best.distance + tie) best = edge;
     if (old.code != 0 && old.distance > best.distance - tie) best = old;
     return in_world(a, best);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/near.h"
 #include "support/random_shapes.h"
 
@@ -91,6 +93,57 @@ TEST(Sat, overlap_is_the_least_of_all_directions) {
         }
     }
     EXPECT_GT(overlapping, 100);
+}
+
+// Of stones that just overlap most axes are never looked at, whatever axis they had: the answer is
+// that of all faces and all products of edges.
+TEST(Sat, axes_that_are_passed_over_are_not_the_best) {
+    Random random(133);
+    const auto overlap_of_all = [](const Convex& a, const Convex& b) {
+        double best = -1e300;
+        const auto ask = [&](Vec3 n) {
+            if (length(n) < 1e-9) return;
+            n = normalized(n);
+            for (const Vec3 d : {n, -n})
+                best = std::max(best, dot(support(b, -d) - support(a, d), d));
+        };
+        for (const Convex* c : {&a, &b})
+            for (const HullFace& f : c->hull->faces) ask(c->axes * f.normal);
+        for (const HullEdge& x : a.hull->edges)
+            for (const HullEdge& y : b.hull->edges)
+                ask(cross(a.axes * (a.hull->vertices[x.to] - a.hull->vertices[x.from]),
+                          b.axes * (b.hull->vertices[y.to] - b.hull->vertices[y.from])));
+        return best;
+    };
+    int by_edges = 0, overlapping = 0;
+    for (int round = 0; round < 60; round++) {
+        const Geometry ga = random_geometry(ShapeKind::hull, random),
+                       gb = random_geometry(ShapeKind::hull, random);
+        const Quat turn_a = random.rotation(), turn_b = random.rotation();
+        const Vec3 way = random.direction();
+        const Convex a = at(ga, {}, turn_a);
+        // Moved until it overlaps by a twentieth of its size.
+        const double apart = separate(a, at(gb, way * 10, turn_b), 0, 1e300).distance;
+        Vec3 place = way * (10 - apart);
+        for (int k = 0; k < 20; k++) {
+            const Separation s = separate(a, at(gb, place, turn_b), 0, 1e300);
+            place = place - s.normal * (s.distance + 0.05 * size_of(a));
+        }
+        const Convex b = at(gb, place, turn_b);
+        const double truth = overlap_of_all(a, b);
+        if (truth >= 0) continue;
+        overlapping++;
+        const Separation fresh = separate(a, b, 0, 1e300);
+        by_edges += (fresh.code >> 28) == 3 ? 1 : 0;
+        EXPECT_NEAR(fresh.distance, truth, 3e-5 * size_of(a)) << round;
+        for (int k = 0; k < 10; k++) {
+            const Quat askew = from_axis_angle(random.direction(), 0.3) * turn_b;
+            const AxisCode old = separate(a, at(gb, place, askew), 0, 1e300).code;
+            EXPECT_NEAR(separate(a, b, old, 1e300).distance, truth, 3e-5 * size_of(a)) << round;
+        }
+    }
+    EXPECT_GT(overlapping, 40);
+    EXPECT_GT(by_edges, 10);
 }
 
 // A rod over the edge of a cube, square to it: apart along the edge's own normal.

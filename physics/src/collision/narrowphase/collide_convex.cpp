@@ -85,7 +85,24 @@ std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 norm
     return from(g);
 }
 
+// Of two that the axis of the last time still separates: when it shows their distance it is the
+// best, and when a face does, that is. Else corners or edges are nearest, and no axis need be
+// looked for. Nothing when they touch after all.
+std::optional<Witness> still_apart_witness(const Convex& a, const Convex& b, const Separation& last,
+                                           double enough, PairCache& cache) {
+    const auto w = apart_witness(a, b, last.normal, last.distance, enough, cache);
+    if (!w || w->normal == last.normal || w->distance > enough) return w;
+    const Separation face = separate_by_face(a, b, w->normal);
+    if (w->distance > face.distance + 2e-5 * minimum(size_of(a), size_of(b))) return w;
+    cache.axis = face.code;
+    return Witness{face.normal, face.distance, w->on_a, w->on_b};
+}
+
 Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
+    const Separation last = separate_again(a, b, cache.axis);
+    if (last.distance > enough) return from(last);
+    if (last.distance > 0)
+        if (const auto apart = still_apart_witness(a, b, last, enough, cache)) return *apart;
     const Separation s = separate(a, b, cache.axis, enough);
     cache.axis = s.code;
     if (s.distance <= 0 || s.distance > enough) return from(s);

@@ -19,7 +19,7 @@ constexpr std::uint32_t second_edge(AxisCode code) {
     return code & 0x3fff;
 }
 
-// Both shapes in a's frame. b's normals and vertices are turned once.
+// Both shapes in a's frame. b's vertices are turned once, when they are asked for.
 struct Pair {
     Polyhedron a, b;
     UninitializedArray<Vec3, max_hull_vertices> vertices_b;
@@ -256,6 +256,7 @@ Best edge_axes(const Pair& p, const AxisFilter& filter) {
     return with_points(p, best, best_a, best_b);
 }
 
+// Without b's vertices.
 void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts_a,
                PolyhedronParts& parts_b) {
     p.a = polyhedron_of(a, parts_a);
@@ -264,19 +265,28 @@ void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts
     p.axes = transpose(a.axes) * b.axes;
     p.size = minimum(size_of(a), size_of(b));
     p.middle_b = p.position + p.axes * p.b.middle;
-    for (std::size_t k = 0; k < p.b.vertices.size(); k++)
-        p.vertices_b[k] = p.position + p.axes * p.b.vertices[k];
 }
 
-Best axis_of(const Pair& p, AxisCode code) {
-    if (kind_of(code) == face_of_a && first_edge(code) < p.a.faces.size())
+void turn_vertex(Pair& p, std::size_t k) {
+    p.vertices_b[k] = p.position + p.axes * p.b.vertices[k];
+}
+void turn_vertices(Pair& p) {
+    for (std::size_t k = 0; k < p.b.vertices.size(); k++) turn_vertex(p, k);
+}
+
+Best axis_of(Pair& p, AxisCode code) {
+    if (kind_of(code) == face_of_a && first_edge(code) < p.a.faces.size()) {
+        turn_vertices(p);
         return face_axis_a(p, first_edge(code));
+    }
     if (kind_of(code) == face_of_b && first_edge(code) < p.b.faces.size())
         return face_axis_b(p, first_edge(code));
     if (kind_of(code) == edge_pair && first_edge(code) < p.a.edges.size() &&
         second_edge(code) < p.b.edges.size()) {
         // Only a real face of the difference bounds the distance; others may lie.
         const HullEdge &x = p.a.edges[first_edge(code)], &y = p.b.edges[second_edge(code)];
+        turn_vertex(p, y.from);
+        turn_vertex(p, y.to);
         if (arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal,
                        p.a.vertices[x.to] - p.a.vertices[x.from], -p.normal_b(y.left),
                        -p.normal_b(y.right), p.vertices_b[y.to] - p.vertices_b[y.from]))
@@ -299,6 +309,7 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
     make_pair(p, a, b, parts_a, parts_b);
     const Best old = axis_of(p, cached);
     if (old.distance > enough) return in_world(a, old);
+    turn_vertices(p);
 
     // Of axes that are equal up to rounding the cached one stays, else faces go before edges: the
     // normal of a resting contact must not flicker.
@@ -325,6 +336,29 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
     if (edge.distance > best.distance + tie) best = edge;
     if (old.code != 0 && old.distance > best.distance - tie) best = old;
     return in_world(a, best);
+}
+
+Separation separate_again(const Convex& a, const Convex& b, AxisCode cached) {
+    PolyhedronParts parts_a, parts_b;
+    Pair p;
+    make_pair(p, a, b, parts_a, parts_b);
+    return in_world(a, axis_of(p, cached));
+}
+
+Separation separate_by_face(const Convex& a, const Convex& b, Vec3 direction) {
+    PolyhedronParts parts_a, parts_b;
+    Pair p;
+    make_pair(p, a, b, parts_a, parts_b);
+    turn_vertices(p);
+    const auto most_along = [](std::span<const HullFace> faces, Vec3 d) {
+        std::uint32_t best = 0;
+        for (std::uint32_t f = 1; f < faces.size(); f++)
+            if (dot(faces[f].normal, d) > dot(faces[best].normal, d)) best = f;
+        return best;
+    };
+    const Best of_a = face_axis_a(p, most_along(p.a.faces, transposed_times(a.axes, direction)));
+    const Best of_b = face_axis_b(p, most_along(p.b.faces, -transposed_times(b.axes, direction)));
+    return in_world(a, of_b.distance > of_a.distance ? of_b : of_a);
 }
 
 Separation separate_segment(const Convex& polyhedron, const Convex& segment) {

@@ -26,6 +26,12 @@ struct Separation {
 // tolerance. Stops early when an axis shows more than `enough`.
 Separation separate(const Convex& a, const Convex& b, AxisCode cached, double enough);
 
+// What the axis of the last time shows now; less than anything where it is none.
+Separation separate_again(const Convex& a, const Convex& b, AxisCode cached);
+
+// What the faces show that look most along a direction from a to b, unit, world: the better one.
+Separation separate_by_face(const Convex& a, const Convex& b, Vec3 direction);
+
 // A segment against a polyhedron.
 Separation separate_segment(const Convex& polyhedron, const Convex& segment);
 

@@ -287,7 +287,7 @@ SceneDescription lab_rods() {
 
 SceneDescription lab_box_shot() {
     SceneDescription scene;
-    scene.bodies.push_back(fixed_box("wall", {0.25, 0, 0}, {0.25, 20, 20}));
+    scene.bodies.push_back(fixed_box("wall", {0.25, 0, 0}, {0.25, 100, 100}));
     Random random;
     for (int i = 0; i < 1000; i++) {
         const double x = random.in(-30, -5);

@@ -74,6 +74,7 @@ public:
         box_ = grow(bounds_of(local), margin);
         box_ = {box_.low + origin_, box_.high + origin_};
         size_ = size_of(shape_);
+        middle_ = middle_of(shape_);
     }
 
     bool overlaps() const {
@@ -164,7 +165,9 @@ private:
             dot(support(shape_, front) - corner[0], front) < -reach)
             return;
         const Convex triangle = triangle_convex(corner, {}, {});
-        PairCache cache;
+        // Mostly the face decides: its front is the first, its back the second.
+        PairCache cache{.axis = axis_of_face(dot(middle_ - corner[0], front) < 0 ? 1 : 0),
+                        .direction = {}};
         const Witness w = find_witness(triangle, shape_, reach, cache);
         if (w.distance > reach) return;
         const double side = is_behind(t, corner, w) ? -1 : 1;
@@ -197,9 +200,8 @@ private:
         const Vec3 front = normal_of(t);
         const double up = dot(front, w.normal);
         if (gap_of(w) > -tuning::even_ground * size_ && absolute(up) > 0.5) return up < 0;
-        const Vec3 middle = middle_of(shape_);
-        const Vec3 nearest = nearest_on(triangle_convex(corner, {}, {}), middle);
-        const bool below = dot(middle - corner[0], front) < 0;
+        const Vec3 nearest = nearest_on(triangle_convex(corner, {}, {}), middle_);
+        const bool below = dot(middle_ - corner[0], front) < 0;
         bool behind = below, beside = false;
         for (int k = 0; k < 3; k++) {
             const Vec3 along = corner[(k + 1) % 3] - corner[k];
@@ -209,21 +211,21 @@ private:
             beside = true;
             const SurfaceEdge edge = edge_of(*surface_.geometry, t, k);
             if (edge.border) continue;
-            const bool behind_that = dot(middle - corner[k], edge.normal) < 0;
+            const bool behind_that = dot(middle_ - corner[k], edge.normal) < 0;
             behind = edge.fold < 0 ? behind && behind_that : behind || behind_that;
         }
-        if (beside && dot(front, way_out(middle)) > 0) return false;
+        if (beside && dot(front, way_out()) > 0) return false;
         return behind;
     }
 
     // The normal, on the shape's side, of the triangle nearest to its middle.
-    Vec3 way_out(Vec3 middle) {
+    Vec3 way_out() {
         if (way_out_ != Vec3{}) return way_out_;
         double least = 1e300, upright = 0;
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
             const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                     t.corner[2] - origin_};
-            const Vec3 to = middle - nearest_on(triangle_convex(corner, {}, {}), middle);
+            const Vec3 to = middle_ - nearest_on(triangle_convex(corner, {}, {}), middle_);
             const Vec3 front = normal_of(t);
             const double distance = length(to), up = dot(to, front);
             // Of those that share the nearest point the one that faces it most.
@@ -322,6 +324,7 @@ private:
     Convex shape_;
     Aabb box_;
     double size_ = 0;
+    Vec3 middle_;
     Vec3 way_out_;  // zero: not known yet
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;

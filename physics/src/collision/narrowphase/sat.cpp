@@ -303,6 +303,10 @@ Separation in_world(const Convex& a, const Best& best) {
 
 }  // namespace
 
+AxisCode axis_of_face(std::uint32_t face) {
+    return face_of_a | face << 14;
+}
+
 Separation separate(const Convex& a, const Convex& b, AxisCode cached, double enough) {
     PolyhedronParts parts_a, parts_b;
     Pair p;

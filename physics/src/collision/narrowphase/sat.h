@@ -15,6 +15,9 @@ namespace jostle::physics {
 // Which axis a pair used last, as a number to keep: 0 none, else kind, first and second index.
 using AxisCode = std::uint32_t;
 
+// The axis of a face of the first shape, for who knows which it may be.
+AxisCode axis_of_face(std::uint32_t face);
+
 struct Separation {
     double distance = -1e300;  // m along the normal; negative: overlap
     Vec3 normal;               // unit, from a to b, in the frame that a and b are given in

@@ -37,8 +37,8 @@ target_compile_options(jostle_flags INTERFACE -Wno-psabi)
 # Some of what we link asks for it; a precompiled header fits only where all sources agree.
 target_compile_options(jostle_flags INTERFACE -pthread)
 
-# Builds that are made once and thrown away take two thirds of the time when the sources of a library, and of tests that say so, are
-# compiled eight together. One source's constant is then another's shadow.
+# Builds that are made once and thrown away take less time when the sources of a library, and of tests that say so, are compiled eight
+# together. One source's constant is then another's shadow.
 if(JOSTLE_TOGETHER)
     target_compile_options(jostle_flags INTERFACE -Wno-shadow)
 endif()

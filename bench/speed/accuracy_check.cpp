@@ -36,8 +36,13 @@ Segment core_of(const Capsule& capsule, const Transform& pose) {
     return {pose.position - reach, pose.position + reach};
 }
 
-// Ericson, "Real-Time Collision Detection", 5.1.9.
-double distance(const Segment& p, const Segment& q) {
+Segment core_of(const Sphere&, const Transform& pose) {
+    return {pose.position, pose.position};
+}
+
+// From where one is nearest to the other to where that is. Ericson, "Real-Time Collision
+// Detection", 5.1.9.
+Vec3 shortest_way(const Segment& p, const Segment& q) {
     const Vec3 u = p.to - p.from, v = q.to - q.from, r = p.from - q.from;
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
     const double across = uu * vv - uv * uv;
@@ -48,7 +53,11 @@ double distance(const Segment& p, const Segment& q) {
         t = unit(t);
         s = uu > 0 ? unit((uv * t - ur) / uu) : 0;
     }
-    return length(p.at(s) - q.at(t));
+    return q.at(t) - p.at(s);
+}
+
+double distance(const Segment& p, const Segment& q) {
+    return length(shortest_way(p, q));
 }
 
 // Of a point to a box around the origin: negative inside, then to the nearest face.
@@ -204,9 +213,42 @@ std::vector<Vec3> face_normals(const auto& shape, const Transform& pose) {
     return normals;
 }
 
+// An edge, and the normals of the two faces beside it; without faces, any normal square to it.
+struct Edge {
+    Vec3 from, along, left, right;
+    bool has_faces = false;
+};
+
+std::vector<Edge> edges_of(const auto& shape, const Transform& pose) {
+    using Shape = std::decay_t<decltype(shape)>;
+    std::vector<Edge> edges;
+    const auto turned = [&](Vec3 v) { return rotate(pose.rotation, v); };
+    if constexpr (std::is_same_v<Shape, Hull>)
+        for (const physics::HullEdge& e : shape.data->edges)
+            edges.push_back({apply(pose, shape.data->vertices[e.from]),
+                             turned(shape.data->vertices[e.to] - shape.data->vertices[e.from]),
+                             turned(shape.data->faces[e.left].normal),
+                             turned(shape.data->faces[e.right].normal), true});
+    if constexpr (std::is_same_v<Shape, Box>)
+        for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+            edges.push_back({.along = turned(axis)});
+    if constexpr (std::is_same_v<Shape, Capsule>) edges.push_back({.along = turned({0, 1, 0})});
+    return edges;
+}
+
+// Whether the normals of the one edge's faces and the other's, turned round, cross as arcs on the
+// sphere: else the two make no face of the Minkowski difference (Gregorius, "The separating axis
+// test between convex polyhedra", GDC 2013).
+bool arcs_cross(const Edge& x, const Edge& y) {
+    if (!x.has_faces || !y.has_faces) return true;
+    const double a = -dot(y.left, x.along), b = -dot(y.right, x.along);
+    const double c = dot(x.left, y.along), d = dot(x.right, y.along);
+    return a * b < 0 && c * d < 0 && a * d > 0;
+}
+
 // The overlap of two convex shapes is the least that their projections overlap over all directions
-// from a to b. From the best of the faces' normals downhill, in a ring of directions that shrinks
-// when none is better.
+// from a to b: at a normal of a face, square to two edges, or, of what is round, from its core to
+// where an edge is nearest.
 template <class A, class B>
 double least_overlap(const A& a, const Transform& pose_a, const B& b, const Transform& pose_b) {
     const auto overlap = [&](Vec3 n) { return support(a, pose_a, n) + support(b, pose_b, -n); };
@@ -221,20 +263,21 @@ double least_overlap(const A& a, const Transform& pose_a, const B& b, const Tran
     };
     for (const Vec3& n : face_normals(a, pose_a)) try_one(n);
     for (const Vec3& n : face_normals(b, pose_b)) try_one(-n);
-    double ring = 0.1, turn = 0;
-    while (least > 0 && ring > 1e-6) {
-        const Vec3 n = best;
-        const Vec3 x =
-            normalized(cross(n, physics::absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-        const Vec3 y = cross(n, x);
-        bool better = false;
-        for (int k = 0; k < 8; k++) {
-            const physics::SinCos at = physics::sin_cos(turn + k * physics::pi / 4);
-            better |= try_one(normalized(n + (x * at.cos + y * at.sin) * ring));
+    if (least <= 0) return least;
+    const std::vector<Edge> of_a = edges_of(a, pose_a), of_b = edges_of(b, pose_b);
+    for (const Edge& x : of_a)
+        for (const Edge& y : of_b) {
+            const Vec3 across = cross(x.along, y.along);
+            if (length(across) < 1e-6 * length(x.along) * length(y.along) || !arcs_cross(x, y))
+                continue;
+            try_one(normalized(across));
+            try_one(-normalized(across));
         }
-        turn += 0.4;
-        if (!better) ring *= 0.5;
-    }
+    if constexpr (requires { core_of(a, pose_a); })
+        for (const Edge& y : of_b) {
+            const Vec3 way = shortest_way(core_of(a, pose_a), {y.from, y.from + y.along});
+            if (length(way) > 0) try_one(normalized(way));
+        }
     return least;
 }
 

@@ -12,8 +12,8 @@
 namespace jostle::bench {
 
 // How far one of two shapes must move for them to touch no more, m; zero or less when they do not
-// overlap. Exact for all pairs of spheres, capsules and boxes; with hulls good to about a hundredth
-// of a millimetre. Into a mesh: how far the deepest point towards a triangle is below it.
+// overlap. Exact for all pairs that are convex. Into a mesh: how far the deepest point towards a
+// triangle is below it.
 double penetration_depth(const Primitive& a, const physics::Transform& pose_a, const Primitive& b,
                          const physics::Transform& pose_b);
 

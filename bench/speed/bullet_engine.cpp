@@ -247,7 +247,8 @@ private:
             radius = sphere->radius;
         if (const auto* box = std::get_if<physics::Box>(&parts[0].shape))
             radius = std::min({box->half_extents.x, box->half_extents.y, box->half_extents.z});
-        if (parts.size() != 1 || length(velocity) * step_seconds_ <= 2 * radius) return;
+        if (parts.size() != 1 || radius == 0 || length(velocity) * step_seconds_ <= 2 * radius)
+            return;
         rigid.setCcdMotionThreshold(scalar(0.75 * radius));
         rigid.setCcdSweptSphereRadius(scalar(0.5 * radius));
     }

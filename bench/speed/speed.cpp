@@ -28,8 +28,8 @@ the thread at one thread and in wall-clock time at more (column clock). A second
 steps is checked for accuracy every 10 steps, by the shapes' geometry and the same for all engines.
 
 Columns: ms_mean of a step, the same in the steps while a twentieth of the bodies moves (faster than
-5 cm/s) and while all rests; ms_p99, ms_worst without the first step, ms_first; deep_mm, mean_mm and >1cm: deepest overlap, mean overlap and
-pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
+5 cm/s) and while all rests; ms_p99, ms_worst without the first step, ms_first; deep_mm,
+mean_mm and >1cm: deepest overlap, mean overlap and pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
 two ends of a joint are apart, at the end and at worst; asleep: the step by which all slept; the
 player of scene e is let go after the last one, so its step comes later; awake and moving: bodies
 that do not sleep at the end, and those faster than 5 cm/s; top_m: highest centre at the end; tunnel:

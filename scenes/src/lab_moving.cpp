@@ -317,8 +317,8 @@ SceneDescription lab_l_shapes() {
     add_lab_walls(scene, 4);
     Random random;
     for (int k = 0; k < 500; k++) {
-        const int layer = k / 25, cell = k % 25;
-        const Vec3 at{(cell % 5 - 2) * 1.5, 1 + 1.3 * layer, (cell / 5 - 2) * 1.5};
+        const int layer = k / 9, cell = k % 9;
+        const Vec3 at{(cell % 3 - 1) * 2.1, 1.2 + 2.1 * layer, (cell / 3 - 1) * 2.1};
         SceneBody body = loose("L", at, Box{{0.5, 0.15, 0.15}}, random_turn(random));
         body.shapes.push_back({.geometry = Box{{0.15, 0.35, 0.15}}, .pose = {{0.35, 0.5, 0}, {}}});
         scene.bodies.push_back(body);

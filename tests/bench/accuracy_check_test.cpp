@@ -5,9 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
+#include "jostle/physics/hull.h"
+#include "jostle/physics/mesh.h"
 #include "parts.h"
 #include "support/random.h"
 
@@ -19,6 +24,8 @@ using jostle::physics::Box;
 using jostle::physics::Capsule;
 using jostle::physics::compose;
 using jostle::physics::from_axis_angle;
+using jostle::physics::Hull;
+using jostle::physics::Mesh;
 using jostle::physics::Quat;
 using jostle::physics::Sphere;
 using jostle::physics::Transform;
@@ -47,6 +54,58 @@ double depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
 TEST(AccuracyCheck, boxes_face_to_face) {
     EXPECT_NEAR(depth(cube, at({}), cube, at({0, 0.999, 0})), 0.001, exact);
     EXPECT_LE(depth(cube, at({}), cube, at({0, 1.001, 0})), 0);
+}
+
+Hull hull_of(const Box& box) {
+    std::vector<Vec3> corners;
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0})
+            for (const double z : {-1.0, 1.0}) {
+                const Vec3 h = box.half_extents;
+                corners.push_back({x * h.x, y * h.y, z * h.z});
+            }
+    return Hull{*jostle::physics::build_hull(corners)};
+}
+
+// A hull with a box's corners is as deep as the box, in whatever is convex.
+TEST(AccuracyCheck, hulls_are_as_deep_as_the_boxes_that_they_are) {
+    jostle::test::Random random(5);
+    const Box brick{{0.3, 0.25, 0.35}};
+    const Primitive others[] = {Sphere{0.3}, Capsule{0.2, 0.25}, brick};
+    int overlapping = 0;
+    for (int k = 0; k < 200; k++) {
+        const Transform here{random.vector(0.4), random.rotation()},
+            there{random.vector(0.4), random.rotation()};
+        const double truth = penetration_depth(brick, here, others[k % 3], there);
+        if (truth <= 0) continue;
+        overlapping++;
+        EXPECT_NEAR(penetration_depth(hull_of(brick), here, others[k % 3], there), truth, exact)
+            << k;
+        if (k % 3 != 2) continue;
+        EXPECT_NEAR(penetration_depth(hull_of(brick), here, hull_of(brick), there), truth, exact)
+            << k;
+    }
+    EXPECT_GT(overlapping, 50);
+}
+
+// Level ground of two triangles: what is 3 cm below it is, and what hovers or lies beside is not.
+TEST(AccuracyCheck, what_is_below_a_mesh) {
+    const Vec3 corners[] = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
+    const std::array<std::uint32_t, 3> triangles[] = {{0, 2, 1}, {0, 3, 2}};
+    const Mesh ground{*jostle::physics::build_mesh(corners, triangles)};
+    const Transform at_ground{{1, 2, 3}, {}};
+    const auto below = [&](const Primitive& shape, double lowest_of_shape, double x = 2) {
+        return penetration_depth(shape, at({x, 2 + lowest_of_shape - 0.03, 3.5}), ground,
+                                 at_ground);
+    };
+    for (const auto& [shape, reach] : {std::pair<Primitive, double>{Sphere{0.3}, 0.3},
+                                       {Capsule{0.1, 0.2}, 0.3},
+                                       {Box{{0.1, 0.3, 0.1}}, 0.3},
+                                       {hull_of(Box{{0.1, 0.3, 0.1}}), 0.3}}) {
+        EXPECT_NEAR(below(shape, reach), 0.03, 1e-12);
+        EXPECT_LE(below(shape, reach + 0.04), 0);
+        EXPECT_LE(below(shape, reach, 20), 0);
+    }
 }
 
 TEST(AccuracyCheck, box_on_its_edge) {

@@ -72,6 +72,11 @@ Witness round_witness(const Convex& a, const Convex& b, double enough, PairCache
     return snapped(a, b, {p.normal, -p.depth, p.on_a, p.on_b});
 }
 
+// m: axes of two polyhedra that show as much but for this are equal.
+double tie_of(const Convex& a, const Convex& b) {
+    return 2e-5 * minimum(size_of(a), size_of(b));
+}
+
 // Of two polyhedra that an axis separates: it shows less than the distance when corners are what is
 // nearest. Nothing when they touch after all.
 std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 normal, double distance,
@@ -79,8 +84,7 @@ std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 norm
     const Vec3 hint = length_squared(cache.direction) > 0 ? cache.direction : normal;
     const GjkResult g = gjk(a, b, hint, {.beyond = enough});
     if (g.distance == 0) return std::nullopt;
-    if (g.distance <= distance + 2e-5 * minimum(size_of(a), size_of(b)))
-        return Witness{normal, distance, g.on_a, g.on_b};
+    if (g.distance <= distance + tie_of(a, b)) return Witness{normal, distance, g.on_a, g.on_b};
     cache.direction = g.normal;
     return from(g);
 }
@@ -93,7 +97,7 @@ std::optional<Witness> still_apart_witness(const Convex& a, const Convex& b, con
     const auto w = apart_witness(a, b, last.normal, last.distance, enough, cache);
     if (!w || w->normal == last.normal || w->distance > enough) return w;
     const Separation face = separate_by_face(a, b, w->normal);
-    if (w->distance > face.distance + 2e-5 * minimum(size_of(a), size_of(b))) return w;
+    if (w->distance > face.distance + tie_of(a, b)) return w;
     cache.axis = face.code;
     return Witness{face.normal, face.distance, w->on_a, w->on_b};
 }

@@ -149,6 +149,7 @@ private:
     bool sprung_ = false;  // ... and what of that is damped:
     bool damped_springs_ = false;
     bool gripped_ = false;     // by motors or friction
+    bool limited_ = false;     // some ways are
     bool locked_ = false;      // axes of bodies are
     bool energy_ = false;      // the step under way is an energy-momentum one
     double spring_rate_ = 0;   // rad/s: no spring swings faster

@@ -26,8 +26,7 @@ double gyration_of(const DirectBody& body) {
 
 // What there is beside joints that hold.
 void DirectGroup::list_what_acts() {
-    damped_ = sprung_ = damped_springs_ = gripped_ = locked_ = false;
-    bool limited = false;
+    damped_ = sprung_ = damped_springs_ = gripped_ = limited_ = locked_ = false;
     for (DirectBody& body : bodies) {
         damped_ |= body.linear_damping != 0 || body.angular_damping != 0;
         locked_ |= body.pushed && (!body.turns_freely || body.inverse_masses.x == 0 ||
@@ -47,7 +46,7 @@ void DirectGroup::list_what_acts() {
                 response_of(way, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
                     least_response(joint))
                 nothing_along(way);
-            limited |= way.has_limit();
+            limited_ |= way.has_limit();
             gripped_ |= way.steps > 0;
             sprung_ |= way.rate > 0;
             damped_springs_ |= way.is_damped();
@@ -56,7 +55,7 @@ void DirectGroup::list_what_acts() {
         }
     }
     damped_ |= damped_springs_;
-    smooth_ = !damped_ && !limited && !gripped_;
+    smooth_ = !damped_ && !limited_ && !gripped_;
     // A spring's rate is its own against both bodies: of two, each feels no more than all of them
     // together.
     double most = 0;

@@ -15,6 +15,15 @@ namespace {
 constexpr int most_energy_corrections = 16;
 // The matrix is made anew when an error keeps more of itself.
 constexpr double slow_contraction = 0.35;
+// What the first guess, the pull of the step before, misses by is about what the step gets wrong:
+// of that a small part may be left, as W. E. Milne's device has it ("Numerical solution of
+// differential equations", 1953), but no more than this, m.
+// Limits and what grips are judged by their impulses, and want them found.
+constexpr double small_part = 0.02, most_left = 1e-5;
+
+double enough_of(double first, double tolerance) {
+    return maximum(tolerance, minimum(most_left, small_part * first));
+}
 
 // A force on a body at an arm pulls it straight, or topples it: minus the derivative of its torque.
 void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
@@ -233,12 +242,15 @@ void DirectGroup::correct(double h, bool again) {
 
 bool DirectGroup::find_energy_way(double h, double tolerance) {
     begin_energy_step(h);
-    double before = 1e300, first = 0;
+    double before = 1e300, first = 0, enough = tolerance;
     bool again = true;
     for (int round = 0;; round++) {
         const double error = miss_of(h, true);
-        if (error < tolerance) return true;
-        if (round == 0) first = error;
+        if (round == 0) {
+            first = error;
+            enough = gripped_ || limited_ ? tolerance : enough_of(first, tolerance);
+        }
+        if (error < enough) return true;
         if (round == most_energy_corrections || !(error < 1e6))
             return error < 30 * tolerance ||
                    (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);

@@ -10,6 +10,7 @@
 #include "foundation/byte_stream.h"
 #include "foundation/hash.h"
 #include "foundation/messages.h"
+#include "geometry/hull_lanes.h"
 #include "geometry/hull_topology.h"
 #include "geometry/polyhedron_mass.h"
 
@@ -188,6 +189,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
         hull->inner_radius =
             minimum(hull->inner_radius, face.offset - dot(face.normal, hull->center));
     hull->content_hash = hash_of(*hull);
+    hull->lanes = std::make_shared<const HullLanes>(lanes_of(*hull));
     return std::shared_ptr<const ConvexHull>(std::move(hull));
 }
 

@@ -2,6 +2,7 @@
 #include "geometry/support.h"
 
 #include "foundation/check.h"
+#include "geometry/hull_lanes.h"
 
 namespace jostle::physics {
 namespace {
@@ -17,19 +18,6 @@ Vec3 on_disc(Vec3 d, double r) {
     if (l2 < 1e-300) return {};
     const double s = r / square_root(l2);
     return {d.x * s, 0, d.z * s};
-}
-
-Vec3 support_of_hull(const ConvexHull& hull, Vec3 d) {
-    Vec3 best = hull.vertices[0];
-    double most = dot(best, d);
-    for (const Vec3 v : hull.vertices) {
-        const double along = dot(v, d);
-        if (along > most) {
-            most = along;
-            best = v;
-        }
-    }
-    return best;
 }
 
 Vec3 local_support(const Convex& s, Vec3 d) {
@@ -52,7 +40,7 @@ Vec3 local_support(const Convex& s, Vec3 d) {
             return dot(rim, d) > s.size.y * d.y ? rim : Vec3{0, s.size.y, 0};
         }
         case Core::hull:
-            return support_of_hull(*s.hull, d);
+            return s.hull->vertices[furthest_vertex(*s.hull->lanes, d)];
         case Core::triangle: {
             const double a = dot(s.corner[0], d), b = dot(s.corner[1], d), c = dot(s.corner[2], d);
             if (a >= b && a >= c) return s.corner[0];

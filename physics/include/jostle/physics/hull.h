@@ -30,6 +30,8 @@ struct HullEdge {
     std::uint16_t left = 0, right = 0;  // faces
 };
 
+struct HullLanes;  // vertices, faces and edges side by side, for the narrow phase
+
 struct ConvexHull {
     std::vector<Vec3> vertices;
     std::vector<HullFace> faces;  // coplanar triangles are merged
@@ -43,6 +45,7 @@ struct ConvexHull {
     double inner_radius = 0;                  // m: of a ball about `center` that fits inside
     Aabb bounds;
     std::uint64_t content_hash = 0;
+    std::shared_ptr<const HullLanes> lanes;
 
     std::span<const std::uint16_t> vertices_of(const HullFace& face) const {
         return {face_vertices.data() + face.first, face.count};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collision/narrowphase/polyhedron.h"
 
+#include <algorithm>
+
 #include "foundation/check.h"
 
 namespace jostle::physics {
@@ -48,6 +50,22 @@ Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
             (corner[0] + corner[1] + corner[2]) * (1.0 / 3)};
 }
 
+// Of what the normals between two faces of an edge show of the way between two balls.
+double most_of_arc(Vec3 d, Vec3 first, Vec3 second, Vec3 along) {
+    const double most = maximum(dot(d, first), dot(d, second));
+    const Vec3 turn = cross(first, second);
+    if (dot(cross(first, d), turn) < 0 || dot(cross(d, second), turn) < 0) return most;
+    // Of all directions square to the edge d itself, without its part along the edge, shows most,
+    // when it is between the two.
+    const double part = dot(d, along);
+    return square_root(maximum(0, length_squared(d) - part * part / length_squared(along)));
+}
+
+// As a float that is no less.
+float rounded_up(double most, Vec3 apart) {
+    return static_cast<float>(most + 1e-6 * length(apart));
+}
+
 }  // namespace
 
 Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts) {
@@ -55,8 +73,42 @@ Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts) {
     if (shape.core == Core::triangle) return flat_of(shape.corner, parts);
     ASSERT(shape.core == Core::hull);
     const ConvexHull& hull = *shape.hull;
-    return {hull.vertices, hull.faces,  hull.face_vertices,
-            hull.edges,    hull.center, hull.inner_radius};
+    return {hull.vertices, hull.faces,        hull.face_vertices, hull.edges,
+            hull.center,   hull.inner_radius, hull.lanes.get()};
+}
+
+std::size_t furthest_vertex(const Polyhedron& shape, Vec3 d) {
+    if (shape.lanes != nullptr) return furthest_vertex(*shape.lanes, d);
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < shape.vertices.size(); k++)
+        if (dot(shape.vertices[k], d) > dot(shape.vertices[best], d)) best = k;
+    return best;
+}
+
+void show_normals(const Polyhedron& shape, std::span<const InnerBalls> balls, double sign,
+                  float* to) {
+    if (shape.lanes != nullptr) return show_normals(*shape.lanes, balls, sign, to);
+    for (std::size_t k = 0; k < shape.faces.size(); k++) {
+        to[k] = 1e30f;
+        for (const InnerBalls& ball : balls) {
+            const double shown = sign * dot(ball.apart, shape.faces[k].normal) - ball.radii;
+            to[k] = std::min(to[k], rounded_up(shown, ball.apart));
+        }
+    }
+}
+
+void show_arcs(const Polyhedron& shape, std::span<const InnerBalls> balls, double sign, float* to) {
+    if (shape.lanes != nullptr) return show_arcs(*shape.lanes, balls, sign, to);
+    for (std::size_t k = 0; k < shape.edges.size(); k++) {
+        const HullEdge& edge = shape.edges[k];
+        const Vec3 along = shape.vertices[edge.to] - shape.vertices[edge.from];
+        to[k] = 1e30f;
+        for (const InnerBalls& ball : balls) {
+            const double shown = most_of_arc(ball.apart * sign, shape.faces[edge.left].normal,
+                                             shape.faces[edge.right].normal, along);
+            to[k] = std::min(to[k], rounded_up(shown - ball.radii, ball.apart));
+        }
+    }
 }
 
 }  // namespace jostle::physics

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collision/narrowphase/sat.h"
 
+#include <algorithm>
+
 #include "foundation/check.h"
 #include "foundation/uninitialized_array.h"
 
@@ -19,16 +21,16 @@ constexpr std::uint32_t second_edge(AxisCode code) {
     return code & 0x3fff;
 }
 
-// Both shapes in a's frame. b's vertices are turned once, when they are asked for.
+// Both shapes in a's frame.
 struct Pair {
     Polyhedron a, b;
-    UninitializedArray<Vec3, max_hull_vertices> vertices_b;
     Vec3 middle_b;
     Vec3 position;  // of b's frame in a's
     Mat3 axes;      // b's axes in a's
     double size;    // m
 
     Vec3 normal_b(std::uint32_t face) const { return axes * b.faces[face].normal; }
+    Vec3 vertex_b(std::size_t k) const { return position + axes * b.vertices[k]; }
 };
 
 struct Best {
@@ -68,13 +70,6 @@ Vec3 point_of_b(const Pair& p, const Best& axis) {
     return p.position + p.axes * last_on_face(p.b, first_edge(axis.code), in_b);
 }
 
-// A ball in a and one in b: along n from a to b the shapes are no further apart than the balls are,
-// n . apart - radii.
-struct InnerBalls {
-    Vec3 apart;  // from a's to b's, in a's frame or in b's
-    double radii;
-};
-
 // Which axes cannot be the best: most of them, once one is known. Balls inside the shapes bound
 // what an axis shows, and so all the axes of an edge's arc.
 class AxisFilter {
@@ -89,20 +84,12 @@ public:
     }
     // An axis shows so much: who shows less by more than ties may turn is of no interest.
     void learn(double distance) { known_ = maximum(known_, distance - slack_); }
+    bool knows_some() const { return known_ > -1e299; }
+    // `most`: what an axis shows at most, m.
+    bool may_be_best(float most) const { return double{most} >= known_; }
 
-    // n: from a to b, in a's frame.
-    bool may_be_best(Vec3 n) const {
-        for (int k = 0; k < count_; k++)
-            if (dot(n, in_a_[k].apart) - in_a_[k].radii < known_) return false;
-        return true;
-    }
-    // Any normal between those of an edge's two faces, both out of the shape; along: the edge.
-    bool may_be_best_a(Vec3 first, Vec3 second, Vec3 along) const {
-        return may_be_best(in_a_, 1, first, second, along);
-    }
-    bool may_be_best_b(Vec3 first, Vec3 second, Vec3 along) const {
-        return may_be_best(in_b_, -1, first, second, along);
-    }
+    std::span<const InnerBalls> in_a() const { return {in_a_, count_}; }
+    std::span<const InnerBalls> in_b() const { return {in_b_, count_}; }
 
 private:
     void add(Vec3 in_a, double radius_a, Vec3 in_b, double radius_b) {
@@ -111,62 +98,48 @@ private:
         count_++;
     }
 
-    bool may_be_best(const InnerBalls* balls, double sign, Vec3 first, Vec3 second,
-                     Vec3 along) const {
-        for (int k = 0; k < count_; k++) {
-            const Vec3 d = balls[k].apart * sign;
-            double most = maximum(dot(d, first), dot(d, second));
-            if (most - balls[k].radii >= known_) continue;
-            // Of all directions square to the edge d itself, without its part along the edge, shows
-            // most, when it is between the two.
-            const Vec3 turn = cross(first, second);
-            if (dot(cross(first, d), turn) >= 0 && dot(cross(d, second), turn) >= 0) {
-                const double part = dot(d, along);
-                most = square_root(
-                    maximum(0, length_squared(d) - part * part / length_squared(along)));
-            }
-            if (most - balls[k].radii < known_) return false;
-        }
-        return true;
-    }
-
     const Mat3& axes_;
     double slack_, known_ = -1e300;
-    int count_ = 0;
+    std::size_t count_ = 0;
     InnerBalls in_a_[3], in_b_[3];
 };
 
 // How far b's deepest vertex is from a face of a.
 Best face_axis_a(const Pair& p, std::uint32_t face) {
     const HullFace& f = p.a.faces[face];
-    double lowest = 1e300;
-    std::size_t deepest = 0;
-    for (std::size_t k = 0; k < p.b.vertices.size(); k++) {
-        const double d = dot(f.normal, p.vertices_b[k]);
-        if (d < lowest) {
-            lowest = d;
-            deepest = k;
-        }
-    }
-    const double s = lowest - f.offset;
-    return {s, f.normal, face_of_a | face << 14, p.vertices_b[deepest] - f.normal * s,
-            p.vertices_b[deepest]};
+    const Vec3 deepest = p.vertex_b(furthest_vertex(p.b, -transposed_times(p.axes, f.normal)));
+    const double s = dot(f.normal, deepest) - f.offset;
+    return {s, f.normal, face_of_a | face << 14, deepest - f.normal * s, deepest};
 }
 
 Best face_axis_b(const Pair& p, std::uint32_t face) {
     const Vec3 n = p.normal_b(face);
     const double offset = p.b.faces[face].offset + dot(n, p.position);
-    double lowest = 1e300;
-    std::size_t deepest = 0;
-    for (std::size_t k = 0; k < p.a.vertices.size(); k++) {
-        const double d = dot(n, p.a.vertices[k]);
-        if (d < lowest) {
-            lowest = d;
-            deepest = k;
-        }
+    const Vec3 deepest = p.a.vertices[furthest_vertex(p.a, -n)];
+    const double s = dot(n, deepest) - offset;
+    return {s, -n, face_of_b | face << 14, deepest, deepest - n * s};
+}
+
+// The best of a shape's faces, or one that shows more than `enough`. `most`: what each shows at
+// most; `axis`: what it shows.
+template <class Axis>
+Best best_face(std::size_t count, const float* most, double enough, AxisFilter& filter,
+               const Axis& axis) {
+    Best best;
+    if (!filter.knows_some()) {
+        const auto first = static_cast<std::uint32_t>(std::max_element(most, most + count) - most);
+        const Best promising = axis(first);
+        if (promising.distance > enough) return promising;
+        filter.learn(promising.distance);
     }
-    const double s = lowest - offset;
-    return {s, -n, face_of_b | face << 14, p.a.vertices[deepest], p.a.vertices[deepest] - n * s};
+    for (std::uint32_t f = 0; f < count; f++) {
+        if (!filter.may_be_best(most[f])) continue;
+        const Best candidate = axis(f);
+        if (candidate.distance > enough) return candidate;
+        if (candidate.distance > best.distance) best = candidate;
+        filter.learn(candidate.distance);
+    }
+    return best;
 }
 
 // Whether the arcs (na1, na2) and (nb1, nb2) on the sphere of directions cross; nb are b's normals
@@ -198,7 +171,7 @@ struct EdgeAxis {
 EdgeAxis edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     const HullEdge &x = p.a.edges[ea], &y = p.b.edges[eb];
     const Vec3 pa = p.a.vertices[x.from], u = p.a.vertices[x.to] - pa;
-    const Vec3 pb = p.vertices_b[y.from], v = p.vertices_b[y.to] - pb;
+    const Vec3 pb = p.vertex_b(y.from), v = p.vertex_b(y.to) - pb;
     Vec3 n = cross(u, v);
     const double l2 = length_squared(n), uu = length_squared(u), vv = length_squared(v);
     if (l2 < 1e-10 * uu * vv) return {};  // parallel: a face says it better
@@ -212,7 +185,7 @@ Best with_points(const Pair& p, const EdgeAxis& axis, std::uint32_t ea, std::uin
     if (axis.distance == EdgeAxis{}.distance) return {};
     const HullEdge &x = p.a.edges[ea], &y = p.b.edges[eb];
     const Vec3 pa = p.a.vertices[x.from], u = p.a.vertices[x.to] - pa;
-    const Vec3 pb = p.vertices_b[y.from], v = p.vertices_b[y.to] - pb;
+    const Vec3 pb = p.vertex_b(y.from), v = p.vertex_b(y.to) - pb;
     const Nearest at = nearest_on_edges(pb - pa, u, v, 0);
     return {axis.distance, axis.normal, edge_pair | ea << 14 | eb, pa + u * at.s, pb + v * at.t};
 }
@@ -223,26 +196,28 @@ struct EdgeArc {
     Vec3 first, second, along;
 };
 
-constexpr std::size_t max_hull_edges = 3 * max_hull_vertices;
+constexpr std::size_t most_faces = 2 * max_hull_vertices, most_edges = 3 * max_hull_vertices;
 
 Best edge_axes(const Pair& p, const AxisFilter& filter) {
-    UninitializedArray<EdgeArc, max_hull_edges> arcs;
+    alignas(16) float most[most_edges + 8];
+    UninitializedArray<EdgeArc, most_edges> arcs;
     std::size_t count = 0;
+    show_arcs(p.a, filter.in_a(), 1, most);
     for (std::uint32_t i = 0; i < p.a.edges.size(); i++) {
+        if (!filter.may_be_best(most[i])) continue;
         const HullEdge& x = p.a.edges[i];
-        const EdgeArc arc{i, p.a.faces[x.left].normal, p.a.faces[x.right].normal,
-                          p.a.vertices[x.to] - p.a.vertices[x.from]};
-        if (filter.may_be_best_a(arc.first, arc.second, arc.along)) arcs[count++] = arc;
+        arcs[count++] = {i, p.a.faces[x.left].normal, p.a.faces[x.right].normal,
+                         p.a.vertices[x.to] - p.a.vertices[x.from]};
     }
+    if (count == 0) return {};
+    show_arcs(p.b, filter.in_b(), -1, most);
     EdgeAxis best;
     std::uint32_t best_a = 0, best_b = 0;
-    for (std::uint32_t j = 0; count > 0 && j < p.b.edges.size(); j++) {
+    for (std::uint32_t j = 0; j < p.b.edges.size(); j++) {
+        if (!filter.may_be_best(most[j])) continue;
         const HullEdge& y = p.b.edges[j];
-        const Vec3 first = p.b.faces[y.left].normal, second = p.b.faces[y.right].normal;
-        if (!filter.may_be_best_b(first, second, p.b.vertices[y.to] - p.b.vertices[y.from]))
-            continue;
-        const Vec3 nb1 = -(p.axes * first), nb2 = -(p.axes * second);
-        const Vec3 v = p.vertices_b[y.to] - p.vertices_b[y.from];
+        const Vec3 nb1 = -p.normal_b(y.left), nb2 = -p.normal_b(y.right);
+        const Vec3 v = p.vertex_b(y.to) - p.vertex_b(y.from);
         for (std::size_t k = 0; k < count; k++) {
             const EdgeArc& arc = arcs[k];
             if (!arcs_cross(arc.first, arc.second, arc.along, nb1, nb2, v)) continue;
@@ -256,7 +231,6 @@ Best edge_axes(const Pair& p, const AxisFilter& filter) {
     return with_points(p, best, best_a, best_b);
 }
 
-// Without b's vertices.
 void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts_a,
                PolyhedronParts& parts_b) {
     p.a = polyhedron_of(a, parts_a);
@@ -267,29 +241,18 @@ void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts
     p.middle_b = p.position + p.axes * p.b.middle;
 }
 
-void turn_vertex(Pair& p, std::size_t k) {
-    p.vertices_b[k] = p.position + p.axes * p.b.vertices[k];
-}
-void turn_vertices(Pair& p) {
-    for (std::size_t k = 0; k < p.b.vertices.size(); k++) turn_vertex(p, k);
-}
-
-Best axis_of(Pair& p, AxisCode code) {
-    if (kind_of(code) == face_of_a && first_edge(code) < p.a.faces.size()) {
-        turn_vertices(p);
+Best axis_of(const Pair& p, AxisCode code) {
+    if (kind_of(code) == face_of_a && first_edge(code) < p.a.faces.size())
         return face_axis_a(p, first_edge(code));
-    }
     if (kind_of(code) == face_of_b && first_edge(code) < p.b.faces.size())
         return face_axis_b(p, first_edge(code));
     if (kind_of(code) == edge_pair && first_edge(code) < p.a.edges.size() &&
         second_edge(code) < p.b.edges.size()) {
         // Only a real face of the difference bounds the distance; others may lie.
         const HullEdge &x = p.a.edges[first_edge(code)], &y = p.b.edges[second_edge(code)];
-        turn_vertex(p, y.from);
-        turn_vertex(p, y.to);
         if (arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal,
                        p.a.vertices[x.to] - p.a.vertices[x.from], -p.normal_b(y.left),
-                       -p.normal_b(y.right), p.vertices_b[y.to] - p.vertices_b[y.from]))
+                       -p.normal_b(y.right), p.vertex_b(y.to) - p.vertex_b(y.from)))
             return with_points(p, edge_axis(p, first_edge(code), second_edge(code)),
                                first_edge(code), second_edge(code));
     }
@@ -313,28 +276,20 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
     make_pair(p, a, b, parts_a, parts_b);
     const Best old = axis_of(p, cached);
     if (old.distance > enough) return in_world(a, old);
-    turn_vertices(p);
 
     // Of axes that are equal up to rounding the cached one stays, else faces go before edges: the
     // normal of a resting contact must not flicker.
     const double tie = 2e-5 * p.size;
     AxisFilter filter(p, old);
-    Best best;
-    for (std::uint32_t f = 0; f < p.a.faces.size(); f++) {
-        if (!filter.may_be_best(p.a.faces[f].normal)) continue;
-        const Best candidate = face_axis_a(p, f);
-        if (candidate.distance > enough) return in_world(a, candidate);
-        if (candidate.distance > best.distance) best = candidate;
-        filter.learn(candidate.distance);
-    }
-    Best face_b;
-    for (std::uint32_t f = 0; f < p.b.faces.size(); f++) {
-        if (!filter.may_be_best(-p.normal_b(f))) continue;
-        const Best candidate = face_axis_b(p, f);
-        if (candidate.distance > enough) return in_world(a, candidate);
-        if (candidate.distance > face_b.distance) face_b = candidate;
-        filter.learn(candidate.distance);
-    }
+    alignas(16) float most[most_faces + 8];
+    show_normals(p.a, filter.in_a(), 1, most);
+    Best best = best_face(p.a.faces.size(), most, enough, filter,
+                          [&](std::uint32_t face) { return face_axis_a(p, face); });
+    if (best.distance > enough) return in_world(a, best);
+    show_normals(p.b, filter.in_b(), -1, most);
+    const Best face_b = best_face(p.b.faces.size(), most, enough, filter,
+                                  [&](std::uint32_t face) { return face_axis_b(p, face); });
+    if (face_b.distance > enough) return in_world(a, face_b);
     if (face_b.distance > best.distance + 1e-9 * size_of(a)) best = face_b;
     const Best edge = edge_axes(p, filter);
     if (edge.distance > best.distance + tie) best = edge;
@@ -353,7 +308,6 @@ Separation separate_by_face(const Convex& a, const Convex& b, Vec3 direction) {
     PolyhedronParts parts_a, parts_b;
     Pair p;
     make_pair(p, a, b, parts_a, parts_b);
-    turn_vertices(p);
     const auto most_along = [](std::span<const HullFace> faces, Vec3 d) {
         std::uint32_t best = 0;
         for (std::uint32_t f = 1; f < faces.size(); f++)

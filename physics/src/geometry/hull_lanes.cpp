@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/hull_lanes.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace jostle::physics {
+namespace {
+
+// What every x86-64 and ARM64 has registers for; wider ones a compiler may take apart lane by lane.
+typedef double Two __attribute__((vector_size(16)));
+typedef std::int64_t TwoMask __attribute__((vector_size(16)));
+typedef float Four __attribute__((vector_size(16)));
+typedef std::int32_t FourMask __attribute__((vector_size(16)));
+
+Two load(const double* p) {
+    return *static_cast<const Two*>(static_cast<const void*>(p));
+}
+Four load(const float* p) {
+    return *static_cast<const Four*>(static_cast<const void*>(p));
+}
+void store(float* p, Four e) {
+    *static_cast<Four*>(static_cast<void*>(p)) = e;
+}
+Two splat(double d) {
+    return Two{d, d};
+}
+Four splat(float f) {
+    return Four{f, f, f, f};
+}
+
+// A ball of a pair as floats, and what their rounding may take away.
+struct BallLanes {
+    Four x, y, z, squared, off, beside;
+};
+BallLanes lanes_of(const InnerBalls& balls, double sign) {
+    const Vec3 d = balls.apart * sign;
+    const double rounding = 4e-6 * (length(d) + balls.radii);
+    const auto lanes = [](double v) { return splat(static_cast<float>(v)); };
+    return {lanes(d.x),
+            lanes(d.y),
+            lanes(d.z),
+            lanes(length_squared(d)),
+            lanes(rounding - balls.radii),
+            lanes(-1e-5 * length(d))};
+}
+
+// Of four lanes from `at` on.
+Four along(const DirectionLanes& n, std::size_t at, const BallLanes& d) {
+    return (load(n.x + at) * d.x + load(n.y + at) * d.y) + load(n.z + at) * d.z;
+}
+Four larger(Four a, Four b) {
+    return a > b ? a : b;
+}
+Four smaller(Four a, Four b) {
+    return a < b ? a : b;
+}
+Four root(Four a) {
+    Four r;
+    for (int k = 0; k < 4; k++) r[k] = __builtin_sqrtf(a[k]);
+    return r;
+}
+
+// Of what an arc's normals show.
+Four most_of_arc(const ArcLanes& arc, std::size_t at, const BallLanes& ball) {
+    const Four at_ends = larger(along(arc.first, at, ball), along(arc.second, at, ball));
+    const FourMask between = (along(arc.after_first, at, ball) >= ball.beside) &
+                             (along(arc.before_second, at, ball) >= ball.beside);
+    // Of all directions square to the edge the ball's own, without its part along the edge, shows
+    // most, when it is between the two.
+    const Four part = along(arc.along, at, ball);
+    const Four square = larger(ball.squared - part * part, splat(0.0f));
+    return (between ? larger(root(square), at_ends) : at_ends) + ball.off;
+}
+
+void put(DirectionLanes& lanes, std::size_t lane, Vec3 v) {
+    lanes.x[lane] = static_cast<float>(v.x);
+    lanes.y[lane] = static_cast<float>(v.y);
+    lanes.z[lane] = static_cast<float>(v.z);
+}
+
+// How many blocks of so many lanes hold so many.
+constexpr std::size_t blocks(std::size_t count, std::size_t lanes) {
+    return (count + lanes - 1) / lanes;
+}
+
+}  // namespace
+
+HullLanes lanes_of(const ConvexHull& hull) {
+    HullLanes lanes;
+    lanes.vertices.resize(blocks(hull.vertices.size(), 4));
+    for (std::size_t k = 0; k < 4 * lanes.vertices.size(); k++) {
+        const Vec3 v = hull.vertices[std::min(k, hull.vertices.size() - 1)];
+        VertexLanes& to = lanes.vertices[k / 4];
+        to.x[k % 4] = v.x, to.y[k % 4] = v.y, to.z[k % 4] = v.z;
+    }
+    lanes.normals.resize(blocks(hull.faces.size(), 8));
+    for (std::size_t k = 0; k < 8 * lanes.normals.size(); k++)
+        put(lanes.normals[k / 8], k % 8, hull.faces[std::min(k, hull.faces.size() - 1)].normal);
+    lanes.arcs.resize(blocks(hull.edges.size(), 8));
+    for (std::size_t k = 0; k < 8 * lanes.arcs.size(); k++) {
+        const HullEdge& edge = hull.edges[std::min(k, hull.edges.size() - 1)];
+        const Vec3 first = hull.faces[edge.left].normal, second = hull.faces[edge.right].normal;
+        const Vec3 turn = normalized(cross(first, second));
+        ArcLanes& to = lanes.arcs[k / 8];
+        put(to.first, k % 8, first);
+        put(to.second, k % 8, second);
+        put(to.after_first, k % 8, cross(turn, first));
+        put(to.before_second, k % 8, cross(second, turn));
+        put(to.along, k % 8, normalized(hull.vertices[edge.to] - hull.vertices[edge.from]));
+    }
+    return lanes;
+}
+
+std::size_t furthest_vertex(const HullLanes& lanes, Vec3 d) {
+    const Two dx = splat(d.x), dy = splat(d.y), dz = splat(d.z);
+    Two most[2] = {splat(-1e300), splat(-1e300)}, at[2] = {}, here = {};
+    for (const VertexLanes& v : lanes.vertices) {
+        for (int half = 0; half < 2; half++) {
+            const Two along =
+                (load(v.x + 2 * half) * dx + load(v.y + 2 * half) * dy) + load(v.z + 2 * half) * dz;
+            const TwoMask further = along > most[half];
+            most[half] = further ? along : most[half];
+            at[half] = further ? here : at[half];
+        }
+        here += splat(4.0);
+    }
+    int best = 0;
+    const auto block = [&](int lane) { return at[lane / 2][lane % 2]; };
+    const auto reach = [&](int lane) { return most[lane / 2][lane % 2]; };
+    for (int k = 1; k < 4; k++)
+        if (reach(k) > reach(best) || (reach(k) == reach(best) && block(k) < block(best))) best = k;
+    return static_cast<std::size_t>(block(best)) + static_cast<std::size_t>(best);
+}
+
+void show_normals(const HullLanes& lanes, std::span<const InnerBalls> balls, double sign,
+                  float* to) {
+    for (std::size_t b = 0; b < balls.size(); b++) {
+        const BallLanes ball = lanes_of(balls[b], sign);
+        for (std::size_t k = 0; k < 8 * lanes.normals.size(); k += 4) {
+            const Four shown = along(lanes.normals[k / 8], k % 8, ball) + ball.off;
+            store(to + k, b == 0 ? shown : smaller(shown, load(to + k)));
+        }
+    }
+}
+
+void show_arcs(const HullLanes& lanes, std::span<const InnerBalls> balls, double sign, float* to) {
+    for (std::size_t b = 0; b < balls.size(); b++) {
+        const BallLanes ball = lanes_of(balls[b], sign);
+        for (std::size_t k = 0; k < 8 * lanes.arcs.size(); k += 4) {
+            const Four shown = most_of_arc(lanes.arcs[k / 8], k % 8, ball);
+            store(to + k, b == 0 ? shown : smaller(shown, load(to + k)));
+        }
+    }
+}
+
+}  // namespace jostle::physics

@@ -48,8 +48,8 @@ late: ticks that never ran, as the world was late by more than it may catch up, 
 that were due; over: ticks that took longer than a period; ms of whole ticks (inputs, step, frame,
 answers); begun: how late a tick began at worst, ms; clients connected to the end; snapshots and kbit
 a second and client; age of a snapshot when its client has decoded it, ms; errors; processor time of
-the server, of one core. A scene holds its rate when no tick took longer than a period, catches up when some
-did and none was given up.
+the server, of one core. A scene holds its rate when no tick took longer than a period, and catches up
+when some did and none was given up; the exit status is 0 either way.
 
 Examples:
   jostle-bench speed --scene a,c --threads 1,2

@@ -12,12 +12,12 @@
 namespace jostle::bench {
 
 struct TickTimes {
-    std::vector<double> ms;    // of each tick that took a step: inputs, step, frame and answers
+    std::vector<double> ms;    // of each tick: inputs, step, frame and answers
     int late = 0;              // given up between the first and the last of these
     double begun_late_ms = 0;  // how long after its due time a tick began, at worst
 };
 
-// Ticks that took no step, as those of a paused world, are left out.
+// From the first tick on that took a step: a world that is paused at first takes none.
 Result<TickTimes> read_tick_times(const std::string& trace);
 
 }  // namespace jostle::bench

@@ -34,6 +34,13 @@ std::string beside_this_program(const char* name) {
     return std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / name;
 }
 
+Status check_programs() {
+    for (const char* name : {"jostle-server", "jostle-load", "jostlectl"})
+        if (const std::string path = beside_this_program(name); !std::filesystem::exists(path))
+            return Error{ErrorCode::not_found, "there is no " + path + ": build " + name + ", too"};
+    return {};
+}
+
 std::string last_line(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text.substr(text.rfind('\n') + 1);
@@ -210,6 +217,10 @@ ServerRow measure_server_row(const ServerRequest& request) {
                   .threads = request.threads,
                   .clients = request.clients,
                   .seconds = request.seconds};
+    if (const Status status = check_programs(); !status) {
+        row.failed = status.error().message;
+        return row;
+    }
     show_progress(row.name + ": a server with " + std::to_string(row.clients) + " clients");
     // No folder, or JSON of another form than these programs write.
     try {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 
 #include "jostle/convergence/thread_time.h"
 
@@ -50,6 +51,17 @@ Spread spread_of(std::vector<double> values) {
     const double median =
         values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
     return {median, values.front(), values.back()};
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double percentile_99(std::vector<double> values) {
+    const std::size_t at = std::min(values.size() - 1, values.size() * 99 / 100);
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at),
+                     values.end());
+    return values[at];
 }
 
 std::string cpu_model() {

@@ -34,6 +34,10 @@ struct Spread {
 };
 Spread spread_of(std::vector<double> values);
 
+// Of one value or more.
+double mean(const std::vector<double>& values);
+double percentile_99(std::vector<double> values);
+
 // The processor's model and the compiler: enough to read a result by, nothing that names a machine.
 std::string cpu_model();
 std::string compiler();

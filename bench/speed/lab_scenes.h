@@ -15,7 +15,8 @@ namespace jostle::bench {
 
 struct LabScene {
     const char* letter;
-    const char* name;  // in the catalogue
+    const char* name;       // in the catalogue
+    bool all_move = false;  // one of the twelve in which everything moves
     int steps = 600;
     bool sleeps = false;                       // sleep is on, whatever is asked for
     bool asleep_first = false;                 // as well, and the clock starts when all sleep

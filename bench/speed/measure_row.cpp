@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "measure.h"
@@ -114,17 +113,6 @@ std::vector<double> time_steps(Run& run, const StepClock& clock, int steps, int 
         run.look_for_sleep(done);
     }
     return ms;
-}
-
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double percentile_99(std::vector<double> values) {
-    const std::size_t at = std::min(values.size() - 1, values.size() * 99 / 100);
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at),
-                     values.end());
-    return values[at];
 }
 
 // To a tenth of a millimetre: heights of 100 m are told apart as well as those of 1 m.

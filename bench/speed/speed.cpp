@@ -14,6 +14,7 @@
 #include "speed/growth.h"
 #include "speed/lab_scenes.h"
 #include "speed/measure_row.h"
+#include "speed/measure_server_row.h"
 #include "speed/speed_plot.h"
 #include "speed/speed_table.h"
 
@@ -38,18 +39,37 @@ bodies behind the wall of scene i; MiB: peak of the process.
 --growth pours scene d with other counts over a floor that grows with the count (0.02 m^2 a body),
 so that the pile stays as deep: 300 steps, then the mean of 60, and the memory a body takes.
 
+--server measures no solver but a whole server: jostle-server hosts each scene, --clients real clients
+of jostle-load play in it over loopback, and jostlectl records its ticks from the moment in which the
+last has joined. The programs are those beside this one; --threads is the server's
+tick.physics_threads, and all else has the server's defaults. It stands here, and not in a subcommand
+of its own, as it takes the scenes, threads and files of the other rows. Columns: ticks that ran;
+late: ticks that never ran, as the world was late by more than it may catch up, and their share of all
+that were due; over: ticks that took longer than a period; ms of whole ticks (inputs, step, frame,
+answers); begun: how late a tick began at worst, ms; clients connected to the end; snapshots and kbit
+a second and client; age of a snapshot when its client has decoded it, ms; errors; processor time of
+the server, of one core. A scene holds its rate when no tick took longer than a period, and catches up
+when some did and none was given up; the exit status is 0 either way.
+
 Examples:
   jostle-bench speed --scene a,c --threads 1,2
   jostle-bench speed --scene all --json speed.json --plot speed.svg
+  jostle-bench speed --server --scene trees,washer --json server.json
   jostle-bench speed --growth 500,1000,2000 --peers bullet --plot growth.svg
 
 Exit status: 0 done, 1 a row failed or a file could not be written, 2 wrong flags.)";
+
+constexpr int most_clients = 250;  // that a server lets in from one address
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<int> threads = {1};
     std::vector<std::string> peers = {"all"};
     std::vector<int> growth;
+    bool server = false;
+    int clients = 20;
+    double seconds = 10;
+    std::string script;
     int steps = 0;  // 0: the scene's own
     std::string sleep = "off";
     bool no_accuracy = false;
@@ -59,7 +79,7 @@ struct Flags {
 // --- what the flags name ---
 
 std::string scene_names() {
-    std::string names = "all";
+    std::string names = "all, moving";
     for (const LabScene& scene : lab_scenes())
         names += std::string(", ") + scene.letter + " or " + scene.name;
     return names;
@@ -74,7 +94,7 @@ std::string peer_names() {
 
 // Empty when right, else what is wrong: what CLI11 asks of a check.
 std::string check_scene(const std::string& name) {
-    if (name == "all" || find_lab_scene(name)) return "";
+    if (name == "all" || name == "moving" || find_lab_scene(name)) return "";
     return "there is no scene " + name + "; there are " + scene_names();
 }
 
@@ -96,7 +116,7 @@ std::vector<const LabScene*> chosen_scenes(const Flags& flags) {
     std::vector<const LabScene*> chosen;
     for (const LabScene& scene : lab_scenes())
         if (names(flags.scenes, "all") || names(flags.scenes, scene.letter) ||
-            names(flags.scenes, scene.name))
+            names(flags.scenes, scene.name) || (scene.all_move && names(flags.scenes, "moving")))
             chosen.push_back(&scene);
     return chosen;
 }
@@ -202,9 +222,27 @@ int run_growth(const Flags& flags) {
     return written && !table.failed ? 0 : 1;
 }
 
+int run_server(const Flags& flags) {
+    Table<ServerRow> table;
+    print_line(server_heading());
+    for (const LabScene* scene : chosen_scenes(flags))
+        for (const int threads : flags.threads) {
+            const ServerRow row = measure_server_row({.scene = scene,
+                                                      .threads = threads,
+                                                      .clients = flags.clients,
+                                                      .seconds = flags.seconds,
+                                                      .script = flags.script});
+            table.add(row, server_line(row));
+        }
+    nlohmann::ordered_json head = file_head("speed server");
+    head.erase("peers_not_built_in");
+    return write_files(flags, head, table.json, "") && !table.failed ? 0 : 1;
+}
+
 int run(const Flags& flags) {
     for (const std::string& path : {flags.json, flags.plot})
         if (!path.empty() && !can_write(path)) return 1;
+    if (flags.server) return run_server(flags);
     if (names(flags.peers, "all"))
         for (const std::string& peer : absent_peers())
             std::fprintf(stderr, "jostle-bench: %s is not built in\n", peer.c_str());
@@ -229,6 +267,27 @@ std::string lists_for_help() {
     return text;
 }
 
+// Beside --server: what only it takes, and what says nothing about a server.
+void add_server_flags(CLI::App& command, Flags& flags, std::initializer_list<CLI::Option*> others) {
+    CLI::Option* server = command.add_flag(
+        "--server", flags.server,
+        "Instead of the solver: a server with clients; scenes c and moving unless named");
+    for (CLI::Option* other : others) server->excludes(other);
+    command.add_option("--clients", flags.clients, "Of the server")
+        ->capture_default_str()
+        ->check(CLI::Range(1, most_clients))
+        ->needs(server);
+    command.add_option("--seconds", flags.seconds, "For how long each server is watched")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 30.0))
+        ->needs(server);
+    command
+        .add_option("--script", flags.script,
+                    "What clients do (jostle-bot --help has the format); they push things about")
+        ->check(CLI::ExistingFile)
+        ->needs(server);
+}
+
 }  // namespace
 
 void add_speed(CLI::App& app, int& status) {
@@ -243,27 +302,36 @@ void add_speed(CLI::App& app, int& status) {
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Range(1, 64));
-    command->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
-        ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_peer, "PEER"));
+    CLI::Option* peers =
+        command
+            ->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+            ->delimiter(',')
+            ->capture_default_str()
+            ->check(CLI::Validator(check_peer, "PEER"));
     CLI::Option* steps =
         command->add_option("--steps", flags->steps, "Instead of the scene's own number")
             ->check(CLI::Range(1, 1000000));
-    command->add_option("--sleep", flags->sleep, "Whether bodies may sleep: on or off")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"on", "off"}));
-    command->add_flag("--no-accuracy", flags->no_accuracy, "Times only: no second run");
-    command
-        ->add_option("--growth", flags->growth, "Instead of scenes: piles of so many bodies each")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 1000000))
-        ->excludes(scene)
-        ->excludes(steps);
+    CLI::Option* sleep =
+        command->add_option("--sleep", flags->sleep, "Whether bodies may sleep: on or off")
+            ->capture_default_str()
+            ->check(CLI::IsMember({"on", "off"}));
+    CLI::Option* no_accuracy =
+        command->add_flag("--no-accuracy", flags->no_accuracy, "Times only: no second run");
+    CLI::Option* growth = command
+                              ->add_option("--growth", flags->growth,
+                                           "Instead of scenes: piles of so many bodies each")
+                              ->delimiter(',')
+                              ->check(CLI::Range(1, 1000000))
+                              ->excludes(scene)
+                              ->excludes(steps);
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
-    command->add_option("--plot", flags->plot, "Draws them here as SVG");
+    CLI::Option* plot = command->add_option("--plot", flags->plot, "Draws them here as SVG");
+    add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth, plot});
     command->footer("\n" + lists_for_help() + footer);
-    command->callback([flags, &status] { status = run(*flags); });
+    command->callback([flags, scene, &status] {
+        if (flags->server && scene->count() == 0) flags->scenes = {"c", "moving"};
+        status = run(*flags);
+    });
 }
 
 }  // namespace jostle::bench

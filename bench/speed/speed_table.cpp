@@ -45,6 +45,12 @@ std::string identity(const std::string& first, const std::string& engine, int th
     return print("%-30s %-7s %3d", first.c_str(), engine.c_str(), threads);
 }
 
+// With the rate after it, a sentence.
+const char* said_of(const std::string& verdict) {
+    if (verdict == "holds") return "holds ";
+    return verdict == "late" ? "does not hold " : "catches up with ";
+}
+
 }  // namespace
 
 std::string speed_heading() {
@@ -81,6 +87,28 @@ std::string growth_line(const GrowthRow& row) {
     const std::string start = identity(std::to_string(row.bodies), row.engine, row.threads);
     if (row.failed) return start + "  failed: " + *row.failed;
     return start + print(" %8.4g %5s %10.0f", row.ms_mean, row.clock.c_str(), row.bytes_per_body);
+}
+
+std::string server_heading() {
+    return print("%-30s %3s %6s %6s %5s %6s %6s %9s %9s %9s %9s", "scene", "thr", "bodies", "ticks",
+                 "late", "late%", "over", "ms_mean", "ms_p99", "ms_worst", "begun") +
+           print(" %9s %7s %8s %8s %8s %6s %5s  %s", "clients", "snaps/s", "kbit/s", "age_p50",
+                 "age_p99", "errors", "cpu%", "at its rate");
+}
+
+std::string server_line(const ServerRow& row) {
+    const std::string start = print("%-30s %3d", (row.scene + " " + row.name).c_str(), row.threads);
+    if (row.failed) return start + "  failed: " + *row.failed;
+    const std::string connected = std::to_string(row.connected) + "/" + std::to_string(row.clients);
+    return start +
+           print(" %6d %6d %5d %6.3g %6d %9.4g %9.4g %9.4g %9.4g", row.bodies, row.ticks,
+                 row.late_ticks, 100 * row.late_share, row.ticks_over_period, row.ms_mean,
+                 row.ms_p99, row.ms_worst, row.begun_late_ms_worst) +
+           print(" %9s %7.3g %8.4g %8.3g %8.3g %6d", connected.c_str(),
+                 row.snapshots_per_second_per_client, row.kbit_per_second_per_client,
+                 row.age_ms_p50, row.age_ms_p99, row.errors) +
+           cell(row.server_cpu_percent ? print("%.0f", *row.server_cpu_percent) : nothing, 5) +
+           print("  %s%.4g Hz", said_of(row.verdict), row.hz);
 }
 
 }  // namespace jostle::bench

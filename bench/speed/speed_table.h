@@ -6,6 +6,7 @@
 #include <string>
 
 #include "speed/growth.h"
+#include "speed/server_row.h"
 #include "speed/speed_row.h"
 
 namespace jostle::bench {
@@ -15,5 +16,8 @@ std::string speed_line(const SpeedRow& row);
 
 std::string growth_heading();
 std::string growth_line(const GrowthRow& row);
+
+std::string server_heading();
+std::string server_line(const ServerRow& row);
 
 }  // namespace jostle::bench

@@ -25,9 +25,9 @@ std::atomic<bool> stop{false};
 
 constexpr const char* footer = R"(
 The report: clients, connected (to the end), inputs_sent, inputs_accepted (applied by the server), snapshots (decoded, CRC
-checked), kbit_per_second_per_client, age_ms_p50 and age_ms_p99 (from the moment a tick was due on the server to its decoding
-here), errors (streams that ended, snapshots that did not decode, inputs of good form that were refused), server_cpu_percent
-(of one core; when the server is on this machine). Figures are taken after the ramp.
+checked), kbit_per_second_per_client, snapshots_per_second_per_client, age_ms_p50 and age_ms_p99 (from the moment a tick was due
+on the server to its decoding here), errors (streams that ended, snapshots that did not decode, inputs of good form that were
+refused), server_cpu_percent (of one core; when the server is on this machine). Figures are taken after the ramp.
 
 Exit status: 0 plan kept, 1 plan missed, 2 wrong flags or script.)";
 
@@ -141,9 +141,13 @@ Report run(const Flags& flags, const jostle::client::Security& security,
     report.inputs_sent = end.sent;
     report.inputs_accepted = end.applied;
     report.snapshots = end.snapshots;
-    if (measured)
-        report.kbit_per_second_per_client = static_cast<double>(end.bytes - at_ramp.bytes) * 8 /
-                                            1000 / duration / std::max(1, flags.clients);
+    if (measured) {
+        const double client_seconds = duration * std::max(1, flags.clients);
+        report.kbit_per_second_per_client =
+            static_cast<double>(end.bytes - at_ramp.bytes) * 8 / 1000 / client_seconds;
+        report.snapshots_per_second_per_client =
+            static_cast<double>(end.snapshots - at_ramp.snapshots) / client_seconds;
+    }
     report.ages_measured = ages.size();
     report.age_ms_p50 = jostle::load::percentile(ages, 50);
     report.age_ms_p99 = jostle::load::percentile(ages, 99);

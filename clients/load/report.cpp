@@ -19,33 +19,37 @@ std::string to_text(const Report& r) {
     char cpu[32] = "not known";
     if (r.server_cpu_percent) std::snprintf(cpu, sizeof cpu, "%.1f", *r.server_cpu_percent);
     std::snprintf(text, sizeof text,
-                  "clients                     %d\n"
-                  "connected                   %d\n"
-                  "inputs_sent                 %llu\n"
-                  "inputs_accepted             %llu\n"
-                  "snapshots                   %llu\n"
-                  "kbit_per_second_per_client  %.1f\n"
-                  "age_ms_p50                  %.2f\n"
-                  "age_ms_p99                  %.2f\n"
-                  "errors                      %llu\n"
-                  "server_cpu_percent          %s\n",
+                  "clients                          %d\n"
+                  "connected                        %d\n"
+                  "inputs_sent                      %llu\n"
+                  "inputs_accepted                  %llu\n"
+                  "snapshots                        %llu\n"
+                  "kbit_per_second_per_client       %.1f\n"
+                  "snapshots_per_second_per_client  %.1f\n"
+                  "age_ms_p50                       %.2f\n"
+                  "age_ms_p99                       %.2f\n"
+                  "errors                           %llu\n"
+                  "server_cpu_percent               %s\n",
                   r.clients, r.connected, static_cast<unsigned long long>(r.inputs_sent),
                   static_cast<unsigned long long>(r.inputs_accepted),
                   static_cast<unsigned long long>(r.snapshots), r.kbit_per_second_per_client,
-                  r.age_ms_p50, r.age_ms_p99, static_cast<unsigned long long>(r.errors), cpu);
+                  r.snapshots_per_second_per_client, r.age_ms_p50, r.age_ms_p99,
+                  static_cast<unsigned long long>(r.errors), cpu);
     return text;
 }
 
 std::string to_json(const Report& r) {
-    nlohmann::ordered_json json = {{"clients", r.clients},
-                                   {"connected", r.connected},
-                                   {"inputs_sent", r.inputs_sent},
-                                   {"inputs_accepted", r.inputs_accepted},
-                                   {"snapshots", r.snapshots},
-                                   {"kbit_per_second_per_client", r.kbit_per_second_per_client},
-                                   {"age_ms_p50", r.age_ms_p50},
-                                   {"age_ms_p99", r.age_ms_p99},
-                                   {"errors", r.errors}};
+    nlohmann::ordered_json json = {
+        {"clients", r.clients},
+        {"connected", r.connected},
+        {"inputs_sent", r.inputs_sent},
+        {"inputs_accepted", r.inputs_accepted},
+        {"snapshots", r.snapshots},
+        {"kbit_per_second_per_client", r.kbit_per_second_per_client},
+        {"snapshots_per_second_per_client", r.snapshots_per_second_per_client},
+        {"age_ms_p50", r.age_ms_p50},
+        {"age_ms_p99", r.age_ms_p99},
+        {"errors", r.errors}};
     if (r.server_cpu_percent)
         json["server_cpu_percent"] = *r.server_cpu_percent;
     else

@@ -12,7 +12,7 @@ namespace jostle::load {
 struct Report {
     int clients = 0, connected = 0;
     std::uint64_t inputs_sent = 0, inputs_accepted = 0, snapshots = 0;
-    double kbit_per_second_per_client = 0;
+    double kbit_per_second_per_client = 0, snapshots_per_second_per_client = 0;
     double age_ms_p50 = 0, age_ms_p99 = 0;
     std::uint64_t ages_measured = 0;  // 0: age_ms says nothing
     std::uint64_t errors = 0;

@@ -25,6 +25,7 @@ struct TickRecord {
     // Milliseconds, in the order in which they ran; all 0: the tick took no step.
     std::array<double, physics::stage_count> stage_ms{};
     int bodies_awake = 0, touching = 0, inputs = 0;
+    std::uint32_t late_ticks = 0;  // that were given up since the world began
 };
 
 class TickRecorder {

@@ -24,7 +24,8 @@ void add_tick(std::vector<TraceSpan>& spans, const TickRecord& tick, Clock::time
                                  {"late_us", us_between(tick.due, tick.begun)},
                                  {"inputs", tick.inputs},
                                  {"bodies_awake", tick.bodies_awake},
-                                 {"touching", tick.touching}}});
+                                 {"touching", tick.touching},
+                                 {"late_ticks", tick.late_ticks}}});
     const auto add = [&](std::string_view name, double start, double duration) {
         if (duration > 0)
             spans.push_back(

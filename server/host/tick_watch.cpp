@@ -30,7 +30,8 @@ void TickWatch::record_tick(const Frame& frame, const physics::StepProfile* prof
                       .step_begun = step_begun_,
                       .bodies_awake = frame.awake,
                       .touching = frame.contacts,
-                      .inputs = static_cast<int>(inputs)};
+                      .inputs = static_cast<int>(inputs),
+                      .late_ticks = frame.late_ticks};
     // Somebody may have begun to record in the middle of this tick.
     if (step_begun_ < begun_) return;
     if (profile) record.stage_ms = profile->stage_ms;

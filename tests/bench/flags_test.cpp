@@ -77,6 +77,34 @@ TEST_F(SpeedFlags, growth_writes_its_own_rows) {
     EXPECT_EQ(json["rows"][1]["bodies"], 40);
 }
 
+TEST_F(SpeedFlags, server_row_has_the_ticks_of_a_second_with_two_clients) {
+    ASSERT_EQ(run("--server --scene c --clients 2 --seconds 1 --json " + file("s.json")), 0)
+        << output();
+    EXPECT_THAT(output(), HasSubstr("c lab_boxes_1000"));
+    const auto json = nlohmann::json::parse(read("s.json"));
+    EXPECT_EQ(json["benchmark"], "speed server");
+    ASSERT_EQ(json["rows"].size(), 1u);
+    const auto& row = json["rows"][0];
+    EXPECT_EQ(row["hz"], 60);
+    EXPECT_EQ(row["bodies"], 1001);
+    EXPECT_EQ(row["connected"], 2);
+    EXPECT_EQ(row["errors"], 0);
+    // All that were due but the few at either end of the second.
+    EXPECT_NEAR(row["ticks"].get<int>() + row["late_ticks"].get<int>(), 60, 10);
+    EXPECT_GT(row["ms_mean"], 0);
+    EXPECT_GE(row["ms_worst"], row["ms_p99"]);
+    EXPECT_GT(row["snapshots_per_second_per_client"], 0);
+    EXPECT_GT(row["kbit_per_second_per_client"], 0);
+}
+
+TEST_F(SpeedFlags, server_takes_no_flags_of_the_solver_and_the_solver_none_of_the_server) {
+    EXPECT_EQ(run("--server --steps 5"), 2);
+    EXPECT_EQ(run("--server --peers ode"), 2);
+    EXPECT_EQ(run("--clients 2"), 2);
+    EXPECT_EQ(run("--server --clients 0"), 2);
+    EXPECT_EQ(run("--server --seconds 31"), 2);
+}
+
 TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
     ASSERT_EQ(run("--bodies 60 --repetitions 2 --steps 3 --json " + file("b.json"), "rollback"), 0)
         << output();

@@ -37,9 +37,9 @@ TEST(Report, a_missed_plan_says_what_was_missed) {
 TEST(Report, json_has_every_promised_key_and_null_for_what_is_not_known) {
     const auto json =
         nlohmann::json::parse(to_json({.clients = 3, .server_cpu_percent = {}, .last_error = {}}));
-    for (const char* key :
-         {"clients", "connected", "inputs_sent", "inputs_accepted", "snapshots",
-          "kbit_per_second_per_client", "age_ms_p50", "age_ms_p99", "errors", "server_cpu_percent"})
+    for (const char* key : {"clients", "connected", "inputs_sent", "inputs_accepted", "snapshots",
+                            "kbit_per_second_per_client", "snapshots_per_second_per_client",
+                            "age_ms_p50", "age_ms_p99", "errors", "server_cpu_percent"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_TRUE(json["server_cpu_percent"].is_null());
 }

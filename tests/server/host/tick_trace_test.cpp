@@ -14,7 +14,8 @@ TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
                     .begun = zero,
                     .ended = zero + 900us,
                     .step_begun = zero + 100us,
-                    .bodies_awake = 7};
+                    .bodies_awake = 7,
+                    .late_ticks = 3};
     tick.stage_ms[0] = 0.2;  // update_pairs
     tick.stage_ms[6] = 0.5;  // solve_constraints
     const std::string trace = tick_trace("arena", std::vector{tick});
@@ -22,7 +23,8 @@ TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
         const char* line :
         {R"("args":{"name":"world arena"})",
          R"("name":"tick","ts":0,"dur":900,"args":{"tick":42,"late_us":50,"inputs":0,"bodies_awake":7,)",
-         R"("name":"inputs","ts":0,"dur":100})", R"("name":"update_pairs","ts":100,"dur":200})",
+         R"("touching":0,"late_ticks":3})", R"("name":"inputs","ts":0,"dur":100})",
+         R"("name":"update_pairs","ts":100,"dur":200})",
          R"("name":"solve_constraints","ts":300,"dur":500})",
          R"("name":"frame_and_answers","ts":800,"dur":100})"})
         EXPECT_NE(trace.find(line), std::string::npos) << line << "\n" << trace;

@@ -13,6 +13,10 @@ using physics::stage_count;
 
 void Meter::add(const physics::StepProfile& profile) {
     step_ms_.push_back(profile.step_ms);
+    if (step_ms_.size() > 1 && profile.step_ms > worst_.step_ms) {
+        worst_ = profile;
+        worst_step_ = step_ms_.size();
+    }
     for (std::size_t k = 0; k < stage_count; k++) {
         stage_ms_[k] += profile.stage_ms[k];
         stage_skipped_[k] = profile.stage_skipped[k];
@@ -35,6 +39,10 @@ void Meter::fill(Report& report, const physics::World& world) const {
     std::vector<double> sorted = step_ms_;
     std::sort(sorted.begin(), sorted.end());
     report.ms_per_step_p99 = sorted[static_cast<std::size_t>(0.99 * (n - 1) + 0.5)];
+    report.worst_step = worst_step_;
+    report.worst_step_ms = worst_.step_ms;
+    report.worst_stage = worst_.worst_stage;
+    report.worst_stage_ms = worst_.worst_stage_ms;
     for (std::size_t k = 0; k < stage_count; k++) {
         report.stage_ms_mean[k] = stage_ms_[k] / n;
         if (!stage_ran_[k]) report.stage_skipped[k] = stage_skipped_[k];
@@ -61,6 +69,14 @@ void line(std::string& out, const char* name, const char* format, double value) 
     text_line(out, name, number);
 }
 
+std::string worst_step(const Report& r) {
+    char words[160];
+    std::snprintf(words, sizeof words, "%llu: %.4f ms, of it %s %.4f",
+                  static_cast<unsigned long long>(r.worst_step), r.worst_step_ms,
+                  stage_name(r.worst_stage), r.worst_stage_ms);
+    return words;
+}
+
 }  // namespace
 
 std::string to_text(const Report& r) {
@@ -70,6 +86,7 @@ std::string to_text(const Report& r) {
     line(out, "contacts", "%.0f", r.contacts);
     line(out, "ms_per_step_mean", "%.4f", r.ms_per_step_mean);
     line(out, "ms_per_step_p99", "%.4f", r.ms_per_step_p99);
+    if (r.worst_step > 0) text_line(out, "worst_step", worst_step(r));
     line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
     out += "state_hash             " + hex(r.state_hash) + "\n";
     line(out, "energy_joules", "%.6g", r.energy_joules);
@@ -94,6 +111,12 @@ std::string to_json(const Report& r) {
         stages[name] = r.stage_ms_mean[k];
         if (r.stage_skipped[k] != nullptr) skipped[name] = r.stage_skipped[k];
     }
+    nlohmann::ordered_json worst = nullptr;
+    if (r.worst_step > 0)
+        worst = {{"step", r.worst_step},
+                 {"ms", r.worst_step_ms},
+                 {"stage", stage_name(r.worst_stage)},
+                 {"stage_ms", r.worst_stage_ms}};
     const nlohmann::ordered_json json = {{"scene", r.scene},
                                          {"hz", r.hz},
                                          {"substeps", r.substeps},
@@ -103,6 +126,7 @@ std::string to_json(const Report& r) {
                                          {"contacts", r.contacts},
                                          {"ms_per_step_mean", r.ms_per_step_mean},
                                          {"ms_per_step_p99", r.ms_per_step_p99},
+                                         {"worst_step", worst},
                                          {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
                                          {"state_hash", hex(r.state_hash)},
                                          {"energy_joules", r.energy_joules},

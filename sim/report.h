@@ -18,6 +18,11 @@ struct Report {
     std::uint64_t steps = 0;
     int bodies = 0, contacts = 0, awake_bodies = 0;
     double ms_per_step_mean = 0, ms_per_step_p99 = 0;  // wall clock
+    // The step that took longest, but for the first, in which all is found for the first time: its
+    // number in this run, and which of its stages took most. 0: there was but one.
+    std::uint64_t worst_step = 0;
+    double worst_step_ms = 0, worst_stage_ms = 0;
+    physics::Stage worst_stage = physics::Stage::update_pairs;
     double cpu_ms_per_step_mean = 0;                   // of all threads of the process
     std::uint64_t state_hash = 0;
     double energy_joules = 0;      // kinetic + potential, zero at the origin
@@ -35,6 +40,8 @@ public:
 
 private:
     std::vector<double> step_ms_;
+    physics::StepProfile worst_;  // of all steps but the first
+    std::uint64_t worst_step_ = 0;
     std::array<double, physics::stage_count> stage_ms_{};
     std::array<bool, physics::stage_count> stage_ran_{};
     std::array<const char*, physics::stage_count> stage_skipped_{};

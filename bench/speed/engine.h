@@ -22,6 +22,8 @@ public:
     virtual physics::Transform pose(std::uint32_t body) const = 0;
     virtual physics::Vec3 velocity(std::uint32_t body) const = 0;             // linear
     virtual void set_velocity(std::uint32_t body, physics::Vec3 linear) = 0;  // spin stays; wakes
+    // The stage that took most of the last step; null of an engine that does not say.
+    virtual const char* worst_stage() const { return nullptr; }
     virtual int awake() const = 0;  // bodies that can move and do not sleep
 };
 

@@ -31,7 +31,9 @@ struct FieldReader {
     }
     template <class Value>
     void operator()(const char* name, std::optional<Value>& value) const {
-        if (!json.at(name).is_null()) value = json.at(name).get<Value>();
+        // Files of before a field was there are read as well.
+        const auto found = json.find(name);
+        if (found != json.end() && !found->is_null()) value = found->template get<Value>();
     }
 };
 

@@ -38,6 +38,10 @@ public:
         return built_->world.step_count() == 0 ? all : built_->world.profile().bodies_awake;
     }
 
+    const char* worst_stage() const override {
+        return stage_name(built_->world.profile().worst_stage);
+    }
+
 private:
     physics::BodyState state(std::uint32_t body) const {
         return *built_->world.body(built_->bodies[body]);

@@ -68,6 +68,7 @@ public:
 
     bool sleep_allowed() const { return scene_.world.sleeping; }
     int awake() const { return engine_->awake(); }
+    const char* worst_stage() const { return engine_->worst_stage(); }
     int moving() const {
         int count = 0;
         for (std::uint32_t k = 0; k < scene_.bodies.size(); k++)
@@ -99,20 +100,36 @@ private:
     std::vector<Transform> poses_;
 };
 
-// Milliseconds of each step, or of blocks of them divided by their length.
-std::vector<double> time_steps(Run& run, const StepClock& clock, int steps, int block) {
+// Of each step, or of blocks of them: milliseconds divided by their length, and which stage took
+// most of the last of them.
+struct StepTimes {
     std::vector<double> ms;
-    ms.reserve(static_cast<std::size_t>(steps));
+    std::vector<const char*> worst_stage;  // null: the engine does not say
+};
+StepTimes time_steps(Run& run, const StepClock& clock, int steps, int block) {
+    StepTimes times;
+    times.ms.reserve(static_cast<std::size_t>(steps));
     for (int done = 0; done < steps;) {
         const int count = std::min(block, steps - done);
         run.prepare(done);
         const double began = clock.seconds();
         for (int k = 0; k < count; k++) run.step();
-        ms.push_back(1e3 * (clock.seconds() - began) / count);
+        times.ms.push_back(1e3 * (clock.seconds() - began) / count);
+        times.worst_stage.push_back(run.worst_stage());
         done += count;
         run.look_for_sleep(done);
     }
-    return ms;
+    return times;
+}
+
+// The first step, in which all is found for the first time, counts where there is no other.
+void write_worst_step(SpeedRow& row, const StepTimes& times) {
+    const std::size_t first = times.ms.size() > 1 ? 1 : 0;
+    const auto worst = static_cast<std::size_t>(
+        std::max_element(times.ms.begin() + static_cast<std::ptrdiff_t>(first), times.ms.end()) -
+        times.ms.begin());
+    row.ms_worst = rounded(times.ms[worst]);
+    if (times.worst_stage[worst] != nullptr) row.worst_stage = times.worst_stage[worst];
 }
 
 // To a tenth of a millimetre: heights of 100 m are told apart as well as those of 1 m.
@@ -191,12 +208,13 @@ physics::Result<TimedRun> run_timed(SpeedRow& row, const RowRequest& request,
     Run run(request, scene, "timing");
     if (auto status = run.start(); !status) return status.error();
     const StepClock clock{request.threads};
-    std::vector<double> ms = time_steps(run, clock, row.steps,
-                                        request.scene->asleep_first ? steps_per_reading_asleep : 1);
+    StepTimes times = time_steps(run, clock, row.steps,
+                                 request.scene->asleep_first ? steps_per_reading_asleep : 1);
+    const std::vector<double>& ms = times.ms;
     row.ms_mean = rounded(mean(ms));
     row.ms_p99 = rounded(percentile_99(ms));
     row.ms_first = rounded(ms[0]);
-    row.ms_worst = rounded(ms.size() == 1 ? ms[0] : *std::max_element(ms.begin() + 1, ms.end()));
+    write_worst_step(row, times);
     row.clock = clock.name();
     row.rss_mib = rounded(peak_memory_bytes() / (1 << 20));
     if (run.sleep_allowed()) {
@@ -208,7 +226,7 @@ physics::Result<TimedRun> run_timed(SpeedRow& row, const RowRequest& request,
     row.tunnelled = count_tunnelled(*request.scene, scene, poses);
     run.let_player_go(row.steps);
     row.asleep_at_step = run.asleep_at();
-    return TimedRun{std::move(ms), std::move(poses)};
+    return TimedRun{std::move(times.ms), std::move(poses)};
 }
 
 }  // namespace

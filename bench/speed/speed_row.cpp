@@ -25,6 +25,7 @@ void visit_figures(Row& row, Field&& field) {
     field("ms_mean", row.ms_mean);
     field("ms_p99", row.ms_p99);
     field("ms_worst", row.ms_worst);
+    field("worst_stage", row.worst_stage);
     field("ms_first", row.ms_first);
     field("ms_moving_mean", row.ms_moving_mean);
     field("ms_rest_mean", row.ms_rest_mean);

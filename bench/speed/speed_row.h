@@ -21,6 +21,8 @@ struct SpeedRow {
     double ms_mean = 0, ms_p99 = 0;  // of a step
     double ms_first = 0;             // the first step, in which all is found for the first time
     double ms_worst = 0;             // of all but the first
+    // The stage that took most of the worst step; null of an engine that does not say.
+    std::optional<std::string> worst_stage;
     // While a twentieth of the dynamic bodies are faster than 5 cm/s, and while not; without the
     // first step. Null where there are no such steps, or no check for accuracy.
     std::optional<double> ms_moving_mean, ms_rest_mean;

@@ -75,6 +75,15 @@ void run_second(StepContext& step, Stage name) {
     profile.stage_ms[index] += step.timer.lap_ms();
 }
 
+void add_up_times(StepProfile& profile) {
+    for (std::size_t k = 0; k < profile.stage_ms.size(); k++) {
+        profile.step_ms += profile.stage_ms[k];
+        if (profile.stage_ms[k] <= profile.worst_stage_ms) continue;
+        profile.worst_stage = static_cast<Stage>(k);
+        profile.worst_stage_ms = profile.stage_ms[k];
+    }
+}
+
 }  // namespace
 
 // One step, in the order in which it happens. Each stage is one file of this folder.
@@ -105,7 +114,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     ASSERT(scratch.contacts.begins.empty());
     world.steps++;
     world.time += dt;
-    for (const double ms : world.profile.stage_ms) world.profile.step_ms += ms;
+    add_up_times(world.profile);
     world.team_use = {world.profile.step_ms, world.profile.solver_tasks};
 }
 

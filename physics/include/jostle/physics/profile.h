@@ -35,6 +35,9 @@ struct StepProfile {
     // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
     std::array<const char*, stage_count> stage_skipped{};
     double step_ms = 0;    // the sum of stage_ms
+    // The stage that took most of it, and how long that took.
+    Stage worst_stage = Stage::update_pairs;
+    double worst_stage_ms = 0;
     int bodies_awake = 0;  // dynamic bodies that are awake, and all kinematic ones
     // Bodies that sleep in an island that moves elsewhere. Not among bodies_awake.
     int bodies_asleep_in_place = 0;

@@ -59,6 +59,7 @@ struct Flags {
     std::optional<int> substeps;
     std::optional<double> tolerance;
     std::optional<double> substep_budget;
+    std::optional<double> step_budget;
     std::string efforts;
     int threads = 1, trace_every = 1;
     bool list = false, converge = false;
@@ -120,8 +121,9 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
                               "Seconds of processor time; runs that would cost more are left out")
                    ->capture_default_str()
                    ->check(between(0.1, 1e6)));
-    for (const char* other : {"--error-tolerance", "--substep-budget", "--efforts", "--threads",
-                              "--trace", "--trace-every", "--save", "--load", "--write-scene"})
+    for (const char* other :
+         {"--error-tolerance", "--substep-budget", "--step-budget", "--efforts", "--threads",
+          "--trace", "--trace-every", "--save", "--load", "--write-scene"})
         converge->excludes(app.get_option(other));
 }
 
@@ -171,6 +173,10 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--substep-budget", flags.substep_budget,
                    "With a tolerance: sub-steps of a step at most, summed over the bodies; 0: any "
                    "number")
+        ->check(between(0, 4294967295.0));
+    app.add_option("--step-budget", flags.step_budget,
+                   "Work of a step, in units of about 0.1 microseconds: after one of more the next "
+                   "gives something up; 0: any amount; default: the scene's")
         ->check(between(0, 4294967295.0));
     app.add_option("--efforts", flags.efforts,
                    "Writes here, as JSON, what each island took in the end; - shows it as text");
@@ -302,6 +308,7 @@ int run(const Flags& flags) {
     if (flags.tolerance) scene->world.tolerance = *flags.tolerance;
     if (flags.substep_budget)
         scene->world.substep_budget = static_cast<std::int64_t>(*flags.substep_budget);
+    if (flags.step_budget) scene->world.step_budget = static_cast<std::int64_t>(*flags.step_budget);
     if (!flags.sleep.empty()) scene->world.sleeping = flags.sleep == "on";
     if (flags.converge) return run_converge(*scene, flags);
     scene->world.threads = flags.threads;

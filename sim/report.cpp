@@ -17,6 +17,10 @@ void Meter::add(const physics::StepProfile& profile) {
         worst_ = profile;
         worst_step_ = step_ms_.size();
     }
+    const auto work = static_cast<double>(profile.work);
+    work_ += work;
+    if (step_ms_.size() > 1) worst_work_ = std::max(worst_work_, work);
+    steps_at_strain_.at(static_cast<std::size_t>(profile.strain))++;
     for (std::size_t k = 0; k < stage_count; k++) {
         stage_ms_[k] += profile.stage_ms[k];
         stage_skipped_[k] = profile.stage_skipped[k];
@@ -39,6 +43,9 @@ void Meter::fill(Report& report, const physics::World& world) const {
     std::vector<double> sorted = step_ms_;
     std::sort(sorted.begin(), sorted.end());
     report.ms_per_step_p99 = sorted[static_cast<std::size_t>(0.99 * (n - 1) + 0.5)];
+    report.work_mean = work_ / n;
+    report.work_worst = worst_work_;
+    report.steps_at_strain = steps_at_strain_;
     report.worst_step = worst_step_;
     report.worst_step_ms = worst_.step_ms;
     report.worst_stage = worst_.worst_stage;
@@ -77,6 +84,14 @@ std::string worst_step(const Report& r) {
     return words;
 }
 
+// At each level, from 0.
+std::string strain_steps(const Report& r) {
+    std::string words;
+    for (const std::uint64_t steps : r.steps_at_strain) words += std::to_string(steps) + " ";
+    words.pop_back();
+    return words;
+}
+
 }  // namespace
 
 std::string to_text(const Report& r) {
@@ -87,6 +102,9 @@ std::string to_text(const Report& r) {
     line(out, "ms_per_step_mean", "%.4f", r.ms_per_step_mean);
     line(out, "ms_per_step_p99", "%.4f", r.ms_per_step_p99);
     if (r.worst_step > 0) text_line(out, "worst_step", worst_step(r));
+    line(out, "work_per_step_mean", "%.0f", r.work_mean);
+    line(out, "work_per_step_worst", "%.0f", r.work_worst);
+    if (r.steps_at_strain[0] < r.steps) text_line(out, "steps_at_strain", strain_steps(r));
     line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
     out += "state_hash             " + hex(r.state_hash) + "\n";
     line(out, "energy_joules", "%.6g", r.energy_joules);
@@ -127,6 +145,9 @@ std::string to_json(const Report& r) {
                                          {"ms_per_step_mean", r.ms_per_step_mean},
                                          {"ms_per_step_p99", r.ms_per_step_p99},
                                          {"worst_step", worst},
+                                         {"work_per_step_mean", r.work_mean},
+                                         {"work_per_step_worst", r.work_worst},
+                                         {"steps_at_strain", r.steps_at_strain},
                                          {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
                                          {"state_hash", hex(r.state_hash)},
                                          {"energy_joules", r.energy_joules},

@@ -23,7 +23,9 @@ struct Report {
     std::uint64_t worst_step = 0;
     double worst_step_ms = 0, worst_stage_ms = 0;
     physics::Stage worst_stage = physics::Stage::update_pairs;
-    double cpu_ms_per_step_mean = 0;                   // of all threads of the process
+    double work_mean = 0, work_worst = 0;  // StepProfile::work, the worst of all but the first
+    std::array<std::uint64_t, physics::most_strain + 1> steps_at_strain{};
+    double cpu_ms_per_step_mean = 0;  // of all threads of the process
     std::uint64_t state_hash = 0;
     double energy_joules = 0;      // kinetic + potential, zero at the origin
     double max_penetration_m = 0;  // at the end
@@ -42,6 +44,8 @@ private:
     std::vector<double> step_ms_;
     physics::StepProfile worst_;  // of all steps but the first
     std::uint64_t worst_step_ = 0;
+    double work_ = 0, worst_work_ = 0;
+    std::array<std::uint64_t, physics::most_strain + 1> steps_at_strain_{};
     std::array<double, physics::stage_count> stage_ms_{};
     std::array<bool, physics::stage_count> stage_ran_{};
     std::array<const char*, physics::stage_count> stage_skipped_{};

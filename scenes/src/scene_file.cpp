@@ -91,6 +91,7 @@ private:
         if (m.tolerance() != 0)
             out.world.tolerance = number("world.tolerance", m.tolerance(), 1e-9, 1e3);
         out.world.substep_budget = m.substep_budget();
+        out.world.step_budget = m.step_budget();
         if (const auto solver = read_solver(*this, "world.joint_solver", m.joint_solver()))
             out.world.joint_solver = *solver;
     }
@@ -287,6 +288,8 @@ v1::Scene to_message(const SceneDescription& scene) {
     if (scene.world.substep_budget != 0)
         out.mutable_world()->set_substep_budget(
             static_cast<std::uint32_t>(scene.world.substep_budget));
+    if (scene.world.step_budget != 0)
+        out.mutable_world()->set_step_budget(static_cast<std::uint32_t>(scene.world.step_budget));
     if (scene.world.joint_solver != JointSolver::automatic)
         out.mutable_world()->set_joint_solver(message_of(scene.world.joint_solver));
     out.mutable_world()->set_substeps(static_cast<std::uint32_t>(scene.world.substeps));

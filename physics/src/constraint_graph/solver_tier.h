@@ -74,8 +74,14 @@ inline bool controls_error(const WorldDef& world) {
 // ... of the islands of a set. With a tolerance what is slender, tall or heavy begins higher: a
 // stack that its sub-steps cannot hold sways ever more, from nothing, and no comparison of two
 // steps shows that before it does (six hold 33 layers, by what prepare_islands.h says of a wall).
-inline int substeps_of(ColourSetKey set, const WorldDef& world) {
-    if (!controls_error(world)) return substeps_of(set.tier, world);
+// `halved`: half as many, where that leaves two; not of what is slender, tall or heavy, which needs
+// them to stand; not with a tolerance.
+inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = false) {
+    if (!controls_error(world)) {
+        const int all = substeps_of(set.tier, world);
+        const bool less = halved && set.tier < SolverTier::slender;
+        return less ? std::min(all, std::max(2, (all + 1) / 2)) : all;
+    }
     ASSERT(set.tier != SolverTier::asleep && set.batch < batch_count);
     constexpr std::array<int, tier_count> times = {1, 1, 1, 3, 8, 4};
     return std::min(rung_substeps[set.batch] * times[index_of(set.tier)], limits::max_substeps);

@@ -246,6 +246,28 @@ inline constexpr double loose_gap = 0.1;
 inline constexpr unsigned crowded_candidates = 16;
 inline constexpr int sweep_impacts = 16;  // of one body in one step; then it stays where it is
 
+// --- budget of a step ---
+// What things cost, ns on one core of an EPYC, so that a step's work is about its time: docs of
+// StepProfile::work. Work is told in units of so many.
+inline constexpr std::int64_t work_unit = 100;
+inline constexpr std::int64_t body_work = 1000;       // an awake body
+inline constexpr std::int64_t look_work = 1500;       // a narrow phase call
+inline constexpr std::int64_t composite_work = 3000;  // ... with a mesh or a compound: more
+inline constexpr std::int64_t contact_work = 50;      // a contact in a sub-step
+inline constexpr std::int64_t joint_work = 150;       // a joint in a sub-step
+inline constexpr std::int64_t sweep_work = 400;       // a look at what may be on a body's way
+inline constexpr std::int64_t impact_work = 2000;     // an impact between steps
+// Strain falls by a level after so many steps in a row below this share of the budget. Half a
+// second: what just gave way does not come and go with every other step. What a level saves is at
+// most half of the work where it was measured, so below this share the next level down mostly fits.
+inline constexpr int strain_patience = 30;
+inline constexpr double easy_work = 0.6;
+// Under strain a manifold is kept over so many times the drift, however fast its bodies are: 16 mm,
+// less than the margin within which points were looked for. Of a drum in which 8000 cubes tumble it
+// takes 28 % of the step, as much as no bound of drift but one of four times the speed takes 3 %.
+inline constexpr float strained_drift = 4;
+inline constexpr float any_motion = 1e6f;  // m in a step
+
 // --- sleep ---
 // An island sleeps when none of its bodies moved faster than this for that long: neither its centre
 // nor, about that, its surface.

@@ -27,7 +27,7 @@ void sort_by_trigger(std::vector<Event>& events) {
 ContactStay stay_of(const WorldState& world, const Contact& c, const ContactConstraintWide& block,
                     int lane) {
     ASSERT(c.touching);
-    const double substeps = substeps_of(c.colour_set, world.def);
+    const double substeps = substeps_of(c.colour_set, world);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
         normal += double{block.lambda[k][lane]};

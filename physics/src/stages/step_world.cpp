@@ -3,12 +3,14 @@
 
 #include "foundation/check.h"
 #include "foundation/size_scale.h"
+#include "foundation/tuning.h"
 #include "stages/contacts/begin_contacts.h"
 #include "stages/contacts/update_contacts.h"
 #include "stages/continuous/solve_continuous.h"
 #include "stages/finalize/finalize.h"
 #include "stages/finalize/integrate_free.h"
 #include "stages/finalize/quarantine.h"
+#include "stages/follow_budget.h"
 #include "stages/islands/link_islands.h"
 #include "stages/islands/prepare_islands.h"
 #include "stages/pairs/update_pairs.h"
@@ -29,11 +31,18 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.team->stay_alone(!world.team_trial.shares(world.team_use.step_ms));
     if (world.team_use.solver_tasks > 1) world.team->wake();
     world.profile = {};
+    world.profile.strain = world.strain.level;
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     if (dt != world.last_dt && world.last_dt > 0) scale_awake(world, dt / world.last_dt);
     world.last_dt = dt;
     return {world, scratch, *world.team, dt, {}};
+}
+
+// Manifolds are kept over more motion, however fast that is.
+void reuse_longer(ContactSettings& set) {
+    set.rebuild_drift *= tuning::strained_drift;
+    set.rebuild_motion = set.single_rebuild_motion = tuning::any_motion;
 }
 
 // While all sleep they are not worked out.
@@ -50,7 +59,8 @@ void set_contact_settings(StepContext& step) {
                 set = step.contacts[index_of(key) - 1];
                 continue;
             }
-            set = contact_settings(step.dt, substeps_of(key, world.def), tier);
+            set = contact_settings(step.dt, substeps_of(key, world), tier);
+            if (reuses_manifolds_longer(world.strain)) reuse_longer(set);
             set.planar = world.def.planar;
             set.gravity_ratio = gravity_ratio;
         }
@@ -112,6 +122,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());
     ASSERT(scratch.contacts.begins.empty());
+    follow_budget(world);
     world.steps++;
     world.time += dt;
     add_up_times(world.profile);

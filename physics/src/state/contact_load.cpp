@@ -20,7 +20,7 @@ Vec3 load_of(const WorldState& world, const Contact& contact) {
                          cross(normal, t1) * double{block.friction[1][lane]};
     const std::uint32_t island = world.bodies.cold[contact.body_a].island;
     const ColourSetKey set = world.islands.islands[island].colour_set;
-    return impulse * (substeps_of(set, world.def) / world.last_dt);
+    return impulse * (substeps_of(set, world) / world.last_dt);
 }
 
 Vec3 saved_load(const Contact& c) {

@@ -68,15 +68,27 @@ void scale_joints(WorldState& world, std::uint32_t body, double scale) {
 }
 
 void scale_awake(WorldState& world, double scale) {
-    ASSERT(scale > 0);
+    std::array<double, solved_set_count> all{};
+    all.fill(scale);
+    scale_awake(world, all);
+}
+
+void scale_awake(WorldState& world, const std::array<double, solved_set_count>& scale) {
+    const auto scale_at = [&](std::uint32_t body) {
+        const std::uint32_t island = world.bodies.cold[body].island;
+        ASSERT(world.islands.ids.alive(island));
+        return scale[index_of(world.islands.islands[island].colour_set)];
+    };
     for (std::uint32_t i = 0; i < world.contacts.contacts.size(); i++) {
         const Contact& c = world.contacts.contacts[i];
         if (world.contacts.ids.alive(i) && c.colour >= 0)
-            scale_impulses(place_of(world, c), static_cast<float>(scale), false);
+            scale_impulses(place_of(world, c), static_cast<float>(scale_at(c.body_a)), false);
     }
-    for (const BodyWarm& warm : world.bodies.awake)
-        if (world.bodies.cold[warm.body].type == BodyType::dynamic)
-            scale_joints(world, warm.body, scale);
+    for (const BodyWarm& warm : world.bodies.awake) {
+        const BodyCold& cold = world.bodies.cold[warm.body];
+        if (cold.type == BodyType::dynamic && cold.first_joint != none)
+            scale_joints(world, warm.body, scale_at(warm.body));
+    }
 }
 
 }  // namespace jostle::physics

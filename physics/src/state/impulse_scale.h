@@ -4,6 +4,8 @@
 // changes, because an island changes its tier or the user the length of the step, they follow it.
 #pragma once
 
+#include <array>
+
 #include "state/contact_constraints.h"
 
 namespace jostle::physics {
@@ -22,5 +24,7 @@ void scale_joints(WorldState& world, std::uint32_t body, double scale);
 // All of the awake set, for steps that are `scale` times as long. What sleeps follows when it
 // wakes.
 void scale_awake(WorldState& world, double scale);
+// ... for sub-steps that are so many times as long, by index_of() of an island's colour set.
+void scale_awake(WorldState& world, const std::array<double, solved_set_count>& scale);
 
 }  // namespace jostle::physics

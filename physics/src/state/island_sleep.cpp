@@ -39,6 +39,12 @@ std::vector<std::uint32_t> who_stays_asleep(WorldState& world,
     return still;
 }
 
+// By how much strain makes an island's sub-steps longer.
+double lengthening(const WorldState& world, const Island& island) {
+    return static_cast<double>(substeps_of(island.colour_set, world.def)) /
+           substeps_of(island.colour_set, world);
+}
+
 }  // namespace
 
 void wake_island(WorldState& world, std::uint32_t island_index, std::vector<BodyId>& woke) {
@@ -57,7 +63,9 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
         if (!world.bodies.cold[warm.body].asleep_in_place)
             woke.push_back(body_id(world, warm.body));
     // Steps may have another length than when it fell asleep.
-    const double scale = island.dt > 0 && world.last_dt > 0 ? world.last_dt / island.dt : 1;
+    const double scale = island.dt > 0 && world.last_dt > 0
+                             ? world.last_dt * lengthening(world, island) / island.dt
+                             : 1;
     island.dt = 0;
     if (scale != 1)
         for (const BodyWarm& warm : sleepers) scale_joints(world, warm.body, scale);
@@ -153,7 +161,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
     }
     ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = true;
-    island.dt = world.last_dt;
+    island.dt = world.last_dt * lengthening(world, island);
 }
 
 }  // namespace jostle::physics

@@ -41,7 +41,9 @@ struct Island {
     double mass = 0;             // kg, of its bodies
     double kept_load = 1;        // share of its mass that the user has left it since the last step
     IslandError error;
-    double dt = 0;  // s, when asleep: of the step in which it fell asleep, whose impulses it keeps
+    // s, when asleep: of the step in which it fell asleep, whose impulses it keeps; as much longer
+    // as its sub-steps were.
+    double dt = 0;
     std::vector<BodyWarm> sleepers;       // when asleep, in the order of the list
     std::vector<SavedContact> manifolds;  // when asleep
 };

@@ -90,8 +90,7 @@ void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, C
     const ColourSetKey from = world.islands.islands[islands.front()].colour_set;
     if (from == to) return;
     const bool other_tier = from.tier != to.tier;
-    const double scale =
-        static_cast<double>(substeps_of(from, world.def)) / substeps_of(to, world.def);
+    const double scale = static_cast<double>(substeps_of(from, world)) / substeps_of(to, world);
     // All islands first: contacts ask which set their bodies have.
     std::int64_t contacts = 0;  // those of two bodies twice
     for (const std::uint32_t i : islands) {

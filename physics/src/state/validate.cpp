@@ -375,8 +375,9 @@ Fault check_islands(const WorldState& world) {
             return at("islands", i, "has a list of bodies with another end or length");
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
-        if (!is_step_length(island.dt) || island.kept_load < 0 || island.kept_load > 1 ||
-            island.calm > tuning::tier_patience || island.split_at > world.steps)
+        if (!(is_step_length(island.dt) || is_step_length(0.5 * island.dt)) ||
+            island.kept_load < 0 || island.kept_load > 1 || island.calm > tuning::tier_patience ||
+            island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.error.estimate < 0 || island.error.wanted >= batch_count ||
             island.error.easy > tuning::rung_patience)
@@ -432,6 +433,14 @@ std::optional<std::string> find_fault(const WorldState& world) {
         return "world.tolerance is out of range";
     if (world.def.substep_budget < 0 || world.def.substep_budget > 4294967295)
         return "world.substep_budget is out of range";
+    if (world.def.step_budget < 0 || world.def.step_budget > 4294967295)
+        return "world.step_budget is out of range";
+    if (world.def.step_budget > 0 && tolerance != 0)
+        return "world.step_budget is set beside a tolerance";
+    if (world.strain.level > most_strain || world.strain.easy >= tuning::strain_patience)
+        return "world.strain is out of range";
+    if (world.def.step_budget == 0 && (world.strain.level > 0 || world.strain.easy > 0))
+        return "world.strain is above 0 without a budget";
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
     if (!is_step_length(world.last_dt)) return "world.last_dt is out of range";

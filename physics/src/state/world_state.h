@@ -21,6 +21,7 @@
 #include "state/joint_store.h"
 #include "state/listener_store.h"
 #include "state/shape_store.h"
+#include "state/strain.h"
 #include "state/trigger_store.h"
 #include "state/wake_requests.h"
 
@@ -33,6 +34,7 @@ struct WorldStores {
     std::uint64_t steps = 0;
     double last_dt = 0;  // s; 0 before the first step
     double time = 0;     // s: the sum of all steps
+    Strain strain;       // of the next step
 
     BodyStore bodies;
     ShapeStore shapes;
@@ -65,6 +67,11 @@ struct WorldState : WorldStores {
     TeamTrial team_trial;
     TeamUse team_use;
 };
+
+// Sub-steps of the islands of a set in the next step, or in the one that runs.
+inline int substeps_of(ColourSetKey set, const WorldStores& world) {
+    return substeps_of(set, world.def, halves_substeps(world.strain));
+}
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
     ASSERT(body < world.bodies.cold.size());

@@ -21,6 +21,14 @@ Status check_world(const WorldDef& def) {
             check_range("substep_budget", static_cast<double>(def.substep_budget), 0, 4294967295.0);
         !s.ok())
         return s;
+    if (Status s =
+            check_range("step_budget", static_cast<double>(def.step_budget), 0, 4294967295.0);
+        !s.ok())
+        return s;
+    if (def.step_budget > 0 && def.tolerance > 0)
+        return invalid_argument(
+            "step_budget and tolerance are both set; sub-steps follow either the work of a step or "
+            "its error: leave one of them 0 (substep_budget bounds what a tolerance costs)");
     if (Status s = check_joint_solver("joint_solver", def.joint_solver); !s.ok()) return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;

@@ -294,7 +294,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
     const Island& island = world.islands.islands[world.bodies.cold[body].island];
     const double dt = expected_dt(world);
     const ContactSettings settings =
-        contact_settings(dt, substeps_of(island.colour_set, world.def), island.colour_set.tier);
+        contact_settings(dt, substeps_of(island.colour_set, world), island.colour_set.tier);
     const double h = question.h != 0 ? question.h : dt / settings.substeps;
     RowGathering all{world, question, h};
     all.number_of.assign(world.bodies.cold.size(), -1);

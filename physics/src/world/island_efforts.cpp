@@ -15,10 +15,10 @@ IslandEffort effort_of(const WorldState& world, const Island& island) {
     const ColourSetKey set = island.colour_set;
     IslandEffort effort{.body = body_id(world, island.first),
                         .bodies = static_cast<int>(island.bodies),
-                        .substeps = substeps_of(set, world.def),
+                        .substeps = substeps_of(set, world),
                         .error = island.error.estimate};
     effort.wanted_substeps = controls_error(world.def)
-                                 ? substeps_of({set.tier, island.error.wanted}, world.def)
+                                 ? substeps_of({set.tier, island.error.wanted}, world)
                                  : effort.substeps;
     return effort;
 }

@@ -92,6 +92,14 @@ std::int64_t World::substep_budget() const {
     return state_->def.substep_budget;
 }
 
+std::int64_t World::step_budget() const {
+    return state_->def.step_budget;
+}
+
+int World::strain() const {
+    return state_->strain.level;
+}
+
 int World::substeps() const {
     return state_->def.substeps;
 }

@@ -34,7 +34,7 @@ struct StepProfile {
     std::array<double, stage_count> stage_ms{};  // 0 when the stage was skipped
     // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
     std::array<const char*, stage_count> stage_skipped{};
-    double step_ms = 0;    // the sum of stage_ms
+    double step_ms = 0;  // the sum of stage_ms
     // The stage that took most of it, and how long that took.
     Stage worst_stage = Stage::update_pairs;
     double worst_stage_ms = 0;
@@ -50,9 +50,10 @@ struct StepProfile {
     // Pairs of shapes that are followed, awake or asleep; a pair with a mesh, a height field or a
     // compound counts once more for each of its manifolds.
     int pairs = 0;
-    int pairs_checked = 0;  // narrow phase calls
-    int manifolds = 0;      // that exist, but for those of sleeping islands
-    int touching = 0;       // of manifolds: the ones that press
+    int pairs_checked = 0;       // narrow phase calls
+    int composites_checked = 0;  // of those: with a mesh, a height field or a compound
+    int manifolds = 0;           // that exist, but for those of sleeping islands
+    int touching = 0;            // of manifolds: the ones that press
     int islands_awake = 0;
     int joints = 0;           // that were solved: of bodies_in_solver
     int joints_direct = 0;    // of joints: solved at once, in groups that nothing touches
@@ -62,6 +63,14 @@ struct StepProfile {
     std::int64_t body_substeps = 0;  // sub-steps of bodies_in_solver, summed
     // ... that were taken beside, to measure errors, in a world with a tolerance.
     std::int64_t trial_substeps = 0;
+    // Contacts and joints that were solved, each times its sub-steps.
+    std::int64_t contact_substeps = 0, joint_substeps = 0;
+    int sweeps = 0;   // looks of a fast body at what it may meet on its way, between steps
+    int impacts = 0;  // that were followed between steps
+    // What the step did, in units of about 0.1 microseconds of one current core: only about that,
+    // but counted, so the same for any machine and any number of threads. WorldDef::step_budget.
+    std::int64_t work = 0;
+    int strain = 0;        // at which the step was taken: World::strain()
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
 };
 

@@ -219,6 +219,9 @@ public:
     int substeps() const;
     double tolerance() const;  // m; 0: none
     std::int64_t substep_budget() const;
+    std::int64_t step_budget() const;  // 0: none
+    // What the next step will give up to keep to the step's budget: WorldDef::step_budget.
+    int strain() const;
     JointSolver joint_solver() const;
     Status set_joint_solver(JointSolver solver);  // from the next step on; wakes nobody
     Status set_threads(

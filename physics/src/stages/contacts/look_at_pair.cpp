@@ -24,6 +24,7 @@ bool will_be_swept(const StepContext& step, const Contact& c, double way) {
     const WorldState& world = step.world;
     if (!world.def.continuous) return false;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    if (left_to_contacts(world, a, b)) return false;
     const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
         if (!mover.continuous || mover.set != BodySet::awake) return false;
         if (way <= motion_without_sweep(step.scratch.contacts, mover, other)) return false;

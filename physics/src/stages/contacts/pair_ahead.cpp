@@ -71,7 +71,7 @@ double time_to_middle(const WorldState& world, const Contact& c, double way, dou
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
-    const int n = substeps_of(world.islands.islands[a.island].colour_set, world.def);
+    const int n = substeps_of(world.islands.islands[a.island].colour_set, world);
     return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / way);
 }
 

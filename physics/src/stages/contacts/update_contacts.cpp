@@ -52,6 +52,7 @@ Skipped update_contacts(StepContext& step) {
     });
     decide_contacts(step);
     step.world.profile.pairs_checked = static_cast<int>(checks.size());
+    step.world.profile.composites_checked = step.scratch.contacts.part_lists;
     return ran;
 }
 

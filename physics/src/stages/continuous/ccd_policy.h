@@ -18,6 +18,13 @@ inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
+// Whether strain leaves the impacts of two bodies on each other to the contact solver, however
+// fast.
+inline bool left_to_contacts(const WorldState& world, const BodyCold& a, const BodyCold& b) {
+    return leaves_impacts_to_contacts(world.strain) && a.type == BodyType::dynamic &&
+           b.type == BodyType::dynamic;
+}
+
 // How far a body may move against another in a step without a sweep, m. In a crowd, where one of
 // the two already leans on others, their inner radii count together: impacts there come in chains,
 // which the contact solver resolves all at once and sweeps only one after the other.
@@ -42,6 +49,7 @@ inline bool bounces(const WorldState& world, std::uint32_t shape_a, std::uint32_
     const auto sweeps = [](const BodyCold& cold) {
         return cold.type == BodyType::dynamic && cold.continuous;
     };
+    if (left_to_contacts(world, a, b)) return false;
     return (sweeps(a) || sweeps(b)) && a.first_joint == none && b.first_joint == none;
 }
 

@@ -347,8 +347,12 @@ private:
     // Looking reads how the others go and writes down what one meets.
     void find_impacts() {
         round_++;
-        for (const std::size_t k : to_check_)
-            if (!bodies_[k].checked) bodies_[k].anew_in = round_;
+        for (const std::size_t k : to_check_) {
+            ToiBody& t = bodies_[k];
+            if (!t.checked) t.anew_in = round_;
+            world_.profile.sweeps +=
+                static_cast<int>(t.checked ? t.diverted.size() : t.candidates.size());
+        }
         step_.team.run(static_cast<int>(to_check_.size()), 1, [&](int begin, int end) {
             for (int k = begin; k < end; k++) find_impact(to_check_[static_cast<std::size_t>(k)]);
         });
@@ -400,6 +404,7 @@ private:
     // it: its contacts did not foresee the new way.
     bool moves_enough(const ToiBody& t, std::uint32_t other) const {
         const BodyCold &cold = world_.bodies.cold[t.body], &cold_other = world_.bodies.cold[other];
+        if (left_to_contacts(world_, cold, cold_other)) return false;
         const std::uint32_t known = toi_body_of(other);
         const bool changed = t.changed || (known != nobody && bodies_[known].changed);
         if (changed && cold_other.type != BodyType::dynamic) return true;
@@ -608,6 +613,7 @@ private:
             std::sort(passes_.begin(), passes_.end());
             return recheck(index);
         }
+        world_.profile.impacts++;
         file_wake(body_a, body_b);
         if (answer.restitution > 0 && !bodies_[index].at_start)
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);

@@ -11,6 +11,7 @@
 #include "collision/narrowphase/time_of_impact.h"
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/continuous/ccd_policy.h"
 #include "stages/step_context.h"
 #include "stages/step_scratch.h"
 #include "state/shape_proxy.h"
@@ -74,9 +75,10 @@ public:
     template <class Bounces>
     bool may_meet(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
                   std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
+        const BodyCold& cold_other = world.bodies.cold[other];
+        if (left_to_contacts(world, cold, cold_other)) return false;
         const SweptMotion met = of(world, other);
         const Vec3 closing = motion.motion - met.motion;
-        const BodyCold& cold_other = world.bodies.cold[other];
         if (cold_other.type != BodyType::dynamic) {
             if (!is_on_way(world, motion, cold.radius, world.shapes.shapes[other_shape]))
                 return false;

@@ -18,12 +18,12 @@ namespace {
 constexpr std::uint8_t finest = batch_count - 1;
 
 int substeps_at(const WorldState& world, const Island& island, std::uint8_t rung) {
-    return substeps_of({island.colour_set.tier, rung}, world.def);
+    return substeps_of({island.colour_set.tier, rung}, world);
 }
 
 // By how much errors grow on another rung: of first order.
 double growth(const WorldState& world, const Island& island, std::uint8_t rung) {
-    return static_cast<double>(substeps_of(island.colour_set, world.def)) /
+    return static_cast<double>(substeps_of(island.colour_set, world)) /
            substeps_at(world, island, rung);
 }
 

@@ -88,6 +88,7 @@ void count_substeps(const StepContext& step, StepProfile& profile) {
         const auto bodies = static_cast<std::int64_t>(scratch.bodies.of(set, set + 1).size());
         const int substeps = step.contacts[set].substeps;
         profile.body_substeps += bodies * substeps;
+        profile.contact_substeps += std::int64_t{step.world.graph.sets[set].contacts} * substeps;
         if (wants_trial(step, set)) profile.trial_substeps += bodies * (substeps / 2);
     }
     for (const std::uint32_t island : scratch.groups.active) {

@@ -232,8 +232,11 @@ void finish_joints(StepContext& step, const JointTask& task) {
 void break_joints(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t> broken;
-    for (JointLevels& levels : step.scratch.solver.joints) {
-        world.profile.joints += static_cast<int>(levels.joints.size());
+    for (std::size_t set = 0; set < step.scratch.solver.joints.size(); set++) {
+        JointLevels& levels = step.scratch.solver.joints[set];
+        const auto joints = static_cast<std::int64_t>(levels.joints.size());
+        world.profile.joints += static_cast<int>(joints);
+        if (joints > 0) world.profile.joint_substeps += joints * step.contacts[set].substeps;
         for (const JointConstraintWideMeta& meta : levels.metas) {
             world.profile.joints_together += meta.in_batch;
             for (unsigned bits = meta.overloaded; bits != 0; bits &= bits - 1)
@@ -249,6 +252,8 @@ void break_joints(StepContext& step) {
         const JointGroup& group = *groups.of_island[island];
         world.profile.joints += static_cast<int>(group.joints.size());
         world.profile.joints_direct += static_cast<int>(group.joints.size());
+        world.profile.joint_substeps +=
+            static_cast<std::int64_t>(group.joints.size()) * group.substeps;
         for (const std::uint32_t index : group.joints)
             if (is_overloaded(world.joints.joints[index])) broken.push_back(index);
     }

@@ -25,11 +25,21 @@ inline bool is_composite(ShapeKind kind) {
            kind == ShapeKind::compound;
 }
 
+// How a shape moves against a surface that does not turn while its contacts hold.
+struct SurfaceWay {
+    Vec3 to_start, to_end;  // m, world: from where it is looked at, back and on
+    Vec3 turn;              // rad, world: at most, to either ...
+    Vec3 center;            // m, world: ... about this point
+    double near = 0;        // m
+};
+
 // Appends every part's manifold with points within the margin, in an order that depends on the two
 // shapes alone; of more than some 16,000 only the first.
 // `stopped`: looked at between parts; when it is set, parts are missing.
+// `way`: of what is not a surface; triangles that it does not come near on it have no part either.
 void collide_composite(const Placed& a, const Placed& b, double margin,
-                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr);
+                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr,
+                       const SurfaceWay* way = nullptr);
 
 // Whether two shapes of any kind share a point.
 bool shapes_overlap(const Placed& a, const Placed& b);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision/narrowphase/manifold.h"
+#include "collision/narrowphase/surface_way.h"
 #include "geometry/placed.h"
 
 namespace jostle::physics {
@@ -24,14 +25,6 @@ inline bool is_composite(ShapeKind kind) {
     return kind == ShapeKind::mesh || kind == ShapeKind::height_field ||
            kind == ShapeKind::compound;
 }
-
-// How a shape moves against a surface that does not turn while its contacts hold.
-struct SurfaceWay {
-    Vec3 to_start, to_end;  // m, world: from where it is looked at, back and on
-    Vec3 turn;              // rad, world: at most, to either ...
-    Vec3 center;            // m, world: ... about this point
-    double near = 0;        // m
-};
 
 // Appends every part's manifold with points within the margin, in an order that depends on the two
 // shapes alone; of more than some 16,000 only the first.

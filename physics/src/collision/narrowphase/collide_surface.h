@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/manifold.h"
+#include "collision/narrowphase/surface_way.h"
 #include "geometry/placed.h"
 
 namespace jostle::physics {

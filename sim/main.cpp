@@ -195,8 +195,9 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Instruction set of the inner loops: " + instruction_set_names() +
                        "; the bits are the same for any; default: the last")
         ->check([](const std::string& name) {
-            return instruction_set_called(name) ? std::string()
-                                                : name + " is not one of " + instruction_set_names();
+            return instruction_set_called(name)
+                       ? std::string()
+                       : name + " is not one of " + instruction_set_names();
         });
     app.add_option("--sleep", flags.sleep, "on or off; default: the scene's")
         ->check(CLI::IsMember({"on", "off"}));

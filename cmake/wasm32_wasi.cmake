@@ -1,5 +1,5 @@
-# Toolchain: WebAssembly, with the system interface of WASI, by clang 19 and Debian's libraries for it. What is built runs in a browser or,
-# as scripts/determinism-check does it, in Node (tests/determinism/run_wasi.mjs). Only the solver (JOSTLE_SOLVER_ONLY), and only as
+# Toolchain: WebAssembly, with the system interface of WASI, by clang 19 and Debian's libraries for it. What is built runs in Node,
+# as scripts/determinism-check does it (tests/determinism/run_wasi.mjs). Only the solver (JOSTLE_SOLVER_ONLY), and only as
 # a portable build (JOSTLE_FUSED=OFF).
 set(CMAKE_SYSTEM_NAME WASI)
 set(CMAKE_SYSTEM_VERSION 1)

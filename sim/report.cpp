@@ -71,6 +71,8 @@ std::string to_text(const Report& r) {
     line(out, "ms_per_step_mean", "%.4f", r.ms_per_step_mean);
     line(out, "ms_per_step_p99", "%.4f", r.ms_per_step_p99);
     line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
+    text_line(out, "arithmetic", physics::arithmetic_name(physics::arithmetic()));
+    text_line(out, "instructions", physics::instruction_set_name(physics::instruction_set()));
     out += "state_hash             " + hex(r.state_hash) + "\n";
     line(out, "energy_joules", "%.6g", r.energy_joules);
     line(out, "max_penetration_m", "%.6g", r.max_penetration_m);
@@ -94,22 +96,25 @@ std::string to_json(const Report& r) {
         stages[name] = r.stage_ms_mean[k];
         if (r.stage_skipped[k] != nullptr) skipped[name] = r.stage_skipped[k];
     }
-    const nlohmann::ordered_json json = {{"scene", r.scene},
-                                         {"hz", r.hz},
-                                         {"substeps", r.substeps},
-                                         {"threads", r.threads},
-                                         {"steps", r.steps},
-                                         {"bodies", r.bodies},
-                                         {"contacts", r.contacts},
-                                         {"ms_per_step_mean", r.ms_per_step_mean},
-                                         {"ms_per_step_p99", r.ms_per_step_p99},
-                                         {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
-                                         {"state_hash", hex(r.state_hash)},
-                                         {"energy_joules", r.energy_joules},
-                                         {"max_penetration_m", r.max_penetration_m},
-                                         {"awake_bodies", r.awake_bodies},
-                                         {"stages", stages},
-                                         {"stages_skipped", skipped}};
+    const nlohmann::ordered_json json = {
+        {"scene", r.scene},
+        {"hz", r.hz},
+        {"substeps", r.substeps},
+        {"threads", r.threads},
+        {"steps", r.steps},
+        {"bodies", r.bodies},
+        {"contacts", r.contacts},
+        {"ms_per_step_mean", r.ms_per_step_mean},
+        {"ms_per_step_p99", r.ms_per_step_p99},
+        {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
+        {"arithmetic", physics::arithmetic_name(physics::arithmetic())},
+        {"instructions", physics::instruction_set_name(physics::instruction_set())},
+        {"state_hash", hex(r.state_hash)},
+        {"energy_joules", r.energy_joules},
+        {"max_penetration_m", r.max_penetration_m},
+        {"awake_bodies", r.awake_bodies},
+        {"stages", stages},
+        {"stages_skipped", skipped}};
     return json.dump(2) + "\n";
 }
 

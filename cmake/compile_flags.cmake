@@ -4,7 +4,9 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_SYSTEM_NAME STREQUAL WASI)
+    set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 
 find_program(JOSTLE_CCACHE ccache)
 if(JOSTLE_CCACHE)
@@ -35,7 +37,9 @@ target_compile_options(jostle_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-do
 target_compile_options(jostle_flags INTERFACE -Wno-psabi)
 
 # Some of what we link asks for it; a precompiled header fits only where all sources agree.
-target_compile_options(jostle_flags INTERFACE -pthread)
+if(NOT CMAKE_SYSTEM_NAME STREQUAL WASI)  # has no threads
+    target_compile_options(jostle_flags INTERFACE -pthread)
+endif()
 
 # Builds that are made once and thrown away take less time when the sources of a library, and of tests that say so, are compiled eight
 # together. One source's constant is then another's shadow.

@@ -53,7 +53,7 @@ as in the scene, or by its place there, from 0. docs/open_solver.md has an examp
 Exit status: 0 done, 1 the run failed, 2 wrong flags or scene.)";
 
 struct Flags {
-    std::string scene, json, trace, save, load, sleep, write_scene;
+    std::string scene, json, trace, save, load, sleep, write_scene, instructions;
     double seconds = 10;
     std::optional<double> hz;
     std::optional<int> substeps;
@@ -87,6 +87,20 @@ CLI::Validator between(double low, double high) {
             return words;
         },
         "NUMBER");
+}
+
+// Those that can be used here, from slow to fast.
+std::string instruction_set_names() {
+    std::string names;
+    for (const auto set : jostle::physics::available_instruction_sets())
+        names += std::string(names.empty() ? "" : ", ") + instruction_set_name(set);
+    return names;
+}
+
+std::optional<jostle::physics::InstructionSet> instruction_set_called(const std::string& name) {
+    for (const auto set : jostle::physics::available_instruction_sets())
+        if (name == instruction_set_name(set)) return set;
+    return std::nullopt;
 }
 
 void add_converge_flags(CLI::App& app, Flags& flags) {
@@ -183,6 +197,14 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
         ->capture_default_str()
         ->check(CLI::Range(1, 64));
+    app.add_option("--instructions", flags.instructions,
+                   "Instruction set of the inner loops: " + instruction_set_names() +
+                       "; the bits are the same for any; default: the last")
+        ->check([](const std::string& name) {
+            return instruction_set_called(name)
+                       ? std::string()
+                       : name + " is not one of " + instruction_set_names();
+        });
     app.add_option("--sleep", flags.sleep, "on or off; default: the scene's")
         ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--json", flags.json, "Writes the report here as JSON");
@@ -301,6 +323,9 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
 }
 
 int run(const Flags& flags) {
+    if (const auto set = instruction_set_called(flags.instructions))
+        if (const Status s = jostle::physics::use_instruction_set(*set); !s.ok())
+            return fail(2, s.error().message);
     auto scene = jostle::scenes::load_scene(flags.scene);
     if (!scene.ok()) return fail(2, scene.error().message);
     if (flags.hz) scene->hz = *flags.hz;

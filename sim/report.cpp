@@ -106,6 +106,8 @@ std::string to_text(const Report& r) {
     line(out, "work_per_step_worst", "%.0f", r.work_worst);
     if (r.steps_at_strain[0] < r.steps) text_line(out, "steps_at_strain", strain_steps(r));
     line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
+    text_line(out, "arithmetic", physics::arithmetic_name(physics::arithmetic()));
+    text_line(out, "instructions", physics::instruction_set_name(physics::instruction_set()));
     out += "state_hash             " + hex(r.state_hash) + "\n";
     line(out, "energy_joules", "%.6g", r.energy_joules);
     line(out, "max_penetration_m", "%.6g", r.max_penetration_m);
@@ -135,26 +137,25 @@ std::string to_json(const Report& r) {
                  {"ms", r.worst_step_ms},
                  {"stage", stage_name(r.worst_stage)},
                  {"stage_ms", r.worst_stage_ms}};
-    const nlohmann::ordered_json json = {{"scene", r.scene},
-                                         {"hz", r.hz},
-                                         {"substeps", r.substeps},
-                                         {"threads", r.threads},
-                                         {"steps", r.steps},
-                                         {"bodies", r.bodies},
-                                         {"contacts", r.contacts},
-                                         {"ms_per_step_mean", r.ms_per_step_mean},
-                                         {"ms_per_step_p99", r.ms_per_step_p99},
-                                         {"worst_step", worst},
-                                         {"work_per_step_mean", r.work_mean},
-                                         {"work_per_step_worst", r.work_worst},
-                                         {"steps_at_strain", r.steps_at_strain},
-                                         {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
-                                         {"state_hash", hex(r.state_hash)},
-                                         {"energy_joules", r.energy_joules},
-                                         {"max_penetration_m", r.max_penetration_m},
-                                         {"awake_bodies", r.awake_bodies},
-                                         {"stages", stages},
-                                         {"stages_skipped", skipped}};
+    const nlohmann::ordered_json json = {
+        {"scene", r.scene},
+        {"hz", r.hz},
+        {"substeps", r.substeps},
+        {"threads", r.threads},
+        {"steps", r.steps},
+        {"bodies", r.bodies},
+        {"contacts", r.contacts},
+        {"ms_per_step_mean", r.ms_per_step_mean},
+        {"ms_per_step_p99", r.ms_per_step_p99},
+        {"cpu_ms_per_step_mean", r.cpu_ms_per_step_mean},
+        {"arithmetic", physics::arithmetic_name(physics::arithmetic())},
+        {"instructions", physics::instruction_set_name(physics::instruction_set())},
+        {"state_hash", hex(r.state_hash)},
+        {"energy_joules", r.energy_joules},
+        {"max_penetration_m", r.max_penetration_m},
+        {"awake_bodies", r.awake_bodies},
+        {"stages", stages},
+        {"stages_skipped", skipped}};
     return json.dump(2) + "\n";
 }
 

@@ -7,11 +7,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "jostle/physics/physics.h"
 #include "sim/sim_program.h"
 
 namespace {
 
 using jostle::test::Sim;
+namespace physics = jostle::physics;
 
 TEST_F(Sim, reports_every_figure_that_it_promises) {
     ASSERT_EQ(run("stack --seconds 3 --json " + file("r.json")), 0) << output();
@@ -25,6 +27,7 @@ TEST_F(Sim, reports_every_figure_that_it_promises) {
     EXPECT_EQ(json["contacts"], 10);
     EXPECT_EQ(json["awake_bodies"], 0);
     EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16u);
+    EXPECT_EQ(json["arithmetic"], physics::arithmetic_name(physics::arithmetic()));
     // Ten boxes of a tonne each, centres at 0.5 to 9.5 m: m g h = 1000 * 9.81 * 50 J.
     EXPECT_NEAR(json["energy_joules"].get<double>(), 490500, 500);
 }
@@ -40,6 +43,21 @@ TEST_F(Sim, gives_the_same_hash_at_one_two_and_four_threads) {
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_another) {
+    std::string first;
+    for (const physics::InstructionSet set : physics::available_instruction_sets()) {
+        const std::string name = physics::instruction_set_name(set);
+        ASSERT_EQ(run("pyramid --seconds 0.1 --instructions " + name + " --json " + file("r.json")),
+                  0);
+        EXPECT_EQ(report()["instructions"], name);
+        const std::string hash = report()["state_hash"];
+        if (first.empty()) first = hash;
+        EXPECT_EQ(hash, first) << name;
+    }
+    EXPECT_EQ(run("pyramid --instructions abacus"), 2);
+    EXPECT_NE(output().find("abacus is not one of scalar"), std::string::npos) << output();
 }
 
 TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {

@@ -5,21 +5,33 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "jostle/physics/physics.h"
 
 namespace jostle::test {
 
+// What cannot be set up ends the test: by an exception, which names it, where there are exceptions.
+[[noreturn]] inline void give_up(const std::string& why) {
+#if defined(__cpp_exceptions)
+    throw std::runtime_error(why);
+#else
+    std::fprintf(stderr, "%s\n", why.c_str());
+    std::abort();
+#endif
+}
 // The value, or an exception that gtest reports with the library's own message.
 template <class T>
 T must(physics::Result<T> result) {
-    if (!result.ok()) throw std::runtime_error(result.error().message);
+    if (!result.ok()) give_up(result.error().message);
     return std::move(*result);
 }
 inline void must(const physics::Status& status) {
-    if (!status.ok()) throw std::runtime_error(status.error().message);
+    if (!status.ok()) give_up(status.error().message);
 }
 
 // One body of one shape, with the few things that tests vary.

@@ -111,6 +111,9 @@ COVERED_BY = {
         (["physics/world/checks_test.cpp", "physics/state/validate_test.cpp"], "what calls and saved worlds may not hold"),
     "state/validate_numbers.cpp":
         (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),
+    "foundation/threads.h":
+        (["physics/foundation/task_team_test.cpp", "physics/persist/module_state_test.cpp"],
+         "names for the standard library's own, used by teams and by the register of modules"),
     "foundation/prefetch.h":
         (["physics/stages/contacts/update_contacts_test.cpp"], "a hint to the processor: nothing to see but that all goes on"),
     "geometry/placed.h":

@@ -8,7 +8,8 @@
 namespace jostle::physics {
 namespace {
 
-#if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
+// Without FMA x86-64 cannot fuse.
+#if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__) && !defined(JOSTLE_UNFUSED)
 constexpr bool has_baseline = false;
 const Kernels& usual_table() {
     return scalar::table;
@@ -58,7 +59,11 @@ std::vector<InstructionSet> find_available() {
 #endif
     if (has_baseline) sets.push_back(InstructionSet::baseline);
 #if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__)
+#if defined(JOSTLE_UNFUSED)
+    const bool avx2 = __builtin_cpu_supports("avx2");
+#else
     const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
     if (avx2) sets.push_back(InstructionSet::avx2);
     if (avx2 && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512bw"))

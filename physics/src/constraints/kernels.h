@@ -84,7 +84,7 @@ namespace baseline {
 extern const Kernels table;
 }
 #if defined(__x86_64__)
-// x86-64 has no baseline but under a sanitizer: SSE2 cannot fuse.
+// x86-64 has no baseline but under a sanitizer and in a portable build: SSE2 cannot fuse.
 namespace avx2 {
 extern const Kernels table;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Every thread that steps runs with denormal floats flushed to zero and rounding to nearest:
-// denormals would cost a hundred times as much, and a host program may have changed either. The
-// scope restores what it found.
+// denormals would cost a hundred times as much, and a host program may have changed either. A
+// portable build (jostle/physics/arithmetic.h) keeps denormals: WebAssembly cannot flush them, and
+// its bits are the same there. The scope restores what it found.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,12 @@
 #endif
 
 namespace jostle::physics {
+
+#if defined(JOSTLE_UNFUSED)
+inline constexpr bool flushes_denormals = false;
+#else
+inline constexpr bool flushes_denormals = true;
+#endif
 
 class FpModeScope {
 public:
@@ -30,7 +37,7 @@ private:
     }
     // Flush-to-zero 0x8000, denormals-are-zero 0x0040, rounding bits 0x6000 cleared.
     static std::uint64_t step_mode(std::uint64_t mode) {
-        return (mode & ~0x6000ull) | 0x8040;
+        return (mode & ~0xe040ull) | (flushes_denormals ? 0x8040 : 0);
     }
 #elif defined(__aarch64__)
     static std::uint64_t read() {
@@ -43,7 +50,7 @@ private:
     }
     // FZ is bit 24, rounding mode bits 22 and 23.
     static std::uint64_t step_mode(std::uint64_t mode) {
-        return (mode & ~(3ull << 22)) | (1ull << 24);
+        return (mode & ~(7ull << 22)) | (flushes_denormals ? 1ull << 24 : 0);
     }
 #else
     static std::uint64_t read() {

@@ -25,6 +25,10 @@ void relax_cpu() {
 
 }  // namespace
 
+#if defined(JOSTLE_NO_THREADS)
+TaskTeam::TaskTeam(int) : count_(1), cursors_(1) {}
+TaskTeam::~TaskTeam() = default;
+#else
 TaskTeam::TaskTeam(int threads) : count_(threads), cursors_(static_cast<std::size_t>(threads)) {
     for (int self = 1; self < threads; self++) workers_.emplace_back([this, self] { work(self); });
 }
@@ -36,6 +40,7 @@ TaskTeam::~TaskTeam() {
     gate_.notify_all();
     for (std::thread& worker : workers_) worker.join();
 }
+#endif
 
 void TaskTeam::share_out(int total, int grain, Split split, Call call, void* context) {
     call_ = call;
@@ -61,7 +66,7 @@ void TaskTeam::share_out(int total, int grain, Split split, Call call, void* con
         relax_cpu();
         if (++spins == spins_before_help)
             for (Cursor& cursor : cursors_) take_grains_of(cursor, false);
-        if (spins > spins_before_sleep) std::this_thread::yield();
+        if (spins > spins_before_sleep) give_way();
     }
 }
 
@@ -112,7 +117,7 @@ void TaskTeam::finish() {
     int spins = 0;
     while (job_state_.load(std::memory_order_acquire) != Job::idle) {
         relax_cpu();
-        if (++spins > spins_before_sleep) std::this_thread::yield();
+        if (++spins > spins_before_sleep) give_way();
     }
 }
 

@@ -5,15 +5,17 @@
 // others. Which thread runs which grain is a race; what a grain computes must not depend on it.
 //
 // Used by the one thread that steps a world. Workers spin briefly between ranges, then sleep until
-// the next step.
+// the next step. Where there are no threads (WebAssembly, unless built with them) a team is of one,
+// however many are asked for.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <thread>
 #include <type_traits>
 #include <vector>
+
+#include "foundation/threads.h"
 
 namespace jostle::physics {
 
@@ -97,7 +99,9 @@ private:
     int count_;
     bool alone_ = false;
     std::vector<Cursor> cursors_;
+#if !defined(JOSTLE_NO_THREADS)
     std::vector<std::thread> workers_;
+#endif
     // How many workers are in the present range, whether more may come in, and how many ranges
     // there have been. A worker comes in by adding one, if it has not changed meanwhile.
     static constexpr std::uint64_t inside = 0xffff, open = 0x10000, one_range = 0x20000;

@@ -93,6 +93,7 @@ HullLanes lanes_of(const ConvexHull& hull) {
         const Vec3 v = hull.vertices[std::min(k, hull.vertices.size() - 1)];
         VertexLanes& to = lanes.vertices[k / 4];
         to.x[k % 4] = v.x, to.y[k % 4] = v.y, to.z[k % 4] = v.z;
+        lanes.outer_radius = maximum(lanes.outer_radius, length(v - hull.center));
     }
     lanes.normals.resize(blocks(hull.faces.size(), 8));
     for (std::size_t k = 0; k < 8 * lanes.normals.size(); k++)

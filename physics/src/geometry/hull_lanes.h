@@ -36,6 +36,7 @@ struct HullLanes {
     std::vector<VertexLanes> vertices;
     std::vector<DirectionLanes> normals;
     std::vector<ArcLanes> arcs;
+    double outer_radius = 0;  // m: of the ball about the centre of mass that holds the hull
 };
 
 HullLanes lanes_of(const ConvexHull& hull);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// a b + c of floats with one rounding, also where the processor has no instruction for it.
+// a b + c of floats with one rounding, also where the processor has no instruction for it. In a
+// portable build (jostle/physics/arithmetic.h) it is a product and a sum, each rounded.
 #pragma once
 
 #include <bit>
@@ -25,7 +26,9 @@ inline float multiply_add_in_double(float a, float b, float c) {
 }
 
 inline __attribute__((always_inline)) float fused_multiply_add(float a, float b, float c) {
-#if defined(__FMA__) || defined(__aarch64__)
+#if defined(JOSTLE_UNFUSED)
+    return a * b + c;  // -ffp-contract=off: nobody fuses it
+#elif defined(__FMA__) || defined(__aarch64__)
     return __builtin_fmaf(a, b, c);
 #else
     return multiply_add_in_double(a, b, c);

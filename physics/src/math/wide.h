@@ -3,8 +3,8 @@
 // Eight floats at a time, with the same bits whatever the machine. Nothing here reduces across
 // lanes, so lane k of a result depends on lane k of the inputs alone; together with
 // -ffp-contract=off that makes a run's hash independent of the instruction set: what is fused is
-// written so, with fma(). min and max are compares because minps and its scalar relatives disagree
-// about NaN and -0.
+// written so, with fma(); in a portable build nothing is. min and max are compares because minps
+// and its scalar relatives disagree about NaN and -0.
 //
 // GCC and clang vector extensions: the compiler splits a Wide into what the target has (two SSE
 // registers, one AVX). Included by one source per instruction set (constraints/kernels_*.cpp), each
@@ -162,9 +162,12 @@ JOSTLE_INLINE Wide root(Wide a) {
     return r;
 #endif
 }
-// a b + c, rounded once: on every machine, in one instruction where it has one.
+// a b + c, rounded once: on every machine, in one instruction where it has one. In a portable build
+// it is rounded twice on every machine.
 JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
-#if defined(JOSTLE_TWO_BLOCKS)
+#if defined(JOSTLE_UNFUSED)
+    return a * b + c;
+#elif defined(JOSTLE_TWO_BLOCKS)
     return _mm512_fmadd_ps(a, b, c);
 #elif defined(__FMA__) && !defined(JOSTLE_SCALAR)
     return _mm256_fmadd_ps(a, b, c);
@@ -179,9 +182,11 @@ JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
     return r;
 #endif
 }
-// c - a b with one rounding.
+// c - a b, likewise.
 JOSTLE_INLINE Wide fnma(Wide a, Wide b, Wide c) {
-#if defined(JOSTLE_TWO_BLOCKS)
+#if defined(JOSTLE_UNFUSED)
+    return c - a * b;
+#elif defined(JOSTLE_TWO_BLOCKS)
     return _mm512_fnmadd_ps(a, b, c);
 #elif defined(__FMA__) && !defined(JOSTLE_SCALAR)
     return _mm256_fnmadd_ps(a, b, c);

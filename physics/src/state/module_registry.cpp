@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <mutex>
 
 #include "foundation/check.h"
+#include "foundation/threads.h"
 #include "jostle/physics/module.h"
 
 namespace jostle::physics {
 namespace {
 
 struct Registry {
-    std::mutex mutex;
+    Mutex mutex;
     std::map<std::string, MakeModule, std::less<>> kinds;
 };
 
@@ -45,7 +45,7 @@ Status register_module(std::string tag, MakeModule make) {
         return Error{ErrorCode::invalid_argument,
                      "module \"" + tag + "\": give a function that makes one"};
     Registry& known = registry();
-    const std::lock_guard lock(known.mutex);
+    const MutexLock lock(known.mutex);
     const std::string name = tag;
     if (!known.kinds.emplace(std::move(tag), std::move(make)).second)
         return Error{ErrorCode::failed_precondition,
@@ -58,7 +58,7 @@ Result<std::unique_ptr<Module>> make_module(std::string_view tag) {
     MakeModule make;
     std::string tags;
     {
-        const std::lock_guard lock(known.mutex);
+        const MutexLock lock(known.mutex);
         if (const auto found = known.kinds.find(tag); found != known.kinds.end())
             make = found->second;
         for (const auto& [name, unused] : known.kinds) tags += (tags.empty() ? "" : ", ") + name;
@@ -78,7 +78,7 @@ Result<std::unique_ptr<Module>> make_module(std::string_view tag) {
 
 std::vector<std::string> module_tags() {
     Registry& known = registry();
-    const std::lock_guard lock(known.mutex);
+    const MutexLock lock(known.mutex);
     std::vector<std::string> tags;
     for (const auto& [tag, unused] : known.kinds) tags.push_back(tag);
     return tags;

@@ -12,10 +12,11 @@
 namespace jostle::physics {
 
 enum class InstructionSet {
-    scalar,    // one float at a time: for proofs. The only one on x86-64 processors without AVX2
-               // and FMA, where it is many times slower
-    baseline,  // what the compiler assumes of its target: NEON on aarch64. Not on x86-64
-    avx2,      // with FMA
+    scalar,  // one float at a time: for proofs. The only one on x86-64 processors without AVX2
+             // and FMA, where it is many times slower, unless the build is portable (arithmetic.h)
+    baseline,  // what the compiler assumes of its target: NEON on aarch64, SSE2 on x86-64 in a
+               // portable build and not in others
+    avx2,      // with FMA, unless the build is portable
     avx512,    // contacts sixteen at a time, all else eight at a time, as with avx2
 };
 

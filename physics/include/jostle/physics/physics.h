@@ -4,6 +4,7 @@
 #pragma once
 
 #include "jostle/physics/aabb.h"
+#include "jostle/physics/arithmetic.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/constraint_system.h"
 #include "jostle/physics/defs.h"

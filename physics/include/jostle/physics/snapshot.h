@@ -2,7 +2,8 @@
 //
 // A world as bytes. One field list (src/persist/field_list.h) says what is saved, hashed and
 // compared, so none of the three can forget a field that another has. A loaded world goes on with
-// the same bits as the one that was saved. All calls are const calls of the world (world.h).
+// the same bits as the one that was saved, in every build of the same arithmetic (arithmetic.h).
+// All calls are const calls of the world (world.h).
 #pragma once
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision/narrowphase/manifold.h"
+#include "collision/narrowphase/surface_way.h"
 #include "geometry/placed.h"
 
 namespace jostle::physics {
@@ -28,8 +29,10 @@ inline bool is_composite(ShapeKind kind) {
 // Appends every part's manifold with points within the margin, in an order that depends on the two
 // shapes alone; of more than some 16,000 only the first.
 // `stopped`: looked at between parts; when it is set, parts are missing.
+// `way`: of what is not a surface; triangles that it does not come near on it have no part either.
 void collide_composite(const Placed& a, const Placed& b, double margin,
-                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr);
+                       std::vector<PartManifold>& out, const std::atomic<bool>* stopped = nullptr,
+                       const SurfaceWay* way = nullptr);
 
 // Whether two shapes of any kind share a point.
 bool shapes_overlap(const Placed& a, const Placed& b);

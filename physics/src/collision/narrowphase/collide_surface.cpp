@@ -2,11 +2,14 @@
 #include "collision/narrowphase/collide_surface.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "collision/narrowphase/collide_convex.h"
 #include "collision/narrowphase/gjk.h"
+#include "collision/narrowphase/nearest_on_triangle.h"
 #include "foundation/tuning.h"
 #include "geometry/bounds.h"
+#include "geometry/hull_lanes.h"
 #include "geometry/surface.h"
 
 namespace jostle::physics {
@@ -62,16 +65,65 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
     return on_edge;
 }
 
+// What a shape may come near to on its way, in the surface's frame with the shape's position as the
+// origin.
+class ShapeWay {
+public:
+    ShapeWay(const SurfaceWay& way, const Placed& surface, const Placed& convex,
+             const Convex& shape)
+        : ends_{transposed_times(surface.axes, way.to_start),
+                transposed_times(surface.axes, way.to_end)},
+          turn_(transposed_times(surface.axes, way.turn)),
+          center_(transposed_times(surface.axes, way.center - convex.position)),
+          near_(way.near) {
+        furthest_ = shape.core == Core::hull
+                        ? length(middle_of(shape) - center_) + shape.hull->lanes->outer_radius
+                        : length(center_) + size_of(shape);
+    }
+
+    // All of it, within its box at the look.
+    Aabb reach(const Aabb& now) const {
+        const Aabb ball{center_ - Vec3{furthest_, furthest_, furthest_},
+                        center_ + Vec3{furthest_, furthest_, furthest_}};
+        const Aabb turned = grow(now, length(turn_) * furthest_);
+        const Vec3 low = max(turned.low, ball.low), high = min(turned.high, ball.high);
+        const Vec3 back = min(Vec3{}, min(ends_[0], ends_[1])),
+                   on = max(Vec3{}, max(ends_[0], ends_[1]));
+        return grow({low + back, high + on}, near_);
+    }
+    // Whether it stays further off than what is near from something that is `distance` away
+    // against n, unit.
+    bool stays_off(double distance, Vec3 n, const Convex& shape) const {
+        const double left =
+            distance + minimum(0, minimum(dot(ends_[0], n), dot(ends_[1], n))) - near_;
+        if (left <= 0) return false;
+        // Turning lets no point come nearer than those that are furthest from the centre.
+        const double extent = dot(support(shape, -n) - center_, -n) + shape.radius;
+        return left > minimum(length(cross(turn_, n)) * furthest_, furthest_ - extent);
+    }
+
+private:
+    Vec3 ends_[2], turn_, center_;
+    double near_, furthest_;  // m; the second: of the shape's points from the centre
+};
+
 class SurfacePair {
 public:
-    SurfacePair(const Placed& surface, const Placed& convex, double margin)
+    SurfacePair(const Placed& surface, const Placed& convex, double margin,
+                const SurfaceWay* way = nullptr)
         : surface_(surface), margin_(margin) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
         const Mat3 axes = transpose(surface.axes) * convex.axes;
         const Placed local{convex.geometry, {}, axes};
         shape_ = convex_of(local, {});
-        box_ = grow(bounds_of(local), margin);
+        const Aabb now = bounds_of(local);
+        box_ = grow(now, margin);
+        if (way != nullptr) {
+            way_.emplace(*way, surface, convex, shape_);
+            const Aabb reach = way_->reach(now);
+            box_ = {max(box_.low, reach.low), min(box_.high, reach.high)};
+        }
         box_ = {box_.low + origin_, box_.high + origin_};
         size_ = size_of(shape_);
         middle_ = middle_of(shape_);
@@ -161,15 +213,23 @@ private:
         const Vec3 front = normal_of(t);
         // Quick: the shape does not reach the plane.
         const double reach = shape_.radius + margin_;
-        if (dot(support(shape_, -front) - corner[0], front) > reach ||
-            dot(support(shape_, front) - corner[0], front) < -reach)
-            return;
+        const Vec3 low = support(shape_, -front), high = support(shape_, front);
+        const double above = dot(low - corner[0], front), below = dot(corner[0] - high, front);
+        if (above > reach || below > reach) return;
+        if (stays_off(above, front) || stays_off(below, -front)) return;
+        // ... or lies beside it: along the way from the point of it that is nearest to the middle.
+        const Vec3 beside = nearest_on_triangle(corner, middle_);
+        if (const double way = length(middle_ - beside); way > 0) {
+            const Vec3 n = (middle_ - beside) * (1 / way);
+            const double apart = dot(support(shape_, -n) - beside, n);
+            if (apart > reach || stays_off(apart, n)) return;
+        }
         const Convex triangle = triangle_convex(corner, {}, {});
         // Mostly the face decides: its front is the first, its back the second.
         PairCache cache{.axis = axis_of_face(dot(middle_ - corner[0], front) < 0 ? 1 : 0),
                         .direction = {}};
         const Witness w = find_witness(triangle, shape_, reach, cache);
-        if (w.distance > reach) return;
+        if (w.distance > reach || stays_off(w.distance, w.normal)) return;
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
@@ -185,11 +245,17 @@ private:
             if (nearest > gap_of(w) + slack())
                 held_.push_back({{corner[0], corner[1], corner[2]},
                                  w,
-                                 nearest_on(triangle, w.on_a),
+                                 nearest_on_triangle(corner, w.on_a),
                                  t.index,
                                  dot(w.normal, face) <= 0});
         }
         if (patch.points.count > 0) take(patch, corner);
+    }
+
+    // Whether the shape does not come near on its way to what its core is apart from along n.
+    bool stays_off(double distance, Vec3 n) const {
+        return way_ && distance > shape_.radius &&
+               way_->stays_off(distance - shape_.radius, n, shape_);
     }
 
     // On which side of a triangle the shape is. Apart from it, where the shortest way between them
@@ -200,7 +266,7 @@ private:
         const Vec3 front = normal_of(t);
         const double up = dot(front, w.normal);
         if (gap_of(w) > -tuning::even_ground * size_ && absolute(up) > 0.5) return up < 0;
-        const Vec3 nearest = nearest_on(triangle_convex(corner, {}, {}), middle_);
+        const Vec3 nearest = nearest_on_triangle(corner, middle_);
         const bool below = dot(middle_ - corner[0], front) < 0;
         bool behind = below, beside = false;
         for (int k = 0; k < 3; k++) {
@@ -225,7 +291,7 @@ private:
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
             const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                     t.corner[2] - origin_};
-            const Vec3 to = middle_ - nearest_on(triangle_convex(corner, {}, {}), middle_);
+            const Vec3 to = middle_ - nearest_on_triangle(corner, middle_);
             const Vec3 front = normal_of(t);
             const double distance = length(to), up = dot(to, front);
             // Of those that share the nearest point the one that faces it most.
@@ -239,11 +305,6 @@ private:
         return way_out_;
     }
 
-    static Vec3 nearest_on(const Convex& triangle, Vec3 p) {
-        const Convex point{.core = Core::point, .position = p, .size = {}};
-        const GjkResult g = gjk(triangle, point, {});
-        return g.distance > 0 ? g.on_a : p;
-    }
     double gap_of(const Witness& w) const { return w.distance - shape_.radius; }
     double slack() const { return tuning::even_ground * size_; }
 
@@ -326,6 +387,7 @@ private:
     double size_ = 0;
     Vec3 middle_;
     Vec3 way_out_;  // zero: not known yet
+    std::optional<ShapeWay> way_;
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;
 };
@@ -333,8 +395,8 @@ private:
 }  // namespace
 
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
-                     std::vector<Manifold>& out) {
-    SurfacePair(surface, convex, margin).collide(out);
+                     const SurfaceWay* way, std::vector<Manifold>& out) {
+    SurfacePair(surface, convex, margin, way).collide(out);
 }
 
 bool overlaps_surface(const Placed& surface, const Placed& convex) {

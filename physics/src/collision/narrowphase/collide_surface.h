@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "collision/narrowphase/manifold.h"
+#include "collision/narrowphase/surface_way.h"
 #include "geometry/placed.h"
 
 namespace jostle::physics {
 
 // Appends one manifold per flat piece, deepest first; normals point from the surface to the shape.
+// `way`: of the shape, if it moves; else null.
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
-                     std::vector<Manifold>& out);
+                     const SurfaceWay* way, std::vector<Manifold>& out);
 
 // Whether they share a point: seams count here.
 bool overlaps_surface(const Placed& surface, const Placed& convex);

@@ -332,6 +332,36 @@ bool rods_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
                      extent_of(rb, center_at(b.sweep, way.from))) > left;
 }
 
+// A ball around a convex shape as it goes straight on, and by how much more the shape may lie
+// beside that as its body turns.
+struct BallWay {
+    Vec3 center, motion;  // m, at way.from; m per step
+    double reach;         // m
+};
+BallWay ball_way(const SweptShape& shape, const Search& way) {
+    const Aabb box = box_around(*shape.geometry);
+    const Mat3 axes = to_matrix(rotation_at(shape.sweep, way.from));
+    const Vec3 arm = axes * (shape.offset + shape.axes * ((box.low + box.high) * 0.5));
+    const Vec3 turn = shape.sweep.rotation_vector;
+    const double left = way.until - way.from;
+    return {
+        center_at(shape.sweep, way.from) + arm, shape.sweep.translation + cross(turn, arm),
+        0.5 * length(box.high - box.low) + 0.5 * left * left * length_squared(turn) * length(arm)};
+}
+
+// Whether the balls around two convex shapes never touch: of parts of bodies they say more than
+// those around the bodies.
+bool parts_pass_by(const SweptShape& a, const SweptShape& b, const Search& way) {
+    if (a.offset == Vec3{} && b.offset == Vec3{}) return false;
+    const BallWay ba = ball_way(a, way), bb = ball_way(b, way);
+    const Vec3 apart = bb.center - ba.center, motion = bb.motion - ba.motion;
+    const double speed2 = length_squared(motion);
+    const double nearest =
+        speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, way.until - way.from) : 0;
+    const double reach = ba.reach + bb.reach + 2 * way.gap;
+    return length_squared(apart + motion * nearest) > reach * reach;
+}
+
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
 // the world and the box is turned into the frame of `frame` as it stands at the start and at the
 // end.
@@ -362,14 +392,41 @@ Impact turned_round(Impact impact) {
     return impact;
 }
 
+// Whether a shape stays on one side of a triangle, further than what counts as a touch: most that a
+// box around its way holds lie in front of it, and that takes no search. `triangle` and `shape`: as
+// they stand at way.from, seen from `origin`.
+bool stays_aside(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
+                 const Convex& shape, Vec3 origin, const Search& way) {
+    const Search wider{way.from, way.until, 3 * way.gap};
+    const Vec3* const corner = triangle.corner;
+    const Vec3 out = cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const double area2 = length_squared(out);
+    if (area2 == 0) return false;
+    const Vec3 front = triangle.axes * (out * (1 / square_root(area2)));
+    const double plane = dot(triangle.position + triangle.axes * corner[0], front);
+    const double before = dot(support(shape, -front), front) - shape.radius - plane;
+    const double behind = plane - dot(support(shape, front), front) - shape.radius;
+    const Gap now{maximum(before, behind), before > behind ? front : -front, {}, {}};
+    if (now.distance <= wider.gap) return false;
+    return safe_step(surface, moving, now, way.from, wider, 0,
+                     extent_of(triangle, origin - center_at(surface.sweep, way.from)),
+                     extent_of(shape, origin - center_at(moving.sweep, way.from))) >
+           way.until - way.from;
+}
+
 Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const Search& way) {
     Impact best;
     const double most = closing_at_most(surface, shape);
+    const Placed surface_now = placed_at(surface, way.from), shape_now = placed_at(shape, way.from);
+    const Convex convex_now = convex_at(shape, shape_now, shape_now.position);
     for_each_triangle(
         *surface.geometry, grow(way_in(surface, shape, way), 2 * way.gap),
         [&](const SurfaceTriangle& t) {
-            Vec3 hint, origin;
-            Convex triangle, c;
+            Vec3 hint, origin = shape_now.position;
+            Convex triangle =
+                       triangle_convex(t.corner, surface_now.position - origin, surface_now.axes),
+                   c;
+            if (stays_aside(surface, shape, triangle, convex_now, origin, way)) return;
             const auto gap_at = [&](double at, bool exact) {
                 const Placed ps = placed_at(surface, at), pc = placed_at(shape, at);
                 origin = pc.position;
@@ -459,6 +516,7 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
         }
         return first ? best : turned_round(best);
     }
+    if (is_convex(ka) && is_convex(kb) && parts_pass_by(a, b, way)) return {};
     if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, way);
     if (is_convex(ka) && is_convex(kb))
         return rods_pass_by(a, b, way) ? Impact{} : convex_impact(a, b, way);

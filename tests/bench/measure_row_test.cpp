@@ -40,6 +40,7 @@ TEST_P(Rows, a_pyramid_stands_for_ten_steps) {
     EXPECT_GE(row.ms_p99, row.ms_mean);
     EXPECT_GE(row.ms_worst, row.ms_moving_mean.value_or(0));
     EXPECT_GT(row.ms_first, 0);
+    EXPECT_EQ(row.worst_stage.has_value(), row.engine == "jostle");
     EXPECT_TRUE(row.ms_moving_mean || row.ms_rest_mean);
     EXPECT_EQ(row.clock, "cpu");
     EXPECT_GT(*row.max_penetration_m, 0);

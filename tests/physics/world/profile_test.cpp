@@ -3,6 +3,8 @@
 // What a step says of itself: every stage has a time or a reason why it had nothing to do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -39,6 +41,19 @@ TEST(Profile, a_body_in_free_flight_never_enters_the_solver) {
     EXPECT_EQ(why(world, Stage::update_triggers), "no triggers");
     EXPECT_EQ(why(world, Stage::publish_events), "nothing happened");
     EXPECT_GT(world.profile().step_ms, 0);
+}
+
+TEST(Profile, names_the_stage_that_took_most) {
+    World world = make_world();
+    add_floor(world);
+    for (int k = 0; k < 50; k++) add(world, {.position = {0, 0.5 + k, 0}});
+    run(world, 0.1);
+    const StepProfile& profile = world.profile();
+    const auto worst = static_cast<std::size_t>(profile.worst_stage);
+    EXPECT_GT(profile.worst_stage_ms, 0);
+    EXPECT_EQ(profile.worst_stage_ms, profile.stage_ms[worst]);
+    EXPECT_EQ(profile.worst_stage_ms,
+              *std::max_element(profile.stage_ms.begin(), profile.stage_ms.end()));
 }
 
 TEST(Profile, what_is_turned_off_says_so) {

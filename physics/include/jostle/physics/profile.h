@@ -67,8 +67,9 @@ struct StepProfile {
     std::int64_t contact_substeps = 0, joint_substeps = 0;
     int sweeps = 0;   // looks of a fast body at what it may meet on its way, between steps
     int impacts = 0;  // that were followed between steps
-    // What the step did, in units of about 0.1 microseconds of one current core: only about that,
-    // but counted, so the same for any machine and any number of threads. WorldDef::step_budget.
+    // What the step did, in units of about 0.1 microseconds of one current core: only about that
+    // (.6 to 2 times in the scenes of the laboratory), but counted, so the same for any machine and
+    // any number of threads. WorldDef::step_budget.
     std::int64_t work = 0;
     int strain = 0;        // at which the step was taken: World::strain()
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread

@@ -36,6 +36,14 @@ TEST(SolverTier, with_a_tolerance_a_rung_says_how_many_and_never_more_than_64) {
     }
 }
 
+TEST(SolverTier, halved_leaves_two_and_spares_what_would_fall) {
+    const int expected[] = {2, 4, 6, 8, 16, 32};
+    for (const SolverTier tier : all_tiers)
+        EXPECT_EQ(substeps_of({tier, 0}, {.substeps = 8}, true), expected[index_of(tier)]);
+    EXPECT_EQ(substeps_of({SolverTier::low, 0}, {.substeps = 3}, true), 2);
+    EXPECT_EQ(substeps_of({SolverTier::flat, 0}, {.substeps = 2}, true), 1) << "as before";
+}
+
 TEST(SolverTier, never_takes_none) {
     EXPECT_EQ(substeps_of(SolverTier::flat, {.substeps = 1}), 1);
 }

@@ -171,6 +171,13 @@ TEST(Validate, names_what_only_forged_bytes_can_hold) {
              w.islands.islands[left] = {};
          },
          "on no island's list"},
+        {[](WorldState& w) { w.strain.level = 1; }, "strain is above 0 without a budget"},
+        {[](WorldState& w) {
+             w.def.step_budget = 100;
+             w.strain.level = most_strain + 1;
+         },
+         "strain is out of range"},
+        {[](WorldState& w) { w.def.step_budget = -1; }, "step_budget is out of range"},
     };
     ASSERT_FALSE(find_fault(state_of(two_boxes())));
     for (std::size_t k = 0; k < std::size(forgeries); k++) {

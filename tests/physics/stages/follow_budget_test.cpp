@@ -52,20 +52,21 @@ TEST(StepBudget, a_world_without_one_is_never_strained) {
 
 TEST(StepBudget, one_that_is_never_reached_changes_no_bit_of_the_motion) {
     World world = make_tumbling_world(4294967295), free = make_tumbling_world(0);
-    const BodyId last = {216, 0};
     step(world, 120);
     step(free, 120);
     EXPECT_EQ(world.strain(), 0);
-    EXPECT_EQ(position_of(world, last), position_of(free, last));
+    EXPECT_EQ(world.summary().kinetic_energy, free.summary().kinetic_energy);
+    EXPECT_EQ(world.summary().angular_momentum, free.summary().angular_momentum);
 }
 
 TEST(StepBudget, an_overloaded_world_gives_up_one_level_a_step_and_works_less) {
     World world = make_tumbling_world(1);
+    int before = 0;
     for (const int level : {1, 2, 3, 3, 3}) {
-        EXPECT_EQ(world.profile().strain,
-                  world.step_count() == 0 ? 0 : world.strain() - (level < 3));
         step(world);
+        EXPECT_EQ(world.profile().strain, before);
         EXPECT_EQ(world.strain(), level);
+        before = level;
     }
     const std::int64_t all = work_of_a_second(make_tumbling_world(0)),
                        strained = work_of_a_second(make_tumbling_world(1));
@@ -175,6 +176,25 @@ TEST(StepBudget, loads_and_heights_stay_when_substeps_change_their_length) {
     EXPECT_EQ(world.strain(), 2);
 }
 
+TEST(StepBudget, what_fell_asleep_under_strain_bears_its_load_when_it_wakes_without) {
+    World world = make_world({.step_budget = 10});
+    add_floor(world);
+    BodyId top;
+    for (int k = 0; k < 5; k++) top = add(world, {.position = {0, 0.5 + k, 0}});
+    step(world, 50);
+    ASSERT_EQ(world.strain(), 3);
+    ASSERT_EQ(world.profile().bodies_awake, 0);
+    const double height = position_of(world, top).y;
+    step(world, 100);
+    ASSERT_EQ(world.strain(), 0);
+    must(world.wake(top));
+    for (int k = 0; k < 3; k++) {
+        step(world);
+        EXPECT_NEAR(position_of(world, top).y, height, 1e-4) << k;
+        EXPECT_LT(length(velocity_of(world, top)), 0.005) << k;
+    }
+}
+
 TEST(StepBudget, a_pyramid_of_fifteen_rows_stands_at_the_highest_strain) {
     World world = make_world({.step_budget = 1, .sleeping = false});
     add_floor(world);
@@ -188,22 +208,17 @@ TEST(StepBudget, a_pyramid_of_fifteen_rows_stands_at_the_highest_strain) {
     EXPECT_LT(length(velocity_of(world, top)), 0.01);
 }
 
-TEST(StepBudget, a_wall_and_a_load_on_light_boxes_keep_their_substeps_and_stand) {
+TEST(StepBudget, a_tower_and_a_load_on_light_boxes_keep_their_substeps_and_stand) {
     World world = make_world({.step_budget = 1, .sleeping = false});
     add_floor(world);
     BodyId top;
-    for (int row = 0; row < 20; row++)
-        for (int k = 0; k < 10; k++)
-            top = add(world, {.geometry = Box{{0.25, 0.125, 0.125}},
-                              .position = {0.5 * k + 0.25 * (row % 2), 0.125 + 0.25 * row, 0}});
-    for (int k = 0; k < 5; k++)
-        add(world,
-            {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {20, 0.2 + 0.4 * k, 0}, .density = 100});
-    const BodyId heavy = add(world, {.position = {20, 2.5, 0}, .density = 1000});
+    for (int k = 0; k < 20; k++) top = add(world, {.position = {0, 0.5 + k, 0}});
+    for (int k = 0; k < 5; k++) add(world, {.position = {20, 0.5 + k, 0}, .density = 10});
+    const BodyId heavy = add(world, {.position = {20, 5.5, 0}, .density = 5000});
     step(world, 600);
     EXPECT_EQ(world.strain(), 3);
-    EXPECT_NEAR(position_of(world, top).y, 4.875, 0.02);
-    EXPECT_NEAR(position_of(world, heavy).y, 2.5, 0.05);
+    EXPECT_LT(length(position_of(world, top) - Vec3{0, 19.5, 0}), 0.02);
+    EXPECT_LT(length(position_of(world, heavy) - Vec3{20, 5.5, 0}), 0.02);
 }
 
 }  // namespace

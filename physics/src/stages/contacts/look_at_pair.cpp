@@ -175,24 +175,25 @@ void look_at_composite(StepContext& step, ContactCheck& check) {
     const bool swept = will_be_swept(step, c, way);
     std::optional<double> meeting;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
-        meeting = c.parts_touching > 0 ? 0 : time_to_meeting(world, c, dt);
+        meeting = time_to_meeting(world, c, dt);
     const double time = meeting && *meeting > 0 ? *meeting : time_to_middle(world, c, way, dt);
     const double way_ahead = way * time / dt;
     std::vector<PartManifold> parts;
     const PairAhead pair(world, c, time);
-    const SurfaceWay on_surface = way_on_surface(world, c, pair, dt);
     // What moves more than the slack is looked at in the next step anyway: until then all that
     // matters is what it comes near to.
-    const bool directed = way > tuning::composite_slack * scale && is_even_surface(world, c);
+    std::optional<SurfaceWay> on_surface;
+    if (way > tuning::composite_slack * scale && is_even_surface(world, c))
+        on_surface = way_on_surface(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),
                       tuning::speculative_margin * scale + check.near, parts, &step.scratch.stopped,
-                      directed ? &on_surface : nullptr);
+                      on_surface ? &*on_surface : nullptr);
     if (is_stopped(step)) {
         check.done = true;  // as it was
         return;
     }
     for (PartManifold& part : parts) pair.count_back(part.manifold, way_ahead);
-    check.near = directed ? 0 : check.near - way_ahead;
+    check.near = on_surface ? 0 : check.near - way_ahead;
     ASSERT(check.list >= 0 && check.list < scratch.part_lists);
     std::vector<FoundPart>& found = scratch.parts[static_cast<std::size_t>(check.list)];
     found.clear();
@@ -254,7 +255,7 @@ Manifold manifold_ahead(const StepContext& step, Contact& c) {
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
         if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= ahead) return now;
         const std::optional<double> meeting =
-            swept && !c.touching ? time_to_meeting(world, c, dt) : std::optional(0.0);
+            swept ? time_to_meeting(world, c, dt) : std::optional(0.0);
         if (!meeting) return now;
         if (*meeting > 0)
             return within(ahead, PairAhead(world, c, minimum(dt, *meeting + past / most)));

@@ -177,9 +177,13 @@ TEST(HostileBytes, joint_solvers_are_read_or_refused_and_older_worlds_have_none)
         restamp(forged);
         expect_refused(forged, name);
     }
+    // Behind it, the tolerance and the budget of sub-steps stand what version 15 brought: the
+    // step's budget and two bytes of strain.
     Bytes older = bytes;
     older.erase(older.begin() + static_cast<std::ptrdiff_t>(of_joint));
-    older.erase(older.begin() + static_cast<std::ptrdiff_t>(of_world));
+    const auto world_at = older.begin() + static_cast<std::ptrdiff_t>(of_world);
+    older.erase(world_at + 17, world_at + 27);
+    older.erase(world_at);
     older[8] = std::byte{13};
     restamp(older);
     const World old = must(load(older));
@@ -189,6 +193,23 @@ TEST(HostileBytes, joint_solvers_are_read_or_refused_and_older_worlds_have_none)
     must(silent.create_joint({.body_b = add(silent, {.position = {0, 3, 0}}), .user_data = data}));
     EXPECT_EQ(state_hash(old), state_hash(silent)) << "and the hash that it had";
     EXPECT_NE(state_hash(loaded), state_hash(silent));
+}
+
+TEST(HostileBytes, strain_is_read_or_refused) {
+    constexpr std::int64_t budget = 0x76543210;
+    World world = make_world({.step_budget = budget});
+    add(world, {.position = {0, 3, 0}});
+    const Bytes bytes = save(world);
+    const std::size_t strain = after(bytes, static_cast<std::uint64_t>(budget));
+    for (const auto& [value, refused] : {std::tuple{3, false}, {4, true}}) {
+        Bytes forged = bytes;
+        forged[strain] = static_cast<std::byte>(value);
+        restamp(forged);
+        if (refused)
+            expect_refused(forged, "world.strain");
+        else
+            EXPECT_EQ(must(load(forged)).strain(), value);
+    }
 }
 
 TEST(HostileBytes, every_flipped_bit_is_noticed) {

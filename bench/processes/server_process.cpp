@@ -15,7 +15,6 @@ namespace jostle::bench {
 namespace {
 
 constexpr auto start_patience = std::chrono::seconds(20);
-constexpr auto poll_period = std::chrono::milliseconds(10);
 
 std::vector<std::string> with_ports(std::vector<std::string> flags, const std::string& folder) {
     flags.insert(flags.end(), {"--port-file", folder + "/ports.json"});
@@ -42,7 +41,7 @@ ServerProcess::ServerProcess(const std::string& path, std::vector<std::string> f
     if (!wait_for_ports) return;
     const auto deadline = std::chrono::steady_clock::now() + start_patience;
     while (!read_ports() && runs() && std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(poll_period);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
 }
 

@@ -63,8 +63,11 @@ Status check_geometry(const char* name, const Geometry& geometry) {
             const Cone& c = std::get<Cone>(geometry);
             return check_round(name, c.radius, c.half_length);
         }
-        case ShapeKind::hull:
-            return check_data(name, std::get<Hull>(geometry).data != nullptr, "build_hull");
+        case ShapeKind::hull: {
+            // Without its lanes a hull was put together by hand.
+            const auto& data = std::get<Hull>(geometry).data;
+            return check_data(name, data != nullptr && data->lanes != nullptr, "build_hull");
+        }
         case ShapeKind::mesh:
             return check_data(name, std::get<Mesh>(geometry).data != nullptr, "build_mesh");
         case ShapeKind::height_field:

@@ -31,6 +31,9 @@ TEST(GeometryChecks, name_the_field_its_value_and_its_range) {
 
 TEST(GeometryChecks, what_is_built_must_have_been_built) {
     EXPECT_EQ(error_of(Hull{}), "shape has no data; make it with build_hull");
+    EXPECT_EQ(error_of(Hull{std::make_shared<const ConvexHull>()}),
+              "shape has no data; make it with build_hull")
+        << "put together by hand";
     EXPECT_EQ(error_of(Mesh{}), "shape has no data; make it with build_mesh");
     EXPECT_EQ(error_of(HeightField{}), "shape has no data; make it with build_height_field");
     EXPECT_EQ(error_of(Compound{}), "shape has no data; make it with build_compound");

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+
+#include "jostle/physics/hull.h"
 
 namespace jostle::test {
 namespace {

@@ -242,8 +242,6 @@ inline constexpr int most_legs = 1000;
 // Gaps need not be exact to advance safely: a direction that separates by all but this part will
 // do.
 inline constexpr double loose_gap = 0.1;
-// With fewer shapes near a body it costs as much as it saves to ask which of them pass it by.
-inline constexpr unsigned crowded_candidates = 16;
 inline constexpr int sweep_impacts = 16;  // of one body in one step; then it stays where it is
 
 // --- budget of a step ---

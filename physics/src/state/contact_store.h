@@ -108,4 +108,20 @@ void for_each_contact(const ContactStore& store, const BodyCold& body, Visit&& v
     }
 }
 
+// ... for those of a dynamic body that are in the constraint graph: most lists hold many more. The
+// visit may move that contact within the graph.
+template <class Visit>
+void for_each_manifold(const ContactStore& store, const BodyCold& body, Visit&& visit) {
+    ASSERT(body.type == BodyType::dynamic);
+    std::uint32_t left = body.constraints;
+    for (std::uint32_t edge = body.first_edge; left > 0;) {
+        ASSERT(edge != none && edge / 2 < store.contacts.size());
+        const std::uint32_t contact = edge / 2;
+        edge = store.contacts[contact].next[edge % 2];
+        if (store.contacts[contact].colour < 0) continue;
+        left--;
+        visit(contact);
+    }
+}
+
 }  // namespace jostle::physics

@@ -93,11 +93,11 @@ std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
     std::size_t count = 0;
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
          body = world.bodies.cold[body].island_next)
-        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+        for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
             const Contact& c = world.contacts.contacts[index];
             const bool first =
                 c.body_a == body || world.bodies.cold[c.body_a].island != island;  // of two
-            count += c.colour >= 0 && first ? 1 : 0;
+            count += first ? 1 : 0;
         });
     return count;
 }

@@ -20,15 +20,25 @@ void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit)
         visit(body);
 }
 
-void move_contacts(WorldState& world, std::uint32_t body, float scale, bool even) {
-    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+// To sub-steps of another length.
+struct Rescale {
+    float scale = 1;
+    bool even = false;  // the points of a manifold share its load
+};
+
+void rescale(WorldState& world, const Contact& c, Rescale by) {
+    if (by.scale == 1 && !by.even) return;
+    const ContactPlace place = place_of(world, c);
+    scale_impulses(place, by.scale, by.even);
+    if (controls_error(world.def)) forget_pull(place);
+}
+
+// `resting_only`: the others have been moved.
+void move_contacts(WorldState& world, std::uint32_t body, Rescale by, bool resting_only) {
+    for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
-        if (c.colour < 0 || c.body_a != body) return;
-        if (scale != 1 || even) {
-            const ContactPlace place = place_of(world, c);
-            scale_impulses(place, scale, even);
-            if (controls_error(world.def)) forget_pull(place);
-        }
+        if (c.body_a != body || (resting_only && c.colour_set != asleep_set)) return;
+        rescale(world, c, by);
         if (c.colour_set != set_of_contact(world, c)) move_contact(world, index);
     });
 }
@@ -42,17 +52,22 @@ void follow_substeps(IslandError& error, double scale) {
 // To move contacts by the ten thousand, one by one, would take as long as several steps. So when
 // most of a set goes to one that holds little, the two change places and what is in the wrong one
 // moves.
-void swap_sets(WorldState& world, ColourSetKey a, ColourSetKey b) {
-    std::swap(world.graph.sets[index_of(a)], world.graph.sets[index_of(b)]);
+// Calls moved(contact) for those that change sets.
+template <class Moved>
+void swap_sets(WorldState& world, ColourSetKey from, ColourSetKey to, Moved&& moved) {
+    std::swap(world.graph.sets[index_of(from)], world.graph.sets[index_of(to)]);
     std::vector<std::uint32_t> others;
-    for (const ColourSetKey key : {a, b})
+    for (const ColourSetKey key : {from, to})
         for (const GraphColour& colour : world.graph.sets[index_of(key)].colours)
             for (const ContactConstraintWideMeta& meta : colour.metas)
                 for (const std::uint32_t index : meta.contact) {
                     if (index == no_contact) continue;
                     Contact& c = world.contacts.contacts[index];
                     c.colour_set = key;
-                    if (set_of_contact(world, c) != key) others.push_back(index);
+                    if (set_of_contact(world, c) != key)
+                        others.push_back(index);
+                    else if (key == to)
+                        moved(c);
                 }
     for (const std::uint32_t contact : others) move_contact(world, contact);
 }
@@ -61,20 +76,12 @@ void swap_sets(WorldState& world, ColourSetKey a, ColourSetKey b) {
 
 std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island) {
     std::vector<bool> seen(world.islands.islands.size(), false);
-    return tied_islands(world, island, seen);
-}
-
-std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t island,
-                                        std::vector<bool>& seen) {
     std::vector<std::uint32_t> tied{island};
     seen[island] = true;
     for (std::size_t k = 0; k < tied.size(); k++)
         for_each_body(world, tied[k], [&](std::uint32_t body) {
-            const BodyCold& cold = world.bodies.cold[body];
-            if (cold.constraints == 0) return;
-            for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
+            for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
                 const Contact& c = world.contacts.contacts[index];
-                if (c.colour < 0) return;
                 const std::uint32_t other =
                     world.bodies.cold[c.body_a == body ? c.body_b : c.body_a].island;
                 if (other == none || seen[other]) return;
@@ -85,7 +92,37 @@ std::vector<std::uint32_t> tied_islands(const WorldState& world, std::uint32_t i
     return tied;
 }
 
-void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, ColourSetKey to) {
+TiedIslands::TiedIslands(const WorldState& world) : first_(world.islands.islands.size()) {
+    const auto count = static_cast<std::uint32_t>(first_.size());
+    for (std::uint32_t i = 0; i < count; i++) first_[i] = i;
+    const auto root = [&](std::uint32_t i) {
+        while (first_[i] != i) i = first_[i] = first_[first_[i]];
+        return i;
+    };
+    for_each_colour(world.graph.sets, [&](const GraphColour& colour) {
+        for (const ContactConstraintWideMeta& meta : colour.metas)
+            for (const std::uint32_t index : meta.contact) {
+                if (index == no_contact) continue;
+                const Contact& c = world.contacts.contacts[index];
+                const std::uint32_t a = world.bodies.cold[c.body_a].island,
+                                    b = world.bodies.cold[c.body_b].island;
+                if (a == b || a == none || b == none) continue;
+                const std::uint32_t of_a = root(a), of_b = root(b);
+                first_[std::max(of_a, of_b)] = std::min(of_a, of_b);
+            }
+    });
+    start_.assign(count + 1, 0);
+    for (std::uint32_t i = 0; i < count; i++) {
+        first_[i] = root(i);
+        start_[first_[i] + 1]++;
+    }
+    for (std::uint32_t i = 0; i < count; i++) start_[i + 1] += start_[i];
+    members_.resize(count);
+    std::vector<std::uint32_t> next = start_;
+    for (std::uint32_t i = 0; i < count; i++) members_[next[first_[i]]++] = i;
+}
+
+void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, ColourSetKey to) {
     ASSERT(!islands.empty() && to != asleep_set);
     const ColourSetKey from = world.islands.islands[islands.front()].colour_set;
     if (from == to) return;
@@ -103,14 +140,15 @@ void move_to_set(WorldState& world, const std::vector<std::uint32_t>& islands, C
     }
     const std::int32_t in_from = world.graph.sets[index_of(from)].contacts;
     const std::int32_t in_to = world.graph.sets[index_of(to)].contacts;
-    const bool even = other_tier && to.tier > SolverTier::heap;
-    if (contacts > in_from && 2 * in_to < in_from) {
-        swap_sets(world, from, to);
-        if (scale == 1 && !even) return;
-    }
+    const Rescale by{static_cast<float>(scale), other_tier && to.tier > SolverTier::heap};
+    const bool swap = contacts > in_from && 2 * in_to < in_from;
+    if (swap) swap_sets(world, from, to, [&](const Contact& c) { rescale(world, c, by); });
+    // What rests in place has a set of its own.
+    const bool walk = !swap || world.bodies.asleep_in_place > 0;
+    if (!walk && scale == 1) return;
     for (const std::uint32_t i : islands)
         for_each_body(world, i, [&](std::uint32_t body) {
-            move_contacts(world, body, static_cast<float>(scale), even);
+            if (walk) move_contacts(world, body, by, swap);
             scale_joints(world, body, scale);
         });
 }
@@ -119,9 +157,9 @@ void scale_warm_start(WorldState& world, const Island& island, float scale) {
     ASSERT(!island.asleep);
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next)
-        for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+        for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
             const Contact& c = world.contacts.contacts[index];
-            if (c.colour >= 0 && c.body_a == body) scale_warm_start(place_of(world, c), scale);
+            if (c.body_a == body) scale_warm_start(place_of(world, c), scale);
         });
 }
 

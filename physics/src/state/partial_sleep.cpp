@@ -15,10 +15,8 @@ namespace jostle::physics {
 namespace {
 
 template <class Visit>
-void for_each_constraint(WorldState& world, std::uint32_t body, Visit&& visit) {
-    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
-        if (world.contacts.contacts[contact].colour >= 0) visit(contact);
-    });
+void for_each_manifold(WorldState& world, std::uint32_t body, Visit&& visit) {
+    for_each_manifold(world.contacts, world.bodies.cold[body], visit);
 }
 
 // After one of its bodies fell asleep or woke: to the colour set where it belongs now. What is
@@ -44,11 +42,11 @@ void hold_still(WorldState& world, std::uint32_t body) {
 
 void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies)
-        for_each_constraint(world, body, [&](std::uint32_t contact) { save_load(world, contact); });
+        for_each_manifold(world, body, [&](std::uint32_t contact) { save_load(world, contact); });
     for (const std::uint32_t body : bodies) hold_still(world, body);
     for (const std::uint32_t body : bodies)
-        for_each_constraint(world, body,
-                            [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+        for_each_manifold(world, body,
+                          [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 void wake_in_place(WorldState& world, std::uint32_t body) {
@@ -57,8 +55,7 @@ void wake_in_place(WorldState& world, std::uint32_t body) {
     ASSERT(cold.set == BodySet::awake && world.bodies.asleep_in_place > 0);
     cold.asleep_in_place = false;
     world.bodies.asleep_in_place--;
-    for_each_constraint(world, body,
-                        [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+    for_each_manifold(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
 }
 
 namespace {
@@ -94,7 +91,7 @@ void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector
     seen[body] = 1;
     double sum = world.bodies.cold[body].mass;
     for (std::size_t k = 0; k < met.size() && sum < mass; k++)
-        for_each_constraint(world, met[k], [&](std::uint32_t contact) {
+        for_each_manifold(world, met[k], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
             const std::uint32_t other = c.body_a == met[k] ? c.body_b : c.body_a;
             if (!world.bodies.cold[other].asleep_in_place || seen[other] != 0) return;

@@ -101,4 +101,14 @@ bool is_due(const WorldState& world, SeparationBound& w, double dt) {
     return slack.next > slack.left;
 }
 
+bool stayed_apart(const WorldState& world, const SeparationBound& w, Vec3 before, Vec3 now) {
+    const MotionBound &a = world.bodies.motion[w.body_a], &b = world.bodies.motion[w.body_b];
+    if (a.travel + b.travel < w.limit) return true;
+    // Turning only ever uses up, and of an even motion the nearest moment is the first or the last.
+    const double left = w.budget - a.turned - b.turned;
+    const Vec3 kept = direction_of(w);
+    if (w.directed) return left + minimum(dot(kept, before), dot(kept, now)) > 0;
+    return left > maximum(length(before - kept), length(now - kept));
+}
+
 }  // namespace jostle::physics

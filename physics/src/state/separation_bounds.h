@@ -23,4 +23,8 @@ void resume_separation_bound(WorldState& world, std::uint32_t contact);
 // Writes the bound alone: for many threads.
 bool is_due(const WorldState& world, SeparationBound& bound, double dt);
 
+// Whether a pair has not used up its bound, at no moment of a step in which both bodies moved
+// evenly: so it did not touch in that step. `before`, `now`: from a's centre of mass to b's.
+bool stayed_apart(const WorldState& world, const SeparationBound& bound, Vec3 before, Vec3 now);
+
 }  // namespace jostle::physics

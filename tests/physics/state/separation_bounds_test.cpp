@@ -75,6 +75,28 @@ TEST(SeparationBound, is_not_measured_beyond_a_kilometre_nor_when_it_is_due) {
     }
 }
 
+// 10 m apart with a slack of 0.75 m. Along the line from one to the other the distance counts, at
+// the beginning and the end of the step; a turn counts whichever way it goes.
+TEST(SeparationBound, shows_who_stayed_apart_in_a_step) {
+    for (const bool directed : {true, false}) {
+        TwoBalls balls;
+        add_separation_bound(balls.state, balls.contact, 0.75, directed ? Vec3{1, 0, 0} : Vec3{});
+        const SeparationBound& bound = balls.state.contacts.bounds[0];
+        const auto stayed = [&](Vec3 before, Vec3 now) {
+            return stayed_apart(balls.state, bound, before, now);
+        };
+        EXPECT_TRUE(stayed({10, 0, 0}, {9, 0, 0})) << "neither has travelled";
+        balls.state.bodies.motion[0].travel += 100;
+        EXPECT_TRUE(stayed({10, 0, 0}, {9.3, 0, 0}));
+        EXPECT_FALSE(stayed({10, 0, 0}, {9.2, 0, 0}));
+        EXPECT_FALSE(stayed({9.2, 0, 0}, {10, 0, 0})) << "nearest at the beginning";
+        EXPECT_EQ(stayed({10, 0, 0}, {10, 8, 0}), directed) << "past each other";
+        balls.state.bodies.motion[1].turned += 0.5;
+        EXPECT_TRUE(stayed({10, 0, 0}, {9.8, 0, 0}));
+        EXPECT_FALSE(stayed({10, 0, 0}, {9.7, 0, 0}));
+    }
+}
+
 TEST(SeparationBound, of_a_dormant_pair_goes_on_where_it_was) {
     TwoBalls balls;
     add_separation_bound(balls.state, balls.contact, 0.75);

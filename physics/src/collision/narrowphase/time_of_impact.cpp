@@ -485,14 +485,6 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
     return grow(both, bulge);
 }
 
-bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap) {
-    const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
-    const Search way{from, minimum(a.sweep.until, b.sweep.until), gap};
-    if (from > way.until || ka == ShapeKind::plane || kb == ShapeKind::plane) return false;
-    if (balls_pass_by(a, b, way)) return true;
-    return is_convex(ka) && is_convex(kb) && rods_pass_by(a, b, way);
-}
-
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap,
                       double until) {
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);

@@ -48,9 +48,4 @@ struct Impact {
 Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, double gap,
                       double until = 1);
 
-// Whether it shows at once that they never come within `gap` of each other from `from` on, while
-// both sweeps last: by the balls around their bodies, or the rods around themselves. False, as for
-// planes, says nothing.
-bool pass_by(const SweptShape& a, const SweptShape& b, double from, double gap);
-
 }  // namespace jostle::physics

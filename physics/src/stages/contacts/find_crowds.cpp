@@ -7,6 +7,7 @@
 
 #include "foundation/check.h"
 #include "foundation/tuning.h"
+#include "stages/continuous/ccd_policy.h"
 #include "stages/step_scratch.h"
 #include "state/combine.h"
 #include "state/contact_constraints.h"
@@ -229,6 +230,12 @@ bool bounces_in_crowd(const WorldState& world, const ContactScratch& scratch, st
     };
     const double least = maximum(least_kept(a), least_kept(b));
     return least > 0 && kept_of(a.material, b.material) < least;
+}
+
+bool bounces_alone(const StepContext& step, std::uint32_t shape_a, std::uint32_t shape_b) {
+    const ContactScratch& scratch = step.scratch.contacts;
+    return !scratch.bouncing.empty() && bounces(step.world, shape_a, shape_b) &&
+           !bounces_in_crowd(step.world, scratch, shape_a, shape_b);
 }
 
 }  // namespace jostle::physics

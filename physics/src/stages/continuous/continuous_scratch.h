@@ -10,9 +10,21 @@
 
 namespace jostle::physics {
 
+struct CenterWay {
+    Vec3 from, to;  // m: of a centre of mass, in a step
+};
+
 struct ContinuousScratch {
+    // Of find_ahead.
+    std::vector<CenterWay> ways;               // by body; of awake ones
+    std::vector<std::uint32_t> fast_body;      // by body: which fast body it is, or none
+    std::vector<std::uint32_t> with_manifold;  // contacts
+    std::vector<std::uint8_t> ends;            // by bound or contact: whose fast bodies may meet
     std::vector<std::vector<std::uint32_t>> ahead;  // by fast body: shapes that it may meet
-    std::vector<ToiBody> changed;                   // those that an impact sent another way
+    // By fast body: pair_key() of the shapes of its manifolds.
+    std::vector<std::vector<std::uint64_t>> manifolds;
+
+    std::vector<ToiBody> changed;  // those that an impact sent another way
 };
 
 }  // namespace jostle::physics

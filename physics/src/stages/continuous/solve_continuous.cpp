@@ -18,6 +18,7 @@
 #include "stages/continuous/ccd_candidates.h"
 #include "stages/continuous/ccd_policy.h"
 #include "stages/continuous/close_joints.h"
+#include "stages/continuous/find_ahead.h"
 #include "stages/continuous/parabola.h"
 #include "stages/continuous/swept_motions.h"
 #include "stages/continuous/toi_body.h"
@@ -109,9 +110,8 @@ private:
             return true;
         if (cold.constraints == 0) return false;
         bool borne = false;
-        for_each_contact(world_.contacts, cold, [&](std::uint32_t contact) {
-            const Contact& c = world_.contacts.contacts[contact];
-            borne = borne || (c.colour >= 0 && c.touching);
+        for_each_manifold(world_.contacts, cold, [&](std::uint32_t contact) {
+            borne = borne || world_.contacts.contacts[contact].touching;
         });
         return borne;
     }
@@ -123,9 +123,9 @@ private:
     bool leaves_its_support(std::uint32_t body, Vec3 v, double at) const {
         const double least = 0.05;  // m/s
         bool leaves = true;
-        for_each_contact(world_.contacts, world_.bodies.cold[body], [&](std::uint32_t contact) {
+        for_each_manifold(world_.contacts, world_.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world_.contacts.contacts[contact];
-            if (!leaves || c.colour < 0 || !c.touching) return;
+            if (!leaves || !c.touching) return;
             const bool is_a = c.body_a == body;
             const Vec3 u = speed_of(is_a ? c.body_b : c.body_a, at).v - v;
             const ContactPlace place = place_of(world_, c);
@@ -192,12 +192,8 @@ private:
     // no sweep. Whom one may meet on the way that was foreseen is among its contacts; a body that
     // was thrown off that way asks the trees.
     void start_toi_bodies() {
-        std::vector<std::vector<std::uint32_t>>& ahead = step_.scratch.continuous.ahead;
-        if (ahead.size() < fast_.size()) ahead.resize(fast_.size());
-        step_.team.run(static_cast<int>(fast_.size()), 32, [&](int begin, int end) {
-            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-                find_contacts_on_way(fast_[k], ahead[k]);
-        });
+        find_ahead(step_, motions_, fast_);
+        const std::vector<std::vector<std::uint32_t>>& ahead = step_.scratch.continuous.ahead;
         std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
             if (!ahead[k].empty() || finalize_.strayed[fast_[k]] != 0) starting.push_back(k);
@@ -205,13 +201,10 @@ private:
         bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
         step_.team.run(static_cast<int>(starting.size()), 8, [&](int begin, int end) {
-            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
+            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 start(bodies_[k], ahead[starting[k]]);
-        });
-        // All of them have set out, so it shows who passes whom by.
-        step_.team.run(static_cast<int>(bodies_.size()), 8, [&](int begin, int end) {
-            for (int k = begin; k < end; k++)
-                drop_passed_candidates(bodies_[static_cast<std::size_t>(k)]);
+                note_manifolds(bodies_[k], step_.scratch.continuous.manifolds[starting[k]]);
+            }
         });
         step_.team.finish();  // the trees: finalize.cpp
         world_.shapes.statics->flush();
@@ -236,7 +229,7 @@ private:
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t met = is_a ? c.body_b : c.body_a;
             if (motions_.may_meet(world_, motion, cold, met, other,
-                                  [&] { return bounces_here(c.shape_a, c.shape_b); }))
+                                  [&] { return bounces_alone(step_, c.shape_a, c.shape_b); }))
                 found.push_back(other);
         }
     }
@@ -256,19 +249,6 @@ private:
         if (has_strayed(t)) return;
         t.candidates = met;
         candidates_.tidy(t.body, t.candidates);
-    }
-    // What it surely does not meet while neither goes another way; who does is put back in. Of few
-    // it costs as much to ask as it saves.
-    void drop_passed_candidates(ToiBody& t) const {
-        if (has_strayed(t) || t.candidates.size() < tuning::crowded_candidates) return;
-        std::erase_if(t.candidates, [&](std::uint32_t other) {
-            const SweptShape met = swept(other, sweep_of(world_.shapes.shapes[other].body));
-            for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
-                 own = world_.shapes.shapes[own].next)
-                if (!pass_by(swept(own, t.sweep), met, t.sweep.from, sweep_gap(own, other)))
-                    return false;
-            return true;
-        });
     }
     // How far before the surfaces of two shapes meet their sweep stops, m.
     double sweep_gap(std::uint32_t own, std::uint32_t other) const {
@@ -395,11 +375,6 @@ private:
         return searches(known);
     }
 
-    // Whether two shapes bounce off each other one at a time, not in a crowd.
-    bool bounces_here(std::uint32_t own, std::uint32_t other) const {
-        return any_bounces_ && bounces(world_, own, other) &&
-               !bounces_in_crowd(world_, step_.scratch.contacts, own, other);
-    }
     // What hardly moves against the other is the contact solver's. After an impact less is left to
     // it: its contacts did not foresee the new way.
     bool moves_enough(const ToiBody& t, std::uint32_t other) const {
@@ -475,13 +450,13 @@ private:
         for (std::uint32_t own = world_.bodies.cold[t.body].first_shape; own != none;
              own = world_.shapes.shapes[own].next) {
             if (!may_hit(own, other)) continue;
-            const bool bouncy = bounces_here(own, other);
+            const bool bouncy = bounces_alone(step_, own, other);
             // Two that move little and have a manifold the contact solver has taken care of, unless
             // an impact has turned one of them since.
-            if (!far && (!bouncy || (!turned && has_manifold(own, other)))) continue;
+            if (!far && (!bouncy || (!turned && has_manifold(t, own, other)))) continue;
             const double from = std::max(t.sweep.from, motion.from);
             const SweptShape a = swept(own, t.sweep), b = swept(other, motion);
-            const bool held = !turned && is_held(own, other);
+            const bool held = !turned && is_held(t, own, other);
             const Impact hit = held ? Impact{.at_start = true}
                                     : time_of_impact(a, b, from, sweep_gap(own, other), t.fraction);
             const auto meet = [&](double fraction, const std::vector<ImpactPoint>& points,
@@ -536,21 +511,26 @@ private:
 
     // Whether the contact solver has resolved the impact of two shapes, which update_contacts
     // foresaw.
-    bool is_held(std::uint32_t own, std::uint32_t other) const {
-        return uses_speculative_contact(step_, own, other) && has_manifold(own, other);
+    bool is_held(ToiBody& t, std::uint32_t own, std::uint32_t other) const {
+        return uses_speculative_contact(step_, own, other) && has_manifold(t, own, other);
     }
-    bool has_manifold(std::uint32_t own, std::uint32_t other) const {
-        const BodyCold& cold = world_.bodies.cold[world_.shapes.shapes[own].body];
+    bool has_manifold(ToiBody& t, std::uint32_t own, std::uint32_t other) const {
+        const BodyCold& cold = world_.bodies.cold[t.body];
         if (cold.constraints == 0) return false;
-        for (std::uint32_t edge = cold.first_edge; edge != none;) {
-            const Contact& c = world_.contacts.contacts[edge / 2];
-            const bool is_a = edge % 2 == 0;
-            edge = c.next[edge % 2];
-            if (c.colour >= 0 && (is_a ? c.shape_a == own && c.shape_b == other
-                                       : c.shape_b == own && c.shape_a == other))
-                return true;
+        if (!t.manifolds_known) {
+            std::vector<std::uint64_t> pairs;
+            for_each_manifold(world_.contacts, cold, [&](std::uint32_t contact) {
+                const Contact& c = world_.contacts.contacts[contact];
+                pairs.push_back(pair_key(c.shape_a, c.shape_b));
+            });
+            note_manifolds(t, pairs);
         }
-        return false;
+        return std::binary_search(t.manifolds.begin(), t.manifolds.end(), pair_key(own, other));
+    }
+    static void note_manifolds(ToiBody& t, const std::vector<std::uint64_t>& pairs) {
+        t.manifolds_known = true;
+        t.manifolds = pairs;
+        std::sort(t.manifolds.begin(), t.manifolds.end());
     }
 
     // How two may go on inwards: by their velocities alone, or by those at a speed that bounces.

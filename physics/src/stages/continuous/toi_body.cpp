@@ -155,10 +155,8 @@ void place_elsewhere(WorldState& world, std::uint32_t body, Vec3 center, Quat ro
     warm.sleep_time = 0;
     update_motion_bound(world, body, dt);
     // The solver moved their gaps along another way.
-    for_each_contact(world.contacts, cold, [&](std::uint32_t contact) {
-        const Contact& c = world.contacts.contacts[contact];
-        if (c.colour < 0) return;
-        const ContactPlace place = place_of(world, c);
+    for_each_manifold(world.contacts, cold, [&](std::uint32_t contact) {
+        const ContactPlace place = place_of(world, world.contacts.contacts[contact]);
         place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)

@@ -44,6 +44,8 @@ struct ToiBody {
     bool at_start = false;  // they touched already when its sweep began
     Aabb swept;             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
+    bool manifolds_known = false;
+    std::vector<std::uint64_t> manifolds;  // pair_key() of the shapes of its manifolds, rising
 };
 
 // From where a step found a body to where it took it.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "foundation/check.h"
@@ -68,19 +70,21 @@ bool is_unequal(const Work& work) {
 
 // Islands with all that manifolds tie to them.
 struct Group {
-    std::vector<std::uint32_t> islands;
+    std::span<const std::uint32_t> islands;
     std::uint32_t weight = 0;
     bool stays = false;
 };
 
-std::vector<Group> find_groups(const WorldState& world, const std::vector<std::uint32_t>& weights,
-                               SolverTier tier) {
+std::vector<Group> find_groups(const WorldState& world, const TiedIslands& tied,
+                               const std::vector<std::uint32_t>& weights, SolverTier tier) {
     std::vector<Group> groups;
-    std::vector<bool> seen(world.islands.islands.size(), false);
+    std::vector<bool> seen(weights.size(), false);  // by first island of a group
     for (std::uint32_t i = 0; i < weights.size(); i++) {
-        if (weights[i] == 0 || seen[i] || world.islands.islands[i].colour_set.tier != tier)
-            continue;
-        Group& group = groups.emplace_back(Group{tied_islands(world, i, seen)});
+        if (weights[i] == 0 || world.islands.islands[i].colour_set.tier != tier) continue;
+        const std::span<const std::uint32_t> islands = tied.group_of(i);
+        if (seen[islands.front()]) continue;
+        seen[islands.front()] = true;
+        Group& group = groups.emplace_back(Group{islands});
         for (const std::uint32_t island : group.islands) group.weight += weights[island];
     }
     return groups;
@@ -88,9 +92,9 @@ std::vector<Group> find_groups(const WorldState& world, const std::vector<std::u
 
 // The heaviest stay where they are while there is space; the others fill up batch after batch:
 // neighbours in the lists of bodies stay together.
-void assign(WorldState& world, const std::vector<std::uint32_t>& weights, SolverTier tier,
-            const Work& work) {
-    std::vector<Group> groups = find_groups(world, weights, tier);
+void assign(WorldState& world, const TiedIslands& tied, const std::vector<std::uint32_t>& weights,
+            SolverTier tier, const Work& work) {
+    std::vector<Group> groups = find_groups(world, tied, weights, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
     std::vector<std::size_t> heaviest(groups.size());
     for (std::size_t k = 0; k < groups.size(); k++) heaviest[k] = k;
@@ -120,8 +124,13 @@ void assign_batches(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t>& weights = step.scratch.islands.weights;
     const std::array<Work, tier_count> works = weigh_islands(world.bodies, world.islands, weights);
-    for (const SolverTier tier : all_tiers)
-        if (is_unequal(works[index_of(tier)])) assign(world, weights, tier, works[index_of(tier)]);
+    std::optional<TiedIslands> tied;
+    for (const SolverTier tier : all_tiers) {
+        const Work& work = works[index_of(tier)];
+        if (!is_unequal(work)) continue;
+        if (!tied) tied.emplace(world);
+        assign(world, *tied, weights, tier, work);
+    }
 }
 
 }  // namespace jostle::physics

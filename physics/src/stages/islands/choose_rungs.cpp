@@ -50,14 +50,14 @@ void choose_wanted(const WorldState& world, Island& island) {
 
 // What manifolds tie together is on one rung.
 struct TiedGroup {
-    std::vector<std::uint32_t> islands;
+    std::span<const std::uint32_t> islands;
     std::uint8_t rung = 0;  // that it is to have
     double error = 0;
     std::int64_t bodies = 0;
 };
 
-TiedGroup group_of(const WorldState& world, std::vector<std::uint32_t> islands) {
-    TiedGroup group{.islands = std::move(islands)};
+TiedGroup measured(const WorldState& world, std::span<const std::uint32_t> islands) {
+    TiedGroup group{.islands = islands};
     for (const std::uint32_t i : group.islands) {
         const Island& island = world.islands.islands[i];
         group.rung = std::max(group.rung, island.error.wanted);
@@ -83,13 +83,16 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<TiedGroup> find_held_groups(const WorldState& world) {
+std::vector<TiedGroup> find_held_groups(const WorldState& world, const TiedIslands& tied) {
     std::vector<TiedGroup> groups;
-    std::vector<bool> seen(world.islands.islands.size(), false);
+    std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
-        if (!is_held(cold) || seen[cold.island]) continue;
-        groups.push_back(group_of(world, tied_islands(world, cold.island, seen)));
+        if (!is_held(cold)) continue;
+        const std::span<const std::uint32_t> islands = tied.group_of(cold.island);
+        if (seen[islands.front()]) continue;
+        seen[islands.front()] = true;
+        groups.push_back(measured(world, islands));
     }
     return groups;
 }
@@ -133,10 +136,12 @@ void choose_rungs(StepContext& step) {
         if (world.islands.islands[i].error.wanted != world.islands.islands[i].colour_set.batch)
             asking.push_back(i);
     }
-    if (world.def.substep_budget == 0) {
-        for (const std::uint32_t i : asking) move(world, group_of(world, tied_islands(world, i)));
-    } else if (world.steps % tuning::budget_interval == 1) {
-        std::vector<TiedGroup> groups = find_held_groups(world);
+    if (world.def.substep_budget == 0 && !asking.empty()) {
+        const TiedIslands tied(world);
+        for (const std::uint32_t i : asking) move(world, measured(world, tied.group_of(i)));
+    } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
+        const TiedIslands tied(world);
+        std::vector<TiedGroup> groups = find_held_groups(world, tied);
         share_budget(world, groups);
         for (const TiedGroup& group : groups) move(world, group);
     }

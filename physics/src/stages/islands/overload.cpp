@@ -12,9 +12,9 @@ namespace {
 bool is_overload(WorldState& world, std::uint32_t body, Vec3 up) {
     const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
     bool on_light = false, on_firm = false;
-    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
+    for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
-        if (c.colour < 0 || !c.touching) return;
+        if (!c.touching) return;
         const double rise = dot(normal_of(place_of(world, c)), up);
         // The normal leads from a to b.
         if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;

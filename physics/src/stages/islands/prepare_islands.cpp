@@ -2,6 +2,8 @@
 #include "stages/islands/prepare_islands.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "foundation/check.h"
 #include "foundation/size_scale.h"
@@ -90,7 +92,7 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
 // What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
 // else what most of its bodies do.
 SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
-                       const std::vector<std::uint32_t>& tied, Vec3 up) {
+                       std::span<const std::uint32_t> tied, Vec3 up) {
     SolverTier most = SolverTier::flat, most_low = SolverTier::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : tied) {
@@ -105,8 +107,8 @@ SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
 }
 
 // Up at once; down when all that is tied to it has been content with less for a while.
-void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uint32_t index,
-                 Vec3 up) {
+void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
+                 std::optional<TiedIslands>& all_tied, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
     const SolverTier need = need_of(world, extents, index, up);
     island.calm = need < island.colour_set.tier
@@ -114,7 +116,8 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uin
                       : 0;
     if (need == island.colour_set.tier || extents[index].tier_chosen) return;
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
-    const std::vector<std::uint32_t> tied = tied_islands(world, index);
+    if (!all_tied) all_tied.emplace(world);
+    const std::span<const std::uint32_t> tied = all_tied->group_of(index);
     const SolverTier common = common_need(world, extents, tied, up);
     // By bodies: what falls upon a heap has not been looked at for long, time and again.
     std::uint32_t calm = 0, all = 0;
@@ -130,9 +133,10 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents, std::uin
 void choose_tiers(WorldState& world, std::vector<IslandExtent>& extents) {
     const Vec3 up = -normalized(world.def.gravity);
     measure_extents(world.bodies, world.islands, extents, world.def.gravity);
+    std::optional<TiedIslands> tied;  // when first needed: moves to other sets leave it true
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++)
         if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
-            choose_tier(world, extents, i, up);
+            choose_tier(world, extents, tied, i, up);
 }
 
 // ---- loads that went ----

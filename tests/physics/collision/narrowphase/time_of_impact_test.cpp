@@ -89,9 +89,9 @@ TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
     EXPECT_LT(worst_early, 2.2 * gap);
 }
 
-// Thin things that tumble past each other near by: what is said to pass by at once keeps its
-// distance wherever the oracle looks.
-TEST(TimeOfImpact, what_passes_by_at_once_never_meets) {
+// Thin things that tumble past each other near by, most of which the rods around them part: what is
+// said to pass by keeps its distance wherever the oracle looks.
+TEST(TimeOfImpact, what_tumbles_past_never_meets) {
     Random random(12);
     const auto thin = [&](int kind) -> Geometry {
         const double length = random.in(0.3, 0.6), width = random.in(0.03, 0.06);
@@ -100,7 +100,7 @@ TEST(TimeOfImpact, what_passes_by_at_once_never_meets) {
         if (kind == 2) return Capsule{width, length};
         return random_geometry(ShapeKind::hull, random);
     };
-    int passed = 0, never = 0;
+    int never = 0;
     for (int round = 0; round < 400; round++) {
         const double turns[] = {0, 0.1, 0.5, 2};
         const Vec3 place = random.direction() * random.in(0.3, 0.9);
@@ -111,9 +111,8 @@ TEST(TimeOfImpact, what_passes_by_at_once_never_meets) {
         a.swept.geometry = &a.geometry;
         b.swept.geometry = &b.geometry;
         const Impact hit = time_of_impact(a.swept, b.swept, 0, gap);
-        never += !hit.at_start && hit.fraction > 1 ? 1 : 0;
-        if (!pass_by(a.swept, b.swept, 0, gap)) continue;
-        passed++;
+        if (hit.at_start || hit.fraction <= 1) continue;
+        never++;
         for (int k = 0; k <= 24; k++) {
             const double fraction = k / 24.0;
             ASSERT_GT(
@@ -122,10 +121,9 @@ TEST(TimeOfImpact, what_passes_by_at_once_never_meets) {
                 << "round " << round << ", at " << fraction;
         }
     }
-    RecordProperty("passed", passed);
     RecordProperty("never", never);
-    EXPECT_GT(passed, never / 4);  // it sees much ...
-    EXPECT_LT(never, 350);         // ... of pairs of which many do meet
+    EXPECT_GT(never, 100);
+    EXPECT_LT(never, 350) << "many do meet";
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// What a scene says of a module is read in its range, and what it says wrong is named.
+#include "jostle/modules/settings.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::modules {
+namespace {
+
+using physics::BodyId;
+using physics::ModuleSettings;
+using physics::Status;
+
+struct Craft {
+    double height = 1.2, speed = 8;
+    bool lights = false;
+    BodyId hull;
+
+    Status configure(const ModuleSettings& given) {
+        SettingsReader settings(given);
+        settings.number("height", height, 0.3, 3);
+        settings.number("speed", speed, 0, 20);
+        settings.flag("lights", lights);
+        settings.body("hull", hull);
+        return settings.finish();
+    }
+    std::string complaint(const ModuleSettings& given) {
+        const Status status = configure(given);
+        return status.ok() ? "" : status.error().message;
+    }
+};
+
+TEST(Settings, what_is_given_is_read_and_the_rest_stays) {
+    Craft craft;
+    ASSERT_TRUE(craft
+                    .configure({.numbers = {{"height", 2.5}, {"lights", 1}},
+                                .bodies = {{"hull", BodyId{7, 1}}}})
+                    .ok());
+    EXPECT_EQ(craft.height, 2.5);
+    EXPECT_EQ(craft.speed, 8);
+    EXPECT_TRUE(craft.lights);
+    EXPECT_EQ(craft.hull, (BodyId{7, 1}));
+}
+
+TEST(Settings, what_is_wrong_is_named_with_what_would_do) {
+    Craft craft;
+    EXPECT_EQ(craft.complaint({.numbers = {{"height", 4}}}),
+              "height is 4; it must be from 0.3 to 3");
+    EXPECT_EQ(craft.complaint({.numbers = {{"lights", 0.5}}}), "lights is 0.5; it must be 0 or 1");
+    EXPECT_EQ(craft.complaint({.numbers = {{"hieght", 1}}}),
+              "there is no setting hieght; there are: height, speed, lights");
+    EXPECT_EQ(craft.complaint({.bodies = {{"craft", BodyId{7, 1}}}}),
+              "there is no body craft; there are: hull");
+    EXPECT_EQ(craft.complaint({.numbers = {{"speed", 21}, {"height", 9}}}),
+              "height is 9; it must be from 0.3 to 3")
+        << "one at a time, in the order of the module";
+}
+
+}  // namespace
+}  // namespace jostle::modules

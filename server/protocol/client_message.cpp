@@ -31,6 +31,7 @@ Status check_kind(const v1::Shape& shape) {
     switch (shape.kind_case()) {
         case v1::Shape::kPlane:
         case v1::Shape::kMesh:
+        case v1::Shape::kSolid:
         case v1::Shape::kHeightField:
         case v1::Shape::kCompound: {
             const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(shape.kind_case());

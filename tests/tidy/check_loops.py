@@ -11,7 +11,7 @@ import sys
 
 from check_layers import INCLUDE, resolve
 
-FOLDERS = ("base", "convergence", "linear_systems", "plots", "physics", "modules", "decomposition", "proto", "scenes", "sim", "server", "clients", "bench")
+FOLDERS = ("base", "convergence", "linear_systems", "plots", "physics", "modules", "decomposition", "proto", "scenes", "sim", "convert", "server", "clients", "bench")
 # Loops that are being mended; each is the set of its files. Nothing may be added.
 KNOWN = []
 

@@ -65,7 +65,7 @@ TEST(Solid, what_is_wrong_is_named) {
     EXPECT_THAT(complaint(scene("", true)),
                 testing::HasSubstr("bodies[0].shapes[0].solid: the mesh is no solid: the edge"));
     EXPECT_THAT(complaint(scene(", \"parts_max\": 999")),
-                testing::HasSubstr("solid.parts_max: is 999"));
+                testing::HasSubstr("solid.parts_max: 999 is out of range"));
 }
 
 }  // namespace

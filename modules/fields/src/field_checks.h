@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// What a caller or a file says of a field, in its range; the error names the number.
+#pragma once
+
+#include <string>
+
+#include "jostle/modules/fields.h"
+
+namespace jostle::modules::fields_detail {
+
+physics::Status check(const VolumeField& field);
+physics::Status check(const Explosion& explosion);
+physics::Status check(const Charge& charge);
+
+}  // namespace jostle::modules::fields_detail

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// What the steps of a Fields module use again: nothing in it is state.
+#pragma once
+
+#include <cstdint>
+
+#include "body_records.h"
+#include "water_load.h"
+
+namespace jostle::modules::fields_detail {
+
+struct StepMemory {
+    BodyRecords records;
+    std::uint64_t step = 0;  // World::step_count() when they were last used
+    WaterScratch water;
+};
+
+}  // namespace jostle::modules::fields_detail

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "water_load.h"
+
+#include <array>
+
+#include "wave_train.h"
+
+namespace jostle::modules::fields_detail {
+
+using namespace physics;
+
+namespace {
+
+// A corner of a wet panel.
+struct Corner {
+    Vec3 arm;     // m, from the centre of mass
+    double head;  // m of water
+};
+
+// In m^3 and m^4 of water: times density and gravity they are N and N m.
+struct WaterSums {
+    Vec3 force, torque;
+    Vec3 flow;  // m/s times m^2
+    double area = 0;
+};
+
+// Pressure over a flat triangle, with a head that is linear between its corners:
+//     F = -n int p dA,   T = -int p r x n dA, and int p r dA = A/12 (sum p sum r + sum p r).
+void add_triangle(const std::array<Corner, 3>& c, Vec3 flow, WaterSums& surface,
+                  std::vector<WaterScratch::Wet>& wet) {
+    const Vec3 area = cross(c[1].arm - c[0].arm, c[2].arm - c[0].arm) * 0.5;
+    const double head = c[0].head + c[1].head + c[2].head;
+    const Vec3 arms = c[0].arm + c[1].arm + c[2].arm;
+    const Vec3 moment =
+        arms * head + c[0].arm * c[0].head + c[1].arm * c[1].head + c[2].arm * c[2].head;
+    surface.force -= area * (head / 3);
+    surface.torque -= cross(moment, area) * (1.0 / 12);
+    const double size = length(area);
+    surface.flow += flow * size;
+    surface.area += size;
+    wet.push_back({area, arms * (1.0 / 3)});
+}
+
+// The part of a triangle that is under water: 3 or 4 corners, cut where the depth is zero.
+void add_clipped(const std::array<Corner, 3>& corners, const std::array<double, 3>& depth,
+                 Vec3 flow, WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
+    std::array<Corner, 4> left;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3; k++) {
+        const std::size_t next = (k + 1) % 3;
+        if (depth[k] > 0) left[count++] = corners[k];
+        if ((depth[k] > 0) == (depth[next] > 0)) continue;
+        const double share = depth[k] / (depth[k] - depth[next]);
+        left[count++] = {corners[k].arm + (corners[next].arm - corners[k].arm) * share, 0};
+    }
+    for (std::size_t k = 1; k + 1 < count; k++)
+        add_triangle({left[0], left[k], left[k + 1]}, flow, sums, wet);
+}
+
+// What panels stand for has no torque where the true surface has none.
+Vec3 true_torque(const PanelSurface& surface, const Load& load, Vec3 force, Vec3 torque) {
+    const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
+    if (surface.ball) return cross(arm, force);
+    if (!surface.round) return torque;
+    const Vec3 axis = rotate(load.body.pose.rotation, surface.axis);
+    return torque - axis * dot(torque - cross(arm, force), axis);
+}
+
+void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load& load,
+                 WaterScratch& scratch, WaterSums& sums) {
+    const std::size_t count = surface.vertices.size();
+    scratch.arms.resize(count), scratch.depth.resize(count), scratch.head.resize(count);
+    const Mat3 axes = to_matrix(load.body.pose.rotation);
+    const Vec3 origin = load.body.pose.position - load.body.center;
+    Vec3 flow;
+    double wet_vertices = 0;
+    for (std::size_t k = 0; k < count; k++) {
+        scratch.arms[k] = origin + axes * surface.vertices[k];
+        const WaveTrain::Sample sample = train.at(load.body.center + scratch.arms[k]);
+        scratch.depth[k] = sample.depth;
+        scratch.head[k] = sample.head;
+        if (!(sample.depth > 0)) continue;
+        flow += sample.velocity;
+        wet_vertices++;
+    }
+    if (wet_vertices == 0) return;
+    flow *= 1 / wet_vertices;
+    WaterSums own;
+    for (const auto& t : surface.triangles) {
+        const std::array<double, 3> depth{scratch.depth[t[0]], scratch.depth[t[1]],
+                                          scratch.depth[t[2]]};
+        if (!(depth[0] > 0 || depth[1] > 0 || depth[2] > 0)) continue;
+        const std::array<Corner, 3> corners{{{scratch.arms[t[0]], scratch.head[t[0]]},
+                                             {scratch.arms[t[1]], scratch.head[t[1]]},
+                                             {scratch.arms[t[2]], scratch.head[t[2]]}}};
+        if (depth[0] > 0 && depth[1] > 0 && depth[2] > 0)
+            add_triangle(corners, flow, own, scratch.wet);
+        else
+            add_clipped(corners, depth, flow, own, scratch.wet);
+    }
+    sums.force += own.force;
+    sums.torque += true_torque(surface, load, own.force, own.torque);
+    sums.flow += own.flow;
+    sums.area += own.area;
+}
+
+// Of what is wet, seen along the direction from one side and from the other: the larger.
+double wet_area(const std::vector<WaterScratch::Wet>& wet, Vec3 direction) {
+    double front = 0, back = 0;
+    for (const WaterScratch::Wet& panel : wet) {
+        const double shown = dot(panel.area, direction);
+        (shown > 0 ? front : back) += absolute(shown);
+    }
+    return maximum(front, back);
+}
+
+// Quadratic drag on the spin about its axis a: each panel moves along its normal by
+// |w| a . (r x n), and either side of a body bears half of the drag. So the torque is K |w|^2 with
+//     K = density / 2 * drag * sum A |a . (r x n)|^3 / 2.
+void drag_spin(const Waves& waves, Load& load, const std::vector<WaterScratch::Wet>& wet) {
+    const Vec3 w = load.body.angular_velocity;
+    const double spin = length(w);
+    if (!(spin > 1e-9) || waves.drag == 0) return;
+    const Vec3 axis = w * (1 / spin);
+    double sum = 0;
+    for (const WaterScratch::Wet& panel : wet) {
+        const double size = length(panel.area);
+        if (size == 0) continue;
+        const double speed = absolute(dot(axis, cross(panel.arm, panel.area))) / size;
+        sum += size * speed * speed * speed;
+    }
+    const double torque = 0.25 * waves.density * waves.drag * sum;  // over spin^2
+    const double inertia = dot(axis, load.inertia() * axis);
+    if (inertia > 0) load.turn(w * (1 / (1 + torque / inertia * spin * load.h) - 1));
+}
+
+void damp(double rate, Vec3 flow, Load& load) {
+    const double kept = 1 / (1 + rate * load.h);
+    load.push((flow - load.body.linear_velocity) * (load.body.mass * (1 - kept)));
+    load.turn(load.body.angular_velocity * (kept - 1));
+}
+
+}  // namespace
+
+void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch) {
+    const double gravity = -load.gravity.y;
+    if (!(gravity > 0)) return;
+    const WaveTrain train(waves, gravity, load.time);
+    if (load.body.pose.position.y - load.record.reach >= train.highest()) return;
+    WaterSums sums;
+    scratch.wet.clear();
+    for (const PanelSurface& surface : load.record.panels)
+        add_surface(train, surface, load, scratch, sums);
+    if (!(sums.area > 0)) return;
+    const double weight = waves.density * gravity;  // N/m^3
+    load.push(sums.force * (weight * load.h));
+    load.angular_impulse += sums.torque * (weight * load.h);
+    const Mat3 axes = to_matrix(load.body.pose.rotation);
+    const Vec3 own = transposed_times(axes, sums.torque * (weight * load.h));
+    load.body.angular_velocity += axes * (inverse(load.record.inertia) * own);
+
+    const Vec3 flow = sums.flow * (1 / sums.area);
+    const double displaced = waves.density * maximum(sums.force.y, 0);  // kg
+    damp(waves.damping * displaced / load.body.mass, flow, load);
+    load.drag(flow, waves.density, waves.drag,
+              [&](Vec3 direction) { return wet_area(scratch.wet, direction); }, {});
+    drag_spin(waves, load, scratch.wet);
+}
+
+}  // namespace jostle::modules::fields_detail

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// What water does to one body in one sub-step: pressure on its wet panels, drag, and the loss to
+// waves of its own.
+#pragma once
+
+#include <vector>
+
+#include "jostle/modules/waves.h"
+#include "load.h"
+
+namespace jostle::modules::fields_detail {
+
+// Memory used again from body to body.
+struct WaterScratch {
+    struct Wet {
+        physics::Vec3 area;  // m^2, outward
+        physics::Vec3 arm;   // m: its middle from the centre of mass
+    };
+    std::vector<physics::Vec3> arms;  // of a surface's vertices from the centre of mass, m
+    std::vector<double> depth;        // m below the surface over each; < 0: dry
+    std::vector<double> head;         // m of water
+    std::vector<Wet> wet;
+};
+
+void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch);
+
+}  // namespace jostle::modules::fields_detail

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Waves at one moment, ready to be asked at many points.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "jostle/modules/waves.h"
+
+namespace jostle::modules::fields_detail {
+
+class WaveTrain {
+public:
+    WaveTrain(const Waves& waves, double gravity, double time);
+
+    struct Sample {
+        double depth = 0;             // m below the surface over the point; < 0: above it
+        double head = 0;              // m of water; 0 above the surface
+        physics::Vec3 velocity = {};  // m/s; 0 above the surface
+    };
+    Sample at(physics::Vec3 point) const;
+    double highest() const { return level_ + sum_; }  // m, y that no crest passes
+
+private:
+    struct Component {
+        double amplitude, number, omega;  // m, 1/m, 1/s
+        double x, z;                      // heading
+        double turn;                      // rad, of the moment
+    };
+    std::array<Component, wave_components_max> components_ = {};
+    std::size_t count_ = 0;
+    double level_, sum_ = 0;
+    physics::Vec3 flow_;
+};
+
+}  // namespace jostle::modules::fields_detail

@@ -83,7 +83,7 @@ double longest_panel(const Entries& entries) {
         if (waves == nullptr) continue;
         if (longest == 0) longest = 1e30;
         for (const WaveComponent& wave : waves->components)
-            if (wave.amplitude > 0) longest = minimum(longest, wave.length / 12);
+            if (wave.amplitude > 0) longest = minimum(longest, wave.length / 8);
     }
     return longest;
 }

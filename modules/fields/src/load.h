@@ -33,13 +33,14 @@ struct Load {
         return axes * record.inertia * transpose(axes);
     }
     // Quadratic drag by a medium: du/dt = -k |u| u has the solution u / (1 + k |u| h), with u the
-    // body's velocity against it. `inertial`: gravity acts in the same sub-step, half before and
-    // half after the drag (Strang, 1968): that is of second order where it would be of first.
+    // body's velocity against it. What else accelerates the body in the sub-step is to act half
+    // before and half after the drag (G. Strang, "On the construction and comparison of difference
+    // schemes", 1968): of second order, and at rest nothing is dragged.
     template <class AreaAlong>
     void drag(physics::Vec3 flow, double density, double coefficient, AreaAlong&& area_along,
-              physics::Vec3 inertial) {
+              physics::Vec3 acceleration) {
         using namespace physics;
-        const Vec3 u = flow - body.linear_velocity - inertial * (0.5 * h);
+        const Vec3 u = flow - body.linear_velocity - acceleration * (0.5 * h);
         const double speed = length(u);
         if (!(speed > 1e-9) || density == 0 || coefficient == 0) return;
         const double area = area_along(u * (1 / speed));

@@ -56,7 +56,7 @@ PanelSurface of_hull(const ConvexHull& hull) {
 struct Ring {
     double y, radius;
 };
-constexpr std::uint32_t around = 16;
+constexpr std::uint32_t around = 12;
 
 // Of rings from below upwards; the first and the last have radius 0.
 PanelSurface turned(const std::vector<Ring>& rings, double volume) {
@@ -90,11 +90,9 @@ PanelSurface turned(const std::vector<Ring>& rings, double volume) {
     return surface;
 }
 
-// A quarter circle in four arcs, from the pole to the equator.
-constexpr std::array<Ring, 4> quarter{{{1, 0},
-                                       {0.92387953251128674, 0.38268343236508977},
-                                       {0.70710678118654752, 0.70710678118654752},
-                                       {0.38268343236508977, 0.92387953251128674}}};
+// A quarter circle in three arcs, from the pole to the equator.
+constexpr std::array<Ring, 3> quarter{
+    {{1, 0}, {0.86602540378443865, 0.5}, {0.5, 0.86602540378443865}}};
 
 PanelSurface of_capsule(double radius, double half_length) {
     std::vector<Ring> rings;

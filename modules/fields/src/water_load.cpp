@@ -114,11 +114,19 @@ double wet_area(const std::vector<WaterScratch::Wet>& wet, Vec3 direction) {
     return maximum(front, back);
 }
 
+// What the water does to the motion through the middle of the sub-step, with the pressure (and
+// gravity) half before it and half after: what floats at rest is not damped.
+struct Middle {
+    Vec3 acceleration;  // m/s^2
+    Vec3 turn;          // rad/s in half a sub-step
+};
+
 // Quadratic drag on the spin about its axis a: each panel moves along its normal by
 // |w| a . (r x n), and either side of a body bears half of the drag. So the torque is K |w|^2 with
 //     K = density / 2 * drag * sum A |a . (r x n)|^3 / 2.
-void drag_spin(const Waves& waves, Load& load, const std::vector<WaterScratch::Wet>& wet) {
-    const Vec3 w = load.body.angular_velocity;
+void drag_spin(const Waves& waves, Load& load, Vec3 turn,
+               const std::vector<WaterScratch::Wet>& wet) {
+    const Vec3 w = load.body.angular_velocity + turn;
     const double spin = length(w);
     if (!(spin > 1e-9) || waves.drag == 0) return;
     const Vec3 axis = w * (1 / spin);
@@ -134,10 +142,18 @@ void drag_spin(const Waves& waves, Load& load, const std::vector<WaterScratch::W
     if (inertia > 0) load.turn(w * (1 / (1 + torque / inertia * spin * load.h) - 1));
 }
 
-void damp(double rate, Vec3 flow, Load& load) {
-    const double kept = 1 / (1 + rate * load.h);
-    load.push((flow - load.body.linear_velocity) * (load.body.mass * (1 - kept)));
-    load.turn(load.body.angular_velocity * (kept - 1));
+void damp(double rate, Vec3 flow, const Middle& middle, Load& load) {
+    const double lost = 1 - 1 / (1 + rate * load.h);
+    const Vec3 v = load.body.linear_velocity + middle.acceleration * (0.5 * load.h);
+    load.push((flow - v) * (load.body.mass * lost));
+    load.turn((load.body.angular_velocity + middle.turn) * -lost);
+}
+
+Middle middle_of(const Load& load, Vec3 force, Vec3 torque) {
+    const Mat3 axes = to_matrix(load.body.pose.rotation);
+    const Vec3 own = transposed_times(axes, torque);
+    return {load.gravity + force * (1 / load.body.mass),
+            axes * (inverse(load.record.inertia) * own) * (0.5 * load.h)};
 }
 
 }  // namespace
@@ -153,18 +169,18 @@ void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch) {
         add_surface(train, surface, load, scratch, sums);
     if (!(sums.area > 0)) return;
     const double weight = waves.density * gravity;  // N/m^3
-    load.push(sums.force * (weight * load.h));
-    load.angular_impulse += sums.torque * (weight * load.h);
-    const Mat3 axes = to_matrix(load.body.pose.rotation);
-    const Vec3 own = transposed_times(axes, sums.torque * (weight * load.h));
-    load.body.angular_velocity += axes * (inverse(load.record.inertia) * own);
-
+    const Vec3 force = sums.force * weight, torque = sums.torque * weight;
+    const Middle middle = middle_of(load, force, torque);
     const Vec3 flow = sums.flow * (1 / sums.area);
     const double displaced = waves.density * maximum(sums.force.y, 0);  // kg
-    damp(waves.damping * displaced / load.body.mass, flow, load);
-    load.drag(flow, waves.density, waves.drag,
-              [&](Vec3 direction) { return wet_area(scratch.wet, direction); }, {});
-    drag_spin(waves, load, scratch.wet);
+    damp(waves.damping * displaced / load.body.mass, flow, middle, load);
+    load.drag(
+        flow, waves.density, waves.drag,
+        [&](Vec3 direction) { return wet_area(scratch.wet, direction); }, middle.acceleration);
+    drag_spin(waves, load, middle.turn, scratch.wet);
+    load.push(force * load.h);
+    load.angular_impulse += torque * load.h;
+    load.body.angular_velocity += middle.turn * 2;
 }
 
 }  // namespace jostle::modules::fields_detail

@@ -28,7 +28,7 @@ inline constexpr std::size_t wave_components_max = 8;
 // A fluid that carries bodies. Pressure on each panel of a body's surface that is under water,
 // clipped at the waterline: in still water the lift is the weight of what is displaced, exact for
 // boxes and hulls of any size; round shapes have panels that hold their exact volume. Along waves
-// panels are at most a twelfth of the shortest wave long, or as many as `panels_max` allows; the
+// panels are at most an eighth of the shortest wave long, or as many as `panels_max` allows; the
 // part of the force that waves add is then within 3 %, and larger bodies than that make it less
 // exact by the square. Bodies make no waves of their own: no added mass.
 struct Waves {

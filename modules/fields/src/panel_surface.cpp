@@ -56,7 +56,7 @@ PanelSurface of_hull(const ConvexHull& hull) {
 struct Ring {
     double y, radius;
 };
-constexpr std::uint32_t around = 12;
+constexpr std::uint32_t around = 16;
 
 // Of rings from below upwards; the first and the last have radius 0.
 PanelSurface turned(const std::vector<Ring>& rings, double volume) {
@@ -103,7 +103,7 @@ PanelSurface of_capsule(double radius, double half_length) {
         rings.push_back({half_length + radius * quarter[k].y, radius * quarter[k].radius});
     const double r2 = pi * radius * radius;
     PanelSurface surface = turned(rings, r2 * (2 * half_length + radius * (4.0 / 3)));
-    surface.ball = half_length == 0;
+    if (half_length == 0) surface.ball = radius;
     return surface;
 }
 

@@ -17,12 +17,13 @@ struct PanelSurface {
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from outside
     // What the panels only stand for: a push on a ball has no torque about its centre, one on what
     // is round about an axis none about that.
-    bool ball = false, round = false;
+    bool round = false;
+    double ball = 0;                 // m, its radius; 0: it is none
     physics::Vec3 center = {};       // of the ball, or a point of the axis
     physics::Vec3 axis = {0, 1, 0};  // unit
 };
 
-// In the frame in which `pose` places it. Exact for boxes and hulls. Of what is round, 12 panels
+// In the frame in which `pose` places it. Exact for boxes and hulls. Of what is round, 16 panels
 // run about the axis, so far out that they hold the shape's volume. A compound gives one surface
 // for each child. Planes, meshes and height fields have none.
 std::vector<PanelSurface> panel_surfaces(const physics::Geometry& geometry,

@@ -60,7 +60,7 @@ void add_clipped(const std::array<Corner, 3>& corners, const std::array<double, 
 // What panels stand for has no torque where the true surface has none.
 Vec3 true_torque(const PanelSurface& surface, const Load& load, Vec3 force, Vec3 torque) {
     const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
-    if (surface.ball) return cross(arm, force);
+    if (surface.ball > 0) return cross(arm, force);
     if (!surface.round) return torque;
     const Vec3 axis = rotate(load.body.pose.rotation, surface.axis);
     return torque - axis * dot(torque - cross(arm, force), axis);
@@ -104,14 +104,40 @@ void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load
     sums.area += own.area;
 }
 
+// A ball that is small against the waves, in closed form: the part of it that is below the tangent
+// plane of the surface, a cap (Weisstein, "Spherical Cap", MathWorld), in the pressure's slope at
+// the middle of that part.
+void add_ball(const WaveTrain& train, const PanelSurface& surface, const Load& load,
+              WaterScratch& scratch, WaterSums& sums) {
+    const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
+    const Vec3 center = load.body.center + arm;
+    const double r = surface.ball;
+    // Where the surface leans it is nearer along its normal than straight up.
+    const WaveTrain::Sample over = train.at(center);
+    const double below = over.depth / square_root(1 + length_squared(over.slope));
+    const double depth = clamp(r + below, 0, 2 * r);
+    if (depth == 0) return;
+    const double volume = pi * depth * depth * (3 * r - depth) / 3;
+    const double lack = 2 * r - depth;
+    const double middle = 0.75 * lack * lack / (3 * r - depth);  // below the centre
+    const WaveTrain::Sample at = train.at(center - Vec3{0, middle, 0});
+    const Vec3 force = at.lift * volume;
+    sums.force += force;
+    sums.torque += cross(arm, force);
+    const double share = volume / (4.0 / 3 * pi * r * r * r), size = 4 * pi * r * r * share;
+    sums.flow += at.velocity * size;
+    sums.area += size;
+    scratch.wet_balls += pi * r * r * share;
+}
+
 // Of what is wet, seen along the direction from one side and from the other: the larger.
-double wet_area(const std::vector<WaterScratch::Wet>& wet, Vec3 direction) {
+double wet_area(const WaterScratch& scratch, Vec3 direction) {
     double front = 0, back = 0;
-    for (const WaterScratch::Wet& panel : wet) {
+    for (const WaterScratch::Wet& panel : scratch.wet) {
         const double shown = dot(panel.area, direction);
         (shown > 0 ? front : back) += absolute(shown);
     }
-    return maximum(front, back);
+    return maximum(front, back) + scratch.wet_balls;
 }
 
 // What the water does to the motion through the middle of the sub-step, with the pressure (and
@@ -165,8 +191,12 @@ void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch) {
     if (load.body.pose.position.y - load.record.reach >= train.highest()) return;
     WaterSums sums;
     scratch.wet.clear();
+    scratch.wet_balls = 0;
     for (const PanelSurface& surface : load.record.panels)
-        add_surface(train, surface, load, scratch, sums);
+        if (surface.ball > 0 && surface.ball < train.shortest() / 8)
+            add_ball(train, surface, load, scratch, sums);
+        else
+            add_surface(train, surface, load, scratch, sums);
     if (!(sums.area > 0)) return;
     const double weight = waves.density * gravity;  // N/m^3
     const Vec3 force = sums.force * weight, torque = sums.torque * weight;
@@ -176,7 +206,7 @@ void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch) {
     damp(waves.damping * displaced / load.body.mass, flow, middle, load);
     load.drag(
         flow, waves.density, waves.drag,
-        [&](Vec3 direction) { return wet_area(scratch.wet, direction); }, middle.acceleration);
+        [&](Vec3 direction) { return wet_area(scratch, direction); }, middle.acceleration);
     drag_spin(waves, load, middle.turn, scratch.wet);
     load.push(force * load.h);
     load.angular_impulse += torque * load.h;

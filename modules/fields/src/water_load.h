@@ -21,6 +21,7 @@ struct WaterScratch {
     std::vector<double> depth;        // m below the surface over each; < 0: dry
     std::vector<double> head;         // m of water
     std::vector<Wet> wet;
+    double wet_balls = 0;  // m^2, their discs
 };
 
 void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch);

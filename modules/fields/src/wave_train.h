@@ -16,10 +16,14 @@ public:
 
     struct Sample {
         double depth = 0;             // m below the surface over the point; < 0: above it
+        physics::Vec3 slope = {};     // of the surface: d height / dx, 0, d height / dz
         double head = 0;              // m of water; 0 above the surface
         physics::Vec3 velocity = {};  // m/s; 0 above the surface
+        // - grad head: how hard the water pushes a small volume, over its weight in water.
+        physics::Vec3 lift = {};
     };
     Sample at(physics::Vec3 point) const;
+    double shortest() const;                          // m, of all waves; 1e30 without
     double highest() const { return level_ + sum_; }  // m, y that no crest passes
 
 private:

@@ -47,10 +47,10 @@ World lively(int threads) {
 
 TEST(FieldsState, gives_the_same_bits_for_any_number_of_threads) {
     World one = lively(1);
-    test::run(one, 1.5);
+    test::run(one, 0.8);
     for (const int threads : {2, 3, 4, 8}) {
         World many = lively(threads);
-        test::run(many, 1.5);
+        test::run(many, 0.8);
         ASSERT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
     }
 }

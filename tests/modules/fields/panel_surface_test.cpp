@@ -72,7 +72,7 @@ TEST(PanelSurface, of_a_compound_is_one_for_each_child) {
         build_compound({{.geometry = Box{}}, {.geometry = Sphere{}, .pose = {{0, 1, 0}, {}}}}));
     const auto surfaces = panel_surfaces(Compound{compound}, {{5, 0, 0}, {}});
     ASSERT_EQ(surfaces.size(), 2u);
-    EXPECT_TRUE(surfaces[1].ball);
+    EXPECT_EQ(surfaces[1].ball, 0.5);
     EXPECT_TRUE(test::near(surfaces[1].center, {5, 1, 0}, 1e-12));
     EXPECT_TRUE(panel_surfaces(Plane{}, {}).empty());
 }

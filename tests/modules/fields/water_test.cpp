@@ -42,6 +42,29 @@ TEST(Water, a_ball_floats_as_deep_as_its_cap_displaces) {
     }
 }
 
+// Half of the volume: up to the axis, whatever the ends are.
+TEST(Water, a_lying_log_floats_at_its_axis_when_half_as_dense) {
+    for (const double density : {300.0, 500.0}) {
+        World world = test::make_world();
+        const BodyId log = test::add(world, {.geometry = Cylinder{0.3, 1.5},
+                                             .rotation = from_axis_angle({0, 0, 1}, pi / 2),
+                                             .density = density,
+                                             .sleep_allowed = false});
+        add_still_water(world, 5, 4);
+        test::run(world, 30);
+        // Of the circle below the chord at height c r: acos(-c) + c sqrt(1 - c^2) = pi density.
+        double c = 0;
+        for (int k = 0; k < 60; k++)
+            c -= (arc_tangent(square_root(1 - c * c), -c) + c * square_root(1 - c * c) -
+                  pi * density / 1000) /
+                 (2 * square_root(1 - c * c));
+        const double off = y_of(world, log) / 0.3 + c;
+        RecordProperty("log_error_" + std::to_string(static_cast<int>(density)),
+                       std::to_string(off));
+        EXPECT_NEAR(off, 0, 0.02) << density;
+    }
+}
+
 TEST(Water, heave_has_the_period_of_its_draft) {
     const double expected = 2 * pi * square_root(0.2 / 9.81);
     const double period = heave_period(add_still_water, 400, 0.05);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jostle/physics/hull.h"
 #include "support/near.h"
 #include "support/random.h"
 #include "water_load.h"
@@ -68,7 +69,7 @@ TEST(Waves, crests_run_with_the_speed_of_deep_water) {
     EXPECT_EQ(water_at(waves, g, {p.x, eta + 1e-9, 0}, 1).velocity, Vec3{});
     // 1 / e at a wave number's depth.
     const Vec3 deep = water_at(waves, g, {0, 0.5 - 1 / number, 0}, 0).velocity;
-    EXPECT_NEAR(deep.x, 0.5 * omega / std::exp(1.0), 1e-12);
+    EXPECT_NEAR(deep.x, 0.5 * omega / std::exp(1.0), 1e-10);
 }
 
 // The pressure's part by a wave on a small body is - grad of the dynamic pressure times its volume
@@ -117,6 +118,32 @@ TEST(Waves, the_usual_panels_are_within_three_percent_of_fine_ones) {
     RecordProperty("worst_torque_error", std::to_string(worst_torque));
     EXPECT_LT(worst, 0.03);
     EXPECT_LT(worst_torque, 0.03);
+}
+
+// The closed form of a small ball against the same ball as a hull of many flat faces.
+TEST(Waves, carry_small_balls_as_their_panels_would_be) {
+    const double radius = 0.4;
+    std::vector<Vec3> corners;
+    test::Random random(4);
+    for (int k = 0; k < 250; k++) {  // a spiral from pole to pole
+        const double y = 1 - (2 * k + 1) / 250.0, turn = 2.399963229728653 * k;
+        const double r = square_root(1 - y * y);
+        corners.push_back(Vec3{r * sin_cos(turn).cos, y, r * sin_cos(turn).sin} * radius);
+    }
+    const auto hull = test::must(build_hull(corners));
+    const double missing = hull->volume / (4.0 / 3 * pi * radius * radius * radius);
+    const Waves waves = one_wave(0.4, 8);
+    double worst = 0;
+    for (int k = 0; k < 60; k++) {
+        const Transform pose{{random.in(-9, 9), random.in(-1.2, 0.8), 0}, {}};
+        const double time = random.in(0, 5);
+        const Pressed ball = press(waves, Sphere{radius}, pose, time, 1);
+        const Pressed flat = press(waves, Hull{hull}, pose, time, 1);
+        const double most = 1000 * g * 4.0 / 3 * pi * radius * radius * radius;
+        worst = maximum(worst, length(ball.force - flat.force * (1 / missing)) / most);
+    }
+    RecordProperty("worst_ball_error", std::to_string(worst));
+    EXPECT_LT(worst, 0.03);
 }
 
 // A body much shorter than the wave rides on it; one as long as the wave hardly heaves.

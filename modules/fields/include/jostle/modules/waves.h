@@ -27,10 +27,14 @@ inline constexpr std::size_t wave_components_max = 8;
 
 // A fluid that carries bodies. Pressure on each panel of a body's surface that is under water,
 // clipped at the waterline: in still water the lift is the weight of what is displaced, exact for
-// boxes and hulls of any size; round shapes have panels that hold their exact volume. Along waves
-// panels are at most an eighth of the shortest wave long, or as many as `panels_max` allows; the
-// part of the force that waves add is then within 3 %, and larger bodies than that make it less
-// exact by the square. Bodies make no waves of their own: no added mass.
+// boxes and hulls of any size. Round shapes have 16 panels about their axis, which hold their exact
+// volume: upright they float exactly, and lying within 2 % of their radius. Balls smaller than an
+// eighth of the shortest wave are cut by the tangent plane of the surface, in closed form.
+//
+// Along waves panels are at most an eighth of the shortest wave long, or as many as `panels_max`
+// allows. What the waves add to the force is then within 2 % of the most that they can do to the
+// body; it grows with the square of the panels' length. Bodies make no waves of their own: no added
+// mass, and nothing is in another's lee.
 struct Waves {
     double level = 0;                            // m, of the surface at rest
     double density = 1000;                       // kg/m^3, 0 to 1e6

@@ -98,11 +98,12 @@ void BodyRecords::refresh(const World& world, std::span<const BodyId> bodies) {
         record.body = id;
         record.shapes = std::move(shapes);
         if (!same || (longest_panel_ > 0 && !record.has_panels)) remake(world, record);
-        record.categories = categories_of(world, id);
+        record.categories = categories_of(world, record.shapes);
         // Mass may be set at any time, and inertia with it.
         if (const Result<BodyState> state = world.body(id); state.ok()) {
             const Mat3 axes = to_matrix(state->pose.rotation);
             record.inertia = transpose(axes) * state->inertia * axes;
+            record.inverse_inertia = inverse(record.inertia);
         }
     }
 }
@@ -120,12 +121,16 @@ void BodyRecords::remake(const World& world, BodyRecord& record) {
     }
 }
 
-std::uint32_t categories_of(const World& world, BodyId body) {
+std::uint32_t categories_of(const World& world, std::span<const ShapeId> shapes) {
     std::uint32_t categories = 0;
-    for (const ShapeId id : world.shapes_of(body))
+    for (const ShapeId id : shapes)
         if (const Result<ShapeState> shape = world.shape(id); shape.ok())
             categories |= shape->filter.category;
     return categories;
+}
+
+std::uint32_t categories_of(const World& world, BodyId body) {
+    return categories_of(world, world.shapes_of(body));
 }
 
 }  // namespace jostle::modules::fields_detail

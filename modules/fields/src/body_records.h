@@ -28,7 +28,8 @@ struct BodyRecord {
     physics::BodyId body = {};
     std::vector<physics::ShapeId> shapes = {};
     std::uint32_t categories = 0;
-    physics::Mat3 inertia;  // kg m^2 about the centre of mass, body axes
+    // About the centre of mass, body axes, kg m^2; the inverse is zero where it has none.
+    physics::Mat3 inertia, inverse_inertia;
     std::vector<ShownShape> shown = {};
     bool has_panels = false;
     std::vector<PanelSurface> panels = {};  // in the body's frame, about its origin
@@ -57,7 +58,8 @@ private:
     double longest_panel_ = 0;
 };
 
-// Bits of all categories of its shapes.
+// Bits of all categories of the shapes.
+std::uint32_t categories_of(const physics::World& world, std::span<const physics::ShapeId> shapes);
 std::uint32_t categories_of(const physics::World& world, physics::BodyId body);
 
 }  // namespace jostle::modules::fields_detail

@@ -5,7 +5,9 @@
 
 #include <string>
 
-#include "jostle/modules/fields.h"
+#include "jostle/modules/explosion.h"
+#include "jostle/modules/volume_field.h"
+#include "jostle/physics/result.h"
 
 namespace jostle::modules::fields_detail {
 

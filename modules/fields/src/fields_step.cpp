@@ -2,7 +2,7 @@
 //
 // What fields do in a step.
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "jostle/modules/fields.h"
@@ -103,32 +103,44 @@ void Fields::before_substep(SubstepContext& substep) {
     if (entries_.empty()) return;
     if (substep.index() == 0) memory_->records.refresh(substep.world(), substep.bodies());
     const double middle = substep.time() + 0.5 * substep.h();
-    std::array<std::optional<Vec3>, fields_max> targets;
-    for (std::size_t k = 0; k < entries_.size(); k++)
-        if (const auto* central = std::get_if<Central>(&entries_[k].field.law))
-            targets[k] = target_of(*central, substep, middle);
     const Vec3 gravity = substep.world().gravity();
+    prepare(substep, middle, gravity);
     for (const BodyId id : substep.bodies()) {
         Load load{substep.body(id), memory_->records.of(id), gravity, middle, substep.h()};
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
             if ((load.record.categories & field.mask) != 0 && holds(field.volume, load.body.center))
-                act(entries_[k], targets[k], load);
+                act(k, load);
         }
         if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
         if (load.angular_impulse != Vec3{}) substep.add_angular_impulse(id, load.angular_impulse);
     }
 }
 
-void Fields::act(const Entry& entry, const std::optional<Vec3>& target, Load& load) {
+// What all bodies of a sub-step have in common.
+void Fields::prepare(const SubstepContext& substep, double middle, Vec3 gravity) {
+    memory_->targets.resize(entries_.size());
+    memory_->trains.resize(entries_.size());
+    for (std::size_t k = 0; k < entries_.size(); k++) {
+        const FieldLaw& law = entries_[k].field.law;
+        if (const auto* central = std::get_if<Central>(&law))
+            memory_->targets[k] = target_of(*central, substep, middle);
+        if (const auto* waves = std::get_if<Waves>(&law))
+            memory_->trains[k] = fields_detail::WaveTrain(*waves, -gravity.y, middle);
+    }
+}
+
+void Fields::act(std::size_t at, Load& load) {
+    const Entry& entry = entries_[at];
     if (const auto* central = std::get_if<Central>(&entry.field.law)) {
-        if (target) pull(*central, *target, load);
+        if (memory_->targets[at]) pull(*central, *memory_->targets[at], load);
     } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
         blow(*turbulence, load);
     } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
         push(*user, *entry.force, load);
     } else {
-        fields_detail::push_by_water(std::get<Waves>(entry.field.law), load, memory_->water);
+        fields_detail::push_by_water(std::get<Waves>(entry.field.law), memory_->trains[at], load,
+                                     memory_->water);
     }
 }
 
@@ -157,11 +169,15 @@ void Fields::follow_targets(World& world) {
 
 void Fields::explode_due(World& world) {
     blasts_.clear();
-    for (const Charge& charge : charges_) {
-        if (charge.time > world.time()) continue;
-        if (explode(world, charge.explosion).ok()) blasts_.push_back(charge.explosion);
+    for (std::size_t k = 0; k < charges_.size() && blasts_.size() < blasts_max;) {
+        if (charges_[k].time > world.time()) {
+            k++;
+            continue;
+        }
+        blasts_.push_back(charges_[k].explosion);
+        charges_.erase(charges_.begin() + static_cast<std::ptrdiff_t>(k));
+        static_cast<void>(explode(world, blasts_.back()));  // was checked when it was added
     }
-    std::erase_if(charges_, [&](const Charge& charge) { return charge.time <= world.time(); });
 }
 
 // What a load reaches that changes with time does not stay asleep.

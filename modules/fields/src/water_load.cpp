@@ -179,15 +179,14 @@ Middle middle_of(const Load& load, Vec3 force, Vec3 torque) {
     const Mat3 axes = to_matrix(load.body.pose.rotation);
     const Vec3 own = transposed_times(axes, torque);
     return {load.gravity + force * (1 / load.body.mass),
-            axes * (inverse(load.record.inertia) * own) * (0.5 * load.h)};
+            axes * (load.record.inverse_inertia * own) * (0.5 * load.h)};
 }
 
 }  // namespace
 
-void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch) {
+void push_by_water(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch) {
     const double gravity = -load.gravity.y;
     if (!(gravity > 0)) return;
-    const WaveTrain train(waves, gravity, load.time);
     if (load.body.pose.position.y - load.record.reach >= train.highest()) return;
     WaterSums sums;
     scratch.wet.clear();

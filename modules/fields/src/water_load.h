@@ -8,6 +8,7 @@
 
 #include "jostle/modules/waves.h"
 #include "load.h"
+#include "wave_train.h"
 
 namespace jostle::modules::fields_detail {
 
@@ -24,6 +25,7 @@ struct WaterScratch {
     double wet_balls = 0;  // m^2, their discs
 };
 
-void push_by_water(const Waves& waves, Load& load, WaterScratch& scratch);
+// `train`: of these waves, in the middle of the sub-step. Nothing where gravity does not pull down.
+void push_by_water(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch);
 
 }  // namespace jostle::modules::fields_detail

@@ -13,7 +13,8 @@ WaveTrain::WaveTrain(const Waves& waves, double gravity, double time)
     : level_(waves.level), flow_(waves.flow) {
     for (const WaveComponent& wave : waves.components) {
         if (wave.amplitude == 0 || count_ == components_.size()) continue;
-        const double number = 2 * pi / wave.length, omega = square_root(gravity * number);
+        const double number = 2 * pi / wave.length,
+                     omega = square_root(maximum(gravity, 0) * number);
         const SinCos heading = sin_cos(wave.heading);
         components_[count_++] = {wave.amplitude, number,      omega,
                                  heading.cos,    heading.sin, wave.phase - omega * time};

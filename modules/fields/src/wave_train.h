@@ -12,6 +12,7 @@ namespace jostle::modules::fields_detail {
 
 class WaveTrain {
 public:
+    WaveTrain() = default;  // still water at 0
     WaveTrain(const Waves& waves, double gravity, double time);
 
     struct Sample {
@@ -34,7 +35,7 @@ private:
     };
     std::array<Component, wave_components_max> components_ = {};
     std::size_t count_ = 0;
-    double level_, sum_ = 0;
+    double level_ = 0, sum_ = 0;
     physics::Vec3 flow_;
 };
 

@@ -76,6 +76,32 @@ TEST(Water, a_box_floats_upright_exactly_when_gm_is_positive) {
     expect_upright_exactly_when_gm_is_positive(add_still_water);
 }
 
+// Of a raft that leans a little: T = 2 pi k / sqrt(g GM), k its radius of gyration.
+TEST(Water, roll_has_the_period_of_its_metacentre) {
+    const double width = 2, height = 0.5, s = 0.5;
+    World world = test::make_world();
+    const BodyId raft = test::add(world, {.geometry = Box{{width / 2, height / 2, 4}},
+                                          .rotation = from_axis_angle({0, 0, 1}, 0.02),
+                                          .density = 1000 * s,
+                                          .sleep_allowed = false});
+    add_still_water(world, 0, 0);
+    std::vector<double> crossings;
+    double before = 1;
+    for (int step = 1; crossings.size() < 6 && step < 3000; step++) {
+        test::must(world.step(1.0 / 60));
+        const double now = test::state_of(world, raft).pose.rotation.z;
+        if (before > 0 && now <= 0) crossings.push_back((step - now / (now - before)) / 60);
+        before = now;
+    }
+    ASSERT_EQ(crossings.size(), 6u);
+    const double gm = height * (0.5 * s - 0.5) + width * width / (12 * s * height);
+    const double gyration = square_root((width * width + height * height) / 12);
+    const double expected = 2 * pi * gyration / square_root(9.81 * gm);
+    const double period = (crossings.back() - crossings.front()) / 5;
+    RecordProperty("roll_error", std::to_string(period / expected - 1));
+    EXPECT_NEAR(period / expected, 1, 0.01);
+}
+
 TEST(Water, lifts_what_is_deep_by_the_weight_of_the_water) {
     for (const Geometry& geometry :
          {Geometry{Box{{0.3, 0.2, 0.5}}}, Geometry{Sphere{0.4}}, Geometry{Cylinder{0.3, 0.5}},

@@ -44,7 +44,7 @@ Pressed press(const Waves& waves, const Geometry& geometry, const Transform& pos
     WaterScratch scratch;
     Waves smooth = waves;
     smooth.drag = smooth.damping = 0;
-    fields_detail::push_by_water(smooth, load, scratch);
+    fields_detail::push_by_water(smooth, {smooth, g, time}, load, scratch);
     return {load.impulse * (1 / h), load.angular_impulse * (1 / h),
             records.of(body).panels.front().triangles.size()};
 }

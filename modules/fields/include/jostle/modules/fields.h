@@ -14,16 +14,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "jostle/modules/explosion.h"
-#include "jostle/modules/turbulence.h"
-#include "jostle/modules/user_field.h"
-#include "jostle/modules/volume.h"
-#include "jostle/modules/waves.h"
+#include "jostle/modules/blast.h"
+#include "jostle/modules/volume_field.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 
@@ -34,48 +29,10 @@ struct Load;
 struct StepMemory;
 }  // namespace fields_detail
 
-// Towards a body, or a point that stays: F = strength / max(r, nearest)^falloff, N; times the mass
-// if `per_mass`, m/s^2. The body that attracts is not pulled itself, and where it goes wakes those
-// that it pulls noticeably (by more than 0.05 m/s^2) each 0.25 m.
-struct Central {
-    physics::BodyId body = {};  // null: the point. One that is destroyed attracts no more.
-    physics::Vec3 point = {};   // m; of a body: from its centre of mass, world axes
-    double strength = 100;      // within 1e12; < 0 pushes away
-    std::uint32_t falloff = 2;  // 0 to 4
-    double nearest = 0.5;       // m, 1e-6 to 1e6
-    bool per_mass = false;
-
-    bool operator==(const Central&) const = default;
-};
-
-using FieldLaw = std::variant<Central, Turbulence, UserField, Waves>;
-
-struct VolumeField {
-    FieldLaw law = Turbulence{};
-    Volume volume = Everywhere{};
-    // Bodies one of whose shapes has a category with a bit in the mask.
-    std::uint32_t mask = 0xffffffff;
-
-    bool operator==(const VolumeField&) const = default;
-};
-
-struct Charge {
-    double time = 0;  // s, of the world: goes off before the first step that begins then or later
-    Explosion explosion = {};
-
-    bool operator==(const Charge&) const = default;
-};
-
-// Names a field of a module; never used twice.
-struct FieldKey {
-    std::uint32_t number = 0;
-
-    auto operator<=>(const FieldKey&) const = default;
-};
-
 class Fields : public physics::Module {
 public:
     static constexpr std::size_t fields_max = 64, charges_max = 128;
+    static constexpr std::size_t blasts_max = 8;  // in one step; the others in those that follow
 
     Fields();
     ~Fields() override;
@@ -120,8 +77,8 @@ private:
         std::shared_ptr<const UserForce> force;  // follows from the law's name
     };
 
-    void act(const Entry& entry, const std::optional<physics::Vec3>& target,
-             fields_detail::Load& load);
+    void prepare(const physics::SubstepContext& substep, double middle, physics::Vec3 gravity);
+    void act(std::size_t at, fields_detail::Load& load);
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
     static bool is_unsteady(const Entry& entry);

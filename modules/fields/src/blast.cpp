@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jostle/modules/explosion.h"
+#include "jostle/modules/blast.h"
 
 #include <algorithm>
 #include <optional>

@@ -11,8 +11,7 @@ std::vector<BlastPoint> blast_points(const Geometry& geometry, const Transform& 
                                      std::uint32_t count) {
     std::vector<PanelSurface> surfaces = panel_surfaces(geometry, pose);
     double whole = 0;
-    for (const PanelSurface& surface : surfaces)
-        for (const auto& triangle : surface.triangles) whole += length(area_of(surface, triangle));
+    for (const PanelSurface& surface : surfaces) whole += surface.area;
     std::vector<BlastPoint> points;
     for (PanelSurface& surface : surfaces) {
         // Halving leaves panels of between half their share and all of it.

@@ -166,14 +166,16 @@ std::uint32_t middle_of(PanelSurface& surface, Middles& middles, std::uint32_t a
 
 std::vector<PanelSurface> panel_surfaces(const Geometry& geometry, const Transform& pose) {
     std::vector<PanelSurface> all;
+    const auto add = [&](const Geometry& convex, const Transform& at) {
+        PanelSurface& surface = all.emplace_back(of_convex(convex));
+        place(surface, at);
+        for (const Triangle& t : surface.triangles) surface.area += length(area_of(surface, t));
+    };
     if (const auto* compound = std::get_if<Compound>(&geometry)) {
-        for (const CompoundChild& child : compound->data->children) {
-            all.push_back(of_convex(child.geometry));
-            place(all.back(), compose(pose, child.pose));
-        }
+        for (const CompoundChild& child : compound->data->children)
+            add(child.geometry, compose(pose, child.pose));
     } else if (is_convex(kind_of(geometry))) {
-        all.push_back(of_convex(geometry));
-        place(all.back(), pose);
+        add(geometry, pose);
     }
     return all;
 }

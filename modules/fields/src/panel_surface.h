@@ -15,6 +15,7 @@ namespace jostle::modules::fields_detail {
 struct PanelSurface {
     std::vector<physics::Vec3> vertices;                  // m
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from outside
+    double area = 0;                                      // m^2, of all triangles
     // What the panels only stand for: a push on a ball has no torque about its centre, one on what
     // is round about an axis none about that.
     bool round = false;

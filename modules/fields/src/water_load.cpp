@@ -26,24 +26,20 @@ struct WaterSums {
 
 // Pressure over a flat triangle, with a head that is linear between its corners:
 //     F = -n int p dA,   T = -int p r x n dA, and int p r dA = A/12 (sum p sum r + sum p r).
-void add_triangle(const std::array<Corner, 3>& c, Vec3 flow, WaterSums& surface,
+void add_triangle(const Corner& a, const Corner& b, const Corner& c, WaterSums& sums,
                   std::vector<WaterScratch::Wet>& wet) {
-    const Vec3 area = cross(c[1].arm - c[0].arm, c[2].arm - c[0].arm) * 0.5;
-    const double head = c[0].head + c[1].head + c[2].head;
-    const Vec3 arms = c[0].arm + c[1].arm + c[2].arm;
-    const Vec3 moment =
-        arms * head + c[0].arm * c[0].head + c[1].arm * c[1].head + c[2].arm * c[2].head;
-    surface.force -= area * (head / 3);
-    surface.torque -= cross(moment, area) * (1.0 / 12);
-    const double size = length(area);
-    surface.flow += flow * size;
-    surface.area += size;
+    const Vec3 area = cross(b.arm - a.arm, c.arm - a.arm) * 0.5;
+    const double head = a.head + b.head + c.head;
+    const Vec3 arms = a.arm + b.arm + c.arm;
+    const Vec3 moment = arms * head + a.arm * a.head + b.arm * b.head + c.arm * c.head;
+    sums.force -= area * (head * (1.0 / 3));
+    sums.torque -= cross(moment, area) * (1.0 / 12);
     wet.push_back({area, arms * (1.0 / 3)});
 }
 
 // The part of a triangle that is under water: 3 or 4 corners, cut where the depth is zero.
 void add_clipped(const std::array<Corner, 3>& corners, const std::array<double, 3>& depth,
-                 Vec3 flow, WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
+                 WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
     std::array<Corner, 4> left;
     std::size_t count = 0;
     for (std::size_t k = 0; k < 3; k++) {
@@ -54,7 +50,7 @@ void add_clipped(const std::array<Corner, 3>& corners, const std::array<double, 
         left[count++] = {corners[k].arm + (corners[next].arm - corners[k].arm) * share, 0};
     }
     for (std::size_t k = 1; k + 1 < count; k++)
-        add_triangle({left[0], left[k], left[k + 1]}, flow, sums, wet);
+        add_triangle(left[0], left[k], left[k + 1], sums, wet);
 }
 
 // What panels stand for has no torque where the true surface has none.
@@ -84,24 +80,24 @@ void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load
         wet_vertices++;
     }
     if (wet_vertices == 0) return;
-    flow *= 1 / wet_vertices;
     WaterSums own;
+    const bool is_under = wet_vertices == static_cast<double>(count);
     for (const auto& t : surface.triangles) {
-        const std::array<double, 3> depth{scratch.depth[t[0]], scratch.depth[t[1]],
-                                          scratch.depth[t[2]]};
-        if (!(depth[0] > 0 || depth[1] > 0 || depth[2] > 0)) continue;
         const std::array<Corner, 3> corners{{{scratch.arms[t[0]], scratch.head[t[0]]},
                                              {scratch.arms[t[1]], scratch.head[t[1]]},
                                              {scratch.arms[t[2]], scratch.head[t[2]]}}};
-        if (depth[0] > 0 && depth[1] > 0 && depth[2] > 0)
-            add_triangle(corners, flow, own, scratch.wet);
-        else
-            add_clipped(corners, depth, flow, own, scratch.wet);
+        const std::array<double, 3> depth{scratch.depth[t[0]], scratch.depth[t[1]],
+                                          scratch.depth[t[2]]};
+        if (is_under || (depth[0] > 0 && depth[1] > 0 && depth[2] > 0))
+            add_triangle(corners[0], corners[1], corners[2], own, scratch.wet);
+        else if (depth[0] > 0 || depth[1] > 0 || depth[2] > 0)
+            add_clipped(corners, depth, own, scratch.wet);
     }
     sums.force += own.force;
     sums.torque += true_torque(surface, load, own.force, own.torque);
-    sums.flow += own.flow;
-    sums.area += own.area;
+    // The mean over what is wet of it; of several surfaces by their areas.
+    sums.flow += flow * (surface.area / static_cast<double>(count));
+    sums.area += wet_vertices * surface.area / static_cast<double>(count);
 }
 
 // A ball that is small against the waves, in closed form: the part of it that is below the tangent
@@ -158,10 +154,9 @@ void drag_spin(const Waves& waves, Load& load, Vec3 turn,
     const Vec3 axis = w * (1 / spin);
     double sum = 0;
     for (const WaterScratch::Wet& panel : wet) {
-        const double size = length(panel.area);
-        if (size == 0) continue;
-        const double speed = absolute(dot(axis, cross(panel.arm, panel.area))) / size;
-        sum += size * speed * speed * speed;
+        const double squared = length_squared(panel.area);
+        const double sweep = absolute(dot(axis, cross(panel.arm, panel.area)));
+        if (squared > 0) sum += sweep * sweep * sweep / squared;
     }
     const double torque = 0.25 * waves.density * waves.drag * sum;  // over spin^2
     const double inertia = dot(axis, load.inertia() * axis);

@@ -45,6 +45,12 @@ ShownShape shown_of(const Geometry& geometry, const Transform& pose) {
                 .axis = axis,
                 .round = pi * c->radius * c->radius,
                 .side = 4 * c->radius * c->half_length};
+    if (const auto* c = std::get_if<Cone>(&geometry))
+        return {.kind = Kind::cone,
+                .axis = axis,
+                .round = pi * c->radius * c->radius,
+                .radius = c->radius,
+                .height = 2 * c->half_length};
     return faces_of(geometry, pose);
 }
 
@@ -57,6 +63,16 @@ void add_shown(std::vector<ShownShape>& shown, const Geometry& geometry, const T
     }
 }
 
+// The base's shadow is an ellipse, the tip's a point on its minor axis. Stretched to a circle: what
+// two tangents from the tip and the arc beyond where they touch enclose.
+double area_of_cone(const ShownShape& cone, double along, double across) {
+    const double r = cone.radius, tip = cone.height * across;
+    if (along * r >= tip) return cone.round * along;
+    if (along < 1e-9) return r * tip;
+    const double far = tip / along, tangent = square_root(far * far - r * r);
+    return along * (r * r * (pi - arc_tangent(tangent, r)) + r * tangent);
+}
+
 double area_of(const ShownShape& shape, Vec3 direction) {
     if (shape.kind == ShownShape::Kind::ball) return shape.round;
     if (shape.kind == ShownShape::Kind::faces) {
@@ -66,6 +82,7 @@ double area_of(const ShownShape& shape, Vec3 direction) {
     }
     const double along = absolute(dot(shape.axis, direction));
     const double across = square_root(maximum(1 - along * along, 0));
+    if (shape.kind == ShownShape::Kind::cone) return area_of_cone(shape, along, across);
     const double ends = shape.kind == ShownShape::Kind::capsule ? 1 : along;
     return shape.round * ends + shape.side * across;
 }

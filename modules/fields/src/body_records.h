@@ -16,11 +16,12 @@ namespace jostle::modules::fields_detail {
 
 // A convex shape as a flow sees it, in the body's frame.
 struct ShownShape {
-    enum class Kind : std::uint8_t { ball, capsule, cylinder, faces };
+    enum class Kind : std::uint8_t { ball, capsule, cylinder, cone, faces };
     Kind kind = Kind::ball;
-    physics::Vec3 axis = {};                // of capsules and cylinders, unit
+    physics::Vec3 axis = {};                // of what is round about one, unit
     double round = 0;                       // m^2, of the disc
     double side = 0;                        // m^2, of capsules and cylinders seen from aside
+    double radius = 0, height = 0;          // m, of cones
     std::vector<physics::Vec3> areas = {};  // m^2, outward, of flat faces
 };
 

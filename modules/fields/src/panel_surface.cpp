@@ -56,7 +56,7 @@ PanelSurface of_hull(const ConvexHull& hull) {
 struct Ring {
     double y, radius;
 };
-constexpr std::uint32_t around = 16;
+constexpr std::uint32_t around = 12;
 
 // Of rings from below upwards; the first and the last have radius 0.
 PanelSurface turned(const std::vector<Ring>& rings, double volume) {

@@ -24,7 +24,7 @@ struct PanelSurface {
     physics::Vec3 axis = {0, 1, 0};  // unit
 };
 
-// In the frame in which `pose` places it. Exact for boxes and hulls. Of what is round, 16 panels
+// In the frame in which `pose` places it. Exact for boxes and hulls. of what is round, 12 panels
 // run about the axis, so far out that they hold the shape's volume. A compound gives one surface
 // for each child. Planes, meshes and height fields have none.
 std::vector<PanelSurface> panel_surfaces(const physics::Geometry& geometry,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "water_load.h"
 
+#include <algorithm>
 #include <array>
 
 #include "wave_train.h"
@@ -62,42 +63,61 @@ Vec3 true_torque(const PanelSurface& surface, const Load& load, Vec3 force, Vec3
     return torque - axis * dot(torque - cross(arm, force), axis);
 }
 
+// The mean of the water's velocity where the body is wet. Of one that is short against the waves
+// that in the middle; else that of some vertices.
+Vec3 mean_flow(const WaveTrain& train, const Load& load, const WaterScratch& scratch) {
+    const std::vector<double>& depth = scratch.pressure.depth;
+    Vec3 middle;
+    double wet = 0;
+    for (std::size_t k = 0; k < depth.size(); k++)
+        if (depth[k] > 0) middle += scratch.arms[k], wet++;
+    const WaveTrain::Sample sample = train.at(load.body.center + middle * (1 / wet));
+    if (sample.depth > 0 && 8 * load.record.reach < train.shortest()) return sample.velocity;
+    const std::size_t stride = 1 + depth.size() / 12;
+    Vec3 sum;
+    double count = 0;
+    for (std::size_t k = 0; k<depth.size(); k += depth[k]> 0 ? stride : 1) {
+        if (!(depth[k] > 0)) continue;
+        sum += train.at(load.body.center + scratch.arms[k]).velocity;
+        count++;
+    }
+    return sum * (1 / count);
+}
+
+void add_wet_panels(const PanelSurface& surface, const WaterScratch& scratch, WaterSums& sums,
+                    std::vector<WaterScratch::Wet>& wet) {
+    const std::vector<double>& depths = scratch.pressure.depth;
+    const std::vector<double>& heads = scratch.pressure.head;
+    for (const auto& t : surface.triangles) {
+        const std::array<double, 3> depth{depths[t[0]], depths[t[1]], depths[t[2]]};
+        const std::array<Corner, 3> corners{{{scratch.arms[t[0]], heads[t[0]]},
+                                             {scratch.arms[t[1]], heads[t[1]]},
+                                             {scratch.arms[t[2]], heads[t[2]]}}};
+        if (depth[0] > 0 && depth[1] > 0 && depth[2] > 0)
+            add_triangle(corners[0], corners[1], corners[2], sums, wet);
+        else if (depth[0] > 0 || depth[1] > 0 || depth[2] > 0)
+            add_clipped(corners, depth, sums, wet);
+    }
+}
+
 void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load& load,
                  WaterScratch& scratch, WaterSums& sums) {
-    const std::size_t count = surface.vertices.size();
-    scratch.arms.resize(count), scratch.depth.resize(count), scratch.head.resize(count);
     const Mat3 axes = to_matrix(load.body.pose.rotation);
     const Vec3 origin = load.body.pose.position - load.body.center;
-    Vec3 flow;
-    double wet_vertices = 0;
-    for (std::size_t k = 0; k < count; k++) {
-        scratch.arms[k] = origin + axes * surface.vertices[k];
-        const WaveTrain::Sample sample = train.at(load.body.center + scratch.arms[k]);
-        scratch.depth[k] = sample.depth;
-        scratch.head[k] = sample.head;
-        if (!(sample.depth > 0)) continue;
-        flow += sample.velocity;
-        wet_vertices++;
-    }
-    if (wet_vertices == 0) return;
+    scratch.arms.clear();
+    for (const Vec3 vertex : surface.vertices) scratch.arms.push_back(origin + axes * vertex);
+    train.press(load.body.center, scratch.arms, load.record.reach + length(origin),
+                scratch.pressure);
+    const std::vector<double>& depth = scratch.pressure.depth;
+    const auto wet = std::ranges::count_if(depth, [](double d) { return d > 0; });
+    if (wet == 0) return;
     WaterSums own;
-    const bool is_under = wet_vertices == static_cast<double>(count);
-    for (const auto& t : surface.triangles) {
-        const std::array<Corner, 3> corners{{{scratch.arms[t[0]], scratch.head[t[0]]},
-                                             {scratch.arms[t[1]], scratch.head[t[1]]},
-                                             {scratch.arms[t[2]], scratch.head[t[2]]}}};
-        const std::array<double, 3> depth{scratch.depth[t[0]], scratch.depth[t[1]],
-                                          scratch.depth[t[2]]};
-        if (is_under || (depth[0] > 0 && depth[1] > 0 && depth[2] > 0))
-            add_triangle(corners[0], corners[1], corners[2], own, scratch.wet);
-        else if (depth[0] > 0 || depth[1] > 0 || depth[2] > 0)
-            add_clipped(corners, depth, own, scratch.wet);
-    }
+    add_wet_panels(surface, scratch, own, scratch.wet);
     sums.force += own.force;
     sums.torque += true_torque(surface, load, own.force, own.torque);
-    // The mean over what is wet of it; of several surfaces by their areas.
-    sums.flow += flow * (surface.area / static_cast<double>(count));
-    sums.area += wet_vertices * surface.area / static_cast<double>(count);
+    const double area = surface.area * static_cast<double>(wet) / static_cast<double>(depth.size());
+    sums.flow += mean_flow(train, load, scratch) * area;
+    sums.area += area;
 }
 
 // A ball that is small against the waves, in closed form: the part of it that is below the tangent

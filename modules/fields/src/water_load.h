@@ -19,8 +19,7 @@ struct WaterScratch {
         physics::Vec3 arm;   // m: its middle from the centre of mass
     };
     std::vector<physics::Vec3> arms;  // of a surface's vertices from the centre of mass, m
-    std::vector<double> depth;        // m below the surface over each; < 0: dry
-    std::vector<double> head;         // m of water
+    WaveTrain::Pressure pressure;     // there
     std::vector<Wet> wet;
     double wet_balls = 0;  // m^2, their discs
 };

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "jostle/modules/waves.h"
 
@@ -24,6 +26,16 @@ public:
         physics::Vec3 lift = {};
     };
     Sample at(physics::Vec3 point) const;
+
+    // Of many points about a center, no further from it than `reach` (m): at(center + arm) to 1e-7
+    // of a wave's amplitude. Memory used again.
+    struct Pressure {
+        std::vector<double> depth, head;  // as in Sample; the head of dry points has no meaning
+        std::vector<double> crest;        // m, of one wave after the other
+    };
+    void press(physics::Vec3 center, std::span<const physics::Vec3> arms, double reach,
+               Pressure& pressure) const;
+
     double shortest() const;                          // m, of all waves; 1e30 without
     double highest() const { return level_ + sum_; }  // m, y that no crest passes
 
@@ -33,6 +45,10 @@ private:
         double x, z;                      // heading
         double turn;                      // rad, of the moment
     };
+    static void swing(const Component& wave, physics::Vec3 center,
+                      std::span<const physics::Vec3> arms, double reach, double* crest);
+    static void fade(const Component& wave, std::span<const double> depth, const double* crest,
+                     double* head);
     std::array<Component, wave_components_max> components_ = {};
     std::size_t count_ = 0;
     double level_ = 0, sum_ = 0;

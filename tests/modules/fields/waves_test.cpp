@@ -72,6 +72,28 @@ TEST(Waves, crests_run_with_the_speed_of_deep_water) {
     EXPECT_NEAR(deep.x, 0.5 * omega / std::exp(1.0), 1e-10);
 }
 
+TEST(Waves, press_on_many_points_as_on_one) {
+    const Waves waves{.level = 0.2,
+                      .components = {{.amplitude = 0.4, .length = 9, .heading = 0.4},
+                                     {.amplitude = 0.1, .length = 2, .heading = -1, .phase = 2}}};
+    const fields_detail::WaveTrain train(waves, g, 3.3);
+    test::Random random(12);
+    for (const double reach : {0.2, 0.5, 2.0, 6.0}) {
+        std::vector<Vec3> arms;
+        for (int k = 0; k < 50; k++) arms.push_back(random.direction() * random.in(0, reach));
+        const Vec3 center{random.in(-50, 50), random.in(-1, 0.5), random.in(-50, 50)};
+        fields_detail::WaveTrain::Pressure pressure;
+        train.press(center, arms, reach, pressure);
+        for (std::size_t k = 0; k < arms.size(); k++) {
+            const auto one = train.at(center + arms[k]);
+            EXPECT_NEAR(pressure.depth[k], one.depth, 1e-7);
+            if (one.depth > 0) {
+                EXPECT_NEAR(pressure.head[k], one.head, 1e-7);
+            }
+        }
+    }
+}
+
 // The pressure's part by a wave on a small body is - grad of the dynamic pressure times its volume
 // (Froude and Krylov).
 TEST(Waves, push_a_small_body_by_the_gradient_of_their_pressure) {

@@ -27,8 +27,8 @@ inline constexpr std::size_t wave_components_max = 8;
 
 // A fluid that carries bodies. Pressure on each panel of a body's surface that is under water,
 // clipped at the waterline: in still water the lift is the weight of what is displaced, exact for
-// boxes and hulls of any size. Round shapes have 16 panels about their axis, which hold their exact
-// volume: upright they float exactly, and lying within 2 % of their radius. Balls smaller than an
+// boxes and hulls of any size. Round shapes have 12 panels about their axis, which hold their exact
+// volume: upright they float exactly, and lying within 1 % of their radius. Balls smaller than an
 // eighth of the shortest wave are cut by the tangent plane of the surface, in closed form.
 //
 // Along waves panels are at most an eighth of the shortest wave long, or as many as `panels_max`

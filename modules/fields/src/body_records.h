@@ -49,6 +49,9 @@ public:
 
     // Before the first sub-step of a group, with the world as it was when the step began.
     void refresh(const physics::World& world, std::span<const physics::BodyId> bodies);
+    bool has(physics::BodyId body) const {
+        return body.index < records_.size() && records_[body.index].body == body;
+    }
     // Of a body that was refreshed in this step.
     const BodyRecord& of(physics::BodyId body) const { return records_[body.index]; }
 

@@ -74,6 +74,35 @@ void push(const UserField& user, const UserForce& force, Load& load) {
     if (is_finite(impulse)) load.push(impulse);
 }
 
+// Whether what pushes the body is other in another moment, by as much as is noticeable. (Attracting
+// bodies wake whom they come near: follow_targets.)
+struct ChangesLoad {
+    const BodyState& body;
+    const fields_detail::BodyRecord& record;
+
+    bool operator()(const Central&) const { return false; }
+    // The area along any direction is at most the sum of those along three axes.
+    bool operator()(const Turbulence& t) const {
+        if (t.speed == 0 || t.rate == 0) return false;
+        const double area = fields_detail::shown_area(record, {1, 0, 0}) +
+                            fields_detail::shown_area(record, {0, 1, 0}) +
+                            fields_detail::shown_area(record, {0, 0, 1});
+        const double fastest = length(t.wind) + 3 * t.speed;
+        return 0.5 * t.density * t.drag * area * fastest * fastest > noticeable * body.mass;
+    }
+    bool operator()(const UserField& user) const { return !user.steady; }
+    bool operator()(const Waves& waves) const {
+        double highest = 0;
+        for (const WaveComponent& wave : waves.components) highest += wave.amplitude;
+        return highest > 0 && body.pose.position.y - record.reach < waves.level + highest;
+    }
+};
+
+bool changes_load_of(const FieldLaw& law, const BodyState& body,
+                     const fields_detail::BodyRecord& record) {
+    return std::visit(ChangesLoad{body, record}, law);
+}
+
 // Panels that suit the shortest wave of all waters; 0: there is no water.
 template <class Entries>
 double longest_panel(const Entries& entries) {
@@ -180,29 +209,22 @@ void Fields::explode_due(World& world) {
     }
 }
 
-// What a load reaches that changes with time does not stay asleep.
+// What is loaded by something that changes with time does not stay asleep. Those that fell asleep
+// were awake in this step, so they have records.
 void Fields::after_step(World& world, double) {
     if (entries_.empty()) return;
     const std::vector<BodyId> asleep(world.events().fell_asleep.begin(),
                                      world.events().fell_asleep.end());
     for (const BodyId id : asleep) {
         const Result<BodyState> body = world.body(id);
-        if (!body.ok() || body->awake) continue;
+        if (!body.ok() || body->awake || !memory_->records.has(id)) continue;
+        const fields_detail::BodyRecord& record = memory_->records.of(id);
         for (const Entry& entry : entries_)
-            if (is_unsteady(entry) && holds(entry.field.volume, body->center) &&
-                (fields_detail::categories_of(world, id) & entry.field.mask) != 0)
+            if ((record.categories & entry.field.mask) != 0 &&
+                holds(entry.field.volume, body->center) &&
+                changes_load_of(entry.field.law, *body, record))
                 static_cast<void>(world.wake(id));
     }
-}
-
-bool Fields::is_unsteady(const Entry& entry) {
-    if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law))
-        return turbulence->speed > 0 && turbulence->rate > 0;
-    if (const auto* user = std::get_if<UserField>(&entry.field.law)) return !user->steady;
-    if (const auto* waves = std::get_if<Waves>(&entry.field.law))
-        return std::ranges::any_of(waves->components,
-                                   [](const WaveComponent& wave) { return wave.amplitude > 0; });
-    return false;  // attracting bodies wake whom they come near: follow_targets
 }
 
 }  // namespace jostle::modules

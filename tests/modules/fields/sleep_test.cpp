@@ -57,15 +57,31 @@ TEST(Sleep, adding_changing_and_removing_a_field_wakes_its_volume) {
     EXPECT_TRUE(wakes_inside_alone());
 }
 
-TEST(Sleep, what_changing_loads_reach_does_not_fall_asleep) {
+TEST(Sleep, what_changing_loads_push_noticeably_does_not_fall_asleep) {
     World world = test::make_world();
     test::add_floor(world);
-    const BodyId inside = test::add(world, {.position = {0, 0.5, 0}});
-    const BodyId outside = test::add(world, {.position = {30, 0.5, 0}});
+    const Geometry plate = Box{{0.5, 0.5, 0.02}};
+    const BodyId light =
+        test::add(world, {.geometry = plate, .position = {0, 0.5, 0}, .density = 100});
+    const BodyId outside =
+        test::add(world, {.geometry = plate, .position = {30, 0.5, 0}, .density = 100});
+    const BodyId heavy = test::add(world, {.position = {2, 0.5, 0}});
+    const BodyId dry = test::add(world, {.position = {-2, 0.5, 0}});
     add_field(world, {.law = Turbulence{.speed = 1}, .volume = SphereVolume{.radius = 5}});
+    add_field(world, {.law = Waves{.level = -1, .components = {{.amplitude = 0.3}}}});
     test::run(world, 3);
-    EXPECT_TRUE(test::state_of(world, inside).awake);
+    EXPECT_TRUE(test::state_of(world, light).awake);
     EXPECT_FALSE(test::state_of(world, outside).awake);
+    EXPECT_FALSE(test::state_of(world, heavy).awake);
+    EXPECT_FALSE(test::state_of(world, dry).awake);
+}
+
+TEST(Sleep, what_floats_in_waves_does_not_fall_asleep) {
+    World world = test::make_world();
+    const BodyId raft = test::add(world, {.geometry = Box{{1, 0.1, 1}}, .density = 400});
+    add_field(world, {.law = Waves{.components = {{.amplitude = 0.002, .length = 60}}}});
+    test::run(world, 20);
+    EXPECT_TRUE(test::state_of(world, raft).awake);
 }
 
 }  // namespace

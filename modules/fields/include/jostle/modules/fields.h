@@ -5,7 +5,8 @@
 // charges that go off at a set time. Evaluated in every sub-step where the body then is.
 //
 // Like the solver's fields they wake nobody by themselves. To add, change or remove one wakes what
-// is in its volume. What a load reaches that changes with time does not fall asleep.
+// is in its volume. What a load that changes with time pushes noticeably (by more than 0.05 m/s^2)
+// does not fall asleep.
 //
 //     auto fields = std::make_unique<Fields>();
 //     fields->add(world, {.law = Turbulence{.wind = {6, 0, 0}}}).value();
@@ -81,7 +82,6 @@ private:
     void act(std::size_t at, fields_detail::Load& load);
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
-    static bool is_unsteady(const Entry& entry);
     Entry* find(FieldKey key);
     void visit_entry(physics::StateVisitor& v, Entry& entry);
 

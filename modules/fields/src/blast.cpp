@@ -8,6 +8,7 @@
 #include "blast_points.h"
 #include "body_records.h"
 #include "field_checks.h"
+#include "jostle/physics/limits.h"
 
 namespace jostle::modules {
 
@@ -79,6 +80,22 @@ private:
     std::vector<ShapeId> around_;  // that hold the centre
 };
 
+// Of what it would get; 1: all. No more than a caller may apply to a world, either.
+double share_allowed(const Explosion& e, const BlastPush& push, double mass) {
+    constexpr double most_impulse = 1e11;  // N s, N m s
+    const double most_speed = e.most_speed > 0 ? e.most_speed : limits::max_speed;
+    const double impulse = length(push.impulse), turn = length(push.angular_impulse);
+    double share = 1;
+    if (impulse > most_speed * mass) share = most_speed * mass / impulse;
+    if (impulse * share > most_impulse) share = most_impulse / impulse;
+    if (turn * share > most_impulse) share = most_impulse / turn;
+    return share;
+}
+
+bool is_within(Vec3 p, double most) {
+    return absolute(p.x) <= most && absolute(p.y) <= most && absolute(p.z) <= most;
+}
+
 struct Target {
     BodyState body;
     double distance;  // m, of its centre of mass
@@ -98,6 +115,7 @@ std::vector<Target> targets_of(const World& world, const Queries& queries, const
     for (const BodyId id : bodies) {
         const auto body = world.body(id);
         if (!body.ok() || body->type != BodyType::dynamic) continue;
+        if (!is_within(body->center, limits::max_coordinate)) continue;
         if ((fields_detail::categories_of(world, id) & e.mask) == 0) continue;
         targets.push_back({*body, length(body->center - center)});
     }
@@ -141,11 +159,9 @@ struct Blast {
                      shape->geometry, compose(body.pose, shape->pose), points))
                 add(point, id, is_compound, push);
         }
-        const double speed = length(push.impulse) / body.mass;
-        if (explosion.most_speed > 0 && speed > explosion.most_speed) {
-            push.impulse *= explosion.most_speed / speed;
-            push.angular_impulse *= explosion.most_speed / speed;
-        }
+        const double most = share_allowed(explosion, push, body.mass);
+        push.impulse *= most;
+        push.angular_impulse *= most;
         return push;
     }
 };

@@ -166,6 +166,11 @@ TEST(Blast, keeps_to_its_mask_its_reach_and_its_speed) {
     explosion.most_speed = 20;
     EXPECT_NEAR(length(push_on(world, explosion, plate).impulse),
                 20 * test::state_of(world, plate).mass, 1e-6);
+    explosion.most_speed = 0;
+    explosion.strength = 1e9;
+    test::must(explode(world, explosion));
+    EXPECT_LE(length(test::velocity_of(world, plate)), 1e4 * (1 + 1e-12))
+        << "as any caller may give";
     explosion.mask = 2;
     EXPECT_TRUE(test::must(measure_blast(world, explosion)).empty());
     explosion.mask = 1;

@@ -32,7 +32,8 @@ struct Explosion {
     double standoff = 0;
     std::uint32_t points = 64;        // of each shape, about; 6 to 1024
     std::uint32_t mask = 0xffffffff;  // pushes bodies one of whose shapes has a category in it
-    double most_speed = 0;            // m/s that it may give a body, 0 to 1e4; 0: any
+    // m/s that it may give a body, 0 to 1e4; 0: 1e4.
+    double most_speed = 0;
 
     bool operator==(const Explosion&) const = default;
 };

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "nearest_velocity.h"
+
+#include <optional>
+
+#include "jostle/physics/mat3.h"
+
+namespace jostle::modules::character_detail {
+namespace {
+
+using namespace physics;
+
+constexpr double tolerance = 1e-9;  // m/s
+
+// The first so many planes; what is flat counts once.
+using Planes = std::span<const VelocityPlane>;
+
+bool allowed(Vec3 v, Planes planes) {
+    for (const VelocityPlane& plane : planes)
+        if (dot(plane.normal, v) < plane.least - tolerance * (1 + absolute(plane.least)))
+            return false;
+    return true;
+}
+
+// Nearest to `wanted` on one plane, if the plane pushes.
+std::optional<Vec3> on_one(Vec3 wanted, const VelocityPlane& a) {
+    const double push = a.least - dot(a.normal, wanted);
+    if (push <= 0) return std::nullopt;
+    return wanted + a.normal * push;
+}
+
+// ... on the line of two, if both push.
+std::optional<Vec3> on_two(Vec3 wanted, const VelocityPlane& a, const VelocityPlane& b) {
+    const double c = dot(a.normal, b.normal), det = 1 - c * c;
+    if (det < 1e-9) return std::nullopt;
+    const double ra = a.least - dot(a.normal, wanted), rb = b.least - dot(b.normal, wanted);
+    const double pa = (ra - c * rb) / det, pb = (rb - c * ra) / det;
+    if (pa < 0 || pb < 0) return std::nullopt;
+    return wanted + a.normal * pa + b.normal * pb;
+}
+
+// ... in the corner of three, if all push.
+std::optional<Vec3> in_corner(Vec3 wanted, const VelocityPlane& a, const VelocityPlane& b,
+                              const VelocityPlane& c) {
+    // v solves N v = least, where N has the normals as rows; the pushes p solve N^T p = v - wanted.
+    const Mat3 normals{a.normal, b.normal, c.normal};  // as columns
+    if (absolute(determinant(normals)) < 1e-6) return std::nullopt;
+    const Vec3 v = inverse(transpose(normals)) * Vec3{a.least, b.least, c.least};
+    const Vec3 push = inverse(normals) * (v - wanted);
+    if (push.x < 0 || push.y < 0 || push.z < 0) return std::nullopt;
+    return v;
+}
+
+// Where the planes contradict each other: each in turn, a few times.
+Vec3 compromise(Vec3 v, Planes planes) {
+    for (int round = 0; round < 8; round++)
+        for (const VelocityPlane& plane : planes)
+            v += plane.normal * maximum(0, plane.least - dot(plane.normal, v));
+    return v;
+}
+
+}  // namespace
+
+// By convexity the first that is allowed and that all its planes push is the nearest of all
+// (Karush, Kuhn, Tucker).
+Vec3 nearest_velocity(Vec3 wanted, Planes planes) {
+    planes = planes.first(planes.size() < velocity_planes_max ? planes.size()
+                                                              : velocity_planes_max);
+    if (allowed(wanted, planes)) return wanted;
+    const std::size_t n = planes.size();
+    for (std::size_t a = 0; a < n; a++)
+        if (const auto v = on_one(wanted, planes[a]); v && allowed(*v, planes)) return *v;
+    for (std::size_t a = 0; a < n; a++)
+        for (std::size_t b = a + 1; b < n; b++)
+            if (const auto v = on_two(wanted, planes[a], planes[b]); v && allowed(*v, planes))
+                return *v;
+    for (std::size_t a = 0; a < n; a++)
+        for (std::size_t b = a + 1; b < n; b++)
+            for (std::size_t c = b + 1; c < n; c++)
+                if (const auto v = in_corner(wanted, planes[a], planes[b], planes[c]);
+                    v && allowed(*v, planes))
+                    return *v;
+    return compromise(wanted, planes);
+}
+
+}  // namespace jostle::modules::character_detail

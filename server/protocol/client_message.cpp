@@ -70,6 +70,18 @@ Result<Action> action_of(const v1::ImpulseInput& impulse) {
     return Action{command};
 }
 
+Result<Action> action_of(const v1::ControlInput& control) {
+    ControlCommand command;
+    auto& axes = command.controls.axes;
+    if (control.axes_size() > static_cast<int>(axes.size()))
+        return invalid_argument(fmt::format("control.axes has {} entries; at most {} are allowed",
+                                            control.axes_size(), axes.size()));
+    for (int k = 0; k < control.axes_size(); k++)
+        axes[static_cast<std::size_t>(k)] = control.axes(k) / 1000.0;
+    command.controls.buttons = control.buttons();
+    return Action{command};
+}
+
 Result<Action> action_of(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kSpawn:
@@ -87,6 +99,10 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::kExplode:
             return Action{ExplodeCommand{to_vector(input.explode().center()),
                                          input.explode().radius(), input.explode().speed()}};
+        case v1::Input::kPossess:
+            return Action{PossessCommand{input.possess().entity()}};
+        case v1::Input::kControl:
+            return action_of(input.control());
         case v1::Input::KIND_NOT_SET:
             break;
     }

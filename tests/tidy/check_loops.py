@@ -17,9 +17,8 @@ KNOWN = []
 
 
 def pair_of(path):
-    """The name that a header shares with its source: the client library and modules have them in two folders."""
-    name = str(pathlib.PurePath(path).with_suffix("")).replace("clients/cpp/include/jostle/client/", "clients/cpp/src/")
-    return name.replace("/include/jostle/modules/", "/src/")
+    """The name that a header shares with its source: the client library has them in two folders."""
+    return str(pathlib.PurePath(path).with_suffix("")).replace("clients/cpp/include/jostle/client/", "clients/cpp/src/")
 
 
 def arrows(root):

@@ -51,7 +51,11 @@ std::optional<Vec3> climb(const Surroundings& near, const Record& record, Vec3 f
     const double part = free_part(near, capsule, above, way);
     if (part * length(way) <= least) return std::nullopt;
     const double floor = from.y - 0.5 * current_height(record);
-    return put_down(near, record, above + way * part, rise + clearance, floor + step + 0.002);
+    const auto there =
+        put_down(near, record, above + way * part, rise + clearance, floor + step + 0.002);
+    // A step rises: on level floor what is left of the way is the clearance to a wall.
+    if (!there || there->y - from.y < 0.1 * part * length(way)) return std::nullopt;
+    return there;
 }
 
 }  // namespace jostle::modules::character_detail

@@ -2,23 +2,19 @@
 #include "push_body.h"
 
 namespace jostle::modules::character_detail {
-namespace {
-
 using namespace physics;
 
-// 1/kg: how easily a point of the body gives way along the normal. Turns that are locked, even
-// some, are taken as all locked.
-double compliance(const BodyState& body, Vec3 point, Vec3 normal) {
-    const Vec3 free{(body.locks & lock_x) != 0 ? 0.0 : normal.x,
-                    (body.locks & lock_y) != 0 ? 0.0 : normal.y,
-                    (body.locks & lock_z) != 0 ? 0.0 : normal.z};
-    double sum = length_squared(free) / body.mass;
-    if ((body.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) != 0) return sum;
-    const Vec3 arm = cross(point - body.center, normal);
-    return sum + dot(arm, inverse(body.inertia) * arm);
+// Turns that are locked, even some, are taken as all locked.
+double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
+    if (!(body.mass > 0)) return 0;
+    const Vec3 free{(body.locks & lock_x) != 0 ? 0.0 : direction.x,
+                    (body.locks & lock_y) != 0 ? 0.0 : direction.y,
+                    (body.locks & lock_z) != 0 ? 0.0 : direction.z};
+    const double straight = length_squared(free) / body.mass;
+    if ((body.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) != 0) return straight;
+    const Vec3 arm = cross(point - body.center, direction);
+    return straight + dot(arm, inverse(body.inertia) * arm);
 }
-
-}  // namespace
 
 double push_body(World& world, const Contact& contact, double mass, Push& push) {
     const Result<BodyState> body = world.body(contact.body);

@@ -14,6 +14,9 @@ struct Push {
     double effort = 0;     // N s that are left of it
 };
 
+// 1/kg: how easily a point of the body gives way along a unit direction; 0 where nothing moves it.
+double compliance(const physics::BodyState& body, physics::Vec3 point, physics::Vec3 direction);
+
 // The impulse along -normal that the character gives, N s; it was applied to the body, and taken
 // off the effort. 0: they do not close.
 double push_body(physics::World& world, const Contact& contact, double mass, Push& push);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "steering.h"
 
+#include "push_body.h"
 #include "surroundings.h"
 
 namespace jostle::modules::character_detail {
@@ -104,6 +105,16 @@ void press_ground(World& world, Record& record, Vec3 impulse) {
     if (!ground.ok() || ground->type != BodyType::dynamic) return;
     if (world.apply_impulse(record.ground_body, impulse, record.ground_point).ok())
         record.given += impulse;
+}
+
+Vec3 push_off(World& world, Record& record, Vec3 change) {
+    const double size = length(change), mass = record.abilities.mass;
+    const Result<BodyState> ground = world.body(record.ground_body);
+    if (!ground.ok() || ground->type != BodyType::dynamic || size < 1e-9) return change;
+    const double give =
+        1 / (1 / mass + compliance(*ground, record.ground_point, change * (1 / size)));
+    press_ground(world, record, change * -give);
+    return change * (give / mass);
 }
 
 Quat attitude(const Record& record) {

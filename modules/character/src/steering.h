@@ -31,6 +31,10 @@ physics::Vec3 carried_velocity(const physics::World& world, const Record& record
 // N s to the ground, if that can move.
 void press_ground(physics::World& world, Record& record, physics::Vec3 impulse);
 
+// Sets off from the ground by a velocity over it, m/s: the ground, if it can move, gets the recoil.
+// What of it is the character's own, as seen by the world; the ground has the rest.
+physics::Vec3 push_off(physics::World& world, Record& record, physics::Vec3 change);
+
 physics::Quat attitude(const Record& record);
 
 }  // namespace jostle::modules::character_detail

@@ -77,14 +77,14 @@ private:
     }
     void stride(Vec3 walk) {
         const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
+        push_off(world_, self_, change);
+        carried_ = carried_velocity(world_, self_, self_.feet, dt_);
         now_ += change;
-        press_ground(world_, self_, change * -self_.abilities.mass);
         wanted_ = horizontal(now_);
     }
     void jump() {
-        now_ += carried_ + up * self_.abilities.jump_speed;
+        now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
         before_ = now_;
-        press_ground(world_, self_, up * (-self_.abilities.mass * self_.abilities.jump_speed));
         carried_ = {};
         grounded_ = false;
         self_.ground = GroundKind::in_air;
@@ -178,6 +178,14 @@ private:
         if (grounded_ && contact.body == self_.ground_body) return {};
         return contact.velocity - carried_;
     }
+    // ... as far as its motion is sure: what was just pushed may be held by others.
+    Vec3 surely(const Contact& contact) const {
+        for (const BodyState& body : pushed_)
+            if (body.id == contact.body)
+                return body.linear_velocity +
+                       cross(body.angular_velocity, contact.point - body.center) - carried_;
+        return relative(contact);
+    }
     // A wall to one who walks: else he would walk up what is too steep.
     void add(PlaneSet& set, const Contact& contact, double least) const {
         set.add(contact.normal, least);
@@ -191,7 +199,7 @@ private:
         for (const Contact& contact : contacts) {
             const double room = contact.gap - self_.skin;
             add(set, contact,
-                dot(contact.normal, relative(contact)) - maximum(room / left, -recovery_speed));
+                dot(contact.normal, surely(contact)) - maximum(room / left, -recovery_speed));
         }
         return set;
     }
@@ -224,6 +232,7 @@ private:
             if (!contact.dynamic) continue;
             const double closing = dot(contact.normal, contact.velocity - now_ - carried_);
             if (contact.gap - self_.skin > closing * left) continue;
+            remember(contact.body);
             Push push{before_ + carried_, now_ + carried_, effort_};
             const double impulse = push_body(world_, contact, self_.abilities.mass, push);
             if (impulse <= 0) continue;
@@ -233,9 +242,14 @@ private:
             now_ += change;
             last_ += change;
             self_.given -= contact.normal * impulse;
-            // What it stands on is held by others: it does not follow.
-            if (contact.normal.y < walkable_) refresh(contacts, contact.body);
+            refresh(contacts, contact.body);
         }
+    }
+    // How it moved before it was pushed.
+    void remember(BodyId id) {
+        for (const BodyState& body : pushed_)
+            if (body.id == id) return;
+        if (const Result<BodyState> body = world_.body(id); body.ok()) pushed_.push_back(*body);
     }
     void refresh(std::vector<Contact>& contacts, BodyId body) const {
         for (Contact& contact : contacts)
@@ -351,6 +365,7 @@ private:
     Vec3 carried_;  // m/s of that ground
     std::vector<Contact> contacts_;  // where it ends
     Footing footing_;
+    std::vector<BodyState> pushed_;  // as they were before
 };
 
 }  // namespace

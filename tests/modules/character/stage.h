@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include <cstdio>
 
 #include "jostle/modules/character.h"
 #include "support/near.h"
@@ -34,7 +34,9 @@ struct Stage {
 };
 
 inline void record(const char* name, double value) {
-    testing::Test::RecordProperty(name, std::to_string(value));
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    testing::Test::RecordProperty(name, text);
 }
 
 // A wide slab whose top is a plane through the origin that rises towards +x by the angle, rad.

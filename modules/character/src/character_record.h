@@ -40,6 +40,7 @@ struct Record {
     physics::ShapeId ground_shape;
     physics::Vec3 ground_normal, ground_point, ground_velocity;
     physics::Vec3 given;
+    physics::BodyId pushed;  // in the last step
 };
 
 struct Store {

@@ -56,6 +56,7 @@ void visit_ground(StateVisitor& v, Record& r) {
     visit_vector(v, "ground_point", r.ground_point, 1e8);
     visit_vector(v, "ground_velocity", r.ground_velocity, 1e9);
     visit_vector(v, "given", r.given, 1e15);
+    v.field("pushed", r.pushed);
 }
 
 void visit_record(StateVisitor& v, Record& r) {

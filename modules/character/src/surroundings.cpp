@@ -21,21 +21,32 @@ Vec3 velocity_of(const BodyState& body, const ShapeState& shape, Vec3 point) {
     return v;
 }
 
-Contact contact_of(const ContactManifold& manifold, const BodyState& body,
-                   const ShapeState& shape) {
-    Contact contact{.normal = -manifold.normal,
-                    .gap = manifold.points.front().gap,
-                    .point = {},
-                    .body = body.id,
-                    .shape = shape.id,
-                    .velocity = {},
-                    .dynamic = body.type == BodyType::dynamic};
+// The middle of a manifold; of what moves by itself also its points: one end of it may come closer
+// while the middle does not.
+void add_manifold(const ContactManifold& manifold, const BodyState& body, const ShapeState& shape,
+                  std::vector<Contact>& out) {
+    Contact middle{.normal = -manifold.normal,
+                   .gap = manifold.points.front().gap,
+                   .point = {},
+                   .body = body.id,
+                   .shape = shape.id,
+                   .velocity = {},
+                   .dynamic = body.type == BodyType::dynamic,
+                   .pushed = false};
     for (const auto& point : manifold.points) {
-        contact.gap = minimum(contact.gap, point.gap);
-        contact.point += point.position * (1.0 / static_cast<double>(manifold.points.size()));
+        middle.gap = minimum(middle.gap, point.gap);
+        middle.point += point.position * (1.0 / static_cast<double>(manifold.points.size()));
     }
-    contact.velocity = velocity_of(body, shape, contact.point);
-    return contact;
+    middle.velocity = velocity_of(body, shape, middle.point);
+    out.push_back(middle);
+    if (!middle.dynamic || manifold.points.size() == 1) return;
+    for (const auto& point : manifold.points) {
+        Contact end = middle;
+        end.gap = point.gap;
+        end.point = point.position;
+        end.velocity = velocity_of(body, shape, end.point);
+        out.push_back(end);
+    }
 }
 
 void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 center,
@@ -48,7 +59,7 @@ void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 c
                                           compose(body->pose, shape->pose), reach);
     if (!manifolds.ok()) return;
     for (const ContactManifold& manifold : *manifolds)
-        out.push_back(contact_of(manifold, *body, *shape));
+        add_manifold(manifold, *body, *shape, out);
 }
 
 }  // namespace

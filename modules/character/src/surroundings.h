@@ -20,6 +20,7 @@ struct Contact {
     physics::ShapeId shape;
     physics::Vec3 velocity;   // m/s of the body at the point, its surface included
     bool dynamic = false;
+    bool pushed = false;  // in this step
 };
 
 struct Surroundings {

@@ -19,6 +19,7 @@ constexpr double look_around = 0.02;     // m beyond the skin: contacts of the n
 constexpr double recovery_speed = 3;     // m/s at which it leaves what came closer than the skin
 constexpr double leaving_speed = 0.05;   // m/s: who rises faster from a floor does not stand on it
 constexpr double furthest = 9e6;         // m from the origin, along each axis
+constexpr double skins_ahead = 3;
 constexpr int slides_most = 6;
 
 // Between the contacts of a moment and what they allow.
@@ -80,7 +81,7 @@ private:
         push_off(world_, self_, change);
         carried_ = carried_velocity(world_, self_, self_.feet, dt_);
         now_ += change;
-        wanted_ = horizontal(now_);
+        wanted_ = last_ = horizontal(now_);
     }
     void jump() {
         now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
@@ -100,6 +101,7 @@ private:
         }
         const Vec3 fall = world_.gravity() * dt_;
         last_ = now_ + fall;
+        before_ += fall;
         now_ += fall * 0.5;
     }
 
@@ -140,25 +142,26 @@ private:
     }
 
     // Goes until the skin touches what is first in the way, which becomes `met`. Returns how much
-    // of the motion that was.
+    // of the motion that was. Looks further ahead than it goes: the skin is to stay free as well.
     double advance(Vec3 motion, std::optional<Contact>& met) {
         met.reset();
-        const auto hit = near_.sweep(core_, center_, motion);
-        if (!hit) {
-            center_ += motion;
-            return 1;
-        }
-        const double size = length(motion), closing = -dot(hit->normal, motion) / size;
-        if (hit->fraction <= 0 && closing <= 0) {  // out of what it overlaps
-            const double part = minimum(1, self_.skin / size);
-            center_ += motion * part;
-            return part;
-        }
-        const double room = hit->fraction * size * maximum(closing, 0);  // m along the normal
-        const double part =
-            closing > 0 ? hit->fraction * maximum(0, 1 - self_.skin / maximum(room, 1e-12)) : 0;
+        const double size = length(motion), ahead = size + skins_ahead * self_.skin;
+        const Vec3 way = motion * (1 / size);
+        const auto hit = near_.sweep(core_, center_, way * ahead);
+        const double closing = hit ? -dot(hit->normal, way) : 0;
+        if (hit && closing <= 0 && hit->fraction <= 0)  // out of what it overlaps
+            return go(motion, minimum(1, self_.skin / size));
+        if (!hit) return go(motion, 1);
+        if (closing <= 0)  // grazes it
+            return go(motion, clamp(hit->fraction * ahead / size - 1e-6, 0, 1));
+        const double room = hit->fraction * ahead * closing;  // m along the normal
+        const double free = maximum(0, room - self_.skin) / closing;
+        if (free >= size) return go(motion, 1);
+        met = contact_with(*hit, room - free * closing);
+        return go(motion, free / size);
+    }
+    double go(Vec3 motion, double part) {
         center_ += motion * part;
-        met = contact_with(*hit, room - part * size * closing);
         return part;
     }
     Contact contact_with(const ShapeCastHit& hit, double gap) const {
@@ -169,7 +172,8 @@ private:
                 .body = hit.body,
                 .shape = hit.shape,
                 .velocity = surface_velocity(world_, hit.body, hit.shape, hit.point),
-                .dynamic = body.ok() && body->type == BodyType::dynamic};
+                .dynamic = body.ok() && body->type == BodyType::dynamic,
+                .pushed = false};
     }
 
     // --- what contacts allow ---
@@ -206,7 +210,7 @@ private:
     PlaneSet touching_planes(const std::vector<Contact>& contacts) const {
         PlaneSet set;
         for (const Contact& contact : contacts)
-            if (contact.gap - self_.skin < 0.5 * touch)
+            if (contact.dynamic ? contact.pushed : contact.gap - self_.skin < 0.5 * touch)
                 add(set, contact, dot(contact.normal, relative(contact)));
         return set;
     }
@@ -230,20 +234,28 @@ private:
     void push(std::vector<Contact>& contacts, double left) {
         for (Contact& contact : contacts) {
             if (!contact.dynamic) continue;
-            const double closing = dot(contact.normal, contact.velocity - now_ - carried_);
-            if (contact.gap - self_.skin > closing * left) continue;
+            const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
+            if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touch)) continue;
             remember(contact.body);
-            Push push{before_ + carried_, now_ + carried_, effort_};
-            const double impulse = push_body(world_, contact, self_.abilities.mass, push);
+            Push push{before_ + carried_, last_ + carried_, effort_, dt_, grounded_,
+                      !grounded_ || contact.body != self_.pushed};
+            const Given given = push_body(world_, contact, self_.abilities.mass, push);
+            const double impulse = given.impact + given.effort;
             if (impulse <= 0) continue;
-            const Vec3 change = push.now - carried_ - now_;
-            effort_ = push.effort;
-            before_ += change;
-            now_ += change;
-            last_ += change;
+            contact.pushed = true;
             self_.given -= contact.normal * impulse;
+            if (grounded_) press_ground(world_, self_, contact.normal * given.effort);
+            feel(push);
             refresh(contacts, contact.body);
+            contact.velocity -= contact.normal * given.gained;
         }
+    }
+    void feel(const Push& push) {
+        const Vec3 change = push.now - carried_ - last_;
+        effort_ = push.effort;
+        before_ += change;
+        now_ += change;
+        last_ += change;
     }
     // How it moved before it was pushed.
     void remember(BodyId id) {
@@ -338,6 +350,7 @@ private:
     }
 
     void finish() {
+        self_.pushed = pushed_.empty() ? BodyId{} : pushed_.front().id;
         const Vec3 feet = center_ - up * (0.5 * current_height(self_)), a = abs(feet);
         if (!is_finite(feet) || a.x > furthest || a.y > furthest || a.z > furthest)
             self_.velocity = {};  // at the end of the world

@@ -37,16 +37,21 @@ void know_ground(const World& world, Record& self, const Footing& footing, doubl
                                : Vec3{};
 }
 
-// m/s: along the floor with all of the horizontal velocity that is wanted, and against what gravity
-// does along it: its feet hold it.
-Vec3 change_on_ground(const World& world, const Record& self, Vec3 velocity, Vec3 walk,
-                      double dt) {
+// m/s: along the floor with all of the horizontal velocity that is wanted.
+Vec3 change_on_ground(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
     const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
     Vec3 change = effort(over, walk, self.abilities.ground_acceleration, dt);
     const Vec3 next = horizontal(over + change);
     change.y = -dot(horizontal(n), next) / n.y - over.y;
-    const Vec3 gravity = world.gravity();
-    return change - (gravity - n * dot(gravity, n)) * dt;
+    return change;
+}
+
+// Its feet hold it against what gravity does along the floor, all through the step.
+void hold(World& world, Record& self, const BodyState& body, double dt) {
+    const Vec3 n = self.ground_normal, gravity = world.gravity();
+    const Vec3 along = gravity - n * dot(gravity, n);
+    if (length(along) * dt < least_change) return;
+    static_cast<void>(world.apply_force(self.body, along * -body.mass, body.center));
 }
 
 Vec3 change_in_air(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
@@ -80,7 +85,8 @@ void rigid_step(World& world, Record& self, double dt) {
         change.y = self.abilities.jump_speed + self.ground_velocity.y - velocity.y;
         self.ground = GroundKind::in_air;
     } else if (self.ground == GroundKind::on_ground) {
-        change = change_on_ground(world, self, velocity, controls.walk, dt);
+        change = change_on_ground(self, velocity, controls.walk, dt);
+        hold(world, self, *body, dt);
         turn_along(world, self, dt);
     } else {
         change = change_in_air(self, velocity, controls.walk, dt);

@@ -66,6 +66,7 @@ public:
 private:
     // --- what it wants ---
     void steer(const CharacterControls& controls) {
+        if (self_.ground != GroundKind::on_ground) meet_ground();
         grounded_ = self_.ground == GroundKind::on_ground;
         before_ = now_ = self_.velocity;
         if (grounded_) carried_ = carried_velocity(world_, self_, self_.feet, dt_);
@@ -75,6 +76,16 @@ private:
             stride(controls.walk);
         if (!grounded_) fly(controls.walk);
         face(self_, controls.walk, dt_);
+    }
+    // A floor may have come up to it since the last step.
+    void meet_ground() {
+        last_ = self_.velocity;
+        footing_ = look_down();
+        if (footing_.kind != GroundKind::on_ground || leaves(footing_)) return;
+        self_.ground = footing_.kind;
+        know_ground();
+        self_.velocity =
+            horizontal(self_.velocity - carried_velocity(world_, self_, self_.feet, dt_));
     }
     void stride(Vec3 walk) {
         const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
@@ -149,8 +160,7 @@ private:
         const Vec3 way = motion * (1 / size);
         const auto hit = near_.sweep(core_, center_, way * ahead);
         const double closing = hit ? -dot(hit->normal, way) : 0;
-        if (hit && closing <= 0 && hit->fraction <= 0)  // out of what it overlaps
-            return go(motion, minimum(1, self_.skin / size));
+        if (hit && closing <= 0 && hit->fraction <= 0) return leave(motion, *hit);
         if (!hit) return go(motion, 1);
         if (closing <= 0)  // grazes it
             return go(motion, clamp(hit->fraction * ahead / size - 1e-6, 0, 1));
@@ -159,6 +169,15 @@ private:
         if (free >= size) return go(motion, 1);
         met = contact_with(*hit, room - free * closing);
         return go(motion, free / size);
+    }
+    // Out of what it overlaps: what moved into it.
+    double leave(Vec3 motion, const ShapeCastHit& overlap) {
+        const double size = length(motion);
+        const Result<BodyState> body = world_.body(overlap.body);
+        if (!body.ok() || body->type == BodyType::static_body)
+            return go(motion, minimum(1, self_.skin / size));
+        const auto hit = near_.sweep_past(core_, center_, motion, overlap.body);
+        return go(motion, hit ? maximum(0, hit->fraction - self_.skin / size) : 1);
     }
     double go(Vec3 motion, double part) {
         center_ += motion * part;

@@ -27,7 +27,7 @@ struct Record {
     CharacterAbilities abilities;
 
     CharacterControls controls;
-    bool jump_armed = true;  // the button was up since the last jump
+    bool jump_armed = true;                                // the button was up since the last jump
     double stroll = 0, stroll_turn = 0, stroll_angle = 0;  // m/s, rad/s, rad; 0 m/s: stands
     double heading = 0;
 

@@ -34,8 +34,7 @@ void visit_size(StateVisitor& v, Record& r) {
     bounded(v, "skin", r.skin, r.kind == CharacterKind::rigid ? 0 : skin_least, 0.5 * r.radius);
     bounded(v, "foot_height", r.foot_height, -1e4, 1e4);
     v.field("mask", r.mask);
-    for (const Ability& a : abilities_list)
-        bounded(v, a.name, r.abilities.*a.value, a.low, a.high);
+    for (const Ability& a : abilities_list) bounded(v, a.name, r.abilities.*a.value, a.low, a.high);
 }
 
 void visit_controls(StateVisitor& v, Record& r) {

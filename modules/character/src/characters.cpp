@@ -21,7 +21,8 @@ constexpr AxisLocks upright = lock_rotation_x | lock_rotation_y | lock_rotation_
 
 Error unknown(CharacterId id) {
     return {ErrorCode::not_found, "character {" + std::to_string(id.index) + ", " +
-                                      std::to_string(id.generation) + "} does not exist (any more)"};
+                                      std::to_string(id.generation) +
+                                      "} does not exist (any more)"};
 }
 
 Record record_of(const CharacterDef& def) {

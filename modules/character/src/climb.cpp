@@ -27,14 +27,15 @@ double free_part(const Surroundings& near, const Capsule& capsule, Vec3 from, Ve
 
 }  // namespace
 
-std::optional<Vec3> put_down(const Surroundings& near, const Record& record, Vec3 from,
-                             double drop, double floor_most) {
+std::optional<Vec3> put_down(const Surroundings& near, const Record& record, Vec3 from, double drop,
+                             double floor_most) {
     const Capsule capsule = with_skin(record);
     const Vec3 motion = up * -(drop + clearance);
     const auto hit = near.sweep(capsule, from, motion);
     if (!hit || hit->fraction <= 0 || hit->point.y > floor_most) return std::nullopt;
     const double lift = clearance / maximum(hit->normal.y, 0.5);  // back to the full skin
-    const Vec3 there = from + motion * hit->fraction + up * minimum(lift, -motion.y * hit->fraction);
+    const Vec3 there =
+        from + motion * hit->fraction + up * minimum(lift, -motion.y * hit->fraction);
     const Vec3 feet = there - up * (0.5 * current_height(record));
     const bool stands = hit->normal.y >= walkable_least(record) ||
                         is_step_edge(near, record, feet, hit->point, hit->normal);

@@ -64,8 +64,8 @@ Vec3 compromise(Vec3 v, Planes planes) {
 // By convexity the first that is allowed and that all its planes push is the nearest of all
 // (Karush, Kuhn, Tucker).
 Vec3 nearest_velocity(Vec3 wanted, Planes planes) {
-    planes = planes.first(planes.size() < velocity_planes_max ? planes.size()
-                                                              : velocity_planes_max);
+    planes =
+        planes.first(planes.size() < velocity_planes_max ? planes.size() : velocity_planes_max);
     if (allowed(wanted, planes)) return wanted;
     const std::size_t n = planes.size();
     for (std::size_t a = 0; a < n; a++)

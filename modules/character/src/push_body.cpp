@@ -39,7 +39,8 @@ Given push_body(World& world, const Contact& contact, double mass, Push& push) {
     if (closing <= 0 || !(soft > 0)) return {};
     Given given;
     if (push.meets)
-        given.impact = clamp(dot(n, contact.velocity - push.before), 0, closing) / (1 / mass + soft);
+        given.impact =
+            clamp(dot(n, contact.velocity - push.before), 0, closing) / (1 / mass + soft);
     const double left = closing - given.impact * (1 / mass + soft);
     given.effort = minimum(left / (push.footed ? soft : 1 / mass + soft), push.effort);
     if (!apply(world, contact, given, push)) return {};

@@ -9,10 +9,10 @@ namespace {
 
 using namespace physics;
 
-constexpr double touch = 0.01;           // m within which it stands
-constexpr double look_around = 0.03;     // m
-constexpr double leaving_speed = 0.5;    // m/s: a lift may brake by so much in a step
-constexpr double least_change = 1e-9;    // m/s: less does not keep it awake
+constexpr double touch = 0.01;         // m within which it stands
+constexpr double look_around = 0.03;   // m
+constexpr double leaving_speed = 0.5;  // m/s: a lift may brake by so much in a step
+constexpr double least_change = 1e-9;  // m/s: less does not keep it awake
 
 Footing stand(const World& world, Record& self, const BodyState& body) {
     const Surroundings near = surroundings_of(world, self);

@@ -49,8 +49,8 @@ void add_manifold(const ContactManifold& manifold, const BodyState& body, const 
     }
 }
 
-void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 center,
-                  double reach, std::vector<Contact>& out) {
+void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 center, double reach,
+                  std::vector<Contact>& out) {
     const Result<ShapeState> shape = world.shape(id);
     if (!shape.ok()) return;
     const Result<BodyState> body = world.body(shape->body);
@@ -58,8 +58,7 @@ void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 c
     const auto manifolds = collide_shapes(capsule, {center, {}}, shape->geometry,
                                           compose(body->pose, shape->pose), reach);
     if (!manifolds.ok()) return;
-    for (const ContactManifold& manifold : *manifolds)
-        add_manifold(manifold, *body, *shape, out);
+    for (const ContactManifold& manifold : *manifolds) add_manifold(manifold, *body, *shape, out);
 }
 
 }  // namespace

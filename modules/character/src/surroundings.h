@@ -13,12 +13,12 @@ namespace jostle::modules::character_detail {
 
 // One flat piece of something near a capsule.
 struct Contact {
-    physics::Vec3 normal;     // unit, towards the capsule
-    double gap = 0;           // m from the capsule, along the normal; negative: overlap
-    physics::Vec3 point;      // m, world
+    physics::Vec3 normal;  // unit, towards the capsule
+    double gap = 0;        // m from the capsule, along the normal; negative: overlap
+    physics::Vec3 point;   // m, world
     physics::BodyId body;
     physics::ShapeId shape;
-    physics::Vec3 velocity;   // m/s of the body at the point, its surface included
+    physics::Vec3 velocity;  // m/s of the body at the point, its surface included
     bool dynamic = false;
     bool pushed = false;  // in this step
 };

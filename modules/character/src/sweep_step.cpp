@@ -14,12 +14,12 @@ namespace {
 
 using namespace physics;
 
-constexpr double touch = 0.002;          // m beyond the skin within which it stands
-constexpr double look_around = 0.02;     // m beyond the skin: contacts of the next moment
-constexpr double recovery_speed = 3;     // m/s at which it leaves what came closer than the skin
-constexpr double leaving_speed = 0.05;   // m/s: who rises faster from a floor does not stand on it
-constexpr double furthest = 9e6;         // m from the origin, along each axis
-constexpr double skins_ahead = 3;
+constexpr double touch = 0.002;         // m beyond the skin within which it stands
+constexpr double look_around = 0.02;    // m beyond the skin: contacts of the next moment
+constexpr double recovery_speed = 3;    // m/s at which it leaves what came closer than the skin
+constexpr double leaving_speed = 0.05;  // m/s: who rises faster from a floor does not stand on it
+constexpr double furthest = 9e6;        // m from the origin, along each axis
+constexpr double skins_ahead = 2;
 constexpr int slides_most = 6;
 
 // Between the contacts of a moment and what they allow.
@@ -136,7 +136,7 @@ private:
         double left = dt_;
         std::optional<Contact> met;
         for (int k = 0; k < slides_most; k++) {
-            std::vector<Contact> contacts = near_.contacts(core_, center_, self_.skin + look_around);
+            std::vector<Contact> contacts = look();
             if (met) contacts.push_back(*met);
             push(contacts, left);
             if (grounded_) follow(contacts);
@@ -256,7 +256,11 @@ private:
             const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
             if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touch)) continue;
             remember(contact.body);
-            Push push{before_ + carried_, last_ + carried_, effort_, dt_, grounded_,
+            Push push{before_ + carried_,
+                      last_ + carried_,
+                      effort_,
+                      dt_,
+                      grounded_,
                       !grounded_ || contact.body != self_.pushed};
             const Given given = push_body(world_, contact, self_.abilities.mass, push);
             const double impulse = given.impact + given.effort;
@@ -285,21 +289,27 @@ private:
     void refresh(std::vector<Contact>& contacts, BodyId body) const {
         for (Contact& contact : contacts)
             if (contact.body == body)
-                contact.velocity =
-                    surface_velocity(world_, body, contact.shape, contact.point);
+                contact.velocity = surface_velocity(world_, body, contact.shape, contact.point);
     }
 
     // --- where it stands ---
+    // The contacts where it is now. Asked again only if it moved, or pushed somebody.
+    const std::vector<Contact>& look() {
+        if (!looked_ || looked_at_ != center_)
+            contacts_ = near_.contacts(core_, center_, self_.skin + look_around);
+        looked_ = pushed_.empty();
+        looked_at_ = center_;
+        return contacts_;
+    }
     Footing look_down() {
-        contacts_ = near_.contacts(core_, center_, self_.skin + look_around);
-        return footing_of(near_, self_, center_ - up * (0.5 * current_height(self_)), contacts_,
+        return footing_of(near_, self_, center_ - up * (0.5 * current_height(self_)), look(),
                           self_.skin + touch);
     }
     void find_ground() {
         Footing footing = look_down();
         if (grounded_ && footing.kind != GroundKind::on_ground) {
-            if (const auto there = put_down(near_, self_, center_, self_.abilities.floor_snap,
-                                            center_.y)) {
+            if (const auto there =
+                    put_down(near_, self_, center_, self_.abilities.floor_snap, center_.y)) {
                 center_ = *there;
                 footing = look_down();
             }
@@ -317,8 +327,9 @@ private:
     void settle(const Footing& footing) {
         const double gap = footing.gap - self_.skin;
         if (absolute(gap) < 1e-6 || footing.contact.y < 0.3) return;
-        const Vec3 motion = up * (-gap / footing.contact.y);
-        if (!near_.sweep(core_, center_, motion)) center_ += motion;
+        const double drop = gap / footing.contact.y;
+        // Nothing is as near as that. Upwards: within the skin.
+        if (contacts_.front().gap > absolute(drop)) center_.y -= drop;
     }
     void stand(const Footing& footing) {
         footing_ = footing;
@@ -394,8 +405,10 @@ private:
     bool grounded_ = false, walked_off_ = false;
     // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
     Vec3 before_, now_, last_, wanted_;
-    Vec3 carried_;  // m/s of that ground
-    std::vector<Contact> contacts_;  // where it ends
+    Vec3 carried_;                   // m/s of that ground
+    std::vector<Contact> contacts_;  // at looked_at_
+    Vec3 looked_at_;
+    bool looked_ = false;
     Footing footing_;
     std::vector<BodyState> pushed_;  // as they were before
 };

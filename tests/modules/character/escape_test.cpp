@@ -37,13 +37,12 @@ int escapes_of(const Geometry& geometry, int walks, std::uint64_t seed) {
     Stage stage;
     const BodyId ground = test::add_static(stage.world, {.geometry = geometry});
     test::Random random(seed);
-    const CharacterId hero = stage.add({.feet = {0, 8, 0},
-                                        .abilities = {.ground_acceleration = 1e4,
-                                                      .air_acceleration = 1e3}});
+    const CharacterId hero = stage.add(
+        {.feet = {0, 8, 0}, .abilities = {.ground_acceleration = 1e4, .air_acceleration = 1e3}});
     int escapes = 0;
     for (int walk = 0; walk < walks; walk++) {
-        test::must(stage.crowd->set_feet(stage.world, hero,
-                                         {random.in(-25, 25), 8, random.in(-25, 25)}));
+        test::must(
+            stage.crowd->set_feet(stage.world, hero, {random.in(-25, 25), 8, random.in(-25, 25)}));
         Vec3 velocity = random.vector(50);
         velocity.y = -absolute(velocity.y);  // not over the rim
         test::must(stage.crowd->set_velocity(stage.world, hero, velocity));

@@ -27,8 +27,8 @@ TEST(Ground, rays_and_others_see_its_capsule) {
     stage.walk(hero, {3, 0, 0});
     stage.run(1);
     const CharacterState state = stage.of(hero);
-    const auto hit = test::must(
-        stage.world.queries().cast_ray({state.feet + Vec3{0, 1, 5}, {0, 0, -10}}));
+    const auto hit =
+        test::must(stage.world.queries().cast_ray({state.feet + Vec3{0, 1, 5}, {0, 0, -10}}));
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(hit->body, state.body);
     EXPECT_NEAR(hit->point.z, 0.28, 1e-6) << "the radius less the skin";
@@ -108,9 +108,8 @@ TEST(Ground, walks_up_and_down_what_is_a_degree_less_steep_than_its_limit) {
         const double angle = radians(limit - 1);
         Stage stage;
         add_slope(stage.world, angle);
-        const CharacterId hero =
-            stage.add({.feet = feet_on_slope(angle, 0.3, 0),
-                       .abilities = {.slope_limit = radians(limit)}});
+        const CharacterId hero = stage.add(
+            {.feet = feet_on_slope(angle, 0.3, 0), .abilities = {.slope_limit = radians(limit)}});
         stage.run(0.1);
         const Vec3 stood = stage.of(hero).feet;
         EXPECT_TRUE(test::near(stood, feet_on_slope(angle, 0.3, 0), 0.003));
@@ -139,9 +138,8 @@ TEST(Ground, slides_down_what_is_a_degree_steeper_than_its_limit) {
             const double angle = radians(limit + 1);
             Stage stage;
             add_slope(stage.world, angle);
-            const CharacterId hero =
-                stage.add({.feet = feet_on_slope(angle, 0.3, 0),
-                           .abilities = {.slope_limit = radians(limit)}});
+            const CharacterId hero = stage.add({.feet = feet_on_slope(angle, 0.3, 0),
+                                                .abilities = {.slope_limit = radians(limit)}});
             stage.walk(hero, {walk, 0, 0});
             stage.run(0.2);
             EXPECT_EQ(stage.of(hero).ground, GroundKind::on_steep_ground);

@@ -23,8 +23,7 @@ Vec3 by_projections(Vec3 wanted, const std::vector<VelocityPlane>& planes) {
     for (int round = 0; round < 20000; round++)
         for (std::size_t k = 0; k < planes.size(); k++) {
             const Vec3 from = v + corrections[k];
-            v = from + planes[k].normal *
-                           maximum(0, planes[k].least - dot(planes[k].normal, from));
+            v = from + planes[k].normal * maximum(0, planes[k].least - dot(planes[k].normal, from));
             corrections[k] = from - v;
         }
     return v;
@@ -42,8 +41,8 @@ TEST(NearestVelocity, is_the_one_that_a_slow_search_finds) {
             planes.push_back({n, dot(n, inside) - random.in(0, 1)});
         }
         const Vec3 wanted = random.vector(6);
-        EXPECT_TRUE(test::near(nearest_velocity(wanted, planes), by_projections(wanted, planes),
-                               1e-4))
+        EXPECT_TRUE(
+            test::near(nearest_velocity(wanted, planes), by_projections(wanted, planes), 1e-4))
             << "trial " << trial;
     }
 }

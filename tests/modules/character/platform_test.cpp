@@ -40,9 +40,8 @@ Ride ride(CharacterKind kind, Vec3 spot, double seconds, PoseAt&& pose_at) {
         const Vec3 now = local();
         if (k == 30) start = now;  // it has found its feet
         if (k <= 30) continue;
-        worst.gap = maximum(worst.gap, absolute(now.y - (kind == CharacterKind::sweeping
-                                                             ? 0.5
-                                                             : start.y)));
+        worst.gap =
+            maximum(worst.gap, absolute(now.y - (kind == CharacterKind::sweeping ? 0.5 : start.y)));
         worst.drift = maximum(worst.drift, length(horizontal_part(now - start)));
         EXPECT_EQ(stage.of(hero).ground, GroundKind::on_ground);
     }
@@ -129,10 +128,10 @@ TEST(Platform, turns_with_the_turntable_and_keeps_its_speed_when_it_jumps_off) {
 
 TEST(Platform, a_belt_takes_it_along) {
     Stage stage;
-    test::must(stage.world.create_body(
-        {.type = BodyType::static_body},
-        {.geometry = Box{{50, 1, 5}}, .pose = {{0, -1, 0}, {}},
-         .material = {.surface_velocity = {2, 0, 0}}}));
+    test::must(stage.world.create_body({.type = BodyType::static_body},
+                                       {.geometry = Box{{50, 1, 5}},
+                                        .pose = {{0, -1, 0}, {}},
+                                        .material = {.surface_velocity = {2, 0, 0}}}));
     const CharacterId hero = stage.add({.feet = {0, 0, 0}});
     stage.run(1);
     const double start = stage.of(hero).feet.x;

@@ -20,10 +20,9 @@ TEST(Push, an_impact_keeps_momentum) {
         for (const double height : {0.0, 0.7})
             for (const double mass : {5.0, 40.0, 400.0}) {
                 Stage stage({.gravity = {}});
-                const BodyId crate =
-                    test::add(stage.world, {.geometry = Box{{0.4, 0.4, 0.4}},
-                                            .position = {2, 0.9 + height, 0},
-                                            .density = mass / 0.512});
+                const BodyId crate = test::add(stage.world, {.geometry = Box{{0.4, 0.4, 0.4}},
+                                                             .position = {2, 0.9 + height, 0},
+                                                             .density = mass / 0.512});
                 const CharacterId hero = stage.add(
                     {.feet = {0, 0, 0}, .velocity = {speed, 0, 0}, .abilities = {.mass = 80}});
                 const double before = momentum(stage, crate, hero, 80).x;
@@ -90,10 +89,9 @@ TEST(Push, is_as_strong_as_it_is_said_to_be) {
 TEST(Push, the_raft_on_which_it_sets_off_gets_the_recoil) {
     Stage stage({.gravity = {0, -9.81, 0}});
     test::add_floor(stage.world, 0);
-    const BodyId raft = test::add(stage.world, {.geometry = Box{{5, 0.25, 2}},
-                                                .position = {0, 0.25, 0},
-                                                .friction = 0,
-                                                .density = 80});
+    const BodyId raft = test::add(
+        stage.world,
+        {.geometry = Box{{5, 0.25, 2}}, .position = {0, 0.25, 0}, .friction = 0, .density = 80});
     const CharacterId hero = stage.add({.feet = {0, 0.5, 0}});
     stage.run(1);
     stage.walk(hero, {2, 0, 0});
@@ -106,17 +104,15 @@ TEST(Push, the_raft_on_which_it_sets_off_gets_the_recoil) {
 TEST(Push, a_seesaw_feels_its_weight) {
     Stage stage;
     test::add_floor(stage.world);
-    const BodyId plank = test::add(stage.world, {.geometry = Box{{3, 0.05, 0.5}},
-                                                 .position = {0, 1, 0},
-                                                 .density = 200});
+    const BodyId plank = test::add(
+        stage.world, {.geometry = Box{{3, 0.05, 0.5}}, .position = {0, 1, 0}, .density = 200});
     const BodyId post =
         test::add_static(stage.world, {.geometry = Box{{0.05, 0.4, 0.5}}, .position = {0, 0.4, 0}});
-    test::must(stage.world.create_joint(
-        {.body_a = post,
-         .body_b = plank,
-         .frame_a = {{0, 0.6, 0}, {}},
-         .frame_b = {{0, 0, 0}, {}},
-         .kind = HingeJoint{}}));
+    test::must(stage.world.create_joint({.body_a = post,
+                                         .body_b = plank,
+                                         .frame_a = {{0, 0.6, 0}, {}},
+                                         .frame_b = {{0, 0, 0}, {}},
+                                         .kind = HingeJoint{}}));
     const CharacterId hero = stage.add({.feet = {2.5, 1.06, 0}});
     stage.run(2);
     EXPECT_LT(apply(test::state_of(stage.world, plank).pose, {3, 0, 0}).y, 0.4);
@@ -126,7 +122,8 @@ TEST(Push, a_seesaw_feels_its_weight) {
 TEST(Push, two_characters_do_not_walk_through_each_other) {
     Stage stage;
     test::add_floor(stage.world);
-    const CharacterId left = stage.add({.feet = {-2, 0, 0}}), right = stage.add({.feet = {2, 0, 0}});
+    const CharacterId left = stage.add({.feet = {-2, 0, 0}}),
+                      right = stage.add({.feet = {2, 0, 0}});
     stage.walk(left, {3, 0, 0});
     stage.walk(right, {-3, 0, 0});
     stage.run(3);

@@ -57,7 +57,8 @@ TEST(Rigid, others_push_it) {
         stage.world, {.geometry = Sphere{0.3}, .position = {-3, 0.9, 0}, .velocity = {8, 0, 0}});
     const double mass = test::state_of(stage.world, ball).mass;
     stage.run(1);
-    const double sum = mass * test::velocity_of(stage.world, ball).x + 80 * stage.of(hero).velocity.x;
+    const double sum =
+        mass * test::velocity_of(stage.world, ball).x + 80 * stage.of(hero).velocity.x;
     EXPECT_GT(stage.of(hero).velocity.x, 1);
     EXPECT_NEAR(sum / (mass * 8), 1, 0.01);
 }

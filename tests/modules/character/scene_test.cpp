@@ -49,9 +49,9 @@ struct Cast {
 
     Cast() {
         test::add_floor(world);
-        walker = test::add(world, {.geometry = Capsule{0.28, 0.6},
-                                   .position = {0, 0.9, 0},
-                                   .type = BodyType::kinematic});
+        walker = test::add(
+            world,
+            {.geometry = Capsule{0.28, 0.6}, .position = {0, 0.9, 0}, .type = BodyType::kinematic});
         runner = test::add(world, {.geometry = Capsule{0.3, 0.6}, .position = {3, 0.9, 0}});
     }
     std::string complaint(const ModuleSettings& settings) {
@@ -69,9 +69,9 @@ TEST(Scene, bodies_become_characters_as_they_are) {
     EXPECT_EQ(walker.kind, CharacterKind::sweeping);
     EXPECT_NEAR(walker.feet.y, 0, 1e-9) << "the skin below the body";
     EXPECT_TRUE(cast.characters.takes_controls(cast.runner));
-    EXPECT_EQ(test::must(cast.characters.abilities(cast.characters.character_of(cast.runner)))
-                  .jump_speed,
-              6);
+    EXPECT_EQ(
+        test::must(cast.characters.abilities(cast.characters.character_of(cast.runner))).jump_speed,
+        6);
     EXPECT_FALSE(cast.characters.takes_controls({}));
 }
 
@@ -80,9 +80,8 @@ TEST(Scene, who_strolls_walks_in_circles_until_he_is_driven) {
     Cast cast;
     auto module = std::make_unique<Characters>();
     Characters& characters = *module;
-    test::must(characters.configure(cast.world,
-                                    {.numbers = {{"stroll", 2}, {"stroll_turn", 0.5}},
-                                     .bodies = {{"walker", cast.walker}}}));
+    test::must(characters.configure(cast.world, {.numbers = {{"stroll", 2}, {"stroll_turn", 0.5}},
+                                                 .bodies = {{"walker", cast.walker}}}));
     test::must(cast.world.add_module(std::move(module)));
     test::run(cast.world, 1);
     const Vec3 start = test::position_of(cast.world, cast.walker);

@@ -46,7 +46,7 @@ enum class GroundKind : std::uint8_t {
 
 // What a character is able to do.
 struct CharacterAbilities {
-    double mass = 80;          // kg, 1 to 1e4
+    double mass = 80;            // kg, 1 to 1e4
     double slope_limit = 0.873;  // rad, 0 to 1.5: walks up what is no steeper (0.873: 50 degrees)
     // m, 0 to 2. The round foot of a capsule rolls over what is lower than
     // radius * (1 - cos(slope_limit)) even with less.
@@ -61,11 +61,11 @@ struct CharacterAbilities {
 
 struct CharacterDef {
     CharacterKind kind = CharacterKind::sweeping;
-    physics::Vec3 feet = {};      // m: the lowest point
-    double heading = 0;           // rad about +y, from -z
-    physics::Vec3 velocity = {};  // m/s
-    double radius = 0.3;          // m, 0.05 to 5
-    double height = 1.8;          // m, 2 radius to 20
+    physics::Vec3 feet = {};       // m: the lowest point
+    double heading = 0;            // rad about +y, from -z
+    physics::Vec3 velocity = {};   // m/s
+    double radius = 0.3;           // m, 0.05 to 5
+    double height = 1.8;           // m, 2 radius to 20
     double crouched_height = 1.1;  // m, 2 radius to height
     // m, 0.002 to half the radius: how far a sweeping one stays from what it meets. Its body is
     // smaller by that on all sides, so the solver never presses it against anything.
@@ -88,10 +88,10 @@ struct CharacterControls {
 struct CharacterState {
     CharacterId id;
     CharacterKind kind = CharacterKind::sweeping;
-    physics::BodyId body;           // what others see
-    physics::Vec3 feet;             // m
-    double heading = 0;             // rad about +y, from -z
-    physics::Vec3 velocity;         // m/s
+    physics::BodyId body;    // what others see
+    physics::Vec3 feet;      // m
+    double heading = 0;      // rad about +y, from -z
+    physics::Vec3 velocity;  // m/s
     bool crouched = false;
     GroundKind ground = GroundKind::in_air;
     // On the ground, steep or not:
@@ -134,9 +134,9 @@ public:
     void visit(physics::StateVisitor& v) override;
     // Each body that is named, by any name, becomes a character: a kinematic one sweeps, a dynamic
     // one is rigid. Its first shape is an upright capsule; of one that sweeps, smaller by the skin
-    // than the character. The numbers are for all: those of CharacterAbilities by their names, skin,
-    // crouched_height (m; default: 0.6 of the height), and stroll (m/s) and stroll_turn (rad/s):
-    // how it walks about while nobody steers it.
+    // than the character. The numbers are for all: those of CharacterAbilities by their names,
+    // skin, crouched_height (m; default: 0.6 of the height), and stroll (m/s) and stroll_turn
+    // (rad/s): how it walks about while nobody steers it.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     bool takes_controls(physics::BodyId body) const override;

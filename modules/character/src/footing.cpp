@@ -16,11 +16,9 @@ Footing footing_on(const Contact& contact, GroundKind kind, Vec3 normal) {
 
 // Whether steep planes hold it between them: nothing that falls can leave.
 bool is_wedged(std::span<const Contact> touching) {
-    VelocityPlane planes[velocity_planes_max];
-    std::size_t count = 0;
-    for (const Contact& contact : touching)
-        if (count < velocity_planes_max) planes[count++] = {contact.normal, 0};
-    return count > 1 && length(nearest_velocity(-up, {planes, count})) < 0.05;
+    VelocityPlanes planes;
+    for (const Contact& contact : touching) planes.add(contact.normal, 0);
+    return touching.size() > 1 && length(planes.nearest(-up)) < 0.05;
 }
 
 }  // namespace

@@ -12,7 +12,6 @@ using namespace physics;
 
 constexpr double tolerance = 1e-9;  // m/s
 
-// The first so many planes; what is flat counts once.
 using Planes = std::span<const VelocityPlane>;
 
 bool allowed(Vec3 v, Planes planes) {
@@ -81,6 +80,15 @@ Vec3 nearest_velocity(Vec3 wanted, Planes planes) {
                     v && allowed(*v, planes))
                     return *v;
     return compromise(wanted, planes);
+}
+
+void VelocityPlanes::add(Vec3 normal, double least) {
+    for (std::size_t k = 0; k < count_; k++)
+        if (dot(planes_[k].normal, normal) > 1 - 1e-9) {
+            planes_[k].least = maximum(planes_[k].least, least);
+            return;
+        }
+    if (count_ < planes_.size()) planes_[count_++] = {normal, least};
 }
 
 }  // namespace jostle::modules::character_detail

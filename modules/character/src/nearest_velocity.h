@@ -4,6 +4,7 @@
 // in three variables, solved exactly by trying which planes hold (at most three do).
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "jostle/physics/vec3.h"
@@ -20,5 +21,18 @@ inline constexpr std::size_t velocity_planes_max = 16;
 
 // Where no velocity is allowed, one that violates the planes little.
 physics::Vec3 nearest_velocity(physics::Vec3 wanted, std::span<const VelocityPlane> planes);
+
+// Planes as they are found; of those with one normal the strictest counts.
+class VelocityPlanes {
+public:
+    void add(physics::Vec3 normal, double least);
+    physics::Vec3 nearest(physics::Vec3 wanted) const {
+        return nearest_velocity(wanted, {planes_.data(), count_});
+    }
+
+private:
+    std::array<VelocityPlane, velocity_planes_max> planes_;
+    std::size_t count_ = 0;
+};
 
 }  // namespace jostle::modules::character_detail

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_step.h"
 
-#include <array>
-
 #include "climb.h"
 #include "footing.h"
 #include "nearest_velocity.h"
@@ -21,22 +19,6 @@ constexpr double leaving_speed = 0.05;  // m/s: who rises faster from a floor do
 constexpr double furthest = 9e6;        // m from the origin, along each axis
 constexpr double skins_ahead = 2;
 constexpr int slides_most = 6;
-
-// Between the contacts of a moment and what they allow.
-struct PlaneSet {
-    std::array<VelocityPlane, velocity_planes_max> planes;
-    std::size_t count = 0;
-
-    void add(Vec3 normal, double least) {
-        for (std::size_t k = 0; k < count; k++)
-            if (dot(planes[k].normal, normal) > 1 - 1e-9) {
-                planes[k].least = maximum(planes[k].least, least);
-                return;
-            }
-        if (count < planes.size()) planes[count++] = {normal, least};
-    }
-    Vec3 nearest(Vec3 wanted) const { return nearest_velocity(wanted, {planes.data(), count}); }
-};
 
 // Walks in the frame of the ground as it is before the step, and is then carried along. So it
 // keeps to a platform exactly, whatever that does.
@@ -84,12 +66,13 @@ private:
         if (footing_.kind != GroundKind::on_ground || leaves(footing_)) return;
         self_.ground = footing_.kind;
         know_ground();
-        self_.velocity =
-            horizontal(self_.velocity - carried_velocity(world_, self_, self_.feet, dt_));
+        self_.ground_velocity = carried_velocity(world_, self_, self_.feet, dt_);
+        self_.velocity = horizontal(self_.velocity - self_.ground_velocity);
     }
     void stride(Vec3 walk) {
         const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
-        push_off(world_, self_, change);
+        // And it goes along with what the ground did since the last step: its mass is felt.
+        push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
         carried_ = carried_velocity(world_, self_, self_.feet, dt_);
         now_ += change;
         wanted_ = last_ = horizontal(now_);
@@ -141,7 +124,7 @@ private:
             push(contacts, left);
             if (grounded_) follow(contacts);
             const Vec3 velocity = allowed(contacts, left).nearest(now_);
-            const PlaneSet touching = touching_planes(contacts);
+            const VelocityPlanes touching = touching_planes(contacts);
             last_ = touching.nearest(last_);
             if (!grounded_) now_ = touching.nearest(now_);
             const Vec3 motion = velocity * left;
@@ -210,15 +193,15 @@ private:
         return relative(contact);
     }
     // A wall to one who walks: else he would walk up what is too steep.
-    void add(PlaneSet& set, const Contact& contact, double least) const {
+    void add(VelocityPlanes& set, const Contact& contact, double least) const {
         set.add(contact.normal, least);
         if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= walkable_) return;
         const Vec3 flat = horizontal(contact.normal);
         const double size = length(flat);
         if (size > 1e-6) set.add(flat * (1 / size), least / size);
     }
-    PlaneSet allowed(const std::vector<Contact>& contacts, double left) const {
-        PlaneSet set;
+    VelocityPlanes allowed(const std::vector<Contact>& contacts, double left) const {
+        VelocityPlanes set;
         for (const Contact& contact : contacts) {
             const double room = contact.gap - self_.skin;
             add(set, contact,
@@ -226,8 +209,8 @@ private:
         }
         return set;
     }
-    PlaneSet touching_planes(const std::vector<Contact>& contacts) const {
-        PlaneSet set;
+    VelocityPlanes touching_planes(const std::vector<Contact>& contacts) const {
+        VelocityPlanes set;
         for (const Contact& contact : contacts)
             if (contact.dynamic ? contact.pushed : contact.gap - self_.skin < 0.5 * touch)
                 add(set, contact, dot(contact.normal, relative(contact)));

@@ -101,6 +101,22 @@ TEST(Push, the_raft_on_which_it_sets_off_gets_the_recoil) {
     EXPECT_NEAR(test::velocity_of(stage.world, raft).x, -2 * 80 / (80 + mass), 0.01);
 }
 
+TEST(Push, a_cart_that_is_hit_feels_who_stands_on_it) {
+    Stage stage;
+    test::add_floor(stage.world, 0);
+    const BodyId cart = test::add(
+        stage.world,
+        {.geometry = Box{{2, 0.25, 1}}, .position = {0, 0.25, 0}, .friction = 0, .density = 50});
+    const CharacterId hero = stage.add({.feet = {0, 0.5, 0}});
+    stage.run(1);
+    test::must(stage.world.apply_impulse(cart, {300, 0, 0}, {0, 0.25, 0}));
+    stage.run(1);
+    const double mass = test::state_of(stage.world, cart).mass;
+    EXPECT_NEAR(momentum(stage, cart, hero, 80).x, 300, 3);
+    EXPECT_NEAR(stage.of(hero).velocity.x, 300 / (80 + mass), 0.01);
+    EXPECT_NEAR(stage.of(hero).feet.x, test::position_of(stage.world, cart).x, 0.03);
+}
+
 TEST(Push, a_seesaw_feels_its_weight) {
     Stage stage;
     test::add_floor(stage.world);

@@ -8,7 +8,7 @@ namespace {
 
 using namespace physics;
 
-constexpr double clearance = 0.001;  // m between what is swept here and what the skin touches
+constexpr double clearance = 0.0002;  // m between what is swept here and what the skin touches
 
 // The capsule with most of its skin: what comes to stand on an edge does so at once where the skin
 // does.

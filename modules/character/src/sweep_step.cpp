@@ -76,6 +76,7 @@ private:
         carried_ = carried_velocity(world_, self_, self_.feet, dt_);
         now_ += change;
         wanted_ = last_ = horizontal(now_);
+        walk_ = horizontal(walk);
     }
     void jump() {
         now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
@@ -104,11 +105,12 @@ private:
         const Vec3 start = center_;
         slide();
         if (!grounded_) return;
-        const Vec3 way = wanted_ * dt_;
-        const double size = length(way);
+        const double size = length(wanted_) * dt_;
         if (size < 1e-6) return;
-        const double got = dot(center_ - start, way) / size;
+        const double got = dot(center_ - start, wanted_) / length(wanted_);
         if (got > size - 1e-4 * (size + 0.01)) return;
+        // Stopped by a riser it still wants to get on.
+        const Vec3 way = (length_squared(walk_) > length_squared(wanted_) ? walk_ : wanted_) * dt_;
         if (const auto there = climb(near_, self_, start, way, got + 1e-5)) {
             center_ = *there;
             last_ = wanted_;
@@ -387,7 +389,7 @@ private:
     Vec3 center_;
     bool grounded_ = false, walked_off_ = false;
     // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
-    Vec3 before_, now_, last_, wanted_;
+    Vec3 before_, now_, last_, wanted_, walk_;
     Vec3 carried_;                   // m/s of that ground
     std::vector<Contact> contacts_;  // at looked_at_
     Vec3 looked_at_;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Jumps, slopes and walls, by closed forms.
+#include <array>
+#include <vector>
+
+#include "jostle/physics/mesh.h"
 #include "stage.h"
 
 namespace jostle::modules {
@@ -184,6 +188,48 @@ TEST(Ground, slides_along_a_wall_and_stops_in_a_corner) {
     stage.run(7);
     EXPECT_TRUE(test::near(stage.of(hero).feet, {1.7, 0, 9.7}, 1e-4));
     EXPECT_TRUE(test::near(stage.of(hero).velocity, {}, 1e-6));
+}
+
+// Edges between triangles of one plane are no obstacles.
+TEST(Ground, walks_over_level_triangles_as_over_a_plane) {
+    std::vector<Vec3> corners;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    constexpr std::uint32_t n = 60;
+    for (std::uint32_t row = 0; row <= n; row++)
+        for (std::uint32_t column = 0; column <= n; column++)
+            corners.push_back({column - 30.0, 0, row - 30.0});
+    for (std::uint32_t row = 0; row < n; row++)
+        for (std::uint32_t column = 0; column < n; column++) {
+            const std::uint32_t a = row * (n + 1) + column, b = a + 1, c = a + n + 1, d = c + 1;
+            triangles.push_back({a, c, b});
+            triangles.push_back({b, c, d});
+        }
+    Stage stage;
+    test::add_static(stage.world, {.geometry = Mesh{test::must(build_mesh(corners, triangles))}});
+    const CharacterId hero = stage.add({.feet = {-25.2, 0, -14.9}});
+    stage.walk(hero, {4, 0, 2.7});
+    stage.run(0.5);
+    const Vec3 start = stage.of(hero).feet;
+    double worst = 0;
+    for (int k = 0; k < 600; k++) {
+        stage.run(1 / hz);
+        const Vec3 there = start + Vec3{4, 0, 2.7} * ((k + 1) / hz);
+        worst = maximum(worst, length(stage.of(hero).feet - there));
+    }
+    record("level_triangles_error_m", worst);
+    EXPECT_LE(worst, 1e-5);
+}
+
+// Put where something solid is, it gets out and stands.
+TEST(Ground, gets_out_of_what_it_was_put_into) {
+    Stage stage;
+    test::add_floor(stage.world);
+    test::add_static(stage.world, {.geometry = Box{{0.5, 1.5, 4}}, .position = {0, 1.5, 0}});
+    const CharacterId hero = stage.add({.feet = {0.4, 0, 0}});
+    stage.run(2);
+    EXPECT_NEAR(stage.of(hero).feet.x, 0.8, 0.001);
+    EXPECT_NEAR(stage.of(hero).feet.y, 0, 0.001);
+    EXPECT_EQ(stage.of(hero).ground, GroundKind::on_ground);
 }
 
 TEST(Ground, who_walks_off_an_edge_falls_on_a_parabola) {

@@ -10,7 +10,8 @@ namespace {
 
 using namespace physics;
 
-constexpr double tolerance = 1e-9;  // m/s
+constexpr double tolerance = 1e-9;      // m/s
+constexpr double one_normal = 0.99985;  // cosine of a degree: normals that are taken as one
 
 using Planes = std::span<const VelocityPlane>;
 
@@ -51,40 +52,51 @@ std::optional<Vec3> in_corner(Vec3 wanted, const VelocityPlane& a, const Velocit
 }
 
 // Where the planes contradict each other: each in turn, a few times.
-Vec3 compromise(Vec3 v, Planes planes) {
+Vec3 compromise(Vec3 v, Planes planes, double most) {
     for (int round = 0; round < 8; round++)
         for (const VelocityPlane& plane : planes)
             v += plane.normal * maximum(0, plane.least - dot(plane.normal, v));
-    return v;
+    const double speed = length(v);
+    return speed > most ? v * (most / speed) : v;
+}
+
+// What slides along planes that stand still gets no faster; those that move add to it.
+double most_speed(Vec3 wanted, Planes planes) {
+    double fastest = 0;
+    for (const VelocityPlane& plane : planes) fastest = maximum(fastest, plane.least);
+    return length(wanted) * (1 + 1e-9) + 2 * fastest + tolerance;
 }
 
 }  // namespace
 
 // By convexity the first that is allowed and that all its planes push is the nearest of all
-// (Karush, Kuhn, Tucker).
+// (Karush, Kuhn, Tucker). Planes that rounding made of one, or that close on each other like a
+// wedge, meet far away: nobody is thrown there.
 Vec3 nearest_velocity(Vec3 wanted, Planes planes) {
     planes =
         planes.first(planes.size() < velocity_planes_max ? planes.size() : velocity_planes_max);
     if (allowed(wanted, planes)) return wanted;
+    const double most = most_speed(wanted, planes);
+    const auto good = [&](const std::optional<Vec3>& v) {
+        return v && length(*v) <= most && allowed(*v, planes);
+    };
     const std::size_t n = planes.size();
     for (std::size_t a = 0; a < n; a++)
-        if (const auto v = on_one(wanted, planes[a]); v && allowed(*v, planes)) return *v;
+        if (const auto v = on_one(wanted, planes[a]); good(v)) return *v;
     for (std::size_t a = 0; a < n; a++)
         for (std::size_t b = a + 1; b < n; b++)
-            if (const auto v = on_two(wanted, planes[a], planes[b]); v && allowed(*v, planes))
-                return *v;
+            if (const auto v = on_two(wanted, planes[a], planes[b]); good(v)) return *v;
     for (std::size_t a = 0; a < n; a++)
         for (std::size_t b = a + 1; b < n; b++)
             for (std::size_t c = b + 1; c < n; c++)
-                if (const auto v = in_corner(wanted, planes[a], planes[b], planes[c]);
-                    v && allowed(*v, planes))
+                if (const auto v = in_corner(wanted, planes[a], planes[b], planes[c]); good(v))
                     return *v;
-    return compromise(wanted, planes);
+    return compromise(wanted, planes, most);
 }
 
 void VelocityPlanes::add(Vec3 normal, double least) {
     for (std::size_t k = 0; k < count_; k++)
-        if (dot(planes_[k].normal, normal) > 1 - 1e-9) {
+        if (dot(planes_[k].normal, normal) > one_normal) {
             planes_[k].least = maximum(planes_[k].least, least);
             return;
         }

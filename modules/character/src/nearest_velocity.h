@@ -22,7 +22,7 @@ inline constexpr std::size_t velocity_planes_max = 16;
 // Where no velocity is allowed, one that violates the planes little.
 physics::Vec3 nearest_velocity(physics::Vec3 wanted, std::span<const VelocityPlane> planes);
 
-// Planes as they are found; of those with one normal the strictest counts.
+// Planes as they are found; of those with one normal, to a degree, the strictest counts.
 class VelocityPlanes {
 public:
     void add(physics::Vec3 normal, double least);

@@ -112,6 +112,7 @@ private:
         // Stopped by a riser it still wants to get on.
         const Vec3 way = (length_squared(walk_) > length_squared(wanted_) ? walk_ : wanted_) * dt_;
         if (const auto there = climb(near_, self_, start, way, got + 1e-5)) {
+            leap_ = there->y - start.y;
             center_ = *there;
             last_ = wanted_;
         }
@@ -295,6 +296,7 @@ private:
         if (grounded_ && footing.kind != GroundKind::on_ground) {
             if (const auto there =
                     put_down(near_, self_, center_, self_.abilities.floor_snap, center_.y)) {
+                leap_ += there->y - center_.y;
                 center_ = *there;
                 footing = look_down();
             }
@@ -371,12 +373,20 @@ private:
             self_.velocity = {};  // at the end of the world
         else
             self_.feet = feet;
+        place_body();
+    }
+    // It moves there within the step; up a step it leaps, so that it kicks nobody by that.
+    void place_body() {
         const Transform pose{self_.feet + up * self_.foot_height, attitude(self_)};
         const Result<BodyState> body = world_.body(self_.body);
         if (!body.ok()) return;
         if (body->pose == pose && body->linear_velocity == Vec3{} &&
             body->angular_velocity == Vec3{})
             return;
+        if (absolute(leap_) > 0.01) {
+            const Vec3 from = body->pose.position + up * leap_;
+            static_cast<void>(world_.set_pose(self_.body, {from, body->pose.rotation}));
+        }
         static_cast<void>(world_.move_to(self_.body, pose, dt_));
     }
 
@@ -388,6 +398,7 @@ private:
     Capsule core_;
     Vec3 center_;
     bool grounded_ = false, walked_off_ = false;
+    double leap_ = 0;  // m upwards, over a step or down to the floor
     // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
     Vec3 before_, now_, last_, wanted_, walk_;
     Vec3 carried_;                   // m/s of that ground

@@ -61,5 +61,20 @@ TEST(NearestVelocity, between_walls_that_close_it_is_finite) {
     EXPECT_LE(length(v), 3);
 }
 
+// Two of one wall that rounding tells apart meet far away.
+TEST(NearestVelocity, planes_that_are_nearly_one_throw_nobody) {
+    for (const double off : {1e-9, 1e-6, 1e-4, 1e-2}) {
+        const Vec3 tilted = normalized(Vec3{1, 0, off});
+        const std::vector<VelocityPlane> walls = {{{1, 0, 0}, 0},
+                                                  {tilted, 1e-4},
+                                                  {{0, 0, 1}, -1e-3},
+                                                  {normalized(Vec3{-1, off, 0}), -1e-3}};
+        EXPECT_LE(length(nearest_velocity({-1, 0, -2}, walls)), 2.3) << off;
+        VelocityPlanes merged;
+        for (const VelocityPlane& wall : walls) merged.add(wall.normal, wall.least);
+        EXPECT_LE(length(merged.nearest({-1, 0, -2})), 2.3) << off;
+    }
+}
+
 }  // namespace
 }  // namespace jostle::modules::character_detail

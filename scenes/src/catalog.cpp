@@ -53,6 +53,10 @@ constexpr Listed listed[] = {
      flatland},
     {{"hovercraft", "A module flies a craft on four jets of air over waves and loose buoys."},
      hovercraft},
+    {{"harbour", "Boats, crates and barrels on a swell; a breeze blows."}, harbour},
+    {{"parkour",
+      "Stairs, ramps, gaps and a roundabout; five characters stroll until they are driven."},
+     parkour},
     {{"ragdoll_stairs", "Twelve figures tip off a ramp and fall down the stairs."}, ragdoll_stairs},
     // What jostle-bench measures, by letter.
     {{"lab_pyramid_465",

@@ -5,6 +5,8 @@
 #include <mutex>
 
 #include "hovercraft.h"
+#include "jostle/modules/character.h"
+#include "jostle/modules/fields.h"
 #include "jostle/modules/ragdoll.h"
 #include "jostle/scenes/catalog.h"
 
@@ -23,6 +25,8 @@ void register_catalog_modules() {
     static std::once_flag once;
     std::call_once(once, [] {
         make_known<examples::Hovercraft>("hovercraft");
+        make_known<modules::Characters>("character");
+        make_known<modules::Fields>("fields");
         make_known<modules::Ragdolls>("ragdoll");
     });
 }

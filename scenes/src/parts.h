@@ -59,6 +59,8 @@ SceneDescription locked();
 SceneDescription flatland();
 SceneDescription hovercraft();
 SceneDescription ragdoll_stairs();
+SceneDescription harbour();
+SceneDescription parkour();
 SceneDescription lab_pyramid_465();
 SceneDescription lab_pyramid_5050();
 SceneDescription lab_boxes_1000();

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// One car: what it is made of, its state, which is saved, and what holds for one step, which is
+// not.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "jostle/modules/vehicle.h"
+#include "jostle/physics/mat3.h"
+#include "jostle/physics/transform.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using physics::Mat3;
+using physics::Quat;
+using physics::ShapeId;
+using physics::Transform;
+
+// Saved.
+struct WheelRun {
+    double stiffness = 0, damping = 0;  // of the suspension: N/m, N s/m
+    double spin = 0, angle = 0;         // rad/s, rad
+    double bend_ahead = 0, bend_aside = 0;  // m that the tread is bent: pushes the chassis so
+    double travel = 0;                  // m
+    double load = 0, ahead = 0, aside = 0;  // N
+    double friction = 0;                // with the ground
+    bool touches = false;
+    BodyId ground = {};
+    ShapeId shape = {};
+    Vec3 point = {}, normal = {0, 1, 0};
+};
+
+// The ground under a wheel, for a step.
+struct Ground {
+    bool found = false;
+    bool dynamic = false;  // is pushed back
+    Vec3 point = {}, normal = {};
+    Vec3 velocity = {};  // m/s, there
+    double reach = 0;    // m from the plane to the wheel's centre when it touches
+    double inverse_mass = 0;  // 1/kg that a tyre meets along the ground; 0: not asked yet
+    Vec3 pushed = {};    // N s: what it is owed at the end of the step
+};
+
+// What follows from the definition and the controls, for a step.
+struct Rig {
+    Vec3 down = {}, axle = {}, ahead = {};  // in the chassis, steered
+};
+
+enum class Grip : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling
+
+struct Car {
+    CarId id = 0;
+    VehicleDef def;
+    CarControls controls;
+    bool piloted = false;
+    Pilot pilot;
+
+    std::vector<WheelRun> wheels;
+    double steering = 0;  // -1 to 1, follows the controls
+    double engine_speed = 0;
+    double engine_torque = 0, clutch_torque = 0;
+    std::int32_t gear = 0;
+    double shift_left = 0, pause_left = 0;  // s
+    double speed = 0;                       // m/s ahead
+    // What else pushes the chassis: found from where it was expected after the last sub-step.
+    bool follows = false;
+    Vec3 expected_v = {}, expected_w = {};
+    Vec3 other_a = {}, other_alpha = {};
+
+    // Of the step.
+    bool active = false;
+    double mass = 0;
+    Mat3 inverse_inertia;  // world axes
+    std::vector<Ground> grounds;
+    std::vector<Rig> rigs;
+};
+
+// The chassis in a sub-step.
+struct Frame {
+    Transform pose = {};
+    Mat3 axes;
+    Vec3 center = {}, v = {}, w = {};
+    Vec3 next_v = {}, next_w = {};  // at the sub-step's end, if the car does not push
+    double h = 0;                   // s
+    double time = 0;                // s since the step began
+};
+
+// A wheel that touches, in a sub-step.
+struct Contact {
+    std::uint32_t wheel = 0;
+    Vec3 arm = {};                               // m from the centre of mass
+    Vec3 normal = {}, ahead = {}, aside = {};    // unit
+    Vec3 velocity = {};                          // m/s of the chassis there, against the ground
+    double pressed = 0;                          // m
+    double lever = 1;   // suspension travel per motion along the normal
+    double inverse_mass = 0;
+    double load = 0;    // N
+    double force_ahead = 0, force_aside = 0;     // N
+};
+
+struct Contacts {
+    std::array<Contact, wheels_max> all;
+    std::size_t count = 0;
+
+    Contact* begin() { return all.data(); }
+    Contact* end() { return all.data() + count; }
+};
+
+}  // namespace jostle::modules::vehicle_detail

@@ -12,6 +12,7 @@ struct Tread {
     double limit = 0;                        // N: friction * load
     double bend_ahead = 0, bend_aside = 0;   // of the whole limit per m: C / (3 mu length), 1/m
     double roll = 0;                         // share of its bend that a sub-step leaves
+    double rolls = 1;                        // 0 at standstill, 1 from 1 m/s on
     double damping_ahead = 0, damping_aside = 0;  // N s/m, at standstill
     // N per m of bend, as it is bent: force = secant * bend.
     double secant_ahead = 0, secant_aside = 0;

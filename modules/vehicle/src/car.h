@@ -68,9 +68,11 @@ struct Car {
     bool follows = false;
     Vec3 expected_v = {}, expected_w = {};
     Vec3 other_a = {}, other_alpha = {};
+    bool carried = false;  // wheels bear it
 
     // Of the step.
     bool active = false;
+    Vec3 carry = {};  // N s of each sub-step
     double mass = 0;
     Mat3 inverse_inertia;  // world axes
     std::vector<Ground> grounds;
@@ -87,23 +89,40 @@ struct Frame {
     double time = 0;                // s since the step began
 };
 
-// A wheel that touches, in a sub-step.
+// How a tread pushes at a load, in a sub-step.
+struct Tread {
+    double limit;                    // N: friction * load
+    double bend_ahead, bend_aside;   // s per m of bend: C / (3 mu length)
+    double roll;                     // share of its bend that a sub-step leaves
+    double rolls;                    // 0 at standstill, 1 from 1 m/s on
+    double damping_ahead, damping_aside;  // N s/m, at standstill
+    double secant_ahead, secant_aside;    // N per m of bend, as it is bent
+};
+
+// A wheel that touches, in a sub-step. Step by step filled in by find_contacts(), solve_loads(),
+// and drive(); not cleared before, which would cost as much as the solve.
 struct Contact {
-    std::uint32_t wheel = 0;
-    Vec3 arm = {};                               // m from the centre of mass
-    Vec3 normal = {}, ahead = {}, aside = {};    // unit
-    Vec3 velocity = {};                          // m/s of the chassis there, against the ground
-    double pressed = 0;                          // m
-    double lever = 1;   // suspension travel per motion along the normal
-    double inverse_mass = 0;
-    double load = 0;    // N
-    double force_ahead = 0, force_aside = 0;     // N
+    std::uint32_t wheel;
+    Vec3 arm;                     // m from the centre of mass
+    Vec3 normal, ahead, aside;    // unit
+    Vec3 velocity;                // m/s of the chassis there, against the ground
+    double velocity_ahead, velocity_aside;
+    double pressed;               // m
+    double lever;                 // suspension travel per motion along the normal
+    double inverse_mass;          // 1/kg that a tyre meets along the ground
+    double load;                  // N
+    Tread tread;
+    double force_ahead, force_aside;  // N
 };
 
 struct Contacts {
-    std::array<Contact, wheels_max> all;
+    // Not the Vec3s' zeros either.
+    union {
+        std::array<Contact, wheels_max> all;
+    };
     std::size_t count = 0;
 
+    Contacts() {}
     Contact* begin() { return all.data(); }
     Contact* end() { return all.data() + count; }
 };

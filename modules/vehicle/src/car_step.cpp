@@ -21,7 +21,7 @@ Vec3 bounded_push(Vec3 a) {
     return min(max(a, -most), most);
 }
 
-// What the chassis did since the last sub-step that the car did not ask for.
+// What the chassis did since the last solve that the car did not ask for.
 void learn_other_pushes(const MovingBody& chassis, double h, Car& car) {
     if (car.follows) {
         const double share = h / (h + learns);
@@ -33,22 +33,33 @@ void learn_other_pushes(const MovingBody& chassis, double h, Car& car) {
         car.other_alpha = bounded_push(car.other_alpha);
     }
     car.follows = true;
+    car.expected_v = chassis.linear_velocity;
+    car.expected_w = chassis.angular_velocity;
 }
 
-Frame frame_of(const SubstepContext& substep, Car& car) {
+// Sub-steps for which a solve holds.
+int held(const SubstepContext& substep, const Car& car) {
+    const double most = 1 / car.def.rate + 1e-9;
+    return most < 2 * substep.h() ? 1 : static_cast<int>(most / substep.h());
+}
+
+Frame frame_of(const SubstepContext& substep, double h, Car& car) {
     const MovingBody chassis = substep.body(car.def.chassis);
-    const double h = substep.h();
     learn_other_pushes(chassis, h, car);
     Frame frame;
     frame.pose = chassis.pose;
     frame.axes = to_matrix(chassis.pose.rotation);
     frame.center = chassis.center;
+    // The mean velocity since the last solve: in between, what else pushes has made a ripple, which
+    // tyres and dampers would take for a drift.
+    const double ripple = 0.5 * (h - substep.h());
     frame.v = chassis.linear_velocity;
-    frame.w = chassis.angular_velocity;
+    if (!car.carried) frame.v += car.other_a * -ripple;
+    frame.w = chassis.angular_velocity - car.other_alpha * ripple;
     frame.next_v = frame.v + car.other_a * h;
     frame.next_w = frame.w + car.other_alpha * h;
     frame.h = h;
-    frame.time = (substep.index() + 0.5) * h;
+    frame.time = (substep.index() + 0.5) * substep.h();
     return frame;
 }
 
@@ -123,52 +134,53 @@ void prepare_spin(const Car& car, SpunWheels& wheels) {
         const Wheel& made = car.def.wheels[k];
         const double brake = maximum(controls.brake * made.brake_torque,
                                      controls.hand_brake * made.hand_brake_torque);
-        wheels[k] = {.radius = made.radius,
-                     .inertia = made.inertia,
-                     .share = made.drive_share,
-                     .brake = brake,
-                     .spin = car.wheels[k].spin};
+        SpunWheel& wheel = wheels[k];
+        wheel.radius = made.radius;
+        wheel.inertia = made.inertia;
+        wheel.share = made.drive_share;
+        wheel.brake = brake;
+        wheel.force = wheel.slope = 0;
+        wheel.spin = car.wheels[k].spin;
     }
 }
 
 // How the tyre answers if the wheel spins on, and how that changes with its spin.
-Tread bend_tread(const Frame& frame, const Contact& contact, Car& car, SpunWheel& spun) {
+void bend_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRun& run = car.wheels[contact.wheel];
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
-    const double ahead = dot(contact.velocity, contact.ahead),
-                 aside = dot(contact.velocity, contact.aside);
-    Tread tread = tread_of(tyre, contact, run.friction, absolute(ahead), frame.h,
-                           contact.inverse_mass, run);
-    const double slip = ahead - spun.radius * run.spin;
+    contact.velocity_ahead = dot(contact.velocity, contact.ahead);
+    contact.velocity_aside = dot(contact.velocity, contact.aside);
+    Tread& tread = contact.tread =
+        tread_of(tyre, contact, run.friction, absolute(contact.velocity_ahead), frame.h);
+    const double slip = contact.velocity_ahead - spun.radius * run.spin;
     run.bend_ahead = (run.bend_ahead - frame.h * slip) * tread.roll;
-    run.bend_aside = (run.bend_aside - frame.h * aside) * tread.roll;
+    run.bend_aside = (run.bend_aside - frame.h * contact.velocity_aside) * tread.roll;
     hold(tread, run.bend_ahead, run.bend_aside);
     spun.force = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
-    spun.slope =
-        spun.radius * (tread.secant_ahead * frame.h * tread.roll + tread.damping_ahead);
+    spun.slope = spun.radius * (tread.secant_ahead * frame.h * tread.roll + tread.damping_ahead);
     spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
-    return tread;
 }
 
 // Once the wheel's new spin is known: bends the tread by it, and pushes at most as friction holds.
 // The spin then takes what the drive line counted on and the tyre did not give.
-void grip(const Frame& frame, Tread& tread, Car& car, SpunWheel& spun, Contact& contact) {
+void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRun& run = car.wheels[contact.wheel];
-    const double counted = spun.force + spun.slope * (spun.spin - run.spin);
-    const double slip = dot(contact.velocity, contact.ahead) - spun.radius * spun.spin;
-    run.bend_ahead += frame.h * spun.radius * (spun.spin - run.spin) * tread.roll;
+    Tread& tread = contact.tread;
+    const double gained = spun.spin - run.spin;
+    const double counted = spun.force + spun.slope * gained;
+    const double slip = contact.velocity_ahead - spun.radius * spun.spin;
+    run.bend_ahead += frame.h * spun.radius * gained * tread.roll;
     hold(tread, run.bend_ahead, run.bend_aside);
     double ahead = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
-    double aside = tread.secant_aside * run.bend_aside -
-                   tread.damping_aside * dot(contact.velocity, contact.aside);
+    double aside =
+        tread.secant_aside * run.bend_aside - tread.damping_aside * contact.velocity_aside;
     const double force2 = ahead * ahead + aside * aside;
     if (force2 > tread.limit * tread.limit) {
         const double less = tread.limit / square_root(force2);
         ahead *= less;
         aside *= less;
     }
-    if (spun.spin != 0)
-        spun.spin += frame.h * spun.radius * (counted - ahead) / spun.answers;
+    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - ahead) / spun.answers;
     contact.force_ahead = run.ahead = ahead;
     contact.force_aside = run.aside = aside;
     run.load = contact.load;
@@ -176,13 +188,9 @@ void grip(const Frame& frame, Tread& tread, Car& car, SpunWheel& spun, Contact& 
 
 void drive(const Frame& frame, Car& car, SpunWheels& wheels, Contacts& contacts) {
     prepare_spin(car, wheels);
-    std::array<Tread, wheels_max> treads;
-    for (std::size_t k = 0; k < contacts.count; k++)
-        treads[k] =
-            bend_tread(frame, contacts.all[k], car, wheels[contacts.all[k].wheel]);
+    for (Contact& contact : contacts) bend_tread(frame, car, wheels[contact.wheel], contact);
     solve_drive_line(car, frame.h, wheels);
-    for (std::size_t k = 0; k < contacts.count; k++)
-        grip(frame, treads[k], car, wheels[contacts.all[k].wheel], contacts.all[k]);
+    for (Contact& contact : contacts) grip(frame, car, wheels[contact.wheel], contact);
 }
 
 // ---- what comes of it ----
@@ -236,8 +244,18 @@ void push_by_air(const Frame& frame, const Car& car, Push& push) {
 
 }  // namespace
 
+// A solve for several sub-steps pushes at their start by all that they need: that is the symplectic
+// Euler method with the longer step. Only what carries the car against what else pushes it, the
+// same all the time, is pushed sub-step by sub-step: who stands still has no velocity then.
 void step_car(SubstepContext& substep, Car& car) {
-    const Frame frame = frame_of(substep, car);
+    const int hold_for = held(substep, car);
+    const BodyId chassis = car.def.chassis;
+    if (substep.index() % hold_for != 0) {
+        if (car.carried) substep.add_impulse(chassis, car.carry, substep.body(chassis).center);
+        return;
+    }
+    const int left = substep.count() - substep.index(), steps = left < hold_for ? left : hold_for;
+    const Frame frame = frame_of(substep, steps * substep.h(), car);
     Contacts contacts;
     find_contacts(substep, frame, car, contacts);
     solve_loads(car, frame, contacts);
@@ -248,10 +266,12 @@ void step_car(SubstepContext& substep, Car& car) {
     push_by_wheels(substep, frame, contacts, car, push);
     turn_wheels(frame, wheels, car, push);
     push_by_air(frame, car, push);
-    substep.add_impulse(car.def.chassis, push.impulse, frame.center);
-    substep.add_angular_impulse(car.def.chassis, push.turn);
-    car.expected_v = frame.v + push.impulse * (1 / car.mass);
-    car.expected_w = frame.w + car.inverse_inertia * push.turn;
+    car.carried = contacts.count > 0;
+    car.carry = car.carried ? car.other_a * (-car.mass * substep.h()) : Vec3{};
+    substep.add_impulse(chassis, push.impulse - car.carry * (steps - 1), frame.center);
+    substep.add_angular_impulse(chassis, push.turn);
+    car.expected_v += push.impulse * (1 / car.mass);
+    car.expected_w += car.inverse_inertia * push.turn;
     car.speed = -dot(frame.v, frame.axes.z);
 }
 

@@ -174,6 +174,7 @@ void check_air(const VehicleDef& def, Check& check) {
     check.leave();
     check.number("cast", static_cast<double>(def.cast), 0, static_cast<double>(WheelCast::cylinder));
     check.number("steering_rate", def.steering_rate, 0.01, 1000);
+    check.number("rate", def.rate, 10, 1e5);
 }
 
 bool is_unit(Vec3 axis) {

@@ -10,12 +10,12 @@ namespace jostle::modules::vehicle_detail {
 
 // A wheel as the drive line sees it.
 struct SpunWheel {
-    double radius = 0, inertia = 0, share = 0;
-    double brake = 0;  // N m that hold it, at most
-    double force = 0;  // N of its tyre ahead if it spins on as it does
-    double slope = 0;  // N s/rad by which that grows with its spin
-    double spin = 0;   // rad/s; becomes that at the end of the sub-step
-    double answers = 0;  // kg m^2 that a change of its tyre's force meets
+    double radius, inertia, share;
+    double brake;    // N m that hold it, at most
+    double force;    // N of its tyre ahead if it spins on as it does
+    double slope;    // N s/rad by which that grows with its spin
+    double spin;     // rad/s; becomes that at the end of the sub-step
+    double answers;  // kg m^2 that a change of its tyre's force meets
 };
 using SpunWheels = std::array<SpunWheel, wheels_max>;
 

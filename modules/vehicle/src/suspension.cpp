@@ -24,10 +24,10 @@ namespace {
 constexpr double stop_stiffness = 30;  // of the spring's: what a wheel that is pressed in meets
 
 struct Row {
-    double push = 0;     // N of the spring now
-    double resists = 0;  // N s/m: c + theta h k
-    double velocity = 0;
-    bool bears = true;
+    double push;      // N of the spring now
+    double resists;   // N s/m: c + theta h k
+    double velocity;  // m/s at the end of the sub-step if it bears nothing
+    bool bears;
 };
 struct Rows {
     std::array<Row, wheels_max> of;
@@ -53,14 +53,15 @@ double bar_push(const Car& car, std::uint32_t wheel) {
 }
 
 void couple(const Car& car, const Contacts& contacts, Rows& rows) {
-    std::array<Vec3, wheels_max> turn;
+    const double inverse_mass = 1 / car.mass;
     for (std::size_t i = 0; i < contacts.count; i++) {
         const Contact& a = contacts.all[i];
-        turn[i] = cross(a.arm, a.normal);
-        const Vec3 spin = car.inverse_inertia * turn[i];
-        for (std::size_t j = 0; j <= i; j++)
-            rows.w[i][j] =
-                dot(a.normal, contacts.all[j].normal) / car.mass + dot(spin, turn[j]);
+        const Vec3 spin = car.inverse_inertia * cross(a.arm, a.normal);
+        const Vec3 along = a.normal * inverse_mass;
+        for (std::size_t j = 0; j <= i; j++) {
+            const Contact& b = contacts.all[j];
+            rows.w[i][j] = dot(b.normal, along + cross(spin, b.arm));
+        }
     }
 }
 
@@ -84,6 +85,7 @@ Row make_row(const Car& car, const Frame& frame, const Contact& contact, double 
     const double z2 = frame.h * frame.h * stiffness * lever2 * w;
     const double theta = z2 / (4 + z2);
     Row row;
+    row.bears = true;
     row.push = contact.lever * push;
     row.resists = maximum(lever2 * (damping + theta * frame.h * stiffness), 1e-9);
     const Vec3 other = (frame.next_v - frame.v) + cross(frame.next_w - frame.w, contact.arm);

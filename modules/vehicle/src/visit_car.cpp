@@ -64,6 +64,7 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
     v.field("cast", def.cast, WheelCast::cylinder);
     v.field("ground", def.ground);
     v.field("steering_rate", def.steering_rate);
+    v.field("rate", def.rate);
 }
 
 void visit_drive(StateVisitor& v, VehicleDef& def) {
@@ -140,6 +141,7 @@ void visit_car(StateVisitor& v, Car& car) {
     v.field("pause_left", car.pause_left);
     v.field("speed", car.speed);
     v.field("follows", car.follows);
+    v.field("carried", car.carried);
     v.field("expected_v", car.expected_v);
     v.field("expected_w", car.expected_w);
     v.field("other_a", car.other_a);

@@ -132,6 +132,9 @@ struct VehicleDef {
     WheelCast cast = WheelCast::cylinder;
     std::uint32_t ground = 0xffffffff;  // categories of shapes that wheels stand on
     double steering_rate = 2.5;         // 1/s of full lock, 0.01 to 1000
+    // 1/s, 10 to 1e5: how often the car is solved, at most in every sub-step of the world. What it
+    // pushes holds for several sub-steps where they are shorter.
+    double rate = 240;
 };
 
 // Four wheels for a chassis: front left, front right, rear left, rear right.

@@ -155,7 +155,8 @@ void bend_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact)
     const double slip = contact.velocity_ahead - spun.radius * run.spin;
     run.bend_ahead = (run.bend_ahead - frame.h * slip) * tread.roll;
     run.bend_aside = (run.bend_aside - frame.h * contact.velocity_aside) * tread.roll;
-    hold(tread, run.bend_ahead, run.bend_aside);
+    const double s2 = hold(tread, run.bend_ahead, run.bend_aside);
+    push_of(tread, run.bend_ahead, run.bend_aside, s2);
     spun.force = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
     spun.slope = spun.radius * (tread.secant_ahead * frame.h * tread.roll + tread.damping_ahead);
     spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
@@ -165,7 +166,7 @@ void bend_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact)
 // The spin then takes what the drive line counted on and the tyre did not give.
 void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
     WheelRun& run = car.wheels[contact.wheel];
-    Tread& tread = contact.tread;
+    const Tread& tread = contact.tread;
     const double gained = spun.spin - run.spin;
     const double counted = spun.force + spun.slope * gained;
     const double slip = contact.velocity_ahead - spun.radius * spun.spin;
@@ -228,7 +229,7 @@ void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& p
         left += car.rigs[k].axle * (wheels[k].inertia * (wheels[k].spin - run.spin));
         run.spin = wheels[k].spin;
         run.angle += run.spin * frame.h;
-        run.angle -= turn * std::floor(run.angle / turn);
+        if (run.angle < 0 || run.angle > turn) run.angle -= turn * std::floor(run.angle / turn);
     }
     push.turn += frame.axes * left;
 }

@@ -56,26 +56,35 @@ inline Tread tread_of(const Tyre& tyre, const Contact& contact, double friction,
     return tread;
 }
 
-// Back to where friction holds it; the secants follow.
-inline void hold(Tread& tread, double& ahead, double& aside) {
+// Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
+inline double hold(const Tread& tread, double& ahead, double& aside) {
     const double x = tread.bend_ahead * ahead, y = tread.bend_aside * aside;
-    const double most = (1 + 2 * tread.rolls) / 3;
-    double s2 = x * x + y * y;
-    if (s2 > most * most) {
-        const double less = most / physics::square_root(s2);
-        ahead *= less;
-        aside *= less;
-        s2 = most * most;
-    }
+    const double most = (1 + 2 * tread.rolls) / 3, s2 = x * x + y * y;
+    if (s2 <= most * most) return s2;
+    const double less = most / physics::square_root(s2);
+    ahead *= less;
+    aside *= less;
+    return most * most;
+}
+
+// Fills in how hard it pushes per bend. Below `sticks` of its most, squared, it sticks.
+inline void push_of(Tread& tread, double ahead, double aside, double s2) {
+    constexpr double sticks = 0.05;
     const double s = physics::square_root(s2);
-    const double rolling = 3 - 3 * s + s2, standing = s > 1.0 / 3 ? 1 / s : 3;
-    const double secant =
-        tread.limit * (tread.rolls * rolling + (1 - tread.rolls) * standing);
-    const double slides = s2 / (most * most);
+    double secant = tread.limit * (3 - 3 * s + s2);
+    if (tread.rolls < 1) {
+        const double standing = tread.limit * (s > 1.0 / 3 ? 1 / s : 3);
+        secant = tread.rolls * secant + (1 - tread.rolls) * standing;
+    }
+    tread.secant_ahead = secant * tread.bend_ahead;
+    tread.secant_aside = secant * tread.bend_aside;
+    const double most = (1 + 2 * tread.rolls) / 3, share = s2 / (most * most);
+    if (share <= sticks) return;
+    const double slides = (share - sticks) / (1 - sticks);
     const double bend2 = ahead * ahead + aside * aside;
-    const double against = bend2 > 0 ? slides * physics::square_root(s2 / bend2) : 0;
-    tread.secant_ahead = secant * ((1 - slides) * tread.bend_ahead + against);
-    tread.secant_aside = secant * ((1 - slides) * tread.bend_aside + against);
+    const double against = secant * slides * physics::square_root(s2 / bend2);
+    tread.secant_ahead += against - slides * tread.secant_ahead;
+    tread.secant_aside += against - slides * tread.secant_aside;
 }
 
 }  // namespace jostle::modules::vehicle_detail

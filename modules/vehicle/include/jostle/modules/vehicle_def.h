@@ -134,7 +134,7 @@ struct VehicleDef {
     double steering_rate = 2.5;         // 1/s of full lock, 0.01 to 1000
     // 1/s, 10 to 1e5: how often the car is solved, at most in every sub-step of the world. What it
     // pushes holds for several sub-steps where they are shorter.
-    double rate = 240;
+    double rate = 120;
 };
 
 // Four wheels for a chassis: front left, front right, rear left, rear right.

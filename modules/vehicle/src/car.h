@@ -20,12 +20,12 @@ using physics::Transform;
 
 // Saved.
 struct WheelRun {
-    double stiffness = 0, damping = 0;  // of the suspension: N/m, N s/m
-    double spin = 0, angle = 0;         // rad/s, rad
+    double stiffness = 0, damping = 0;      // of the suspension: N/m, N s/m
+    double spin = 0, angle = 0;             // rad/s, rad
     double bend_ahead = 0, bend_aside = 0;  // m that the tread is bent: pushes the chassis so
-    double travel = 0;                  // m
+    double travel = 0;                      // m
     double load = 0, ahead = 0, aside = 0;  // N
-    double friction = 0;                // with the ground
+    double friction = 0;                    // with the ground
     bool touches = false;
     BodyId ground = {};
     ShapeId shape = {};
@@ -37,10 +37,10 @@ struct Ground {
     bool found = false;
     bool dynamic = false;  // is pushed back
     Vec3 point = {}, normal = {};
-    Vec3 velocity = {};  // m/s, there
-    double reach = 0;    // m from the plane to the wheel's centre when it touches
+    Vec3 velocity = {};       // m/s, there
+    double reach = 0;         // m from the plane to the wheel's centre when it touches
     double inverse_mass = 0;  // 1/kg that a tyre meets along the ground; 0: not asked yet
-    Vec3 pushed = {};    // N s: what it is owed at the end of the step
+    Vec3 pushed = {};         // N s: what it is owed at the end of the step
 };
 
 // What follows from the definition and the controls, for a step.
@@ -91,10 +91,10 @@ struct Frame {
 
 // How a tread pushes at a load, in a sub-step.
 struct Tread {
-    double limit;                    // N: friction * load
-    double bend_ahead, bend_aside;   // s per m of bend: C / (3 mu length)
-    double roll;                     // share of its bend that a sub-step leaves
-    double rolls;                    // 0 at standstill, 1 from 1 m/s on
+    double limit;                         // N: friction * load
+    double bend_ahead, bend_aside;        // s per m of bend: C / (3 mu length)
+    double roll;                          // share of its bend that a sub-step leaves
+    double rolls;                         // 0 at standstill, 1 from 1 m/s on
     double damping_ahead, damping_aside;  // N s/m, at standstill
     double secant_ahead, secant_aside;    // N per m of bend, as it is bent
 };
@@ -103,14 +103,14 @@ struct Tread {
 // and drive(); not cleared before, which would cost as much as the solve.
 struct Contact {
     std::uint32_t wheel;
-    Vec3 arm;                     // m from the centre of mass
-    Vec3 normal, ahead, aside;    // unit
-    Vec3 velocity;                // m/s of the chassis there, against the ground
+    Vec3 arm;                   // m from the centre of mass
+    Vec3 normal, ahead, aside;  // unit
+    Vec3 velocity;              // m/s of the chassis there, against the ground
     double velocity_ahead, velocity_aside;
-    double pressed;               // m
-    double lever;                 // suspension travel per motion along the normal
-    double inverse_mass;          // 1/kg that a tyre meets along the ground
-    double load;                  // N
+    double pressed;       // m
+    double lever;         // suspension travel per motion along the normal
+    double inverse_mass;  // 1/kg that a tyre meets along the ground
+    double load;          // N
     Tread tread;
     double force_ahead, force_aside;  // N
 };

@@ -25,8 +25,7 @@ Vec3 bounded_push(Vec3 a) {
 void learn_other_pushes(const MovingBody& chassis, double h, Car& car) {
     if (car.follows) {
         const double share = h / (h + learns);
-        car.other_a +=
-            ((chassis.linear_velocity - car.expected_v) / h - car.other_a) * share;
+        car.other_a += ((chassis.linear_velocity - car.expected_v) / h - car.other_a) * share;
         car.other_alpha +=
             ((chassis.angular_velocity - car.expected_w) / h - car.other_alpha) * share;
         car.other_a = bounded_push(car.other_a);
@@ -200,8 +199,8 @@ struct Push {
     Vec3 impulse = {}, turn = {};  // N s, N m s about the centre of mass
 };
 
-void push_ground(SubstepContext& substep, const Frame& frame, const Contact& contact,
-                 Vec3 impulse, Car& car) {
+void push_ground(SubstepContext& substep, const Frame& frame, const Contact& contact, Vec3 impulse,
+                 Car& car) {
     Ground& ground = car.grounds[contact.wheel];
     if (!ground.dynamic) return;
     const BodyId body = car.wheels[contact.wheel].ground;

@@ -172,7 +172,8 @@ void check_air(const VehicleDef& def, Check& check) {
     check.number("downforce_area", def.aerodynamics.downforce_area, 0, 1000);
     check.number("density", def.aerodynamics.density, 0, 2000);
     check.leave();
-    check.number("cast", static_cast<double>(def.cast), 0, static_cast<double>(WheelCast::cylinder));
+    check.number("cast", static_cast<double>(def.cast), 0,
+                 static_cast<double>(WheelCast::cylinder));
     check.number("steering_rate", def.steering_rate, 0.01, 1000);
     check.number("rate", def.rate, 10, 1e5);
 }
@@ -237,7 +238,8 @@ std::string fault_of(const Car& car) {
     Check check;
     check.that(car.wheels.size() == car.def.wheels.size(), "wheels have another number of states");
     for (const Wheel& wheel : car.def.wheels)
-        check.that(is_unit(wheel.down) && is_unit(wheel.axle), "wheels have axes that are not unit");
+        check.that(is_unit(wheel.down) && is_unit(wheel.axle),
+                   "wheels have axes that are not unit");
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         check.enter("wheels", k);
         check_run(car.wheels[k], check);

@@ -25,7 +25,7 @@ constexpr int rounds_max = 4;
 
 // How stiff links are while they hold, against the inertia that they hold: what a link that holds
 // slips in a sub-step is its torque over this. A brake at 300 N m lets a wheel creep by 1e-7 rad/s.
-constexpr double brake_stiff = 1e7, clutch_stiff = 300, coupling_stiff = 300;
+constexpr double brake_stiff = 1e7, clutch_stiff = 300, coupling_stiff = 3000;
 
 struct Link {
     std::array<std::uint8_t, unknowns_max> at;
@@ -74,7 +74,10 @@ void add_brakes(const Car& car, double h, const SpunWheels& wheels, Links& links
 void add_clutch(const Car& car, double h, const Speeds& y, Links& links) {
     const double ratio = ratio_now(car), idle = car.def.engine.idle;
     if (ratio == 0) return;
-    const double pressed = clamp((car.engine_speed - 1.05 * idle) / (0.6 * idle), 0, 1);
+    // By the faster side: who sets off lets the clutch in by the engine's speed, who rolls in gear
+    // is braked by the engine.
+    const double fastest = maximum(car.engine_speed, ratio * mean_driven_spin(car));
+    const double pressed = clamp((fastest - 1.05 * idle) / (0.6 * idle), 0, 1);
     const double most = car.def.gearbox.clutch_torque * pressed * (1 - car.controls.clutch);
     if (most <= 0) return;
     Link& link = links.of[links.count++];
@@ -118,17 +121,16 @@ void add_couplings(const Car& car, double h, const Speeds& y, Links& links) {
 }
 
 // Without links.
-void assemble(const Car& car, double h, const SpunWheels& wheels, double throttle,
-              System& system) {
+void assemble(const Car& car, double h, const SpunWheels& wheels, double throttle, System& system) {
     const std::size_t engine = car.wheels.size();
     system.clear(engine + 1);
-    const double lost = (1 - car.def.gearbox.efficiency) *
-                        maximum(car.clutch_torque, 0) * ratio_now(car);
+    const double lost =
+        (1 - car.def.gearbox.efficiency) * maximum(car.clutch_torque, 0) * ratio_now(car);
     for (std::size_t i = 0; i < engine; i++) {
         const SpunWheel& wheel = wheels[i];
         system.a[i][i] = wheel.answers;
-        system.b[i] = wheel.answers * wheel.spin -
-                      h * (wheel.radius * wheel.force + wheel.share * lost);
+        system.b[i] =
+            wheel.answers * wheel.spin - h * (wheel.radius * wheel.force + wheel.share * lost);
     }
     const Engine& made = car.def.engine;
     const double torque = throttle * torque_at(made, car.engine_speed);
@@ -139,8 +141,7 @@ void assemble(const Car& car, double h, const SpunWheels& wheels, double throttl
 void add(const Link& link, double h, System& system) {
     if (link.grip != Grip::holds) {
         const double push = h * (link.grip == Grip::slips_ahead ? link.most : -link.most);
-        for (std::size_t k = 0; k < link.size; k++)
-            system.b[link.at[k]] -= push * link.weight[k];
+        for (std::size_t k = 0; k < link.size; k++) system.b[link.at[k]] -= push * link.weight[k];
         return;
     }
     const double hold = h * link.stiff;
@@ -210,8 +211,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
     const std::size_t engine = car.wheels.size();
     Speeds y;
     for (std::size_t i = 0; i < engine; i++) {
-        wheels[i].answers =
-            wheels[i].inertia + h * wheels[i].radius * maximum(wheels[i].slope, 0);
+        wheels[i].answers = wheels[i].inertia + h * wheels[i].radius * maximum(wheels[i].slope, 0);
         y[i] = wheels[i].spin;
     }
     y[engine] = car.engine_speed;
@@ -230,8 +230,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
         system.solve();
         y = system.b;
         bool again = false;
-        for (std::size_t k = 0; k < links.count; k++)
-            again = corrected(links.of[k], y) || again;
+        for (std::size_t k = 0; k < links.count; k++) again = corrected(links.of[k], y) || again;
         if (!again) break;
     }
     car.clutch_torque = clutched ? torque_of(links.of[clutch], y) : 0;

@@ -31,11 +31,16 @@ struct Way {
 // Friction of two materials by the rule of materials: whichever is further down the list.
 double combine(double a, Combine rule_a, double b, Combine rule_b) {
     switch (rule_a < rule_b ? rule_b : rule_a) {
-        case Combine::average: return 0.5 * (a + b);
-        case Combine::geometric_mean: return square_root(a * b);
-        case Combine::minimum: return minimum(a, b);
-        case Combine::multiply: return a * b;
-        case Combine::maximum: return maximum(a, b);
+        case Combine::average:
+            return 0.5 * (a + b);
+        case Combine::geometric_mean:
+            return square_root(a * b);
+        case Combine::minimum:
+            return minimum(a, b);
+        case Combine::multiply:
+            return a * b;
+        case Combine::maximum:
+            return maximum(a, b);
     }
     return a;
 }
@@ -54,8 +59,7 @@ std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filt
 
 std::optional<Found> cast_shape_of(const Queries& queries, const QueryFilter& filter,
                                    const Way& way, const Geometry& shape, Quat rotation) {
-    const auto hit =
-        queries.cast_shape({shape, {way.from, rotation}, way.motion}, filter);
+    const auto hit = queries.cast_shape({shape, {way.from, rotation}, way.motion}, filter);
     if (!hit.ok() || !*hit || (**hit).fraction <= 0) return {};
     return Found{(**hit).body, (**hit).shape, (**hit).fraction, (**hit).point, (**hit).normal};
 }
@@ -157,8 +161,7 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void look(const World& world, const Queries& queries, const Way& way, std::size_t index,
-          Car& car) {
+void look(const World& world, const Queries& queries, const Way& way, std::size_t index, Car& car) {
     WheelRun& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
     const std::optional<Found> found = cast_wheel(queries, car, car.def.wheels[index], way);

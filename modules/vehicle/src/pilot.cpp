@@ -31,8 +31,7 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     const double distance = length(out);
     const Vec3 radial = distance > 0.1 ? out / distance : Vec3{1, 0, 0};
     const Vec3 along{radial.z, 0, -radial.x};
-    const Vec3 course =
-        normalized(along - radial * clamp((distance - pilot.radius) / 10, -1, 1));
+    const Vec3 course = normalized(along - radial * clamp((distance - pilot.radius) / 10, -1, 1));
     const Vec3 ahead = rotate(chassis.pose.rotation, {0, 0, -1});
     const double left = cross(ahead, course).y;
     const double off = dot(ahead, course) < 0 ? (left < 0 ? -1 : 1) : left;

@@ -28,8 +28,7 @@ inline constexpr double rolls_at = 1;  // m/s from which a tread rolls: its cont
 inline double tread_damping(double ratio, double stiffness, double inverse_mass, double rolls,
                             double h) {
     if (rolls >= 1 || stiffness <= 0) return 0;
-    const double c =
-        2 * ratio * physics::square_root(stiffness / inverse_mass) * (1 - rolls);
+    const double c = 2 * ratio * physics::square_root(stiffness / inverse_mass) * (1 - rolls);
     return c / (1 + h * c * inverse_mass);
 }
 

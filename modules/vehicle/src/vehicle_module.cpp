@@ -72,12 +72,11 @@ VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
 void publish_wheel(const Wheel& wheel, const WheelRun& run, double angle, ChunkWriter& chunk) {
     chunk.quantized(wheel.radius, 0, 2, 1);
     chunk.quantized(wheel.width, 0, 1, 1);
-    const Vec3 center =
-        wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);
+    const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);
     for (const double x : {center.x, center.y, center.z}) chunk.quantized(x, -8, 8, 2);
     const double limit = run.friction * run.load;
-    const bool slides = run.touches && run.ahead * run.ahead + run.aside * run.aside >
-                                           0.9 * limit * limit;
+    const bool slides =
+        run.touches && run.ahead * run.ahead + run.aside * run.aside > 0.9 * limit * limit;
     chunk.u8(static_cast<std::uint8_t>((run.touches ? 1 : 0) + (slides ? 2 : 0)));
     chunk.quantized(run.angle, 0, 2 * pi, 2);
     chunk.quantized(run.spin, -400, 400, 2);

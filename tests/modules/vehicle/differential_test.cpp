@@ -40,8 +40,7 @@ TEST(Differential, an_open_one_gives_both_wheels_what_the_worse_one_bears) {
 }
 
 TEST(Differential, limited_slip_adds_what_its_friction_bears) {
-    const Coupling lock{
-        .first = {2}, .second = {3}, .preload = 400, .ratio = 0};
+    const Coupling lock{.first = {2}, .second = {3}, .preload = 400, .ratio = 0};
     const Split split = on_split_ground(lock);
     // Each side gets half of the torque, less and more the lock's: 2 * 400 N m over the radius
     // between them, less the inertia of what speeds up.
@@ -51,8 +50,8 @@ TEST(Differential, limited_slip_adds_what_its_friction_bears) {
 }
 
 TEST(Differential, a_locked_one_turns_both_wheels_alike) {
-    const Split split = on_split_ground(
-        Coupling{.first = {2}, .second = {3}, .kind = CouplingKind::locked});
+    const Split split =
+        on_split_ground(Coupling{.first = {2}, .second = {3}, .kind = CouplingKind::locked});
     EXPECT_NEAR(split.spin_left, split.spin_right, 0.01 * split.spin_right);
     EXPECT_GT(split.right, 4 * split.left) << "the gripping wheel pushes alone";
 }
@@ -61,8 +60,7 @@ TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
     const auto difference = [](bool locked) {
         TestCar of({}, {0, 0, -5});
         VehicleDef def = plain_saloon(of.chassis);
-        if (locked)
-            def.couplings = {{.first = {2}, .second = {3}, .kind = CouplingKind::locked}};
+        if (locked) def.couplings = {{.first = {2}, .second = {3}, .kind = CouplingKind::locked}};
         of.add(def);
         roll_off(of, 0.5);
         of.set({.steering = 0.5, .gear = 0});

@@ -60,8 +60,7 @@ TEST(DriveLine, a_gear_multiplies_the_engines_torque) {
         const double v = of.speed();
         of.drive(1);
         const double i = gear * def.gearbox.final_ratio, r = 0.33;
-        const double mass =
-            car_mass + 4 * 1.2 / (r * r) + def.engine.inertia * i * i / (r * r);
+        const double mass = car_mass + 4 * 1.2 / (r * r) + def.engine.inertia * i * i / (r * r);
         const double expected = 200 * i / r / mass, found = of.speed() - v;
         RecordProperty("acceleration_off_percent_gear_" + std::to_string(gear),
                        std::to_string(100 * (found / expected - 1)));

@@ -126,9 +126,9 @@ TEST(Grip, a_parked_car_does_not_creep) {
             const Vec3 from = of.body().center;
             of.drive(60);
             const double crept = length(of.body().center - from);
-            RecordProperty("creep_mm_" + std::to_string(static_cast<int>(slope)) +
-                               (aside ? "_aside" : ""),
-                           std::to_string(1e3 * crept));
+            RecordProperty(
+                "creep_mm_" + std::to_string(static_cast<int>(slope)) + (aside ? "_aside" : ""),
+                std::to_string(1e3 * crept));
             EXPECT_LT(crept, 0.001) << slope << " degrees";
         }
 }
@@ -169,8 +169,8 @@ TEST(Grip, a_handbrake_lets_the_tail_step_out) {
     of.drive(1.5);
     const BodyState body = of.body();
     const Vec3 ahead = rotate(body.pose.rotation, {0, 0, -1});
-    const double drift = arc_tangent(length(cross(ahead, body.linear_velocity)),
-                                     dot(ahead, body.linear_velocity));
+    const double drift =
+        arc_tangent(length(cross(ahead, body.linear_velocity)), dot(ahead, body.linear_velocity));
     RecordProperty("drift_degrees", std::to_string(drift * 180 / pi));
     EXPECT_GT(drift, 0.4);
 }

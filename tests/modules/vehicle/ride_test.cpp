@@ -42,8 +42,7 @@ TEST(Ride, sag_does_not_depend_on_what_else_presses) {
         .value();
     of.drive(10);
     const double load = of.load({0, 1, 2, 3});
-    RecordProperty("load_off_percent",
-                   std::to_string(100 * (load / (1800 * gravity) - 1)));
+    RecordProperty("load_off_percent", std::to_string(100 * (load / (1800 * gravity) - 1)));
     EXPECT_NEAR(load, 1800 * gravity, 0.002 * 1800 * gravity);
     const auto wheel = of.state().wheels[0];
     EXPECT_NEAR(wheel.travel, 1800 * gravity / (4 * wheel.stiffness), 0.002 * wheel.travel);
@@ -151,8 +150,8 @@ TEST(Ride, no_spring_is_too_stiff) {
                     of.drive(step_time);
                     highest = std::max(highest, std::abs(of.body().center.y - 0.78));
                 }
-                EXPECT_LT(highest, 0.5) << frequency << " Hz, damping " << damping << ", "
-                                        << substeps << " sub-steps";
+                EXPECT_LT(highest, 0.5)
+                    << frequency << " Hz, damping " << damping << ", " << substeps << " sub-steps";
                 if (damping == 0) continue;  // bounces on
                 EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 150)
                     << frequency << " Hz, damping " << damping << ", " << substeps << " sub-steps";

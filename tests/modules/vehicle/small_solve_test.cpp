@@ -17,8 +17,7 @@ TEST(SmallSolve, solves_a_hilbert_matrix) {
             system.b[i] += entry * static_cast<double>(j + 1);
         }
     system.solve();
-    for (std::size_t i = 0; i < 5; i++)
-        EXPECT_NEAR(system.b[i], static_cast<double>(i + 1), 1e-9);
+    for (std::size_t i = 0; i < 5; i++) EXPECT_NEAR(system.b[i], static_cast<double>(i + 1), 1e-9);
 }
 
 TEST(SmallSolve, of_nothing_solves_nothing) {

@@ -63,9 +63,7 @@ struct TestCar {
     }
 
     void add(const VehicleDef& def) { car = vehicles->add(world, def).value(); }
-    void set(const CarControls& controls) {
-        vehicles->set_controls(world, car, controls).expect();
-    }
+    void set(const CarControls& controls) { vehicles->set_controls(world, car, controls).expect(); }
     void drive(double seconds) {
         for (int k = 0; k < static_cast<int>(seconds * 60 + 0.5); k++)
             world.step(step_time).expect();

@@ -11,9 +11,9 @@
 //     world.add_module(std::move(vehicles)).expect();
 //
 // What wheels stand on is pushed back: in the same sub-step where it is in the group of the
-// chassis, which it is when both touch each other or something else in common; else at the end of
-// the step, by the sum. Bodies that only wheels hold together are pushed back a step late: a car on
-// a raft of its own mass still rests, but trembles where it is much heavier than what it stands on.
+// chassis, else by the sum of the step, as a force during the next one. A chassis that touches
+// nothing is in the group of all that touches nothing; so it is a car on a barge that lies on the
+// ground that pushes a step late. Cars on dynamic bodies do not sleep.
 //
 // Thread rule: as of the world that owns it.
 #pragma once
@@ -58,8 +58,8 @@ struct WheelState {
     bool touches = false;
     BodyId ground = {};
     Vec3 point = {}, normal = {0, 1, 0};  // of the ground in the last step, world
-    double travel = 0;    // m pressed in from hanging
-    double load = 0;      // N along the normal
+    double travel = 0;                    // m pressed in from hanging
+    double load = 0;                      // N along the normal
     Vec3 force = {};      // N of the tyre on the chassis, along the ground: ahead, right, 0
     double spin = 0;      // rad/s, ahead
     double angle = 0;     // rad that it has turned, 0 to 2 pi
@@ -71,7 +71,7 @@ struct CarState {
     CarControls controls = {};
     std::int32_t gear = 0;
     bool shifting = false;
-    double engine_speed = 0;  // rad/s
+    double engine_speed = 0;                      // rad/s
     double engine_torque = 0, clutch_torque = 0;  // N m
     double speed = 0;                             // m/s ahead
     std::vector<WheelState> wheels = {};

@@ -17,11 +17,11 @@ namespace jostle::modules {
 using physics::BodyId;
 using physics::Vec3;
 
-inline constexpr std::size_t wheels_max = 12;       // of a car
-inline constexpr std::size_t couplings_max = 8;     // of a car: differentials that lock
-inline constexpr std::size_t bars_max = 6;          // anti-roll
+inline constexpr std::size_t wheels_max = 12;    // of a car
+inline constexpr std::size_t couplings_max = 8;  // of a car: differentials that lock
+inline constexpr std::size_t bars_max = 6;       // anti-roll
 inline constexpr std::size_t curve_points_max = 16;
-inline constexpr std::size_t gears_max = 12;        // ahead
+inline constexpr std::size_t gears_max = 12;  // ahead
 
 // How a wheel looks for the ground: once a step, along its suspension. The plane that it finds
 // holds for the step.
@@ -56,18 +56,18 @@ struct Suspension {
 };
 
 struct Wheel {
-    Vec3 attachment = {};       // m, in the chassis; within 100
-    Vec3 down = {0, -1, 0};     // along the suspension; not zero, made unit
-    Vec3 axle = {1, 0, 0};      // to the right when it steers straight; square to `down`
-    double radius = 0.33;       // m, 0.02 to 10
-    double width = 0.22;        // m, 0.01 to 10
-    double inertia = 1.2;       // kg m^2 about the axle, 0.001 to 1e5
+    Vec3 attachment = {};    // m, in the chassis; within 100
+    Vec3 down = {0, -1, 0};  // along the suspension; not zero, made unit
+    Vec3 axle = {1, 0, 0};   // to the right when it steers straight; square to `down`
+    double radius = 0.33;    // m, 0.02 to 10
+    double width = 0.22;     // m, 0.01 to 10
+    double inertia = 1.2;    // kg m^2 about the axle, 0.001 to 1e5
     Suspension suspension = {};
     Tyre tyre = {};
-    double steering_most = 0;   // rad at full lock, -1.4 to 1.4; below 0: turns the other way
-    double drive_share = 0;     // of the gearbox's torque, 0 to 1; of all wheels 0 or 1 in sum
-    double brake_torque = 1500;       // N m at full brake, 0 to 1e7
-    double hand_brake_torque = 0;     // N m, 0 to 1e7
+    double steering_most = 0;      // rad at full lock, -1.4 to 1.4; below 0: turns the other way
+    double drive_share = 0;        // of the gearbox's torque, 0 to 1; of all wheels 0 or 1 in sum
+    double brake_torque = 1500;    // N m at full brake, 0 to 1e7
+    double hand_brake_torque = 0;  // N m, 0 to 1e7
 };
 
 // Two wheels of an axle: presses in the one by stiffness times the difference of their travels.
@@ -109,8 +109,8 @@ struct Gearbox {
     double reverse = 3.3;                                   // 0.01 to 1000
     double final_ratio = 3.7;                               // 0.01 to 1000
     double efficiency = 0.95;                               // 0.1 to 1
-    double shift_time = 0.25;    // s with the clutch open, 0 to 10
-    double shift_pause = 0.6;    // s between two shifts of an automatic, 0 to 100
+    double shift_time = 0.25;                               // s with the clutch open, 0 to 10
+    double shift_pause = 0.6;           // s between two shifts of an automatic, 0 to 100
     double up_at = 560, down_at = 230;  // rad/s of the engine, 0 to 1e4, down < up
     double clutch_torque = 500;         // N m that it holds, 1 to 1e7
 };
@@ -141,10 +141,10 @@ struct VehicleDef {
 struct SaloonDef {
     BodyId chassis = {};
     double track = 1.6, wheel_base = 2.7;  // m
-    double height = 0;       // m of the attachments in the chassis
-    double middle = 0;       // m along z of the middle between the axles
-    double front_drive = 0;  // share of the front axle, 0 to 1
-    Wheel wheel = {};        // for all four
+    double height = 0;                     // m of the attachments in the chassis
+    double middle = 0;                     // m along z of the middle between the axles
+    double front_drive = 0;                // share of the front axle, 0 to 1
+    Wheel wheel = {};                      // for all four
     double steering_most = 0.6;
     double hand_brake_torque = 3000;  // of each rear wheel
     double anti_roll = 8'000;         // N/m, of both axles

@@ -26,11 +26,11 @@ TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
               "wheels is 0; it must be from 1 to 12");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
               "drive shares of all wheels are neither 0 nor 1 in sum");
-    EXPECT_EQ(complaint([](VehicleDef& def) {
-                  def.couplings = {{.first = {2}, .second = {7}}};
-              }),
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.couplings = {{.first = {2}, .second = {7}}}; }),
               "couplings[0].names a wheel that there is not");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[0].axle = {0, 1, 0}; }),
+    EXPECT_EQ(complaint([](VehicleDef& def) {
+                  def.wheels[0].axle = {0, 1, 0};
+              }),
               "wheels[0].axle is not square to down");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
               "engine.curve.speed does not rise");
@@ -56,8 +56,7 @@ TEST(Vehicles, ids_are_not_used_again_and_unknown_ones_are_refused) {
     of.vehicles->remove(first).expect();
     EXPECT_EQ(error_of(of.vehicles->remove(first)).code, ErrorCode::not_found);
     EXPECT_EQ(error_of(of.vehicles->state(first)).code, ErrorCode::not_found);
-    EXPECT_EQ(error_of(of.vehicles->set_controls(of.world, first, {})).code,
-              ErrorCode::not_found);
+    EXPECT_EQ(error_of(of.vehicles->set_controls(of.world, first, {})).code, ErrorCode::not_found);
     of.add(plain_saloon(of.chassis));
     EXPECT_NE(of.car, first);
 }
@@ -119,12 +118,12 @@ TEST(Vehicles, a_sleeping_car_falls_when_its_ground_is_taken_away) {
 TEST(Vehicles, a_scene_makes_saloons_of_bodies) {
     TestCar of;
     Vehicles made;
-    ASSERT_TRUE(made.configure(of.world, {.numbers = {{"track", 1.5},
-                                                      {"front_drive", 1},
-                                                      {"cast", 0},
-                                                      {"throttle", 0.4}},
-                                          .bodies = {{"car", of.chassis}}})
-                    .ok());
+    ASSERT_TRUE(
+        made.configure(
+                of.world,
+                {.numbers = {{"track", 1.5}, {"front_drive", 1}, {"cast", 0}, {"throttle", 0.4}},
+                 .bodies = {{"car", of.chassis}}})
+            .ok());
     ASSERT_EQ(made.cars().size(), 1u);
     const VehicleDef def = made.def(1).value();
     EXPECT_EQ(def.wheels[0].attachment.x, -0.75);

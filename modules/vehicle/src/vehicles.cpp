@@ -195,8 +195,9 @@ void Vehicles::before_substep(SubstepContext& substep) {
         if (car.active && substep.contains(car.def.chassis)) step_car(substep, car);
 }
 
-// Pays what the ground in another group is owed.
-void Vehicles::after_step(World& world, double) {
+// Pays what the ground in another group is owed, over the next step: an impulse now would move it
+// before anything could bear it.
+void Vehicles::after_step(World& world, double dt) {
     for (Car& car : cars_) {
         if (!car.active) continue;
         for (std::size_t k = 0; k < car.grounds.size(); k++) {
@@ -204,7 +205,7 @@ void Vehicles::after_step(World& world, double) {
             if (!ground.dynamic || ground.pushed == Vec3{}) continue;
             // The body may be gone: then nobody is owed.
             static_cast<void>(
-                world.apply_impulse(car.wheels[k].ground, ground.pushed, ground.point));
+                world.apply_force(car.wheels[k].ground, ground.pushed / dt, ground.point));
         }
     }
 }

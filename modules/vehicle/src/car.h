@@ -77,6 +77,8 @@ struct Car {
     Mat3 inverse_inertia;  // world axes
     std::vector<Ground> grounds;
     std::vector<Rig> rigs;
+    // Of the definition; made when they are first wanted.
+    std::vector<physics::Geometry> probes;  // the lower half of each wheel
 };
 
 // The chassis in a sub-step.

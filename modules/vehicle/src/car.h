@@ -48,6 +48,14 @@ struct Rig {
     Vec3 down = {}, axle = {}, ahead = {};  // in the chassis, steered
 };
 
+// Of a two-wheeler, at the start of the step.
+struct Lean {
+    double angle = 0, rate = 0;  // rad, rad/s, to the right
+    double height = 1;           // m: of a pendulum that falls as fast
+    double weight = 0;           // m/s^2 down
+    double inertia = 0;          // kg m^2 about the line that it leans over
+};
+
 enum class Grip : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling
 
 struct Car {
@@ -77,6 +85,7 @@ struct Car {
     Mat3 inverse_inertia;  // world axes
     std::vector<Ground> grounds;
     std::vector<Rig> rigs;
+    Lean lean;
     // Of the definition; made when they are first wanted.
     std::vector<physics::Geometry> probes;  // the lower half of each wheel
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "car_step.h"
 
+#include "balance.h"
 #include "drive_line.h"
 #include "suspension.h"
 #include "tyre.h"
@@ -96,7 +97,14 @@ bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t inde
     const Vec3 axle = frame.axes * rig.axle;
     contact.ahead = normalized(cross(normal, axle), frame.axes * rig.ahead);
     contact.aside = cross(contact.ahead, normal);
-    contact.arm = hub + down * length - normal * ground.reach - frame.center;
+    contact.arm = hub + down * length - frame.center;
+    if (wheel.crown > 0) {
+        // Round across: it touches at the side to which it leans.
+        const Vec3 rim = normalized(normal - axle * dot(axle, normal), -down);
+        contact.arm += rim * (wheel.crown - wheel.radius) - normal * wheel.crown;
+    } else {
+        contact.arm += normal * -ground.reach;
+    }
     Vec3 below = ground.velocity;
     const BodyId body = car.wheels[index].ground;
     if (ground.dynamic && substep.contains(body))
@@ -131,8 +139,9 @@ void prepare_spin(const Car& car, SpunWheels& wheels) {
     const CarControls& controls = car.controls;
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& made = car.def.wheels[k];
-        const double brake = maximum(controls.brake * made.brake_torque,
+        const double pedal = maximum(controls.brake * made.brake_torque,
                                      controls.hand_brake * made.hand_brake_torque);
+        const double brake = maximum(pedal, car.steering * made.steering_brake);
         SpunWheel& wheel = wheels[k];
         wheel.radius = made.radius;
         wheel.inertia = made.inertia;
@@ -266,6 +275,7 @@ void step_car(SubstepContext& substep, Car& car) {
     push_by_wheels(substep, frame, contacts, car, push);
     turn_wheels(frame, wheels, car, push);
     push_by_air(frame, car, push);
+    push.turn += balance_by_feet(frame, car);
     car.carried = contacts.count > 0;
     car.carry = car.carried ? car.other_a * (-car.mass * substep.h()) : Vec3{};
     substep.add_impulse(chassis, push.impulse - car.carry * (steps - 1), frame.center);

@@ -78,6 +78,8 @@ void check_wheel(const Wheel& wheel, Check& check) {
     check.number("drive_share", wheel.drive_share, 0, 1);
     check.number("brake_torque", wheel.brake_torque, 0, 1e7);
     check.number("hand_brake_torque", wheel.hand_brake_torque, 0, 1e7);
+    check.number("steering_brake", wheel.steering_brake, -1e7, 1e7);
+    check.number("crown", wheel.crown, 0, wheel.radius);
     check_suspension(wheel.suspension, check);
     check_tyre(wheel.tyre, check);
 }
@@ -171,6 +173,11 @@ void check_air(const VehicleDef& def, Check& check) {
     check.number("drag_area", def.aerodynamics.drag_area, 0, 1000);
     check.number("downforce_area", def.aerodynamics.downforce_area, 0, 1000);
     check.number("density", def.aerodynamics.density, 0, 2000);
+    check.leave();
+    check.enter("balance");
+    check.number("lean_most", def.balance.lean_most, 0, 1.2);
+    check.number("frequency", def.balance.frequency, 0.1, 5);
+    check.number("feet_below", def.balance.feet_below, 0, 20);
     check.leave();
     check.number("cast", static_cast<double>(def.cast), 0,
                  static_cast<double>(WheelCast::cylinder));

@@ -80,9 +80,9 @@ double reach_of(WheelCast cast, const Wheel& wheel, double lean) {
 }
 
 // Whether a wheel meets nothing but the plane that a ray found below its middle; then that is what
-// it stands on, and `found` says how far down. Asked of a probe that holds the wheel's lower half, a
-// hundredth of a radius above the plane: what sticks out by less is not seen. That costs a fifth of
-// a cast.
+// it stands on, and `found` says how far down. Asked of a probe that holds the wheel's lower half,
+// a hundredth of a radius above the plane: what sticks out by less is not seen. That costs a fifth
+// of a cast.
 bool stands_on(const Queries& queries, const QueryFilter& filter, const Way& way,
                const Wheel& wheel, WheelCast cast, const Geometry& probe, Found& found) {
     const Vec3 normal = found.normal;
@@ -120,8 +120,7 @@ std::optional<Found> cast_wheel(const Queries& queries, const Car& car, const Wh
     std::optional<Found> below = cast_ray_of(queries, filter, way, wheel.radius);
     if (!bears(way, below)) below.reset();
     if (car.def.cast == WheelCast::ray) return below;
-    if (below && stands_on(queries, filter, way, wheel, car.def.cast, probe, *below))
-        return below;
+    if (below && stands_on(queries, filter, way, wheel, car.def.cast, probe, *below)) return below;
     const std::optional<Found> found = cast_whole(queries, filter, way, wheel, car.def.cast);
     if (bears(way, found)) return found;
     // It starts inside of something, or leans on a wall.
@@ -166,7 +165,7 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
 void look(const World& world, const Queries& queries, const Way& way, std::size_t index, Car& car) {
     WheelRun& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
-    const std::optional<Found> found = 
+    const std::optional<Found> found =
         cast_wheel(queries, car, car.def.wheels[index], car.probes[index], way);
     if (!found) return;
     ground.found = true;
@@ -174,6 +173,12 @@ void look(const World& world, const Queries& queries, const Way& way, std::size_
     ground.normal = found->normal;
     const Vec3 center = way.from + way.motion * found->fraction;
     ground.reach = dot(center - found->point, found->normal);
+    const double crown = car.def.wheels[index].crown;
+    if (crown > 0) {
+        const double lean = dot(way.axle, found->normal);
+        ground.reach = crown + (car.def.wheels[index].radius - crown) *
+                                   square_root(maximum(1 - lean * lean, 0));
+    }
     take_friction(world, car.def.wheels[index].tyre, *found, run);
     take_motion(world, *found, ground);
     run.ground = found->body;

@@ -102,6 +102,42 @@ VehicleDef saloon(const SaloonDef& def) {
     return made;
 }
 
+VehicleDef tracked(const TrackedDef& def) {
+    VehicleDef made{.chassis = def.chassis};
+    const std::uint32_t wheels = def.wheels < 2 ? 2 : def.wheels > 8 ? 8 : def.wheels;
+    for (std::uint32_t k = 0; k < 2 * wheels; k++) {
+        const bool left = k < wheels;
+        const double along = static_cast<double>(k % wheels) / (wheels - 1) - 0.5;
+        Wheel wheel = def.wheel;
+        wheel.attachment = {(left ? -0.5 : 0.5) * def.gauge, def.height,
+                            def.middle + along * def.length};
+        wheel.drive_share = 0.5 / wheels;
+        wheel.steering_brake = left ? -def.steering_brake : def.steering_brake;
+        made.wheels.push_back(wheel);
+        if (k % wheels > 0)
+            made.couplings.push_back(
+                {.first = {k - 1}, .second = {k}, .kind = CouplingKind::locked});
+    }
+    return made;
+}
+
+VehicleDef motorcycle(const MotorcycleDef& def) {
+    VehicleDef made{.chassis = def.chassis};
+    for (const bool front : {true, false}) {
+        Wheel wheel = def.wheel;
+        wheel.attachment = {0, def.height, def.middle + (front ? -0.5 : 0.5) * def.wheel_base};
+        wheel.steering_most = front ? def.steering_most : 0;
+        wheel.drive_share = front ? 0 : 1;
+        wheel.crown = minimum(0.5 * wheel.width, wheel.radius);
+        made.wheels.push_back(wheel);
+    }
+    made.balance.on = true;
+    made.cast = WheelCast::ray;
+    made.steering_rate = 20;
+    made.aerodynamics.drag_area = 0.4;
+    return made;
+}
+
 Status Vehicles::configure(World& world, const ModuleSettings& settings) {
     SceneCars cars;
     if (Status good = read(settings, cars); !good.ok()) return good;

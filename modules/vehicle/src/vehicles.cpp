@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "balance.h"
 #include "car_step.h"
 #include "check_def.h"
 #include "gearbox.h"
@@ -33,7 +34,8 @@ double angle_of(const Car& car, std::size_t wheel) {
 
 void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
-    car.steering += clamp(car.controls.steering - car.steering, -most, most);
+    const double wanted = car.def.balance.on ? balance_steering(car) : car.controls.steering;
+    car.steering += clamp(wanted - car.steering, -most, most);
     car.rigs.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& wheel = car.def.wheels[k];
@@ -60,6 +62,7 @@ void begin_step(World& world, const Queries& queries, const BodyState& chassis, 
     car.mass = chassis.mass;
     car.inverse_inertia = inverse(chassis.inertia);
     choose_gear(car, dt);
+    if (car.def.balance.on) measure_lean(chassis, car);
     steer(car, dt);
     look_for_ground(world, queries, chassis, dt, car);
 }

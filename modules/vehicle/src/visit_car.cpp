@@ -40,6 +40,8 @@ void visit_wheel(StateVisitor& v, Wheel& wheel) {
     v.field("drive_share", wheel.drive_share);
     v.field("brake_torque", wheel.brake_torque);
     v.field("hand_brake_torque", wheel.hand_brake_torque);
+    v.field("steering_brake", wheel.steering_brake);
+    v.field("crown", wheel.crown);
 }
 
 void visit_group(StateVisitor& v, std::string_view name, std::vector<std::uint32_t>& group) {
@@ -61,6 +63,10 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
         v.field("preload", coupling.preload);
         v.field("ratio", coupling.ratio);
     });
+    v.field("balanced", def.balance.on);
+    v.field("lean_most", def.balance.lean_most);
+    v.field("lean_frequency", def.balance.frequency);
+    v.field("feet_below", def.balance.feet_below);
     v.field("cast", def.cast, WheelCast::cylinder);
     v.field("ground", def.ground);
     v.field("steering_rate", def.steering_rate);

@@ -23,7 +23,7 @@ TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
     EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
               "wheels[1].suspension.longest is less than a millimetre above suspension.shortest");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels.clear(); }),
-              "wheels is 0; it must be from 1 to 12");
+              "wheels is 0; it must be from 1 to 16");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
               "drive shares of all wheels are neither 0 nor 1 in sum");
     EXPECT_EQ(complaint([](VehicleDef& def) { def.couplings = {{.first = {2}, .second = {7}}}; }),

@@ -17,9 +17,9 @@ namespace jostle::modules {
 using physics::BodyId;
 using physics::Vec3;
 
-inline constexpr std::size_t wheels_max = 12;    // of a car
-inline constexpr std::size_t couplings_max = 8;  // of a car: differentials that lock
-inline constexpr std::size_t bars_max = 6;       // anti-roll
+inline constexpr std::size_t wheels_max = 16;     // of a car
+inline constexpr std::size_t couplings_max = 16;  // of a car: differentials that lock
+inline constexpr std::size_t bars_max = 6;        // anti-roll
 inline constexpr std::size_t curve_points_max = 16;
 inline constexpr std::size_t gears_max = 12;  // ahead
 
@@ -68,6 +68,12 @@ struct Wheel {
     double drive_share = 0;        // of the gearbox's torque, 0 to 1; of all wheels 0 or 1 in sum
     double brake_torque = 1500;    // N m at full brake, 0 to 1e7
     double hand_brake_torque = 0;  // N m, 0 to 1e7
+    // N m at full lock, -1e7 to 1e7: brakes when it is steered to the right, below 0 to the left.
+    // So tracks turn.
+    double steering_brake = 0;
+    // m, 0 to the radius: how round the tread is across. A round one rolls over to its side when
+    // the wheel leans, as those of two-wheelers do; a flat one, 0, stays on its middle.
+    double crown = 0;
 };
 
 // Two wheels of an axle: presses in the one by stiffness times the difference of their travels.
@@ -121,6 +127,16 @@ struct Aerodynamics {
     double density = 1.2;       // kg/m^3, 0 to 2000
 };
 
+// For two-wheelers: steering asks for a lean, and the front wheel is turned so that it comes: into
+// a fall, and at first away from a bend. Below a speed feet on the ground help: a turn of the
+// chassis that nothing bears.
+struct Balance {
+    bool on = false;
+    double lean_most = 0.7;  // rad at full lock, 0 to 1.2
+    double frequency = 0.8;  // Hz with which the lean follows, 0.1 to 5
+    double feet_below = 3;   // m/s, 0 to 20; 0: never
+};
+
 struct VehicleDef {
     BodyId chassis = {};  // a dynamic body
     std::vector<Wheel> wheels = {};
@@ -129,6 +145,7 @@ struct VehicleDef {
     Engine engine = {};
     Gearbox gearbox = {};
     Aerodynamics aerodynamics = {};
+    Balance balance = {};
     WheelCast cast = WheelCast::cylinder;
     std::uint32_t ground = 0xffffffff;  // categories of shapes that wheels stand on
     double steering_rate = 2.5;         // 1/s of full lock, 0.01 to 1000
@@ -150,5 +167,25 @@ struct SaloonDef {
     double anti_roll = 8'000;         // N/m, of both axles
 };
 VehicleDef saloon(const SaloonDef& def);
+
+// Two tracks: along each the wheels turn as one. It steers by braking a side.
+struct TrackedDef {
+    BodyId chassis = {};
+    double gauge = 2, length = 3;   // m between the tracks, and between their outermost wheels
+    std::uint32_t wheels = 5;       // of each side, 2 to 8
+    double height = 0, middle = 0;  // m, as of a saloon
+    Wheel wheel = {};               // for all
+    double steering_brake = 4000;   // N m of each wheel
+};
+VehicleDef tracked(const TrackedDef& def);
+
+// Front and rear, the rear one driven.
+struct MotorcycleDef {
+    BodyId chassis = {};
+    double wheel_base = 1.5, height = 0, middle = 0;  // m
+    Wheel wheel = {};                                 // for both; its tread is made round
+    double steering_most = 0.6;
+};
+VehicleDef motorcycle(const MotorcycleDef& def);
 
 }  // namespace jostle::modules

@@ -9,6 +9,7 @@
 #include "broadphase.h"
 #include "feature_cost.h"
 #include "integrators/integrators.h"
+#include "modules.h"
 #include "roads/roads.h"
 #include "rollback.h"
 #include "speed/speed.h"
@@ -23,6 +24,7 @@ Examples:
   jostle-bench broadphase --bodies 1000 --moving all
   jostle-bench features --at-most 1
   jostle-bench integrators --field kepler
+  jostle-bench modules
   jostle-bench roads --help
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
@@ -43,6 +45,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_broadphase(app, status);
     jostle::bench::add_features(app, status);
     jostle::bench::add_integrators(app, status);
+    jostle::bench::add_modules(app, status);
     jostle::bench::add_roads(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);

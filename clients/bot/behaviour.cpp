@@ -7,7 +7,14 @@
 namespace jostle::bots {
 namespace {
 
-constexpr double yard = 9;  // m from the middle that bots use
+constexpr double yard = 9;    // m from the middle that bots use
+constexpr double range = 40;  // ... and those that drive
+constexpr double pi = 3.14159265358979;
+
+// An axis of Controls (jostle/physics/module.h) in thousandths.
+std::int32_t axis(double value) {
+    return static_cast<std::int32_t>(std::lround(1000 * std::clamp(value, -1.0, 1.0)));
+}
 
 void set(v1::Vec3& v, double x, double y, double z) {
     v.set_x(x);
@@ -63,6 +70,8 @@ std::vector<v1::Input> Behaviour::act(double seconds, const client::WorldView& w
     if (line_.behaviour == "push") push(out, world, client_id);
     if (line_.behaviour == "throw") throw_ball(out, world, client_id);
     if (line_.behaviour == "builder") build(out, world, client_id);
+    if (line_.behaviour == "drive" && take_wheel(out, world, seconds)) drive(out, world);
+    if (line_.behaviour == "walk" && take_wheel(out, world, seconds)) walk(out, world);
     return out;
 }
 
@@ -167,6 +176,51 @@ void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world
     const double left = release_at_ - seconds;
     set(*out.emplace_back().mutable_drag()->mutable_target(), held_at_[0] + std::cos(4 * left),
         held_at_[1] + 1.5, held_at_[2] + std::sin(4 * left));
+}
+
+bool Behaviour::take_wheel(std::vector<v1::Input>& out, const client::WorldView& world,
+                           double seconds) {
+    if (world.entities().contains(driven_) && seconds < change_at_) return true;
+    std::vector<std::uint32_t> drivable;
+    for (const auto& [id, entity] : world.entities())
+        if (entity.drivable()) drivable.push_back(id);
+    driven_ = 0;
+    if (drivable.empty()) return false;
+    driven_ = drivable[static_cast<std::size_t>(random(0, static_cast<double>(drivable.size())))];
+    change_at_ = seconds + value("change");
+    out.emplace_back().mutable_possess()->set_entity(driven_);
+    return true;
+}
+
+// Ahead, now and then round a bend; when it got far away, towards the middle.
+void Behaviour::drive(std::vector<v1::Input>& out, const client::WorldView& world) {
+    const auto pose = world.pose_of(driven_);
+    if (!pose) return;
+    double steer = random(-1, 1) * random(0, 1);
+    const auto [x, y, z] = pose->position;
+    if (std::hypot(x, z) > range) {
+        // Its own -z axis and the way home, seen from above.
+        const auto& q = pose->rotation;
+        const double ahead_x = -2 * (q[0] * q[2] + q[3] * q[1]),
+                     ahead_z = -1 + 2 * (q[0] * q[0] + q[1] * q[1]);
+        const double right = ahead_x * -z - ahead_z * -x, along = ahead_x * -x + ahead_z * -z;
+        steer = along < 0 ? (right < 0 ? -1 : 1) : right / (1 + std::hypot(x, z));
+    }
+    v1::ControlInput& control = *out.emplace_back().mutable_control();
+    control.add_axes(axis(steer));
+    control.add_axes(axis(random(0.3, 1)));
+}
+
+void Behaviour::walk(std::vector<v1::Input>& out, const client::WorldView& world) {
+    const auto pose = world.pose_of(driven_);
+    if (!pose) return;
+    const double x = pose->position[0], z = pose->position[2];
+    // The heading is counted from -z, to the left.
+    double heading = random(-1, 1);
+    if (std::hypot(x, z) > yard) heading = std::atan2(x, z) / pi;
+    v1::ControlInput& control = *out.emplace_back().mutable_control();
+    for (const double value : {0.0, 1.0, 0.0, heading}) control.add_axes(axis(value));
+    control.set_buttons(random(0, 1) < 0.2 ? 1 : 0);
 }
 
 }  // namespace jostle::bots

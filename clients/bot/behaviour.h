@@ -35,6 +35,10 @@ private:
     void build(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id);
     void drag(std::vector<v1::Input>& out, const client::WorldView& world, std::uint32_t id,
               double seconds);
+    // Takes something that can be driven, once in a while; false: there is none.
+    bool take_wheel(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);
+    void drive(std::vector<v1::Input>& out, const client::WorldView& world);
+    void walk(std::vector<v1::Input>& out, const client::WorldView& world);
     // Deletes its oldest body when it has `keep` of them; true when there is room for one more.
     bool make_room(std::vector<v1::Input>& out, const std::vector<std::uint32_t>& mine);
 
@@ -44,6 +48,8 @@ private:
     std::uint32_t held_ = 0;
     double release_at_ = 0;
     std::array<double, 3> held_at_{};
+    std::uint32_t driven_ = 0;
+    double change_at_ = 0;  // s
     int built_ = 0;
     std::array<double, 2> site_{};
     std::uint32_t color_;

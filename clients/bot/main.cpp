@@ -26,6 +26,8 @@ A script has one behaviour a line: NAME weight=N key=value ... ; # begins a comm
   throw    throws balls over the yard     period=2 speed=12 keep=5
   builder  stacks boxes                   period=1 keep=8 size=0.3
   drag     carries things about           period=3
+  drive    steers what can be driven      period=0.2 change=20
+  walk     goes about on foot, and jumps  period=0.5 change=20
   watch    sends nothing
 Without a script each bot does one of these.
 

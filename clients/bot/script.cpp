@@ -21,6 +21,8 @@ const std::vector<Known>& known() {
         {"throw", {{"period", 2}, {"speed", 12}, {"keep", 5}}},
         {"builder", {{"period", 1}, {"keep", 8}, {"size", 0.3}}},
         {"drag", {{"period", 3}}},
+        {"drive", {{"period", 0.2}, {"change", 20}}},
+        {"walk", {{"period", 0.5}, {"change", 20}}},
         {"watch", {}},
     };
     return list;

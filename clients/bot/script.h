@@ -13,7 +13,11 @@
 //     throw    period=2 speed=12 keep=5   throws a ball over the yard; at most `keep` at a time
 //     builder  period=1 keep=8 size=0.3   stacks boxes of `size` m; at most `keep` at a time
 //     drag     period=3                   carries something about for half of each period
-//     watch                               sends nothing
+//     drive    period=0.2 change=20       takes something that can be driven and steers it about;
+//     every
+//                                         `change` s something else
+//     walk     period=0.5 change=20       the same on foot: looks where it goes, and jumps now and
+//     then watch                               sends nothing
 #pragma once
 
 #include <map>

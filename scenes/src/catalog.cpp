@@ -53,6 +53,7 @@ constexpr Listed listed[] = {
      flatland},
     {{"hovercraft", "A module flies a craft on four jets of air over waves and loose buoys."},
      hovercraft},
+    {{"ragdoll_stairs", "Twelve figures tip off a ramp and fall down the stairs."}, ragdoll_stairs},
     // What jostle-bench measures, by letter.
     {{"lab_pyramid_465",
       "A flat pyramid of 30 rows of 1 m boxes with gaps of 5 cm (laboratory a)."},

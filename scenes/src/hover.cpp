@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A craft that a module flies: the one of physics/examples.
-#include <memory>
-#include <mutex>
-
-#include "hovercraft.h"
 #include "jostle/physics/height_field.h"
-#include "jostle/scenes/catalog.h"
 #include "parts.h"
 
 namespace jostle::scenes {
@@ -32,15 +27,6 @@ Geometry waves() {
 }
 
 }  // namespace
-
-void register_catalog_modules() {
-    static std::once_flag once;
-    // A program that made its own hovercraft known before keeps it.
-    std::call_once(once, [] {
-        static_cast<void>(
-            register_module("hovercraft", [] { return std::make_unique<examples::Hovercraft>(); }));
-    });
-}
 
 SceneDescription hovercraft() {
     SceneDescription scene;

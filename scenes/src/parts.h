@@ -58,6 +58,7 @@ SceneDescription bullets();
 SceneDescription locked();
 SceneDescription flatland();
 SceneDescription hovercraft();
+SceneDescription ragdoll_stairs();
 SceneDescription lab_pyramid_465();
 SceneDescription lab_pyramid_5050();
 SceneDescription lab_boxes_1000();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/scenes/shape_message.h"
 
+#include "jostle/decomposition/decompose.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
@@ -58,6 +59,33 @@ std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, cons
     return built<Mesh>(in, path, build_mesh(vertices, triangles));
 }
 
+// Hulls that together hold a closed mesh. How much too much they may hold is the scene's to say;
+// how long it may take is ours.
+std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, const v1::Solid& m) {
+    constexpr int triangles_max = 20000;
+    constexpr double parts_max = 128;
+    const std::vector<Vec3> vertices = points_of(in, path + ".mesh.vertices", m.mesh().vertices());
+    if (m.mesh().indices_size() > 3 * triangles_max)
+        in.note(path + ".mesh.indices", "has " + std::to_string(m.mesh().indices_size() / 3) +
+                                            " triangles; a solid may have " +
+                                            std::to_string(triangles_max));
+    decomposition::Options options;
+    if (m.parts_max() != 0)
+        options.parts_max =
+            static_cast<int>(in.number(path + ".parts_max", m.parts_max(), 1, parts_max));
+    if (m.has_excess()) options.excess = in.number(path + ".excess", m.excess(), 0, 10);
+    if (in.failed()) return std::nullopt;
+    const std::vector<std::uint32_t> indices(m.mesh().indices().begin(), m.mesh().indices().end());
+    const auto parts = decomposition::decompose(vertices, indices, options);
+    if (!parts.ok()) {
+        in.note(path, parts.error().message);
+        return std::nullopt;
+    }
+    std::vector<CompoundChild> children;
+    for (const auto& part : parts->parts) children.push_back({Hull{part}, {}});
+    return built<Compound>(in, path, build_compound(std::move(children)));
+}
+
 std::optional<Geometry> read_height_field(FieldReader& in, const std::string& path,
                                           const v1::HeightField& m) {
     HeightGrid grid{.columns = m.columns(),
@@ -93,6 +121,10 @@ std::optional<Geometry> read_compound(FieldReader& in, const std::string& path,
         const v1::Shape& child = m.children(i);
         if (child.kind_case() == v1::Shape::kCompound) {
             in.note(at, "is a compound in a compound; put its children here");
+            break;
+        }
+        if (child.kind_case() == v1::Shape::kSolid) {
+            in.note(at, "is a solid in a compound; give it to the body as a shape of its own");
             break;
         }
         const auto geometry = read_geometry(in, at, child);
@@ -246,6 +278,8 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
             return read_mesh(in, path + ".mesh", m.mesh());
         case v1::Shape::kHeightField:
             return read_height_field(in, path + ".height_field", m.height_field());
+        case v1::Shape::kSolid:
+            return read_solid(in, path + ".solid", m.solid());
         case v1::Shape::kCompound:
             return read_compound(in, path + ".compound", m.compound());
         case v1::Shape::kGeometry:
@@ -256,7 +290,7 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
     }
     in.note(path,
             "has no kind; give one of sphere, capsule, box, plane, cylinder, cone, hull, mesh, "
-            "height_field, compound");
+            "height_field, compound, solid");
     return std::nullopt;
 }
 
@@ -280,6 +314,10 @@ ShapeDef read_shape(FieldReader& in, const std::string& path, const v1::Shape& m
 
 Result<ShapeDef> shape_from_message(const v1::Shape& message, const std::string& path) {
     FieldReader in;
+    // To take one apart may take seconds.
+    if (message.kind_case() == v1::Shape::kSolid)
+        return Error{ErrorCode::invalid_argument,
+                     path + ".solid: only a scene may have one; give a hull or a compound"};
     ShapeDef def = read_shape(in, path, message);
     if (in.failed())
         return Error{ErrorCode::invalid_argument, in.fault()->path + ": " + in.fault()->what};

@@ -122,11 +122,31 @@ struct Apply {
         return status;
     }
 
+    Status operator()(const PossessCommand& c) const {
+        about = c.entity;
+        if (c.entity == 0) {
+            state.drivers.release(state.world, client);
+            return {};
+        }
+        const Entity* entity = state.entities.find(c.entity);
+        if (!entity) return no_such_entity(c.entity);
+        return state.drivers.possess(state.world, client, entity->body);
+    }
+
+    Status operator()(const ControlCommand& c) const {
+        const std::optional<BodyId> body = state.drivers.control(state.world, client, c.controls);
+        if (!body)
+            return refused(ErrorCode::not_found, "you drive nothing; possess an entity first");
+        about = state.entities.entity_of(*body);
+        return {};
+    }
+
     Status operator()(const LeaveCommand& c) const {
         if (!c.keep_bodies)
             for (const EntityId id : state.ownership.owned_by(client)) remove(id);
         state.ownership.forget(client);
         state.grabs.release(state.world, client);
+        state.drivers.release(state.world, client);
         return {};
     }
 
@@ -192,7 +212,9 @@ private:
 }  // namespace
 
 void forget_entity(HostedState& state, EntityId id) {
-    state.grabs.release_body(state.world, state.entities.find(id)->body);
+    const BodyId body = state.entities.find(id)->body;
+    state.grabs.release_body(state.world, body);
+    state.drivers.release_body(state.world, body);
     state.ownership.remove(id);
     state.entities.remove(id);
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "host/command.h"
+#include "host/drivers.h"
 #include "host/entity_registry.h"
 #include "host/grabs.h"
 #include "host/ownership.h"
@@ -26,6 +27,7 @@ struct HostedState {
     EntityRegistry entities;
     Ownership ownership;
     Grabs grabs;
+    Drivers drivers;
 };
 
 // `about` becomes the entity that the action is about, if any, also when it is refused.

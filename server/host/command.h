@@ -14,6 +14,7 @@
 
 #include "jostle/base/result.h"
 #include "jostle/physics/defs.h"
+#include "jostle/physics/module.h"
 
 namespace jostle::server {
 
@@ -47,14 +48,21 @@ struct ExplodeCommand {
     double radius = 0;  // m
     double speed = 0;   // m/s at the centre
 };
+struct PossessCommand {
+    EntityId entity = 0;  // 0: lets go
+};
+struct ControlCommand {
+    physics::Controls controls;
+};
 // The client is gone: lets go, and takes its bodies along unless they are to be kept. Carries no
 // sequence.
 struct LeaveCommand {
     bool keep_bodies = false;
 };
 
-using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
-                            DeleteCommand, ExplodeCommand, LeaveCommand>;
+using Action =
+    std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
+                 DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand, LeaveCommand>;
 
 // What became of one input.
 struct InputResult {

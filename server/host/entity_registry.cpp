@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host/entity_registry.h"
 
+#include "host/drivers.h"
+
 #include <utility>
 
 namespace jostle::server {
@@ -17,6 +19,7 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     description->color = color;
     description->name = std::move(name);
     description->mass = state.mass;
+    description->drivable = can_be_driven(world, body);
     entities_.emplace(id, Entity{body, std::move(description)});
     if (entity_of_body_.size() <= body.index) {
         entity_of_body_.resize(body.index + 1, 0);

@@ -24,7 +24,8 @@ struct EntityDescription {
     ClientId owner = 0;
     std::optional<std::uint32_t> color;
     std::string name;
-    double mass = 0;  // kg
+    double mass = 0;        // kg
+    bool drivable = false;  // a module lets somebody drive it
 };
 
 // In rising order of id. A new one is made only when something appears or goes, so equal pointers

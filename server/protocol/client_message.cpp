@@ -31,6 +31,7 @@ Status check_kind(const v1::Shape& shape) {
     switch (shape.kind_case()) {
         case v1::Shape::kPlane:
         case v1::Shape::kMesh:
+        case v1::Shape::kSolid:
         case v1::Shape::kHeightField:
         case v1::Shape::kCompound: {
             const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(shape.kind_case());
@@ -70,6 +71,18 @@ Result<Action> action_of(const v1::ImpulseInput& impulse) {
     return Action{command};
 }
 
+Result<Action> action_of(const v1::ControlInput& control) {
+    ControlCommand command;
+    auto& axes = command.controls.axes;
+    if (control.axes_size() > static_cast<int>(axes.size()))
+        return invalid_argument(fmt::format("control.axes has {} entries; at most {} are allowed",
+                                            control.axes_size(), axes.size()));
+    for (int k = 0; k < control.axes_size(); k++)
+        axes[static_cast<std::size_t>(k)] = control.axes(k) / 1000.0;
+    command.controls.buttons = control.buttons();
+    return Action{command};
+}
+
 Result<Action> action_of(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kSpawn:
@@ -87,6 +100,10 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::kExplode:
             return Action{ExplodeCommand{to_vector(input.explode().center()),
                                          input.explode().radius(), input.explode().speed()}};
+        case v1::Input::kPossess:
+            return Action{PossessCommand{input.possess().entity()}};
+        case v1::Input::kControl:
+            return action_of(input.control());
         case v1::Input::KIND_NOT_SET:
             break;
     }

@@ -65,6 +65,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
             break;
         case v1::Shape::kPlane:
         case v1::Shape::kMesh:
+        case v1::Shape::kSolid:
         case v1::Shape::kHeightField:
         case v1::Shape::kCompound:
         case v1::Shape::kGeometry:

@@ -61,6 +61,7 @@ public:
         if (entity.color) to.set_color(*entity.color);
         to.set_name(entity.name);
         to.set_mass(entity.mass);
+        to.set_drivable(entity.drivable);
         count(to.ByteSizeLong() + frame_bytes);
     }
     RosterMessages take() {

@@ -72,6 +72,12 @@ struct Check {
             return s;
         return check_number("speed", c.speed, 0, explosion_speed_max);
     }
+    Status operator()(const PossessCommand&) const { return {}; }
+    Status operator()(const ControlCommand& c) const {
+        for (const double axis : c.controls.axes)
+            if (Status s = check_number("axes", axis, -1, 1); !s.ok()) return s;
+        return {};
+    }
     Status operator()(const LeaveCommand&) const { return {}; }
 
 private:

@@ -36,11 +36,13 @@ FLOORS = {
     "proto/wire": [],
     "proto/status": [],
     "scenes/include": [PUBLIC],
-    "scenes/src": [PUBLIC, "physics/examples", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction", "scenes/include", "generated"],
+    "scenes/src": [PUBLIC, "decomposition", "physics/examples", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction", "scenes/include", "generated"],
+    "decomposition": [PUBLIC],
     "convergence": [],
     "linear_systems": [PUBLIC, "convergence"],
     "plots": [],
     "sim": [PUBLIC, "convergence", "linear_systems", "plots", "scenes/include"],
+    "convert": [PUBLIC, "decomposition", "scenes/include"],
     "server/base": [],
     "server/config": ["server/base"],
     "server/telemetry": ["server/base"],
@@ -69,7 +71,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
                        "scenes/src/module_message.cpp")
 
-SEARCH = [BASE, "physics/include", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "server", "clients",
+SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "bench"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
@@ -95,7 +97,7 @@ def resolve(root, including, name):
 
 def faults(root):
     found = []
-    files = sorted(p for folder in ("base", "linear_systems", "plots", "physics", "modules", "proto/wire", "proto/status", "scenes", "sim", "server", "clients")
+    files = sorted(p for folder in ("base", "linear_systems", "plots", "physics", "modules", "decomposition", "proto/wire", "proto/status", "scenes", "sim", "convert", "server", "clients")
                    for ending in ("h", "cpp") for p in (root / folder).rglob(f"*.{ending}") if "node_modules" not in p.parts)
     for path in files:
         here = str(path.relative_to(root))

@@ -3,6 +3,8 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
+const FOLLOW_RATE = 3; // 1/s
+
 export class Camera {
   readonly camera = new THREE.PerspectiveCamera(55, 1, 0.05, 500);
   readonly controls: OrbitControls;
@@ -16,6 +18,21 @@ export class Camera {
     this.controls.dampingFactor = 0.12;
     this.controls.maxDistance = 160;
     this.controls.minDistance = 1;
+  }
+
+  /** Keeps behind and above something that is driven: `heading`, rad about y from -z, to the left. */
+  follow(position: ArrayLike<number>, heading: number | undefined, seconds: number): void {
+    const target = this.controls.target;
+    const moved = new THREE.Vector3(position[0], position[1]! + 1, position[2]).sub(target);
+    target.add(moved);
+    this.camera.position.add(moved);
+    if (heading === undefined) return;
+    // Turns after it, by most of what is left in half a second, unless somebody holds the camera.
+    const arm = this.camera.position.clone().sub(target);
+    const now = Math.atan2(arm.x, arm.z);
+    const left = Math.atan2(Math.sin(heading - now), Math.cos(heading - now));
+    arm.applyAxisAngle(new THREE.Vector3(0, 1, 0), left * (1 - Math.exp(-FOLLOW_RATE * seconds)));
+    this.camera.position.copy(target).add(arm);
   }
 
   resize(width: number, height: number): void {

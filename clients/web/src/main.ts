@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
+import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
@@ -57,7 +58,10 @@ const told: Events = {
     stateLine.className = state;
     if (state === 'stopped' && why) void worlds.show();
   },
-  entityList: (entities) => view.setEntities(entities, connection.welcome?.clientId ?? 0),
+  entityList: (entities) => {
+    view.setEntities(entities, connection.welcome?.clientId ?? 0);
+    if (!entities.has(driving.entity)) driving.forget();
+  },
   stats: (stats) => statsPanel.update(stats),
   happened: (events) => eventsPanel.happened(events, performance.now() + pictureBehindMs()),
   refused: (result) => toasts.say(result.message || 'the server refused that'),
@@ -67,10 +71,23 @@ const connection = new Connection(websocketUrl(), told, openSocket, token);
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
-const tools = new Tools(canvas, camera, view, connection, queries, (hit) => {
-  readout.hidden = hit === undefined;
-  if (hit) readout.textContent = readoutWords(connection.entities.get(hit.entity), hit);
-});
+const driving = new Driving((input) => connection.send(input));
+const tools = new Tools(
+  canvas,
+  camera,
+  view,
+  connection,
+  queries,
+  (hit) => {
+    readout.hidden = hit === undefined;
+    if (hit) readout.textContent = readoutWords(connection.entities.get(hit.entity), hit);
+  },
+  (entity) => {
+    if (!connection.entities.get(entity)?.drivable) return toasts.say('nobody can drive that');
+    driving.take(entity);
+    toasts.say('W A S D or arrows, space, shift, Q and E, or a gamepad; Esc lets go');
+  },
+);
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
@@ -138,6 +155,8 @@ byId('events-button').onclick = () => eventsPanel.toggle();
 byId('help-button').onclick = () => toggle('help');
 addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.key === 'Escape') driving.letGo();
+  if (driving.down(event.code)) return event.preventDefault();
   const chosen = TOOLS.find(({ key }) => key === event.key);
   if (chosen) choose(chosen.tool);
   if (event.key === 'w') void worlds.toggle();
@@ -146,6 +165,28 @@ addEventListener('keydown', (event) => {
   if (event.key === 'e') eventsPanel.toggle();
   if (event.key === '?') toggle('help');
 });
+
+addEventListener('keyup', (event) => driving.up(event.code));
+addEventListener('blur', () => driving.blur());
+
+/** Where an entity heads, seen from above: its own -z axis. */
+function headingOf(pose: ArrayLike<number>): number {
+  const [x, y, z, w] = [pose[3]!, pose[4]!, pose[5]!, pose[6]!];
+  return Math.atan2(2 * (x * z + w * y), 1 - 2 * (x * x + y * y));
+}
+
+let pictureAt = performance.now();
+function drive(): void {
+  const now = performance.now();
+  const seconds = Math.min(0.1, (now - pictureAt) / 1000);
+  pictureAt = now;
+  if (driving.entity === 0) return;
+  const pad: Pad | undefined = navigator.getGamepads().find((one) => one !== null && one.mapping === 'standard') ?? undefined;
+  driving.update(pad, lookOf(camera.camera.getWorldDirection(new THREE.Vector3())), now);
+  const pose = view.poseOf(driving.entity);
+  // What has no wheels looks where the camera looks: then the camera is the pointer's.
+  if (pose) camera.follow(pose, connection.entities.get(driving.entity)?.mass ? headingOf(pose) : undefined, seconds);
+}
 
 function resize(): void {
   renderer.setPixelRatio(quality === 'low' ? 0.25 : quality === 'medium' ? 1 : Math.min(2, devicePixelRatio));
@@ -165,6 +206,7 @@ renderer.setAnimationLoop(() => {
   debugPanel.update();
   eventsPanel.update();
   hitMarks.update(performance.now());
+  drive();
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
   renderer.render(view.scene, camera.camera);
   statsPanel.pictureDrawn();

@@ -9,7 +9,7 @@ import { pickAsked, pickDrawn, settle, type Pick } from './pick';
 import type { Queries } from './queries';
 import type { SceneView } from './scene_view';
 
-export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'delete';
+export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'delete' | 'drive';
 
 export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] = [
   { tool: 'drag', key: '1', label: 'Drag', hint: 'Take a body and pull it about; drag the ground to look around' },
@@ -19,6 +19,7 @@ export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] =
   { tool: 'capsule', key: '5', label: 'Capsule', hint: 'Click to put a capsule there' },
   { tool: 'explode', key: '6', label: 'Explode', hint: 'Click to blow things away' },
   { tool: 'delete', key: '7', label: 'Delete', hint: 'Click one of your own bodies to take it away' },
+  { tool: 'drive', key: '8', label: 'Drive', hint: 'Click what can be driven to take its wheel; Esc lets go' },
 ];
 
 const THROW_SPEED = 18; // m/s
@@ -56,6 +57,7 @@ export class Tools {
     private readonly queries: Queries,
     /** What is under the pointer now. */
     private readonly over: (hit: Pick | undefined) => void,
+    private readonly takeWheel: (entity: number) => void,
   ) {
     canvas.addEventListener('pointerdown', (event) => this.down(event), { capture: true });
     canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -183,6 +185,8 @@ export class Tools {
         return this.send({ case: 'explode', value: { center: xyz(hit.point), radius: 6, speed: 12 } });
       case 'delete':
         return this.send({ case: 'delete', value: { entity: hit.entity } });
+      case 'drive':
+        return this.takeWheel(hit.entity);
     }
   }
 

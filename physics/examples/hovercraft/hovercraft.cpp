@@ -2,6 +2,7 @@
 #include "hovercraft.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace jostle::examples {
@@ -34,6 +35,8 @@ void Hovercraft::visit(StateVisitor& v) {
     v.field("height", settings_.height);
     v.field("speed", settings_.speed);
     v.field("radius", settings_.radius);
+    v.field("aside", aside_);
+    v.field("ahead", ahead_);
     for (std::size_t k = 0; k < thrusters_.size(); k++) {
         v.enter("thrusters");
         v.enter(k);
@@ -48,6 +51,8 @@ void Hovercraft::visit(StateVisitor& v) {
     if (!(settings_.speed >= 0 && settings_.speed <= 20)) v.fail("speed", "is not 0 to 20 m/s");
     if (!(settings_.radius >= 4 && settings_.radius <= 1000))
         v.fail("radius", "is not 4 to 1000 m");
+    if (!(std::abs(aside_) <= 1)) v.fail("aside", "is not -1 to 1");
+    if (!(std::abs(ahead_) <= 1)) v.fail("ahead", "is not -1 to 1");
     for (const Thruster& thruster : thrusters_) {
         if (!(thruster.force >= 0 && thruster.force <= 1e9)) v.fail("thrusters", "push too hard");
         if (!(thruster.ray >= 0 && thruster.ray <= longest_ray))
@@ -111,23 +116,37 @@ void Hovercraft::lift(SubstepContext& substep, const MovingBody& craft) {
     }
 }
 
-// Along its own -z axis, which turns towards a point of the circle a little further on.
-void Hovercraft::drive(SubstepContext& substep, const MovingBody& craft) {
+// A point of the circle a little further on.
+double Hovercraft::turn_to_circle(const MovingBody& craft) const {
     const Vec3 ahead = rotate(craft.pose.rotation, {0, 0, -1});
-    const Vec3 aside = rotate(craft.pose.rotation, {1, 0, 0});
     const Vec3 up = rotate(craft.pose.rotation, {0, 1, 0});
-    const Vec3 v = craft.linear_velocity;
-    const Vec3 gain = ahead * (settings_.speed - dot(v, ahead)) - aside * (2 * dot(v, aside));
-    substep.add_impulse(craft_, gain * (craft.mass * substep.h()), craft.center);
-
     const Vec3 out{craft.center.x, 0, craft.center.z};
     const double distance = length(out);
     const Vec3 radial = distance > 0.1 ? out * (1 / distance) : Vec3{1, 0, 0};
     const Vec3 along{radial.z, 0, -radial.x};
     const Vec3 course = along - radial * std::clamp((distance - settings_.radius) / 6, -1.5, 1.5);
-    const double off = dot(cross(ahead, course), up);
-    const double turn = 4 * off - 3 * dot(craft.angular_velocity, up);
+    return 4 * dot(cross(ahead, course), up);
+}
+
+// Along its own -z axis.
+void Hovercraft::drive(SubstepContext& substep, const MovingBody& craft) {
+    const Vec3 ahead = rotate(craft.pose.rotation, {0, 0, -1});
+    const Vec3 aside = rotate(craft.pose.rotation, {1, 0, 0});
+    const Vec3 up = rotate(craft.pose.rotation, {0, 1, 0});
+    const Vec3 v = craft.linear_velocity;
+    const bool steered = aside_ != 0 || ahead_ != 0;
+    const double speed = settings_.speed * (steered ? ahead_ : 1);
+    const Vec3 gain = ahead * (speed - dot(v, ahead)) - aside * (2 * dot(v, aside));
+    substep.add_impulse(craft_, gain * (craft.mass * substep.h()), craft.center);
+    const double turn =
+        (steered ? -4 * aside_ : turn_to_circle(craft)) - 3 * dot(craft.angular_velocity, up);
     substep.add_angular_impulse(craft_, up * (craft.mass * 1.2 * turn * substep.h()));
+}
+
+void Hovercraft::control(World& world, BodyId, const Controls& controls) {
+    aside_ = controls.axes[0];
+    ahead_ = controls.axes[1];
+    static_cast<void>(world.wake(craft_).ok());
 }
 
 void Hovercraft::publish(const World& world, ChunkWriter& chunk) const {

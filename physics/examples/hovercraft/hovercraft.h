@@ -2,7 +2,7 @@
 //
 // A hovercraft: a module written on the library's public headers alone. Four thrusters at the
 // corners of a body each cast a ray down and push by what they find; a drive carries the craft
-// round a circle. Works over any ground.
+// round a circle, or where somebody steers it. Works over any ground.
 #pragma once
 
 #include <array>
@@ -33,6 +33,10 @@ public:
     // The body, then for each thruster where it is in the body (-2 to 2 m), how long its ray is (0
     // to 4 m) and how hard it pushes (0 to 1 of its most): 40 bytes.
     void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // Goes round its circle while nobody holds anything.
+    bool takes_controls(physics::BodyId body) const override { return body == craft_; }
+    void control(physics::World& world, physics::BodyId body,
+                 const physics::Controls& controls) override;
 
     physics::StepHooks hooks() const override { return {.substeps = true}; }
     void before_substep(physics::SubstepContext& substep) override;
@@ -45,10 +49,13 @@ private:
 
     void lift(physics::SubstepContext& substep, const physics::MovingBody& craft);
     void drive(physics::SubstepContext& substep, const physics::MovingBody& craft);
+    // 1/s, about its own upward axis: towards its circle.
+    double turn_to_circle(const physics::MovingBody& craft) const;
 
     physics::BodyId craft_;
     Settings settings_;
     std::array<Thruster, 4> thrusters_;
+    double aside_ = 0, ahead_ = 0;  // what the driver holds, -1 to 1
 };
 
 }  // namespace jostle::examples

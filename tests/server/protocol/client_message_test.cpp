@@ -44,13 +44,22 @@ TEST(ClientMessage, reads_each_kind_of_input) {
     batch.add_inputs()->mutable_release();
     batch.add_inputs()->mutable_delete_()->set_entity(8);
     batch.add_inputs()->mutable_explode()->set_radius(2.5);
+    batch.add_inputs()->mutable_possess()->set_entity(9);
+    v1::ControlInput& control = *batch.add_inputs()->mutable_control();
+    control.add_axes(-1000);
+    control.add_axes(250);
+    control.set_buttons(5);
+    for (int k = 0; k < 9; k++) {
+        if (k == 0) batch.add_inputs();
+        batch.mutable_inputs(9)->mutable_control()->add_axes(k);
+    }
     batch.add_inputs();  // of no kind
 
     const auto decoded = decode_as<InputBatch>(message);
     EXPECT_EQ(decoded.first_sequence, 7u);
     EXPECT_EQ(decoded.client_time_us, 99u);
     EXPECT_EQ(decoded.ack->frame, 5u);
-    ASSERT_EQ(decoded.inputs.size(), 8u);
+    ASSERT_EQ(decoded.inputs.size(), 11u);
     const auto& spawned = std::get<SpawnCommand>(*decoded.inputs[0]);
     EXPECT_EQ(spawned.shape.geometry, physics::Geometry(physics::Capsule{0.25, 0.5}));
     EXPECT_EQ(spawned.shape.density, 300);
@@ -67,7 +76,11 @@ TEST(ClientMessage, reads_each_kind_of_input) {
     EXPECT_TRUE(std::holds_alternative<ReleaseCommand>(*decoded.inputs[4]));
     EXPECT_EQ(std::get<DeleteCommand>(*decoded.inputs[5]).entity, 8u);
     EXPECT_EQ(std::get<ExplodeCommand>(*decoded.inputs[6]).radius, 2.5);
-    EXPECT_FALSE(decoded.inputs[7].ok()) << "one bad input refuses itself alone";
+    EXPECT_EQ(std::get<PossessCommand>(*decoded.inputs[7]).entity, 9u);
+    const physics::Controls& held = std::get<ControlCommand>(*decoded.inputs[8]).controls;
+    EXPECT_EQ(held, (physics::Controls{.axes = {-1, 0.25}, .buttons = 5}));
+    EXPECT_FALSE(decoded.inputs[9].ok()) << "nine axes";
+    EXPECT_FALSE(decoded.inputs[10].ok()) << "one bad input refuses itself alone";
 }
 
 TEST(ClientMessage, refuses_what_is_no_message) {

@@ -27,6 +27,7 @@ TEST(Admission, good_numbers_pass) {
     EXPECT_TRUE(check_numbers(good_spawn()).ok());
     EXPECT_TRUE(check_numbers(ImpulseCommand{1, {1, 2, 3}, physics::Vec3{}}).ok());
     EXPECT_TRUE(check_numbers(ExplodeCommand{{}, 20, 20}).ok());
+    EXPECT_TRUE(check_numbers(ControlCommand{{.axes = {1, -1}, .buttons = ~0u}}).ok());
     EXPECT_TRUE(check_numbers(ReleaseCommand{}).ok());
 }
 
@@ -71,6 +72,7 @@ TEST(Admission, every_number_is_checked_and_named) {
         refuses("center", ExplodeCommand{{bad, 0, 0}, 1, 1});
         refuses("radius", ExplodeCommand{{}, bad, 1});
         refuses("speed", ExplodeCommand{{}, 1, bad});
+        refuses("axes", ControlCommand{{.axes = {0, 0, bad}}});
     }
 }
 

@@ -9,6 +9,7 @@
 //     auto* hovercraft = dynamic_cast<Hovercraft*>(world.module("hovercraft"));
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -57,6 +58,19 @@ struct ModuleSettings {
     std::vector<std::pair<std::string, BodyId>> bodies = {};
 };
 
+// What somebody who drives holds, until he holds it otherwise: sticks and buttons. What they mean
+// is the module's; those of ours keep to this, so that one set of keys does for all.
+struct Controls {
+    static constexpr std::size_t axes_max = 8;
+    // -1 to 1. 0: to the right; 1: ahead; 2: up. 3: where the driver looks, about the world's y
+    // axis, in half turns from -z, to the left.
+    std::array<double, axes_max> axes = {};
+    // A bit each. 0: jump, or hold by hand; 1: crouch, or faster; 2: a gear up; 3: a gear down.
+    std::uint32_t buttons = 0;
+
+    bool operator==(const Controls&) const = default;
+};
+
 class Module : public StepListener {
 public:
     // Names its kind in saved worlds, scenes and messages: 1 to 32 of a-z, 0-9 and _. A world has
@@ -70,6 +84,16 @@ public:
     // From a scene, after its bodies exist and before the module is added. The error names the
     // setting. The default takes none.
     virtual Status configure(World& world, const ModuleSettings& settings);
+    // Whether somebody may drive a body that is there.
+    virtual bool takes_controls(BodyId body) const {
+        static_cast<void>(body);
+        return false;
+    }
+    // Between steps, of such a body: held from the next step on, and part of the module's state.
+    // Axes are within their range.
+    virtual void control(World& world, BodyId body, const Controls& controls) {
+        static_cast<void>(world), static_cast<void>(body), static_cast<void>(controls);
+    }
     // For clients, after a step. Leaves nothing: nothing is sent.
     virtual void publish(const World& world, ChunkWriter& chunk) const {
         static_cast<void>(world), static_cast<void>(chunk);

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UijQEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKxAgoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIAEIGCgRraW5kIuYBCgpTcGF3bklucHV0Eh8KBXNoYXBlGAEgASgLMhAuam9zdGxlLnYxLlNoYXBlEiEKCHBvc2l0aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YAyABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoFY29sb3IYBiABKAdIAIgBAUIICgZfY29sb3IiYAoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMyI7CglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMiLAoJRHJhZ0lucHV0Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIg4KDFJlbGVhc2VJbnB1dCIdCgtEZWxldGVJbnB1dBIOCgZlbnRpdHkYASABKA0iTgoMRXhwbG9kZUlucHV0Eh8KBmNlbnRlchgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoARINCgVzcGVlZBgDIAEoASIrCgNBY2sSDQoFZnJhbWUYASABKA0SFQoNbmVlZF9rZXlmcmFtZRgCIAEoCCIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIoEDCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEiMKBnJvc3RlchgCIAEoCzIRLmpvc3RsZS52MS5Sb3N0ZXJIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEjAKDWlucHV0X3Jlc3VsdHMYBCABKAsyFy5qb3N0bGUudjEuSW5wdXRSZXN1bHRzSAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASJgoFc3RhdHMYBiABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0c0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIjCgZldmVudHMYCCABKAsyES5qb3N0bGUudjEuRXZlbnRzSAASKwoIZ2VvbWV0cnkYCSABKAsyFy5qb3N0bGUudjEuR2VvbWV0cnlQYXJ0SABCCQoHbWVzc2FnZSLpAQoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzIkAKCVF1YW50U3BlYxIXCg91bml0c19wZXJfbWV0ZXIYASABKA0SGgoScm90YXRpb25fY29tcG9uZW50GAIgASgNIkUKDEdlb21ldHJ5UGFydBIKCgJpZBgBIAEoBhIMCgRwYXJ0GAIgASgNEg0KBXBhcnRzGAMgASgNEgwKBGRhdGEYBCABKAwiOwoGUm9zdGVyEiAKBWFkZGVkGAEgAygLMhEuam9zdGxlLnYxLkVudGl0eRIPCgdyZW1vdmVkGAIgAygNIqIBCgZFbnRpdHkSCgoCaWQYASABKA0SIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIgCgZzaGFwZXMYAyADKAsyEC5qb3N0bGUudjEuU2hhcGUSDQoFb3duZXIYBCABKA0SEgoFY29sb3IYBSABKAdIAIgBARIMCgRuYW1lGAYgASgJEgwKBG1hc3MYByABKAFCCAoGX2NvbG9yItYBCghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRISCgpiYXNlX2ZyYW1lGAIgASgNEhMKC2Jhc2UyX2ZyYW1lGAMgASgNEhMKC2Jhc2UzX2ZyYW1lGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSFgoOc2VydmVyX3RpbWVfdXMYByABKAYSJwoHbW9kdWxlcxgIIAMoCzIWLmpvc3RsZS52MS5Nb2R1bGVDaHVuaxIfCgNvd24YDyABKAsyEi5qb3N0bGUudjEuUHJpdmF0ZSIoCgtNb2R1bGVDaHVuaxILCgN0YWcYASABKAkSDAoEZGF0YRgCIAEoDCJZCgdQcml2YXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0iNwoMSW5wdXRSZXN1bHRzEicKB3Jlc3VsdHMYASADKAsyFi5qb3N0bGUudjEuSW5wdXRSZXN1bHQicgoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIqsBCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UijQEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKJAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SABCBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yImAKDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMiOwoJR3JhYklucHV0Eg4KBmVudGl0eRgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNIk4KDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAEiHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUigQMKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlIukBCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMiQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3Ii1gEKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhIKCmJhc2VfZnJhbWUYAiABKA0SEwoLYmFzZTJfZnJhbWUYAyABKA0SEwoLYmFzZTNfZnJhbWUYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIWCg5zZXJ2ZXJfdGltZV91cxgHIAEoBhInCgdtb2R1bGVzGAggAygLMhYuam9zdGxlLnYxLk1vZHVsZUNodW5rEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlIigKC01vZHVsZUNodW5rEgsKA3RhZxgBIAEoCRIMCgRkYXRhGAIgASgMIlkKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDSI3CgxJbnB1dFJlc3VsdHMSJwoHcmVzdWx0cxgBIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdCJyCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -226,6 +226,18 @@ export type Input = Message<"jostle.v1.Input"> & {
      */
     value: ExplodeInput;
     case: "explode";
+  } | {
+    /**
+     * @generated from field: jostle.v1.PossessInput possess = 8;
+     */
+    value: PossessInput;
+    case: "possess";
+  } | {
+    /**
+     * @generated from field: jostle.v1.ControlInput control = 9;
+     */
+    value: ControlInput;
+    case: "control";
   } | { case: undefined; value?: undefined };
 };
 
@@ -424,6 +436,56 @@ export const ExplodeInputSchema: GenMessage<ExplodeInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 10);
 
 /**
+ * Takes the wheel of an entity that can be driven (Entity.drivable) and that nobody else drives. A client drives one at a time;
+ * one that leaves lets go, and all is as if it held nothing.
+ *
+ * @generated from message jostle.v1.PossessInput
+ */
+export type PossessInput = Message<"jostle.v1.PossessInput"> & {
+  /**
+   * 0: lets go
+   *
+   * @generated from field: uint32 entity = 1;
+   */
+  entity: number;
+};
+
+/**
+ * Describes the message jostle.v1.PossessInput.
+ * Use `create(PossessInputSchema)` to create a new message.
+ */
+export const PossessInputSchema: GenMessage<PossessInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 11);
+
+/**
+ * What the client holds from now on, for the entity that it drives. What axes and buttons mean is the module's (docs/modules.md).
+ *
+ * @generated from message jostle.v1.ControlInput
+ */
+export type ControlInput = Message<"jostle.v1.ControlInput"> & {
+  /**
+   * thousandths, -1000 to 1000; at most 8; those left out are 0
+   *
+   * @generated from field: repeated sint32 axes = 1;
+   */
+  axes: number[];
+
+  /**
+   * a bit each
+   *
+   * @generated from field: uint32 buttons = 2;
+   */
+  buttons: number;
+};
+
+/**
+ * Describes the message jostle.v1.ControlInput.
+ * Use `create(ControlInputSchema)` to create a new message.
+ */
+export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 12);
+
+/**
  * @generated from message jostle.v1.Ack
  */
 export type Ack = Message<"jostle.v1.Ack"> & {
@@ -447,7 +509,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 11);
+  messageDesc(file_jostle_v1_play, 13);
 
 /**
  * @generated from message jostle.v1.Ping
@@ -464,7 +526,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 12);
+  messageDesc(file_jostle_v1_play, 14);
 
 /**
  * @generated from message jostle.v1.Leave
@@ -477,7 +539,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 13);
+  messageDesc(file_jostle_v1_play, 15);
 
 /**
  * @generated from message jostle.v1.ServerMessage
@@ -548,7 +610,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 14);
+  messageDesc(file_jostle_v1_play, 16);
 
 /**
  * @generated from message jostle.v1.Welcome
@@ -614,7 +676,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 15);
+  messageDesc(file_jostle_v1_play, 17);
 
 /**
  * How poses are made integers; WIRE.md has the formulas.
@@ -642,7 +704,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 16);
+  messageDesc(file_jostle_v1_play, 18);
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
@@ -683,7 +745,7 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
  * Use `create(GeometryPartSchema)` to create a new message.
  */
 export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 19);
 
 /**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
@@ -708,7 +770,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -754,6 +816,13 @@ export type Entity = Message<"jostle.v1.Entity"> & {
    * @generated from field: double mass = 7;
    */
   mass: number;
+
+  /**
+   * PossessInput may take it
+   *
+   * @generated from field: bool drivable = 8;
+   */
+  drivable: boolean;
 };
 
 /**
@@ -761,7 +830,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * @generated from message jostle.v1.Snapshot
@@ -834,7 +903,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * What a module of the world (scene.proto) tells clients. Who does not know the tag leaves it alone.
@@ -860,7 +929,7 @@ export type ModuleChunk = Message<"jostle.v1.ModuleChunk"> & {
  * Use `create(ModuleChunkSchema)` to create a new message.
  */
 export const ModuleChunkSchema: GenMessage<ModuleChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * @generated from message jostle.v1.Private
@@ -893,7 +962,7 @@ export type Private = Message<"jostle.v1.Private"> & {
  * Use `create(PrivateSchema)` to create a new message.
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * @generated from message jostle.v1.InputResults
@@ -910,7 +979,7 @@ export type InputResults = Message<"jostle.v1.InputResults"> & {
  * Use `create(InputResultsSchema)` to create a new message.
  */
 export const InputResultsSchema: GenMessage<InputResults> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -934,7 +1003,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
   tick: number;
 
   /**
-   * which one it was about: spawned, pushed, grabbed, dragged or deleted; 0: none
+   * which one it was about: spawned, pushed, grabbed, dragged, deleted or driven; 0: none
    *
    * @generated from field: uint32 entity = 4;
    */
@@ -953,7 +1022,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -975,7 +1044,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * At most ten times a second (a setting of the server), when nothing else is waiting to be sent.
@@ -1050,7 +1119,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1072,7 +1141,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * What happened in one tick, between entities. Sent only to clients that asked, and only when something did; sorted by
@@ -1151,7 +1220,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1201,7 +1270,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1225,7 +1294,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1261,7 +1330,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * @generated from enum jostle.v1.InputCode

@@ -15,7 +15,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/scene.proto.
  */
 export const file_jostle_v1_scene: GenFile = /*@__PURE__*/
-  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSK6AQoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludBIiCgdtb2R1bGVzGAYgAygLMhEuam9zdGxlLnYxLk1vZHVsZSKJAwoNV29ybGRTZXR0aW5ncxIgCgdncmF2aXR5GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSFQoIc3Vic3RlcHMYAiABKA1IAIgBARIPCgJoehgDIAEoAUgBiAEBEhUKCHNsZWVwaW5nGAQgASgISAKIAQESDgoGcGxhbmFyGAUgASgIEhcKCmNvbnRpbnVvdXMYBiABKAhIA4gBARIqCgticm9hZF9waGFzZRgHIAEoDjIVLmpvc3RsZS52MS5Ccm9hZFBoYXNlEhYKCWhpdF9zcGVlZBgIIAEoAUgEiAEBEiwKDGpvaW50X3NvbHZlchgJIAEoDjIWLmpvc3RsZS52MS5Kb2ludFNvbHZlchIRCgl0b2xlcmFuY2UYCiABKAESFgoOc3Vic3RlcF9idWRnZXQYCyABKA0SEwoLc3RlcF9idWRnZXQYDCABKA1CCwoJX3N1YnN0ZXBzQgUKA19oekILCglfc2xlZXBpbmdCDQoLX2NvbnRpbnVvdXNCDAoKX2hpdF9zcGVlZCLQBAoEQm9keRIMCgRuYW1lGAEgASgJEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIQoIcG9zaXRpb24YAyABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgEIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCg5saW5lYXJfZGFtcGluZxgHIAEoAUgAiAEBEhwKD2FuZ3VsYXJfZGFtcGluZxgIIAEoAUgBiAEBEhoKDWdyYXZpdHlfc2NhbGUYCSABKAFIAogBARIWCgltYXlfc2xlZXAYCiABKAhIA4gBARIgCgZzaGFwZXMYCyADKAsyEC5qb3N0bGUudjEuU2hhcGUSEgoFY29sb3IYDCABKAdIBIgBARIhCgZyZXBlYXQYDSADKAsyES5qb3N0bGUudjEuUmVwZWF0Eh8KBWxvY2tzGA4gASgLMhAuam9zdGxlLnYxLkxvY2tzEhcKCmNvbnRpbnVvdXMYDyABKAhIBYgBARIRCgRtYXNzGBAgASgBSAaIAQFCEQoPX2xpbmVhcl9kYW1waW5nQhIKEF9hbmd1bGFyX2RhbXBpbmdCEAoOX2dyYXZpdHlfc2NhbGVCDAoKX21heV9zbGVlcEIICgZfY29sb3JCDQoLX2NvbnRpbnVvdXNCBwoFX21hc3MiWAoFTG9ja3MSCQoBeBgBIAEoCBIJCgF5GAIgASgIEgkKAXoYAyABKAgSDgoGdHVybl94GAQgASgIEg4KBnR1cm5feRgFIAEoCBIOCgZ0dXJuX3oYBiABKAgiOAoGUmVwZWF0Eg0KBWNvdW50GAEgASgNEh8KBm9mZnNldBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIqIHCgVTaGFwZRIjCgZzcGhlcmUYASABKAsyES5qb3N0bGUudjEuU3BoZXJlSAASJQoHY2Fwc3VsZRgCIAEoCzISLmpvc3RsZS52MS5DYXBzdWxlSAASHQoDYm94GAMgASgLMg4uam9zdGxlLnYxLkJveEgAEiEKBXBsYW5lGAQgASgLMhAuam9zdGxlLnYxLlBsYW5lSAASJwoIY3lsaW5kZXIYCiABKAsyEy5qb3N0bGUudjEuQ3lsaW5kZXJIABIfCgRjb25lGAsgASgLMg8uam9zdGxlLnYxLkNvbmVIABIfCgRodWxsGAwgASgLMg8uam9zdGxlLnYxLkh1bGxIABIfCgRtZXNoGA0gASgLMg8uam9zdGxlLnYxLk1lc2hIABIuCgxoZWlnaHRfZmllbGQYDiABKAsyFi5qb3N0bGUudjEuSGVpZ2h0RmllbGRIABInCghjb21wb3VuZBgPIAEoCzITLmpvc3RsZS52MS5Db21wb3VuZEgAEhIKCGdlb21ldHJ5GBkgASgGSAASIQoIcG9zaXRpb24YBSABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgGIAEoCzIPLmpvc3RsZS52MS5RdWF0EhQKB2RlbnNpdHkYByABKAFIAYgBARIVCghmcmljdGlvbhgIIAEoAUgCiAEBEhgKC3Jlc3RpdHV0aW9uGAkgASgBSAOIAQESEQoEbWFzcxgQIAEoAUgEiAEBEh0KEHJvbGxpbmdfZnJpY3Rpb24YESABKAFIBYgBARIfChJ0b3JzaW9uYWxfZnJpY3Rpb24YEiABKAFIBogBARIpChBzdXJmYWNlX3ZlbG9jaXR5GBMgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoNZnJpY3Rpb25fcnVsZRgUIAEoDjISLmpvc3RsZS52MS5Db21iaW5lEiwKEHJlc3RpdHV0aW9uX3J1bGUYFSABKA4yEi5qb3N0bGUudjEuQ29tYmluZRIhCgZmaWx0ZXIYFiABKAsyES5qb3N0bGUudjEuRmlsdGVyEg8KB3RyaWdnZXIYFyABKAgSFAoMcmVwb3J0X3N0YXlzGBggASgIQgYKBGtpbmRCCgoIX2RlbnNpdHlCCwoJX2ZyaWN0aW9uQg4KDF9yZXN0aXR1dGlvbkIHCgVfbWFzc0ITChFfcm9sbGluZ19mcmljdGlvbkIVChNfdG9yc2lvbmFsX2ZyaWN0aW9uIlcKBkZpbHRlchIVCghjYXRlZ29yeRgBIAEoDUgAiAEBEhEKBG1hc2sYAiABKA1IAYgBARINCgVncm91cBgDIAEoEUILCglfY2F0ZWdvcnlCBwoFX21hc2siGAoGU3BoZXJlEg4KBnJhZGl1cxgBIAEoASIuCgdDYXBzdWxlEg4KBnJhZGl1cxgBIAEoARITCgtoYWxmX2xlbmd0aBgCIAEoASIsCgNCb3gSJQoMaGFsZl9leHRlbnRzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMiKAoFUGxhbmUSHwoGbm9ybWFsGAEgASgLMg8uam9zdGxlLnYxLlZlYzMiLwoIQ3lsaW5kZXISDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIisKBENvbmUSDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIicKBEh1bGwSHwoGcG9pbnRzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMiOgoETWVzaBIhCgh2ZXJ0aWNlcxgBIAMoCzIPLmpvc3RsZS52MS5WZWMzEg8KB2luZGljZXMYAiADKA0icgoLSGVpZ2h0RmllbGQSDwoHY29sdW1ucxgBIAEoDRIMCgRyb3dzGAIgASgNEhEKCXNwYWNpbmdfeBgDIAEoARIRCglzcGFjaW5nX3oYBCABKAESDwoHaGVpZ2h0cxgFIAMoARINCgVob2xlcxgGIAMoDSIuCghDb21wb3VuZBIiCghjaGlsZHJlbhgBIAMoCzIQLmpvc3RsZS52MS5TaGFwZSL+BgoFSm9pbnQSDAoEbmFtZRgBIAEoCRIOCgZib2R5X2EYAiABKAkSDgoGYm9keV9iGAMgASgJEh8KBWZyYW1lGAQgASgLMhAuam9zdGxlLnYxLkZyYW1lEiEKB2ZyYW1lX2EYBSABKAsyEC5qb3N0bGUudjEuRnJhbWUSIQoHZnJhbWVfYhgGIAEoCzIQLmpvc3RsZS52MS5GcmFtZRIkCgRiYWxsGAcgASgLMhQuam9zdGxlLnYxLkJhbGxKb2ludEgAEiYKBWhpbmdlGAggASgLMhUuam9zdGxlLnYxLkhpbmdlSm9pbnRIABIvCgpjb25lX3R3aXN0GAkgASgLMhkuam9zdGxlLnYxLkNvbmVUd2lzdEpvaW50SAASJgoFZml4ZWQYCiABKAsyFS5qb3N0bGUudjEuRml4ZWRKb2ludEgAEiwKCGRpc3RhbmNlGAsgASgLMhguam9zdGxlLnYxLkRpc3RhbmNlSm9pbnRIABIuCgx2ZWxvY2l0eV9yb3cYECABKAsyFi5qb3N0bGUudjEuVmVsb2NpdHlSb3dIABIoCgZzbGlkZXIYESABKAsyFi5qb3N0bGUudjEuU2xpZGVySm9pbnRIABIpCgdzaXhfZG9mGBIgASgLMhYuam9zdGxlLnYxLlNpeERvZkpvaW50SAASJgoFd2hlZWwYEyABKAsyFS5qb3N0bGUudjEuV2hlZWxKb2ludEgAEiQKBGdyYWIYFCABKAsyFC5qb3N0bGUudjEuR3JhYkpvaW50SAASJAoEZ2VhchgVIAEoCzIULmpvc3RsZS52MS5HZWFySm9pbnRIABIkCgRyYWNrGBYgASgLMhQuam9zdGxlLnYxLlJhY2tKb2ludEgAEigKBnB1bGxleRgXIAEoCzIWLmpvc3RsZS52MS5QdWxsZXlKb2ludEgAEiQKBHBhdGgYGCABKAsyFC5qb3N0bGUudjEuUGF0aEpvaW50SAASGQoRY29sbGlkZV9jb25uZWN0ZWQYDCABKAgSEwoLYnJlYWtfZm9yY2UYDSABKAESFAoMYnJlYWtfdG9ycXVlGA4gASgBEiYKBnNvbHZlchgZIAEoDjIWLmpvc3RsZS52MS5Kb2ludFNvbHZlchImCgZyZXBlYXQYDyABKAsyFi5qb3N0bGUudjEuSm9pbnRSZXBlYXRCBgoEa2luZCI9CgtKb2ludFJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyJNCgVGcmFtZRIhCghwb3NpdGlvbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAIgASgLMg8uam9zdGxlLnYxLlF1YXQiTQoJQmFsbEpvaW50EicKBWRyaXZlGAEgASgLMhguam9zdGxlLnYxLlJvdGF0aW9uRHJpdmUSFwoPZnJpY3Rpb25fdG9ycXVlGAIgASgBInsKDVJvdGF0aW9uRHJpdmUSIQoGc3ByaW5nGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIfCgZ0YXJnZXQYAiABKAsyDy5qb3N0bGUudjEuUXVhdBIXCgptYXhfdG9ycXVlGAMgASgBSACIAQFCDQoLX21heF90b3JxdWUiuQEKCkhpbmdlSm9pbnQSJAoFbGltaXQYASABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIYCgttb3Rvcl9zcGVlZBgCIAEoAUgBiAEBEhgKEG1vdG9yX21heF90b3JxdWUYAyABKAESIQoGc3ByaW5nGAQgASgLMhEuam9zdGxlLnYxLlNwcmluZxIUCgxzcHJpbmdfYW5nbGUYBSABKAFCCAoGX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCKRAQoOQ29uZVR3aXN0Sm9pbnQSDQoFc3dpbmcYASABKAESJAoFdHdpc3QYAiABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIXCg9mcmljdGlvbl90b3JxdWUYAyABKAESJwoFZHJpdmUYBCABKAsyGC5qb3N0bGUudjEuUm90YXRpb25Ecml2ZUIICgZfdHdpc3QiUwoKRml4ZWRKb2ludBIhCgZsaW5lYXIYASABKAsyES5qb3N0bGUudjEuU3ByaW5nEiIKB2FuZ3VsYXIYAiABKAsyES5qb3N0bGUudjEuU3ByaW5nIm8KDURpc3RhbmNlSm9pbnQSEgoKbWluX2xlbmd0aBgBIAEoARISCgptYXhfbGVuZ3RoGAIgASgBEiEKBnNwcmluZxgDIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSEwoLcmVzdF9sZW5ndGgYBCABKAEi0gEKC1NsaWRlckpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIXCg9tb3Rvcl9tYXhfZm9yY2UYAyABKAESIQoGc3ByaW5nGAQgASgLMhEuam9zdGxlLnYxLlNwcmluZxIVCg1zcHJpbmdfdHJhdmVsGAUgASgBEhYKDmZyaWN0aW9uX2ZvcmNlGAYgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQi4gEKC1NpeERvZkpvaW50Eh8KAXgYASABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEh8KAXkYAiABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEh8KAXoYAyABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEiQKBnR1cm5feBgEIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSJAoGdHVybl95GAUgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIkCgZ0dXJuX3oYBiABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzIs8BCglKb2ludEF4aXMSDAoEZnJlZRgBIAEoCBIkCgVsaW1pdBgCIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgAiAEBEiEKBnNwcmluZxgDIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSEQoJc3ByaW5nX2F0GAQgASgBEhgKC21vdG9yX3NwZWVkGAUgASgBSAGIAQESEgoKbW90b3JfbW9zdBgGIAEoARIQCghmcmljdGlvbhgHIAEoAUIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIrsCCgpXaGVlbEpvaW50EiUKCnN1c3BlbnNpb24YASABKAsyES5qb3N0bGUudjEuU3ByaW5nEgwKBHJpZGUYAiABKAESJQoGdHJhdmVsGAMgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESEAoIc3RlZXJpbmcYBCABKAESFQoNZnJlZV9zdGVlcmluZxgFIAEoCBItCg5zdGVlcmluZ19saW1pdBgGIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgBiAEBEhgKC21vdG9yX3NwZWVkGAcgASgBSAKIAQESGAoQbW90b3JfbWF4X3RvcnF1ZRgIIAEoARIXCg9mcmljdGlvbl90b3JxdWUYCSABKAFCCQoHX3RyYXZlbEIRCg9fc3RlZXJpbmdfbGltaXRCDgoMX21vdG9yX3NwZWVkIosBCglHcmFiSm9pbnQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoGc3ByaW5nGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZxIWCgltYXhfZm9yY2UYAyABKAFIAIgBARIUCgx0dXJuX2RhbXBpbmcYBCABKAFCDAoKX21heF9mb3JjZSIpCglHZWFySm9pbnQSEgoFcmF0aW8YASABKAFIAIgBAUIICgZfcmF0aW8iKwoJUmFja0pvaW50EhMKBnJhZGl1cxgBIAEoAUgAiAEBQgkKB19yYWRpdXMifwoLUHVsbGV5Sm9pbnQSIAoHcG9pbnRfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiAKB3BvaW50X2IYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZsZW5ndGgYAyABKAESEgoFcmF0aW8YBCABKAFIAIgBAUIICgZfcmF0aW8ioQIKCVBhdGhKb2ludBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMxITCgZzbW9vdGgYAiABKAhIAIgBARIOCgZjbG9zZWQYAyABKAgSJAoFbGltaXQYBCABKAsyEC5qb3N0bGUudjEuTGltaXRIAYgBARIYCgttb3Rvcl9zcGVlZBgFIAEoAUgCiAEBEhcKD21vdG9yX21heF9mb3JjZRgGIAEoARIhCgZzcHJpbmcYByABKAsyES5qb3N0bGUudjEuU3ByaW5nEhUKDXNwcmluZ190cmF2ZWwYCCABKAESFgoOZnJpY3Rpb25fZm9yY2UYCSABKAFCCQoHX3Ntb290aEIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIpoCCgtWZWxvY2l0eVJvdxIhCghsaW5lYXJfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWFuZ3VsYXJfYRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCGxpbmVhcl9iGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIgoJYW5ndWxhcl9iGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoKd29ybGRfYXhlcxgFIAEoCBINCgVzcGVlZBgGIAEoARIMCgRiaWFzGAcgASgBEhAKCHNvZnRuZXNzGAggASgBEhIKBWxvd2VyGAkgASgBSACIAQESEgoFdXBwZXIYCiABKAFIAYgBAUIICgZfbG93ZXJCCAoGX3VwcGVyIiUKBUxpbWl0Eg0KBWxvd2VyGAEgASgBEg0KBXVwcGVyGAIgASgBIkUKBlNwcmluZxINCgVoZXJ0ehgBIAEoARIaCg1kYW1waW5nX3JhdGlvGAIgASgBSACIAQFCEAoOX2RhbXBpbmdfcmF0aW8i5gEKBk1vZHVsZRILCgN0YWcYASABKAkSMQoIc2V0dGluZ3MYAiADKAsyHy5qb3N0bGUudjEuTW9kdWxlLlNldHRpbmdzRW50cnkSLQoGYm9kaWVzGAMgAygLMh0uam9zdGxlLnYxLk1vZHVsZS5Cb2RpZXNFbnRyeRINCgVzdGF0ZRgEIAEoDBovCg1TZXR0aW5nc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEaLQoLQm9kaWVzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4ASp8CgtKb2ludFNvbHZlchIcChhKT0lOVF9TT0xWRVJfVU5TUEVDSUZJRUQQABIaChZKT0lOVF9TT0xWRVJfQVVUT01BVElDEAESGgoWSk9JTlRfU09MVkVSX0lURVJBVElWRRACEhcKE0pPSU5UX1NPTFZFUl9ESVJFQ1QQAyqFAQoKQnJvYWRQaGFzZRIbChdCUk9BRF9QSEFTRV9VTlNQRUNJRklFRBAAEhwKGEJST0FEX1BIQVNFX0RZTkFNSUNfVFJFRRABEh4KGkJST0FEX1BIQVNFX1NPUlRfQU5EX1NXRUVQEAISHAoYQlJPQURfUEhBU0VfVU5JRk9STV9HUklEEAMqhAEKCEJvZHlUeXBlEhkKFUJPRFlfVFlQRV9VTlNQRUNJRklFRBAAEhQKEEJPRFlfVFlQRV9TVEFUSUMQARITCg9CT0RZX1RZUEVfRklYRUQQARIXChNCT0RZX1RZUEVfS0lORU1BVElDEAISFQoRQk9EWV9UWVBFX0RZTkFNSUMQAxoCEAEqkwEKB0NvbWJpbmUSFwoTQ09NQklORV9VTlNQRUNJRklFRBAAEhMKD0NPTUJJTkVfQVZFUkFHRRABEhoKFkNPTUJJTkVfR0VPTUVUUklDX01FQU4QAhITCg9DT01CSU5FX01JTklNVU0QAxIUChBDT01CSU5FX01VTFRJUExZEAQSEwoPQ09NQklORV9NQVhJTVVNEAViBnByb3RvMw", [file_jostle_v1_common]);
+  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSK6AQoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludBIiCgdtb2R1bGVzGAYgAygLMhEuam9zdGxlLnYxLk1vZHVsZSKJAwoNV29ybGRTZXR0aW5ncxIgCgdncmF2aXR5GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSFQoIc3Vic3RlcHMYAiABKA1IAIgBARIPCgJoehgDIAEoAUgBiAEBEhUKCHNsZWVwaW5nGAQgASgISAKIAQESDgoGcGxhbmFyGAUgASgIEhcKCmNvbnRpbnVvdXMYBiABKAhIA4gBARIqCgticm9hZF9waGFzZRgHIAEoDjIVLmpvc3RsZS52MS5Ccm9hZFBoYXNlEhYKCWhpdF9zcGVlZBgIIAEoAUgEiAEBEiwKDGpvaW50X3NvbHZlchgJIAEoDjIWLmpvc3RsZS52MS5Kb2ludFNvbHZlchIRCgl0b2xlcmFuY2UYCiABKAESFgoOc3Vic3RlcF9idWRnZXQYCyABKA0SEwoLc3RlcF9idWRnZXQYDCABKA1CCwoJX3N1YnN0ZXBzQgUKA19oekILCglfc2xlZXBpbmdCDQoLX2NvbnRpbnVvdXNCDAoKX2hpdF9zcGVlZCLQBAoEQm9keRIMCgRuYW1lGAEgASgJEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIQoIcG9zaXRpb24YAyABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgEIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCg5saW5lYXJfZGFtcGluZxgHIAEoAUgAiAEBEhwKD2FuZ3VsYXJfZGFtcGluZxgIIAEoAUgBiAEBEhoKDWdyYXZpdHlfc2NhbGUYCSABKAFIAogBARIWCgltYXlfc2xlZXAYCiABKAhIA4gBARIgCgZzaGFwZXMYCyADKAsyEC5qb3N0bGUudjEuU2hhcGUSEgoFY29sb3IYDCABKAdIBIgBARIhCgZyZXBlYXQYDSADKAsyES5qb3N0bGUudjEuUmVwZWF0Eh8KBWxvY2tzGA4gASgLMhAuam9zdGxlLnYxLkxvY2tzEhcKCmNvbnRpbnVvdXMYDyABKAhIBYgBARIRCgRtYXNzGBAgASgBSAaIAQFCEQoPX2xpbmVhcl9kYW1waW5nQhIKEF9hbmd1bGFyX2RhbXBpbmdCEAoOX2dyYXZpdHlfc2NhbGVCDAoKX21heV9zbGVlcEIICgZfY29sb3JCDQoLX2NvbnRpbnVvdXNCBwoFX21hc3MiWAoFTG9ja3MSCQoBeBgBIAEoCBIJCgF5GAIgASgIEgkKAXoYAyABKAgSDgoGdHVybl94GAQgASgIEg4KBnR1cm5feRgFIAEoCBIOCgZ0dXJuX3oYBiABKAgiOAoGUmVwZWF0Eg0KBWNvdW50GAEgASgNEh8KBm9mZnNldBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIsUHCgVTaGFwZRIjCgZzcGhlcmUYASABKAsyES5qb3N0bGUudjEuU3BoZXJlSAASJQoHY2Fwc3VsZRgCIAEoCzISLmpvc3RsZS52MS5DYXBzdWxlSAASHQoDYm94GAMgASgLMg4uam9zdGxlLnYxLkJveEgAEiEKBXBsYW5lGAQgASgLMhAuam9zdGxlLnYxLlBsYW5lSAASJwoIY3lsaW5kZXIYCiABKAsyEy5qb3N0bGUudjEuQ3lsaW5kZXJIABIfCgRjb25lGAsgASgLMg8uam9zdGxlLnYxLkNvbmVIABIfCgRodWxsGAwgASgLMg8uam9zdGxlLnYxLkh1bGxIABIfCgRtZXNoGA0gASgLMg8uam9zdGxlLnYxLk1lc2hIABIuCgxoZWlnaHRfZmllbGQYDiABKAsyFi5qb3N0bGUudjEuSGVpZ2h0RmllbGRIABInCghjb21wb3VuZBgPIAEoCzITLmpvc3RsZS52MS5Db21wb3VuZEgAEiEKBXNvbGlkGBsgASgLMhAuam9zdGxlLnYxLlNvbGlkSAASEgoIZ2VvbWV0cnkYGSABKAZIABIhCghwb3NpdGlvbhgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAYgASgLMg8uam9zdGxlLnYxLlF1YXQSFAoHZGVuc2l0eRgHIAEoAUgBiAEBEhUKCGZyaWN0aW9uGAggASgBSAKIAQESGAoLcmVzdGl0dXRpb24YCSABKAFIA4gBARIRCgRtYXNzGBAgASgBSASIAQESHQoQcm9sbGluZ19mcmljdGlvbhgRIAEoAUgFiAEBEh8KEnRvcnNpb25hbF9mcmljdGlvbhgSIAEoAUgGiAEBEikKEHN1cmZhY2VfdmVsb2NpdHkYEyABKAsyDy5qb3N0bGUudjEuVmVjMxIpCg1mcmljdGlvbl9ydWxlGBQgASgOMhIuam9zdGxlLnYxLkNvbWJpbmUSLAoQcmVzdGl0dXRpb25fcnVsZRgVIAEoDjISLmpvc3RsZS52MS5Db21iaW5lEiEKBmZpbHRlchgWIAEoCzIRLmpvc3RsZS52MS5GaWx0ZXISDwoHdHJpZ2dlchgXIAEoCBIUCgxyZXBvcnRfc3RheXMYGCABKAhCBgoEa2luZEIKCghfZGVuc2l0eUILCglfZnJpY3Rpb25CDgoMX3Jlc3RpdHV0aW9uQgcKBV9tYXNzQhMKEV9yb2xsaW5nX2ZyaWN0aW9uQhUKE190b3JzaW9uYWxfZnJpY3Rpb24iVwoGRmlsdGVyEhUKCGNhdGVnb3J5GAEgASgNSACIAQESEQoEbWFzaxgCIAEoDUgBiAEBEg0KBWdyb3VwGAMgASgRQgsKCV9jYXRlZ29yeUIHCgVfbWFzayIYCgZTcGhlcmUSDgoGcmFkaXVzGAEgASgBIi4KB0NhcHN1bGUSDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIiwKA0JveBIlCgxoYWxmX2V4dGVudHMYASABKAsyDy5qb3N0bGUudjEuVmVjMyIoCgVQbGFuZRIfCgZub3JtYWwYASABKAsyDy5qb3N0bGUudjEuVmVjMyIvCghDeWxpbmRlchIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiKwoEQ29uZRIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiJwoESHVsbBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMyI6CgRNZXNoEiEKCHZlcnRpY2VzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMSDwoHaW5kaWNlcxgCIAMoDSJZCgVTb2xpZBIdCgRtZXNoGAEgASgLMg8uam9zdGxlLnYxLk1lc2gSEQoJcGFydHNfbWF4GAIgASgNEhMKBmV4Y2VzcxgDIAEoAUgAiAEBQgkKB19leGNlc3MicgoLSGVpZ2h0RmllbGQSDwoHY29sdW1ucxgBIAEoDRIMCgRyb3dzGAIgASgNEhEKCXNwYWNpbmdfeBgDIAEoARIRCglzcGFjaW5nX3oYBCABKAESDwoHaGVpZ2h0cxgFIAMoARINCgVob2xlcxgGIAMoDSIuCghDb21wb3VuZBIiCghjaGlsZHJlbhgBIAMoCzIQLmpvc3RsZS52MS5TaGFwZSL+BgoFSm9pbnQSDAoEbmFtZRgBIAEoCRIOCgZib2R5X2EYAiABKAkSDgoGYm9keV9iGAMgASgJEh8KBWZyYW1lGAQgASgLMhAuam9zdGxlLnYxLkZyYW1lEiEKB2ZyYW1lX2EYBSABKAsyEC5qb3N0bGUudjEuRnJhbWUSIQoHZnJhbWVfYhgGIAEoCzIQLmpvc3RsZS52MS5GcmFtZRIkCgRiYWxsGAcgASgLMhQuam9zdGxlLnYxLkJhbGxKb2ludEgAEiYKBWhpbmdlGAggASgLMhUuam9zdGxlLnYxLkhpbmdlSm9pbnRIABIvCgpjb25lX3R3aXN0GAkgASgLMhkuam9zdGxlLnYxLkNvbmVUd2lzdEpvaW50SAASJgoFZml4ZWQYCiABKAsyFS5qb3N0bGUudjEuRml4ZWRKb2ludEgAEiwKCGRpc3RhbmNlGAsgASgLMhguam9zdGxlLnYxLkRpc3RhbmNlSm9pbnRIABIuCgx2ZWxvY2l0eV9yb3cYECABKAsyFi5qb3N0bGUudjEuVmVsb2NpdHlSb3dIABIoCgZzbGlkZXIYESABKAsyFi5qb3N0bGUudjEuU2xpZGVySm9pbnRIABIpCgdzaXhfZG9mGBIgASgLMhYuam9zdGxlLnYxLlNpeERvZkpvaW50SAASJgoFd2hlZWwYEyABKAsyFS5qb3N0bGUudjEuV2hlZWxKb2ludEgAEiQKBGdyYWIYFCABKAsyFC5qb3N0bGUudjEuR3JhYkpvaW50SAASJAoEZ2VhchgVIAEoCzIULmpvc3RsZS52MS5HZWFySm9pbnRIABIkCgRyYWNrGBYgASgLMhQuam9zdGxlLnYxLlJhY2tKb2ludEgAEigKBnB1bGxleRgXIAEoCzIWLmpvc3RsZS52MS5QdWxsZXlKb2ludEgAEiQKBHBhdGgYGCABKAsyFC5qb3N0bGUudjEuUGF0aEpvaW50SAASGQoRY29sbGlkZV9jb25uZWN0ZWQYDCABKAgSEwoLYnJlYWtfZm9yY2UYDSABKAESFAoMYnJlYWtfdG9ycXVlGA4gASgBEiYKBnNvbHZlchgZIAEoDjIWLmpvc3RsZS52MS5Kb2ludFNvbHZlchImCgZyZXBlYXQYDyABKAsyFi5qb3N0bGUudjEuSm9pbnRSZXBlYXRCBgoEa2luZCI9CgtKb2ludFJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyJNCgVGcmFtZRIhCghwb3NpdGlvbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAIgASgLMg8uam9zdGxlLnYxLlF1YXQiTQoJQmFsbEpvaW50EicKBWRyaXZlGAEgASgLMhguam9zdGxlLnYxLlJvdGF0aW9uRHJpdmUSFwoPZnJpY3Rpb25fdG9ycXVlGAIgASgBInsKDVJvdGF0aW9uRHJpdmUSIQoGc3ByaW5nGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIfCgZ0YXJnZXQYAiABKAsyDy5qb3N0bGUudjEuUXVhdBIXCgptYXhfdG9ycXVlGAMgASgBSACIAQFCDQoLX21heF90b3JxdWUiuQEKCkhpbmdlSm9pbnQSJAoFbGltaXQYASABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIYCgttb3Rvcl9zcGVlZBgCIAEoAUgBiAEBEhgKEG1vdG9yX21heF90b3JxdWUYAyABKAESIQoGc3ByaW5nGAQgASgLMhEuam9zdGxlLnYxLlNwcmluZxIUCgxzcHJpbmdfYW5nbGUYBSABKAFCCAoGX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCKRAQoOQ29uZVR3aXN0Sm9pbnQSDQoFc3dpbmcYASABKAESJAoFdHdpc3QYAiABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIXCg9mcmljdGlvbl90b3JxdWUYAyABKAESJwoFZHJpdmUYBCABKAsyGC5qb3N0bGUudjEuUm90YXRpb25Ecml2ZUIICgZfdHdpc3QiUwoKRml4ZWRKb2ludBIhCgZsaW5lYXIYASABKAsyES5qb3N0bGUudjEuU3ByaW5nEiIKB2FuZ3VsYXIYAiABKAsyES5qb3N0bGUudjEuU3ByaW5nIm8KDURpc3RhbmNlSm9pbnQSEgoKbWluX2xlbmd0aBgBIAEoARISCgptYXhfbGVuZ3RoGAIgASgBEiEKBnNwcmluZxgDIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSEwoLcmVzdF9sZW5ndGgYBCABKAEi0gEKC1NsaWRlckpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIXCg9tb3Rvcl9tYXhfZm9yY2UYAyABKAESIQoGc3ByaW5nGAQgASgLMhEuam9zdGxlLnYxLlNwcmluZxIVCg1zcHJpbmdfdHJhdmVsGAUgASgBEhYKDmZyaWN0aW9uX2ZvcmNlGAYgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQi4gEKC1NpeERvZkpvaW50Eh8KAXgYASABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEh8KAXkYAiABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEh8KAXoYAyABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEiQKBnR1cm5feBgEIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSJAoGdHVybl95GAUgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIkCgZ0dXJuX3oYBiABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzIs8BCglKb2ludEF4aXMSDAoEZnJlZRgBIAEoCBIkCgVsaW1pdBgCIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgAiAEBEiEKBnNwcmluZxgDIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSEQoJc3ByaW5nX2F0GAQgASgBEhgKC21vdG9yX3NwZWVkGAUgASgBSAGIAQESEgoKbW90b3JfbW9zdBgGIAEoARIQCghmcmljdGlvbhgHIAEoAUIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIrsCCgpXaGVlbEpvaW50EiUKCnN1c3BlbnNpb24YASABKAsyES5qb3N0bGUudjEuU3ByaW5nEgwKBHJpZGUYAiABKAESJQoGdHJhdmVsGAMgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESEAoIc3RlZXJpbmcYBCABKAESFQoNZnJlZV9zdGVlcmluZxgFIAEoCBItCg5zdGVlcmluZ19saW1pdBgGIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgBiAEBEhgKC21vdG9yX3NwZWVkGAcgASgBSAKIAQESGAoQbW90b3JfbWF4X3RvcnF1ZRgIIAEoARIXCg9mcmljdGlvbl90b3JxdWUYCSABKAFCCQoHX3RyYXZlbEIRCg9fc3RlZXJpbmdfbGltaXRCDgoMX21vdG9yX3NwZWVkIosBCglHcmFiSm9pbnQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoGc3ByaW5nGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZxIWCgltYXhfZm9yY2UYAyABKAFIAIgBARIUCgx0dXJuX2RhbXBpbmcYBCABKAFCDAoKX21heF9mb3JjZSIpCglHZWFySm9pbnQSEgoFcmF0aW8YASABKAFIAIgBAUIICgZfcmF0aW8iKwoJUmFja0pvaW50EhMKBnJhZGl1cxgBIAEoAUgAiAEBQgkKB19yYWRpdXMifwoLUHVsbGV5Sm9pbnQSIAoHcG9pbnRfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiAKB3BvaW50X2IYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZsZW5ndGgYAyABKAESEgoFcmF0aW8YBCABKAFIAIgBAUIICgZfcmF0aW8ioQIKCVBhdGhKb2ludBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMxITCgZzbW9vdGgYAiABKAhIAIgBARIOCgZjbG9zZWQYAyABKAgSJAoFbGltaXQYBCABKAsyEC5qb3N0bGUudjEuTGltaXRIAYgBARIYCgttb3Rvcl9zcGVlZBgFIAEoAUgCiAEBEhcKD21vdG9yX21heF9mb3JjZRgGIAEoARIhCgZzcHJpbmcYByABKAsyES5qb3N0bGUudjEuU3ByaW5nEhUKDXNwcmluZ190cmF2ZWwYCCABKAESFgoOZnJpY3Rpb25fZm9yY2UYCSABKAFCCQoHX3Ntb290aEIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIpoCCgtWZWxvY2l0eVJvdxIhCghsaW5lYXJfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWFuZ3VsYXJfYRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCGxpbmVhcl9iGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIgoJYW5ndWxhcl9iGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoKd29ybGRfYXhlcxgFIAEoCBINCgVzcGVlZBgGIAEoARIMCgRiaWFzGAcgASgBEhAKCHNvZnRuZXNzGAggASgBEhIKBWxvd2VyGAkgASgBSACIAQESEgoFdXBwZXIYCiABKAFIAYgBAUIICgZfbG93ZXJCCAoGX3VwcGVyIiUKBUxpbWl0Eg0KBWxvd2VyGAEgASgBEg0KBXVwcGVyGAIgASgBIkUKBlNwcmluZxINCgVoZXJ0ehgBIAEoARIaCg1kYW1waW5nX3JhdGlvGAIgASgBSACIAQFCEAoOX2RhbXBpbmdfcmF0aW8i5gEKBk1vZHVsZRILCgN0YWcYASABKAkSMQoIc2V0dGluZ3MYAiADKAsyHy5qb3N0bGUudjEuTW9kdWxlLlNldHRpbmdzRW50cnkSLQoGYm9kaWVzGAMgAygLMh0uam9zdGxlLnYxLk1vZHVsZS5Cb2RpZXNFbnRyeRINCgVzdGF0ZRgEIAEoDBovCg1TZXR0aW5nc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEaLQoLQm9kaWVzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4ASp8CgtKb2ludFNvbHZlchIcChhKT0lOVF9TT0xWRVJfVU5TUEVDSUZJRUQQABIaChZKT0lOVF9TT0xWRVJfQVVUT01BVElDEAESGgoWSk9JTlRfU09MVkVSX0lURVJBVElWRRACEhcKE0pPSU5UX1NPTFZFUl9ESVJFQ1QQAyqFAQoKQnJvYWRQaGFzZRIbChdCUk9BRF9QSEFTRV9VTlNQRUNJRklFRBAAEhwKGEJST0FEX1BIQVNFX0RZTkFNSUNfVFJFRRABEh4KGkJST0FEX1BIQVNFX1NPUlRfQU5EX1NXRUVQEAISHAoYQlJPQURfUEhBU0VfVU5JRk9STV9HUklEEAMqhAEKCEJvZHlUeXBlEhkKFUJPRFlfVFlQRV9VTlNQRUNJRklFRBAAEhQKEEJPRFlfVFlQRV9TVEFUSUMQARITCg9CT0RZX1RZUEVfRklYRUQQARIXChNCT0RZX1RZUEVfS0lORU1BVElDEAISFQoRQk9EWV9UWVBFX0RZTkFNSUMQAxoCEAEqkwEKB0NvbWJpbmUSFwoTQ09NQklORV9VTlNQRUNJRklFRBAAEhMKD0NPTUJJTkVfQVZFUkFHRRABEhoKFkNPTUJJTkVfR0VPTUVUUklDX01FQU4QAhITCg9DT01CSU5FX01JTklNVU0QAxIUChBDT01CSU5FX01VTFRJUExZEAQSEwoPQ09NQklORV9NQVhJTVVNEAViBnByb3RvMw", [file_jostle_v1_common]);
 
 /**
  * @generated from message jostle.v1.Scene
@@ -417,6 +417,14 @@ export type Shape = Message<"jostle.v1.Shape"> & {
     case: "compound";
   } | {
     /**
+     * only in scenes
+     *
+     * @generated from field: jostle.v1.Solid solid = 27;
+     */
+    value: Solid;
+    case: "solid";
+  } | {
+    /**
      * only in a Roster: the kind is that of the Geometry with this id (play.proto)
      *
      * @generated from field: fixed64 geometry = 25;
@@ -756,6 +764,41 @@ export const MeshSchema: GenMessage<Mesh> = /*@__PURE__*/
   messageDesc(file_jostle_v1_scene, 14);
 
 /**
+ * What a closed mesh encloses, as convex hulls that together hold it: for bodies of any type. Worlds know it as their compound.
+ *
+ * @generated from message jostle.v1.Solid
+ */
+export type Solid = Message<"jostle.v1.Solid"> & {
+  /**
+   * at most 20,000 triangles, each edge with one on each side
+   *
+   * @generated from field: jostle.v1.Mesh mesh = 1;
+   */
+  mesh?: Mesh | undefined;
+
+  /**
+   * 1 to 128; 0: 32
+   *
+   * @generated from field: uint32 parts_max = 2;
+   */
+  partsMax: number;
+
+  /**
+   * of the mesh's volume, that hulls may hold too much while there are parts left; absent: 0.03
+   *
+   * @generated from field: optional double excess = 3;
+   */
+  excess?: number | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.Solid.
+ * Use `create(SolidSchema)` to create a new message.
+ */
+export const SolidSchema: GenMessage<Solid> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 15);
+
+/**
  * Heights on a regular grid, centred on the local origin; static and kinematic bodies only. Both sides collide.
  *
  * @generated from message jostle.v1.HeightField
@@ -809,7 +852,7 @@ export type HeightField = Message<"jostle.v1.HeightField"> & {
  * Use `create(HeightFieldSchema)` to create a new message.
  */
 export const HeightFieldSchema: GenMessage<HeightField> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 15);
+  messageDesc(file_jostle_v1_scene, 16);
 
 /**
  * Several convex shapes as one. Only the kind, position and rotation of the children count.
@@ -828,7 +871,7 @@ export type Compound = Message<"jostle.v1.Compound"> & {
  * Use `create(CompoundSchema)` to create a new message.
  */
 export const CompoundSchema: GenMessage<Compound> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 16);
+  messageDesc(file_jostle_v1_scene, 17);
 
 /**
  * Holds two bodies together.
@@ -1001,7 +1044,7 @@ export type Joint = Message<"jostle.v1.Joint"> & {
  * Use `create(JointSchema)` to create a new message.
  */
 export const JointSchema: GenMessage<Joint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 17);
+  messageDesc(file_jostle_v1_scene, 18);
 
 /**
  * @generated from message jostle.v1.JointRepeat
@@ -1027,7 +1070,7 @@ export type JointRepeat = Message<"jostle.v1.JointRepeat"> & {
  * Use `create(JointRepeatSchema)` to create a new message.
  */
 export const JointRepeatSchema: GenMessage<JointRepeat> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 18);
+  messageDesc(file_jostle_v1_scene, 19);
 
 /**
  * @generated from message jostle.v1.Frame
@@ -1051,7 +1094,7 @@ export type Frame = Message<"jostle.v1.Frame"> & {
  * Use `create(FrameSchema)` to create a new message.
  */
 export const FrameSchema: GenMessage<Frame> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 19);
+  messageDesc(file_jostle_v1_scene, 20);
 
 /**
  * The frames' origins stay together.
@@ -1079,7 +1122,7 @@ export type BallJoint = Message<"jostle.v1.BallJoint"> & {
  * Use `create(BallJointSchema)` to create a new message.
  */
 export const BallJointSchema: GenMessage<BallJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 20);
+  messageDesc(file_jostle_v1_scene, 21);
 
 /**
  * Turns b's frame against a's to an orientation.
@@ -1112,7 +1155,7 @@ export type RotationDrive = Message<"jostle.v1.RotationDrive"> & {
  * Use `create(RotationDriveSchema)` to create a new message.
  */
 export const RotationDriveSchema: GenMessage<RotationDrive> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 21);
+  messageDesc(file_jostle_v1_scene, 22);
 
 /**
  * Turns about the frames' common z axis.
@@ -1161,7 +1204,7 @@ export type HingeJoint = Message<"jostle.v1.HingeJoint"> & {
  * Use `create(HingeJointSchema)` to create a new message.
  */
 export const HingeJointSchema: GenMessage<HingeJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 22);
+  messageDesc(file_jostle_v1_scene, 23);
 
 /**
  * b's x axis stays in a cone about a's x axis, and b turns about it within limits.
@@ -1201,7 +1244,7 @@ export type ConeTwistJoint = Message<"jostle.v1.ConeTwistJoint"> & {
  * Use `create(ConeTwistJointSchema)` to create a new message.
  */
 export const ConeTwistJointSchema: GenMessage<ConeTwistJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 23);
+  messageDesc(file_jostle_v1_scene, 24);
 
 /**
  * The frames stay together in full.
@@ -1229,7 +1272,7 @@ export type FixedJoint = Message<"jostle.v1.FixedJoint"> & {
  * Use `create(FixedJointSchema)` to create a new message.
  */
 export const FixedJointSchema: GenMessage<FixedJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 24);
+  messageDesc(file_jostle_v1_scene, 25);
 
 /**
  * Rod: min == max. Rope: min 0. Spring: hertz above 0, towards rest_length between the two limits.
@@ -1269,7 +1312,7 @@ export type DistanceJoint = Message<"jostle.v1.DistanceJoint"> & {
  * Use `create(DistanceJointSchema)` to create a new message.
  */
 export const DistanceJointSchema: GenMessage<DistanceJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 25);
+  messageDesc(file_jostle_v1_scene, 26);
 
 /**
  * b slides along the z axis of a's frame and does not turn against it.
@@ -1325,7 +1368,7 @@ export type SliderJoint = Message<"jostle.v1.SliderJoint"> & {
  * Use `create(SliderJointSchema)` to create a new message.
  */
 export const SliderJointSchema: GenMessage<SliderJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 26);
+  messageDesc(file_jostle_v1_scene, 27);
 
 /**
  * Three translations of b's origin along the axes of a's frame, and three turns. What is absent is locked. The turns are
@@ -1375,7 +1418,7 @@ export type SixDofJoint = Message<"jostle.v1.SixDofJoint"> & {
  * Use `create(SixDofJointSchema)` to create a new message.
  */
 export const SixDofJointSchema: GenMessage<SixDofJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 27);
+  messageDesc(file_jostle_v1_scene, 28);
 
 /**
  * @generated from message jostle.v1.JointAxis
@@ -1436,7 +1479,7 @@ export type JointAxis = Message<"jostle.v1.JointAxis"> & {
  * Use `create(JointAxisSchema)` to create a new message.
  */
 export const JointAxisSchema: GenMessage<JointAxis> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 28);
+  messageDesc(file_jostle_v1_scene, 29);
 
 /**
  * The wheel b on the chassis a: up and down along the y axis of a's frame, steered about it, spinning about the z axis of b's
@@ -1512,7 +1555,7 @@ export type WheelJoint = Message<"jostle.v1.WheelJoint"> & {
  * Use `create(WheelJointSchema)` to create a new message.
  */
 export const WheelJointSchema: GenMessage<WheelJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 29);
+  messageDesc(file_jostle_v1_scene, 30);
 
 /**
  * Pulls the origin of b's frame to a target in a's frame.
@@ -1554,7 +1597,7 @@ export type GrabJoint = Message<"jostle.v1.GrabJoint"> & {
  * Use `create(GrabJointSchema)` to create a new message.
  */
 export const GrabJointSchema: GenMessage<GrabJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 30);
+  messageDesc(file_jostle_v1_scene, 31);
 
 /**
  * turn_a + ratio * turn_b stays what it is when the scene starts. Each turns about the z axis of its frame, against what a hinge
@@ -1576,7 +1619,7 @@ export type GearJoint = Message<"jostle.v1.GearJoint"> & {
  * Use `create(GearJointSchema)` to create a new message.
  */
 export const GearJointSchema: GenMessage<GearJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 31);
+  messageDesc(file_jostle_v1_scene, 32);
 
 /**
  * The pinion a turns about the z axis of its frame, the rack b moves along the z axis of its frame, against what a slider
@@ -1598,7 +1641,7 @@ export type RackJoint = Message<"jostle.v1.RackJoint"> & {
  * Use `create(RackJointSchema)` to create a new message.
  */
 export const RackJointSchema: GenMessage<RackJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 32);
+  messageDesc(file_jostle_v1_scene, 33);
 
 /**
  * A rope from a's frame to a point of the world, over to another, and to b's frame: length_a + ratio * length_b is at most
@@ -1641,7 +1684,7 @@ export type PulleyJoint = Message<"jostle.v1.PulleyJoint"> & {
  * Use `create(PulleyJointSchema)` to create a new message.
  */
 export const PulleyJointSchema: GenMessage<PulleyJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 33);
+  messageDesc(file_jostle_v1_scene, 34);
 
 /**
  * A bead on a wire: the origin of b's frame stays on a curve through points in a's frame, and b turns freely. Its travel is
@@ -1719,7 +1762,7 @@ export type PathJoint = Message<"jostle.v1.PathJoint"> & {
  * Use `create(PathJointSchema)` to create a new message.
  */
 export const PathJointSchema: GenMessage<PathJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 34);
+  messageDesc(file_jostle_v1_scene, 35);
 
 /**
  * One row of the velocity solver: a gear, a rack, a motor along a line, a damper. Its rate is
@@ -1798,7 +1841,7 @@ export type VelocityRow = Message<"jostle.v1.VelocityRow"> & {
  * Use `create(VelocityRowSchema)` to create a new message.
  */
 export const VelocityRowSchema: GenMessage<VelocityRow> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 35);
+  messageDesc(file_jostle_v1_scene, 36);
 
 /**
  * @generated from message jostle.v1.Limit
@@ -1820,7 +1863,7 @@ export type Limit = Message<"jostle.v1.Limit"> & {
  * Use `create(LimitSchema)` to create a new message.
  */
 export const LimitSchema: GenMessage<Limit> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 36);
+  messageDesc(file_jostle_v1_scene, 37);
 
 /**
  * @generated from message jostle.v1.Spring
@@ -1844,7 +1887,7 @@ export type Spring = Message<"jostle.v1.Spring"> & {
  * Use `create(SpringSchema)` to create a new message.
  */
 export const SpringSchema: GenMessage<Spring> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 37);
+  messageDesc(file_jostle_v1_scene, 38);
 
 /**
  * A part of the program that takes part in each step, with settings and a state of its own. Which there are is up to the
@@ -1890,7 +1933,7 @@ export type Module = Message<"jostle.v1.Module"> & {
  * Use `create(ModuleSchema)` to create a new message.
  */
 export const ModuleSchema: GenMessage<Module> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 38);
+  messageDesc(file_jostle_v1_scene, 39);
 
 /**
  * How joints are solved. What they tie together is solved in one way: of what its joints ask for themselves direct goes

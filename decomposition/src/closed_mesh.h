@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// A mesh that is the surface of a solid: every edge has two triangles that agree which side is out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "jostle/physics/aabb.h"
+#include "jostle/physics/result.h"
+
+namespace jostle::decomposition {
+
+using Triangle = std::array<physics::Vec3, 3>;
+
+struct ClosedMesh {
+    std::vector<Triangle> triangles;
+    physics::Aabb bounds;
+    double volume = 0;  // m^3
+};
+
+physics::Result<ClosedMesh> make_closed_mesh(std::span<const physics::Vec3> vertices,
+                                             std::span<const std::uint32_t> indices);
+
+// By a ray along x: how often the surface is crossed.
+bool is_inside(const std::vector<Triangle>& surface, physics::Vec3 point);
+double distance_to_surface(const std::vector<Triangle>& surface, physics::Vec3 point);
+
+}  // namespace jostle::decomposition

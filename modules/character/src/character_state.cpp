@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+//
+// Characters as bytes: saved, from scenes, from those who drive, and for clients.
+#include <string>
+
+#include "character_record.h"
+#include "check_character.h"
+#include "jostle/modules/character.h"
+#include "jostle/modules/settings.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using character_detail::Record;
+
+namespace {
+
+constexpr double driven_speed = 5;  // m/s at full stick
+
+void visit_vector(StateVisitor& v, std::string_view name, Vec3& value, double most) {
+    v.enter(name);
+    bounded(v, "x", value.x, -most, most);
+    bounded(v, "y", value.y, -most, most);
+    bounded(v, "z", value.z, -most, most);
+    v.leave();
+}
+
+void visit_size(StateVisitor& v, Record& r) {
+    using namespace character_detail;
+    bounded(v, "radius", r.radius, radius_least, radius_most);
+    const double least = 2 * r.radius + 1.9 * min_shape_size;
+    bounded(v, "height", r.height, least, height_most);
+    bounded(v, "crouched_height", r.crouched_height, least, r.height);
+    bounded(v, "skin", r.skin, r.kind == CharacterKind::rigid ? 0 : skin_least, 0.5 * r.radius);
+    bounded(v, "foot_height", r.foot_height, -1e4, 1e4);
+    v.field("mask", r.mask);
+    for (const Ability& a : abilities_list) bounded(v, a.name, r.abilities.*a.value, a.low, a.high);
+}
+
+void visit_controls(StateVisitor& v, Record& r) {
+    visit_vector(v, "walk", r.controls.walk, character_detail::walk_most);
+    v.field("jump", r.controls.jump);
+    v.field("crouch", r.controls.crouch);
+    v.field("jump_armed", r.jump_armed);
+    bounded(v, "stroll", r.stroll, 0, 20);
+    bounded(v, "stroll_turn", r.stroll_turn, -10, 10);
+    bounded(v, "stroll_angle", r.stroll_angle, -4, 4);
+}
+
+void visit_ground(StateVisitor& v, Record& r) {
+    v.field("ground", r.ground, GroundKind::in_air);
+    v.field("ground_body", r.ground_body);
+    v.field("ground_shape", r.ground_shape);
+    visit_vector(v, "ground_normal", r.ground_normal, 1.001);
+    visit_vector(v, "ground_point", r.ground_point, 1e8);
+    visit_vector(v, "ground_velocity", r.ground_velocity, 1e9);
+    visit_vector(v, "given", r.given, 1e15);
+    v.field("pushed", r.pushed);
+}
+
+void visit_record(StateVisitor& v, Record& r) {
+    v.field("generation", r.generation);
+    v.field("alive", r.alive);
+    if (!r.alive) {
+        const std::uint32_t generation = r.generation;
+        if (v.loading()) r = Record{}, r.generation = generation;
+        return;
+    }
+    v.field("kind", r.kind, CharacterKind::rigid);
+    v.field("body", r.body);
+    visit_size(v, r);
+    visit_controls(v, r);
+    bounded(v, "heading", r.heading, -4, 4);
+    visit_vector(v, "feet", r.feet, character_detail::coordinate_most);
+    visit_vector(v, "velocity", r.velocity, 1e9);
+    v.field("crouched", r.crouched);
+    visit_ground(v, r);
+}
+
+Error no_character(const std::string& name, const std::string& why) {
+    return {ErrorCode::invalid_argument, name + " " + why};
+}
+
+// What a scene says for all of its characters.
+struct SceneNumbers {
+    CharacterAbilities abilities;
+    double skin = 0.02, crouched_height = 0;  // m; 0: by the height
+    double stroll = 0, stroll_turn = 0;
+};
+
+Status read(const ModuleSettings& given, SceneNumbers& numbers) {
+    using namespace character_detail;
+    SettingsReader settings(given);
+    for (const Ability& a : abilities_list)
+        settings.number(a.name, numbers.abilities.*a.value, a.low, a.high);
+    settings.number("skin", numbers.skin, skin_least, 0.5 * radius_most);
+    settings.number("crouched_height", numbers.crouched_height, 0, height_most);
+    settings.number("stroll", numbers.stroll, 0, 20);
+    settings.number("stroll_turn", numbers.stroll_turn, -10, 10);
+    BodyId any;
+    for (const auto& [name, body] : given.bodies) settings.body(name, any);
+    return settings.finish();
+}
+
+Result<Record> record_for(World& world, const std::string& name, BodyId id,
+                          const SceneNumbers& numbers) {
+    const Result<BodyState> body = world.body(id);
+    if (!body.ok()) return no_character(name, "is no body");
+    if (body->type == BodyType::static_body)
+        return no_character(name, "is static; a character is kinematic or dynamic");
+    const std::vector<ShapeId> shapes = world.shapes_of(id);
+    if (shapes.empty()) return no_character(name, "has no shape; give it a capsule");
+    const Result<ShapeState> shape = world.shape(shapes.front());
+    const auto* capsule = std::get_if<Capsule>(&shape->geometry);
+    if (capsule == nullptr || absolute(rotate(shape->pose.rotation, {0, 1, 0}).y) < 0.999999)
+        return no_character(name, "has another first shape than an upright capsule");
+    Record r;
+    r.kind = body->type == BodyType::dynamic ? CharacterKind::rigid : CharacterKind::sweeping;
+    r.skin = r.kind == CharacterKind::rigid ? 0 : numbers.skin;
+    r.body = id;
+    r.radius = capsule->radius + r.skin;
+    r.height = 2 * (capsule->half_length + r.radius);
+    const bool asked = numbers.crouched_height > 0;
+    r.crouched_height =
+        asked ? numbers.crouched_height
+              : maximum(0.6 * r.height, minimum(r.height, 2 * r.radius + 2 * min_shape_size));
+    r.foot_height = 0.5 * r.height - shape->pose.position.y;
+    r.mask = shape->filter.mask;
+    r.abilities = numbers.abilities;
+    if (r.kind == CharacterKind::rigid) r.abilities.mass = clamp(body->mass, 1, 1e4);
+    r.stroll = numbers.stroll;
+    r.stroll_turn = numbers.stroll_turn;
+    r.feet = body->pose.position - character_detail::up * r.foot_height;
+    r.velocity = body->linear_velocity;
+    return r;
+}
+
+Status check_record(const std::string& name, const Record& r) {
+    CharacterDef def{.kind = r.kind,
+                     .feet = r.feet,
+                     .velocity = r.velocity,
+                     .radius = r.radius,
+                     .height = r.height,
+                     .crouched_height = r.crouched_height,
+                     .skin = r.skin,
+                     .abilities = r.abilities};
+    if (Status s = character_detail::check_def(def); !s.ok())
+        return no_character(name, "cannot be a character: " + s.error().message);
+    return {};
+}
+
+}  // namespace
+
+void Characters::visit(StateVisitor& v) {
+    std::vector<Record>& records = store_->records;
+    v.all("characters", records, [&](Record& record) { visit_record(v, record); });
+    if (v.loading() && records.size() > most) v.fail("characters", "are more than 4096");
+}
+
+Status Characters::configure(World& world, const ModuleSettings& settings) {
+    SceneNumbers numbers;
+    if (Status s = read(settings, numbers); !s.ok()) return s;
+    for (const auto& [name, body] : settings.bodies) {
+        if (takes_controls(body)) return no_character(name, "is a character already");
+        Result<Record> record = record_for(world, name, body, numbers);
+        if (!record.ok()) return record.error();
+        if (Status s = check_record(name, *record); !s.ok()) return s;
+        if (store_->records.size() == most) return no_character(name, "is one more than 4096");
+        if (record->kind == CharacterKind::rigid) {
+            constexpr AxisLocks upright = lock_rotation_x | lock_rotation_y | lock_rotation_z;
+            if (Status s = world.set_locks(body, upright); !s.ok()) return s;
+        }
+        record->alive = true;
+        record->generation = 1;
+        store_->records.push_back(*record);
+    }
+    if (settings.bodies.empty())
+        return Error{ErrorCode::invalid_argument, "has no body; name those that are to walk"};
+    return {};
+}
+
+bool Characters::takes_controls(BodyId body) const {
+    return !is_null(body) && character_of(body) != CharacterId{};
+}
+
+void Characters::control(World&, BodyId body, const Controls& controls) {
+    const SinCos turn = sin_cos(controls.axes[3] * pi);
+    const Vec3 ahead{-turn.sin, 0, -turn.cos}, right{turn.cos, 0, -turn.sin};
+    Vec3 walk = ahead * controls.axes[1] + right * controls.axes[0];
+    const double size = length(walk);
+    walk = walk * (driven_speed / maximum(size, 1));
+    static_cast<void>(set_controls(character_of(body), {.walk = walk,
+                                                        .jump = (controls.buttons & 1) != 0,
+                                                        .crouch = (controls.buttons & 2) != 0}));
+}
+
+void Characters::publish(const World& world, ChunkWriter& chunk) const {
+    for (const CharacterId id : ids()) {
+        const Result<CharacterState> state = this->state(world, id);
+        if (!state.ok()) continue;
+        chunk.body(state->body);
+        const unsigned bits = (state->kind == CharacterKind::rigid ? 1u : 0u) |
+                              (state->crouched ? 2u : 0u) |
+                              (static_cast<unsigned>(state->ground) << 2);
+        chunk.u8(static_cast<std::uint8_t>(bits));
+        const Vec3 over = state->velocity - state->ground_velocity;
+        chunk.quantized(state->heading, -pi, pi, 1);
+        chunk.quantized(length(character_detail::horizontal(over)), 0, 20, 1);
+        chunk.quantized(state->velocity.y, -20, 20, 1);
+    }
+}
+
+}  // namespace jostle::modules

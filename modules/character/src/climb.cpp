@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "climb.h"
+
+#include "footing.h"
+
+namespace jostle::modules::character_detail {
+namespace {
+
+using namespace physics;
+
+constexpr double clearance = 0.0002;  // m between what is swept here and what the skin touches
+
+// The capsule with most of its skin: what comes to stand on an edge does so at once where the skin
+// does.
+Capsule with_skin(const Record& record) {
+    Capsule capsule = capsule_of(record, current_height(record));
+    capsule.radius += record.skin - minimum(clearance, 0.5 * record.skin);
+    return capsule;
+}
+
+// The part of the motion that is free, less the clearance.
+double free_part(const Surroundings& near, const Capsule& capsule, Vec3 from, Vec3 motion) {
+    const auto hit = near.sweep(capsule, from, motion);
+    if (!hit) return 1;
+    return maximum(0, hit->fraction - 1e-5 / length(motion));
+}
+
+}  // namespace
+
+std::optional<Vec3> put_down(const Surroundings& near, const Record& record, Vec3 from, double drop,
+                             double floor_most) {
+    const Capsule capsule = with_skin(record);
+    const Vec3 motion = up * -(drop + clearance);
+    const auto hit = near.sweep(capsule, from, motion);
+    if (!hit || hit->fraction <= 0 || hit->point.y > floor_most) return std::nullopt;
+    const double lift = clearance / maximum(hit->normal.y, 0.5);  // back to the full skin
+    const Vec3 there =
+        from + motion * hit->fraction + up * minimum(lift, -motion.y * hit->fraction);
+    const Vec3 feet = there - up * (0.5 * current_height(record));
+    const bool stands = hit->normal.y >= walkable_least(record) ||
+                        is_step_edge(near, record, feet, hit->point, hit->normal);
+    return stands ? std::optional(there) : std::nullopt;
+}
+
+std::optional<Vec3> climb(const Surroundings& near, const Record& record, Vec3 from, Vec3 way,
+                          double least) {
+    const Capsule capsule = with_skin(record);
+    const double step = record.abilities.step_height;
+    const double rise = step * free_part(near, capsule, from, up * step);
+    if (rise < clearance) return std::nullopt;
+    const Vec3 above = from + up * rise;
+    const double part = free_part(near, capsule, above, way);
+    if (part * length(way) <= least) return std::nullopt;
+    const double floor = from.y - 0.5 * current_height(record);
+    const auto there =
+        put_down(near, record, above + way * part, rise + clearance, floor + step + 0.002);
+    // A step rises: on level floor what is left of the way is the clearance to a wall.
+    if (!there || there->y - from.y < 0.1 * part * length(way)) return std::nullopt;
+    return there;
+}
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "footing.h"
+
+#include "nearest_velocity.h"
+
+namespace jostle::modules::character_detail {
+namespace {
+
+using namespace physics;
+
+constexpr double least_lift = 0.02;  // of a normal: below, it is a wall
+
+Footing footing_on(const Contact& contact, GroundKind kind, Vec3 normal) {
+    return {kind, contact.body, contact.shape, normal, contact.normal, contact.point, contact.gap};
+}
+
+// Whether steep planes hold it between them: nothing that falls can leave.
+bool is_wedged(std::span<const Contact> touching) {
+    VelocityPlanes planes;
+    for (const Contact& contact : touching) planes.add(contact.normal, 0);
+    return touching.size() > 1 && length(planes.nearest(-up)) < 0.05;
+}
+
+}  // namespace
+
+double walkable_least(const Record& record) {
+    return sin_cos(record.abilities.slope_limit).cos - 1e-9;
+}
+
+bool is_step_edge(const Surroundings& near, const Record& record, Vec3 feet, Vec3 point,
+                  Vec3 normal) {
+    constexpr double slack = 0.002;  // m
+    const double step = record.abilities.step_height;
+    if (normal.y < least_lift || point.y - feet.y > step + slack) return false;
+    const auto tread = near.floor_behind(point, normal);
+    if (!tread || tread->y < walkable_least(record)) return false;
+    const double waist = record.radius;
+    return near.look(feet + up * waist, -up * (waist + step + 10 * slack)).has_value();
+}
+
+Footing footing_of(const Surroundings& near, const Record& record, Vec3 feet,
+                   std::span<const Contact> contacts, double close) {
+    std::size_t touching = 0;  // they are sorted by gap
+    const Contact* best = nullptr;
+    for (; touching < contacts.size() && contacts[touching].gap <= close; touching++) {
+        const Contact& contact = contacts[touching];
+        if (contact.normal.y < least_lift) continue;
+        if (best == nullptr || contact.normal.y > best->normal.y) best = &contact;
+    }
+    if (best == nullptr) return {};
+    if (best->normal.y >= walkable_least(record))
+        return footing_on(*best, GroundKind::on_ground, best->normal);
+    for (const Contact& contact : contacts.first(touching))
+        if (is_step_edge(near, record, feet, contact.point, contact.normal))
+            return footing_on(contact, GroundKind::on_ground, up);
+    if (is_wedged(contacts.first(touching))) return footing_on(*best, GroundKind::on_ground, up);
+    return footing_on(*best, GroundKind::on_steep_ground, best->normal);
+}
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "push_body.h"
+
+namespace jostle::modules::character_detail {
+using namespace physics;
+
+// Turns that are locked, even some, are taken as all locked.
+double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
+    if (!(body.mass > 0)) return 0;
+    const Vec3 free{(body.locks & lock_x) != 0 ? 0.0 : direction.x,
+                    (body.locks & lock_y) != 0 ? 0.0 : direction.y,
+                    (body.locks & lock_z) != 0 ? 0.0 : direction.z};
+    const double straight = length_squared(free) / body.mass;
+    if ((body.locks & (lock_rotation_x | lock_rotation_y | lock_rotation_z)) != 0) return straight;
+    const Vec3 arm = cross(point - body.center, direction);
+    return straight + dot(arm, inverse(body.inertia) * arm);
+}
+
+namespace {
+
+// Legs push all through the step, so that friction may hold against them; all else is at once.
+bool apply(World& world, const Contact& contact, const Given& given, const Push& push) {
+    const double at_once = given.impact + (push.footed ? 0 : given.effort);
+    const Vec3 n = contact.normal;
+    if (push.footed && given.effort > 0 &&
+        !world.apply_force(contact.body, n * (-given.effort / push.dt), contact.point).ok())
+        return false;
+    return at_once <= 0 || world.apply_impulse(contact.body, n * -at_once, contact.point).ok();
+}
+
+}  // namespace
+
+Given push_body(World& world, const Contact& contact, double mass, Push& push) {
+    const Vec3 n = contact.normal;
+    const Result<BodyState> body = world.body(contact.body);
+    if (!body.ok() || !(body->mass > 0)) return {};
+    const double closing = dot(n, contact.velocity - push.now);
+    const double soft = compliance(*body, contact.point, n);
+    if (closing <= 0 || !(soft > 0)) return {};
+    Given given;
+    if (push.meets)
+        given.impact =
+            clamp(dot(n, contact.velocity - push.before), 0, closing) / (1 / mass + soft);
+    const double left = closing - given.impact * (1 / mass + soft);
+    given.effort = minimum(left / (push.footed ? soft : 1 / mass + soft), push.effort);
+    if (!apply(world, contact, given, push)) return {};
+    if (push.footed) given.gained = given.effort * soft;
+    push.effort -= given.effort;
+    const double felt = given.impact + (push.footed ? 0 : given.effort);
+    push.before += n * (felt / mass);
+    push.now += n * (felt / mass);
+    return given;
+}
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// What a character gives to a dynamic body that is in its way. The impact is plastic and keeps the
+// momentum of the two. Then it makes an effort, which is bounded: with its feet on the ground the
+// ground bears that, else its own mass.
+#pragma once
+
+#include "surroundings.h"
+
+namespace jostle::modules::character_detail {
+
+struct Push {
+    physics::Vec3 before;  // m/s of the character before it made an effort, as the body's
+    physics::Vec3 now;     // m/s with the effort
+    double effort = 0;     // N s that are left of it
+    double dt = 0;         // s of the step
+    bool footed = false;
+    bool meets = true;  // false: they were together before, and there is no impact
+};
+struct Given {
+    double impact = 0, effort = 0;  // N s along -normal
+    // m/s along -normal that the effort will have given, if nothing else holds the body.
+    double gained = 0;
+};
+
+// 1/kg: how easily a point of the body gives way along a unit direction; 0 where nothing moves it.
+double compliance(const physics::BodyState& body, physics::Vec3 point, physics::Vec3 direction);
+
+// Pushes the body, and takes what that costs off `push`.
+Given push_body(physics::World& world, const Contact& contact, double mass, Push& push);
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "rigid_step.h"
+
+#include "footing.h"
+#include "steering.h"
+
+namespace jostle::modules::character_detail {
+namespace {
+
+using namespace physics;
+
+constexpr double touch = 0.01;         // m within which it stands
+constexpr double look_around = 0.03;   // m
+constexpr double leaving_speed = 0.5;  // m/s: a lift may brake by so much in a step
+constexpr double least_change = 1e-9;  // m/s: less does not keep it awake
+
+Footing stand(const World& world, Record& self, const BodyState& body) {
+    const Surroundings near = surroundings_of(world, self);
+    const Vec3 center = self.feet + up * (0.5 * current_height(self));
+    const auto contacts =
+        near.contacts(capsule_of(self, current_height(self)), center, look_around);
+    Footing footing = footing_of(near, self, self.feet, contacts, touch);
+    if (footing.kind == GroundKind::in_air) return footing;
+    const Vec3 ground = surface_velocity(world, footing.body, footing.shape, footing.point);
+    if (dot(footing.normal, body.linear_velocity - ground) > leaving_speed) return {};
+    return footing;
+}
+
+void know_ground(const World& world, Record& self, const Footing& footing, double dt) {
+    self.ground = footing.kind;
+    self.ground_body = footing.body;
+    self.ground_shape = footing.shape;
+    self.ground_normal = footing.normal;
+    self.ground_point = footing.point;
+    self.ground_velocity = footing.kind == GroundKind::on_ground
+                               ? carried_velocity(world, self, self.feet, dt)
+                               : Vec3{};
+}
+
+// m/s: along the floor with all of the horizontal velocity that is wanted.
+Vec3 change_on_ground(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
+    const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
+    Vec3 change = effort(over, walk, self.abilities.ground_acceleration, dt);
+    const Vec3 next = horizontal(over + change);
+    change.y = -dot(horizontal(n), next) / n.y - over.y;
+    return change;
+}
+
+// Its feet hold it against what gravity does along the floor, all through the step.
+void hold(World& world, Record& self, const BodyState& body, double dt) {
+    const Vec3 n = self.ground_normal, gravity = world.gravity();
+    const Vec3 along = gravity - n * dot(gravity, n);
+    if (length(along) * dt < least_change) return;
+    static_cast<void>(world.apply_force(self.body, along * -body.mass, body.center));
+}
+
+Vec3 change_in_air(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
+    if (horizontal(walk) == Vec3{}) return {};
+    Vec3 change = effort(velocity, walk, self.abilities.air_acceleration, dt);
+    if (self.ground == GroundKind::on_steep_ground) {
+        const Vec3 wall = normalized(horizontal(self.ground_normal), Vec3{});
+        change -= wall * minimum(dot(change, wall), 0);
+    }
+    return change;
+}
+
+void turn_along(const World& world, Record& self, double dt) {
+    const Result<BodyState> ground = world.body(self.ground_body);
+    if (ground.ok()) turn_by(self, ground->angular_velocity.y * dt);
+}
+
+}  // namespace
+
+void rigid_step(World& world, Record& self, double dt) {
+    self.given = {};
+    const Result<BodyState> body = world.body(self.body);
+    if (!body.ok()) return;
+    const CharacterControls controls = controls_of(self, dt);
+    self.feet = body->pose.position - up * self.foot_height;
+    stand_or_crouch(world, self, controls.crouch);
+    const Vec3 velocity = body->linear_velocity;
+    know_ground(world, self, stand(world, self, *body), dt);
+    Vec3 change;
+    if (takes_off(self, controls.jump)) {
+        change.y = self.abilities.jump_speed + self.ground_velocity.y - velocity.y;
+        self.ground = GroundKind::in_air;
+    } else if (self.ground == GroundKind::on_ground) {
+        change = change_on_ground(self, velocity, controls.walk, dt);
+        hold(world, self, *body, dt);
+        turn_along(world, self, dt);
+    } else {
+        change = change_in_air(self, velocity, controls.walk, dt);
+    }
+    face(self, controls.walk, dt);
+    if (length(change) < least_change) return;
+    const Vec3 impulse = change * body->mass;
+    static_cast<void>(world.apply_impulse(self.body, impulse, body->center));
+    press_ground(world, self, -impulse);
+}
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// One step of a rigid character: impulses that give its body the velocity that is wanted.
+#pragma once
+
+#include "character_record.h"
+
+namespace jostle::modules::character_detail {
+
+void rigid_step(physics::World& world, Record& record, double dt);
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "steering.h"
+
+#include "push_body.h"
+#include "surroundings.h"
+
+namespace jostle::modules::character_detail {
+
+using namespace physics;
+
+namespace {
+
+constexpr double turn_speed = 12;  // rad/s
+
+double wrapped(double angle) {
+    return angle - 2 * pi * std::floor((angle + pi) / (2 * pi));
+}
+
+// As it was made, so that it can be made again.
+ShapeDef def_of(const ShapeState& shape) {
+    return {.geometry = shape.geometry,
+            .pose = shape.pose,
+            .material = shape.material,
+            .density = shape.density,
+            .mass = shape.mass,
+            .filter = shape.filter,
+            .trigger = shape.trigger,
+            .report_stays = shape.report_stays,
+            .user_data = shape.user_data};
+}
+
+// The first shape becomes the capsule that goes with the height; feet stay where they are.
+void reshape(World& world, const Record& record) {
+    std::vector<ShapeDef> shapes;
+    for (const ShapeId id : world.shapes_of(record.body))
+        if (const auto shape = world.shape(id); shape.ok()) shapes.push_back(def_of(*shape));
+    const Result<BodyState> body = world.body(record.body);
+    if (shapes.empty() || !body.ok()) return;
+    const double height = current_height(record);
+    shapes[0].geometry = capsule_of(record, height);
+    shapes[0].pose.position.y = 0.5 * height - record.foot_height;
+    if (body->type == BodyType::dynamic && shapes.size() == 1) shapes[0].mass = body->mass;
+    static_cast<void>(world.set_shapes(record.body, shapes));
+}
+
+}  // namespace
+
+CharacterControls controls_of(Record& record, double dt) {
+    CharacterControls controls = record.controls;
+    if (record.stroll <= 0) return controls;
+    record.stroll_angle = wrapped(record.stroll_angle + record.stroll_turn * dt);
+    const SinCos turn = sin_cos(record.stroll_angle);
+    controls.walk = Vec3{-turn.sin, 0, -turn.cos} * record.stroll;
+    return controls;
+}
+
+Vec3 effort(Vec3 velocity, Vec3 wanted, double acceleration, double dt) {
+    const Vec3 change = horizontal(wanted - velocity);
+    const double size = length(change), most = acceleration * dt;
+    return size > most ? change * (most / size) : change;
+}
+
+bool takes_off(Record& record, bool jump) {
+    const bool off = jump && record.jump_armed && record.ground == GroundKind::on_ground;
+    record.jump_armed = !jump || (record.jump_armed && !off);
+    return off;
+}
+
+void face(Record& record, Vec3 walk, double dt) {
+    if (length_squared(horizontal(walk)) < 1e-6) return;
+    const double off = wrapped(arc_tangent(-walk.x, -walk.z) - record.heading);
+    const double most = turn_speed * dt;
+    turn_by(record, clamp(off, -most, most));
+}
+
+void turn_by(Record& record, double angle) {
+    record.heading = wrapped(record.heading + angle);
+}
+
+void stand_or_crouch(World& world, Record& record, bool crouch) {
+    if (crouch == record.crouched) return;
+    if (!crouch) {
+        const Capsule tall = capsule_of(record, record.height);
+        // A little off the floor, which a rigid one touches.
+        const Vec3 center = record.feet + up * (0.5 * record.height + 0.005);
+        if (!surroundings_of(world, record).is_free(tall, center)) return;
+    }
+    record.crouched = crouch;
+    reshape(world, record);
+}
+
+Vec3 carried_velocity(const World& world, const Record& record, Vec3 point, double dt) {
+    const Result<BodyState> ground = world.body(record.ground_body);
+    if (!ground.ok()) return {};
+    Vec3 belt;
+    if (const auto shape = world.shape(record.ground_shape); shape.ok())
+        belt = rotate(ground->pose.rotation, shape->material.surface_velocity);
+    const Vec3 arm = point - ground->center;
+    const Vec3 turned = rotate(from_rotation_vector(ground->angular_velocity * dt), arm);
+    return ground->linear_velocity + belt + (turned - arm) * (1 / dt);
+}
+
+void press_ground(World& world, Record& record, Vec3 impulse) {
+    const Result<BodyState> ground = world.body(record.ground_body);
+    if (!ground.ok() || ground->type != BodyType::dynamic) return;
+    if (world.apply_impulse(record.ground_body, impulse, record.ground_point).ok())
+        record.given += impulse;
+}
+
+Vec3 push_off(World& world, Record& record, Vec3 change) {
+    const double size = length(change), mass = record.abilities.mass;
+    const Result<BodyState> ground = world.body(record.ground_body);
+    if (!ground.ok() || ground->type != BodyType::dynamic || size < 1e-9) return change;
+    const double give =
+        1 / (1 / mass + compliance(*ground, record.ground_point, change * (1 / size)));
+    press_ground(world, record, change * -give);
+    return change * (give / mass);
+}
+
+Quat attitude(const Record& record) {
+    return from_rotation_vector(up * record.heading);
+}
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// What both kinds of characters do with what they are asked to do.
+#pragma once
+
+#include "character_record.h"
+
+namespace jostle::modules::character_detail {
+
+// The controls of this step; who strolls walks on.
+CharacterControls controls_of(Record& record, double dt);
+
+// A change of the horizontal velocity towards the wanted one, by at most acceleration * dt.
+physics::Vec3 effort(physics::Vec3 velocity, physics::Vec3 wanted, double acceleration, double dt);
+
+// Whether it jumps in this step: from the ground, once for each press.
+bool takes_off(Record& record, bool jump);
+
+// Turns to where it walks.
+void face(Record& record, physics::Vec3 walk, double dt);
+
+void turn_by(Record& record, double angle);
+
+// Makes it crouch or, if there is room, stand; its body's first shape follows.
+void stand_or_crouch(physics::World& world, Record& record, bool crouch);
+
+// The velocity of the ground over the coming step, m/s: what a rigid motion makes of the point.
+physics::Vec3 carried_velocity(const physics::World& world, const Record& record,
+                               physics::Vec3 point, double dt);
+
+// N s to the ground, if that can move.
+void press_ground(physics::World& world, Record& record, physics::Vec3 impulse);
+
+// Sets off from the ground by a velocity over it, m/s: the ground, if it can move, gets the recoil.
+// What of it is the character's own, as seen by the world; the ground has the rest.
+physics::Vec3 push_off(physics::World& world, Record& record, physics::Vec3 change);
+
+physics::Quat attitude(const Record& record);
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: MIT
+#include "sweep_step.h"
+
+#include "climb.h"
+#include "footing.h"
+#include "nearest_velocity.h"
+#include "push_body.h"
+#include "steering.h"
+
+namespace jostle::modules::character_detail {
+namespace {
+
+using namespace physics;
+
+constexpr double touch = 0.002;         // m beyond the skin within which it stands
+constexpr double look_around = 0.02;    // m beyond the skin: contacts of the next moment
+constexpr double recovery_speed = 3;    // m/s at which it leaves what came closer than the skin
+constexpr double leaving_speed = 0.05;  // m/s: who rises faster from a floor does not stand on it
+constexpr double furthest = 9e6;        // m from the origin, along each axis
+constexpr double skins_ahead = 2;
+constexpr int slides_most = 6;
+
+// Walks in the frame of the ground as it is before the step, and is then carried along. So it
+// keeps to a platform exactly, whatever that does.
+class SweepStep {
+public:
+    SweepStep(World& world, Record& record, double dt)
+        : world_(world),
+          self_(record),
+          near_(surroundings_of(world, record)),
+          dt_(dt),
+          walkable_(walkable_least(record)),
+          effort_(record.abilities.strength * dt) {}
+
+    void run() {
+        self_.given = {};
+        const CharacterControls controls = controls_of(self_, dt_);
+        stand_or_crouch(world_, self_, controls.crouch);
+        core_ = capsule_of(self_, current_height(self_));
+        center_ = self_.feet + up * (0.5 * current_height(self_));
+        steer(controls);
+        move();
+        find_ground();
+        carry();
+        finish();
+    }
+
+private:
+    // --- what it wants ---
+    void steer(const CharacterControls& controls) {
+        if (self_.ground != GroundKind::on_ground) meet_ground();
+        grounded_ = self_.ground == GroundKind::on_ground;
+        before_ = now_ = self_.velocity;
+        if (grounded_) carried_ = carried_velocity(world_, self_, self_.feet, dt_);
+        if (takes_off(self_, controls.jump))
+            jump();
+        else if (grounded_)
+            stride(controls.walk);
+        if (!grounded_) fly(controls.walk);
+        face(self_, controls.walk, dt_);
+    }
+    // A floor may have come up to it since the last step.
+    void meet_ground() {
+        last_ = self_.velocity;
+        footing_ = look_down();
+        if (footing_.kind != GroundKind::on_ground || leaves(footing_)) return;
+        self_.ground = footing_.kind;
+        know_ground();
+        self_.ground_velocity = carried_velocity(world_, self_, self_.feet, dt_);
+        self_.velocity = horizontal(self_.velocity - self_.ground_velocity);
+    }
+    void stride(Vec3 walk) {
+        const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
+        // And it goes along with what the ground did since the last step: its mass is felt.
+        push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
+        carried_ = carried_velocity(world_, self_, self_.feet, dt_);
+        now_ += change;
+        wanted_ = last_ = horizontal(now_);
+        walk_ = horizontal(walk);
+    }
+    void jump() {
+        now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
+        before_ = now_;
+        carried_ = {};
+        grounded_ = false;
+        self_.ground = GroundKind::in_air;
+    }
+    // now_ becomes the mean velocity of a parabola, last_ the one at its end: no error in the step.
+    void fly(Vec3 walk) {
+        if (horizontal(walk) != Vec3{}) {
+            Vec3 change = effort(now_, walk, self_.abilities.air_acceleration, dt_);
+            const Vec3 wall = normalized(horizontal(self_.ground_normal), Vec3{});
+            if (self_.ground == GroundKind::on_steep_ground)
+                change -= wall * minimum(dot(change, wall), 0);
+            now_ += change;
+        }
+        const Vec3 fall = world_.gravity() * dt_;
+        last_ = now_ + fall;
+        before_ += fall;
+        now_ += fall * 0.5;
+    }
+
+    // --- how far it gets ---
+    void move() {
+        const Vec3 start = center_;
+        slide();
+        if (!grounded_) return;
+        const double size = length(wanted_) * dt_;
+        if (size < 1e-6) return;
+        const double got = dot(center_ - start, wanted_) / length(wanted_);
+        if (got > size - 1e-4 * (size + 0.01)) return;
+        // Stopped by a riser it still wants to get on.
+        const Vec3 way = (length_squared(walk_) > length_squared(wanted_) ? walk_ : wanted_) * dt_;
+        if (const auto there = climb(near_, self_, start, way, got + 1e-5)) {
+            leap_ = there->y - start.y;
+            center_ = *there;
+            last_ = wanted_;
+        }
+    }
+
+    void slide() {
+        double left = dt_;
+        std::optional<Contact> met;
+        for (int k = 0; k < slides_most; k++) {
+            std::vector<Contact> contacts = look();
+            if (met) contacts.push_back(*met);
+            push(contacts, left);
+            if (grounded_) follow(contacts);
+            const Vec3 velocity = allowed(contacts, left).nearest(now_);
+            const VelocityPlanes touching = touching_planes(contacts);
+            last_ = touching.nearest(last_);
+            if (!grounded_) now_ = touching.nearest(now_);
+            const Vec3 motion = velocity * left;
+            if (length_squared(motion) < 1e-16) return;
+            const double part = advance(motion, met);
+            left *= 1 - part;
+            if (!met || left < 1e-6 * dt_) return;
+        }
+    }
+
+    // Goes until the skin touches what is first in the way, which becomes `met`. Returns how much
+    // of the motion that was. Looks further ahead than it goes: the skin is to stay free as well.
+    double advance(Vec3 motion, std::optional<Contact>& met) {
+        met.reset();
+        const double size = length(motion), ahead = size + skins_ahead * self_.skin;
+        const Vec3 way = motion * (1 / size);
+        const auto hit = near_.sweep(core_, center_, way * ahead);
+        const double closing = hit ? -dot(hit->normal, way) : 0;
+        if (hit && closing <= 0 && hit->fraction <= 0) return leave(motion, *hit);
+        if (!hit) return go(motion, 1);
+        if (closing <= 0)  // grazes it
+            return go(motion, clamp(hit->fraction * ahead / size - 1e-6, 0, 1));
+        const double room = hit->fraction * ahead * closing;  // m along the normal
+        const double free = maximum(0, room - self_.skin) / closing;
+        if (free >= size) return go(motion, 1);
+        met = contact_with(*hit, room - free * closing);
+        return go(motion, free / size);
+    }
+    // Out of what it overlaps: what moved into it.
+    double leave(Vec3 motion, const ShapeCastHit& overlap) {
+        const double size = length(motion);
+        const Result<BodyState> body = world_.body(overlap.body);
+        if (!body.ok() || body->type == BodyType::static_body)
+            return go(motion, minimum(1, self_.skin / size));
+        const auto hit = near_.sweep_past(core_, center_, motion, overlap.body);
+        return go(motion, hit ? maximum(0, hit->fraction - self_.skin / size) : 1);
+    }
+    double go(Vec3 motion, double part) {
+        center_ += motion * part;
+        return part;
+    }
+    Contact contact_with(const ShapeCastHit& hit, double gap) const {
+        const Result<BodyState> body = world_.body(hit.body);
+        return {.normal = hit.normal,
+                .gap = gap,
+                .point = hit.point,
+                .body = hit.body,
+                .shape = hit.shape,
+                .velocity = surface_velocity(world_, hit.body, hit.shape, hit.point),
+                .dynamic = body.ok() && body->type == BodyType::dynamic,
+                .pushed = false};
+    }
+
+    // --- what contacts allow ---
+    // m/s of what is touched, as seen from the ground that carries the character.
+    Vec3 relative(const Contact& contact) const {
+        if (grounded_ && contact.body == self_.ground_body) return {};
+        return contact.velocity - carried_;
+    }
+    // ... as far as its motion is sure: what was just pushed may be held by others.
+    Vec3 surely(const Contact& contact) const {
+        for (const BodyState& body : pushed_)
+            if (body.id == contact.body)
+                return body.linear_velocity +
+                       cross(body.angular_velocity, contact.point - body.center) - carried_;
+        return relative(contact);
+    }
+    // A wall to one who walks: else he would walk up what is too steep.
+    void add(VelocityPlanes& set, const Contact& contact, double least) const {
+        set.add(contact.normal, least);
+        if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= walkable_) return;
+        const Vec3 flat = horizontal(contact.normal);
+        const double size = length(flat);
+        if (size > 1e-6) set.add(flat * (1 / size), least / size);
+    }
+    VelocityPlanes allowed(const std::vector<Contact>& contacts, double left) const {
+        VelocityPlanes set;
+        for (const Contact& contact : contacts) {
+            const double room = contact.gap - self_.skin;
+            add(set, contact,
+                dot(contact.normal, surely(contact)) - maximum(room / left, -recovery_speed));
+        }
+        return set;
+    }
+    VelocityPlanes touching_planes(const std::vector<Contact>& contacts) const {
+        VelocityPlanes set;
+        for (const Contact& contact : contacts)
+            if (contact.dynamic ? contact.pushed : contact.gap - self_.skin < 0.5 * touch)
+                add(set, contact, dot(contact.normal, relative(contact)));
+        return set;
+    }
+    // Along the floor, up and down, with all of the horizontal velocity.
+    void follow(const std::vector<Contact>& contacts) {
+        now_ = horizontal(now_);
+        double rise = 0;
+        bool any = false;
+        for (const Contact& contact : contacts) {
+            const Vec3 n = contact.normal;
+            if (n.y < walkable_ || contact.gap > self_.skin + touch) continue;
+            const double along = -dot(horizontal(n), now_) / n.y;
+            rise = any ? maximum(rise, along) : along;
+            any = true;
+        }
+        now_.y = rise;
+        last_ = now_;
+    }
+
+    // --- whom it pushes ---
+    void push(std::vector<Contact>& contacts, double left) {
+        for (Contact& contact : contacts) {
+            if (!contact.dynamic) continue;
+            const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
+            if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touch)) continue;
+            remember(contact.body);
+            Push push{before_ + carried_,
+                      last_ + carried_,
+                      effort_,
+                      dt_,
+                      grounded_,
+                      !grounded_ || contact.body != self_.pushed};
+            const Given given = push_body(world_, contact, self_.abilities.mass, push);
+            const double impulse = given.impact + given.effort;
+            if (impulse <= 0) continue;
+            contact.pushed = true;
+            self_.given -= contact.normal * impulse;
+            if (grounded_) press_ground(world_, self_, contact.normal * given.effort);
+            feel(push);
+            refresh(contacts, contact.body);
+            contact.velocity -= contact.normal * given.gained;
+        }
+    }
+    void feel(const Push& push) {
+        const Vec3 change = push.now - carried_ - last_;
+        effort_ = push.effort;
+        before_ += change;
+        now_ += change;
+        last_ += change;
+    }
+    // How it moved before it was pushed.
+    void remember(BodyId id) {
+        for (const BodyState& body : pushed_)
+            if (body.id == id) return;
+        if (const Result<BodyState> body = world_.body(id); body.ok()) pushed_.push_back(*body);
+    }
+    void refresh(std::vector<Contact>& contacts, BodyId body) const {
+        for (Contact& contact : contacts)
+            if (contact.body == body)
+                contact.velocity = surface_velocity(world_, body, contact.shape, contact.point);
+    }
+
+    // --- where it stands ---
+    // The contacts where it is now. Asked again only if it moved, or pushed somebody.
+    const std::vector<Contact>& look() {
+        if (!looked_ || looked_at_ != center_)
+            contacts_ = near_.contacts(core_, center_, self_.skin + look_around);
+        looked_ = pushed_.empty();
+        looked_at_ = center_;
+        return contacts_;
+    }
+    Footing look_down() {
+        return footing_of(near_, self_, center_ - up * (0.5 * current_height(self_)), look(),
+                          self_.skin + touch);
+    }
+    void find_ground() {
+        Footing footing = look_down();
+        if (grounded_ && footing.kind != GroundKind::on_ground) {
+            if (const auto there =
+                    put_down(near_, self_, center_, self_.abilities.floor_snap, center_.y)) {
+                leap_ += there->y - center_.y;
+                center_ = *there;
+                footing = look_down();
+            }
+        }
+        if (!grounded_) last_ = touching_planes(contacts_).nearest(last_);
+        if (footing.kind == GroundKind::on_ground && !grounded_ && leaves(footing)) footing = {};
+        if (footing.kind == GroundKind::on_ground) settle(footing);
+        stand(footing);
+    }
+    bool leaves(const Footing& footing) const {
+        const Vec3 ground = surface_velocity(world_, footing.body, footing.shape, footing.point);
+        return dot(footing.normal, last_ - ground) > leaving_speed;
+    }
+    // Takes off what rounding and bent floors leave between the skin and the floor.
+    void settle(const Footing& footing) {
+        const double gap = footing.gap - self_.skin;
+        if (absolute(gap) < 1e-6 || footing.contact.y < 0.3) return;
+        const double drop = gap / footing.contact.y;
+        // Nothing is as near as that. Upwards: within the skin.
+        if (contacts_.front().gap > absolute(drop)) center_.y -= drop;
+    }
+    void stand(const Footing& footing) {
+        footing_ = footing;
+        self_.ground = footing.kind;
+        walked_off_ = grounded_ && footing.kind != GroundKind::on_ground;
+        if (walked_off_)
+            last_ += carried_;  // and goes with the old ground for this step
+        else
+            know_ground();
+    }
+    void know_ground() {
+        self_.ground_body = footing_.body;
+        self_.ground_shape = footing_.shape;
+        self_.ground_normal = footing_.normal;
+        self_.ground_point = footing_.point;
+    }
+
+    // --- with the ground ---
+    void carry() {
+        const bool stands = self_.ground == GroundKind::on_ground;
+        Vec3 by;
+        if (stands || walked_off_) {
+            const Vec3 feet = center_ - up * (0.5 * current_height(self_));
+            by = carried_velocity(world_, self_, feet, dt_);
+            turn_along();
+            ride(by * dt_);
+        }
+        if (stands && !grounded_) last_ -= by;  // it landed
+        if (stands) press_ground(world_, self_, world_.gravity() * (self_.abilities.mass * dt_));
+        know_ground();
+        self_.velocity = stands ? horizontal(last_) : last_;
+        self_.ground_velocity = stands ? by : Vec3{};
+    }
+    void turn_along() {
+        const Result<BodyState> ground = world_.body(self_.ground_body);
+        if (ground.ok()) turn_by(self_, ground->angular_velocity.y * dt_);
+    }
+    void ride(Vec3 motion) {
+        const double size = length(motion);
+        if (size < 1e-12) return;
+        const auto hit = near_.sweep_past(core_, center_, motion, self_.ground_body);
+        if (!hit) {
+            center_ += motion;
+            return;
+        }
+        const double closing = maximum(-dot(hit->normal, motion) / size, 0.05);
+        center_ += motion * maximum(0, hit->fraction - self_.skin / (closing * size));
+    }
+
+    void finish() {
+        self_.pushed = pushed_.empty() ? BodyId{} : pushed_.front().id;
+        const Vec3 feet = center_ - up * (0.5 * current_height(self_)), a = abs(feet);
+        if (!is_finite(feet) || a.x > furthest || a.y > furthest || a.z > furthest)
+            self_.velocity = {};  // at the end of the world
+        else
+            self_.feet = feet;
+        place_body();
+    }
+    // It moves there within the step; up a step it leaps, so that it kicks nobody by that.
+    void place_body() {
+        const Transform pose{self_.feet + up * self_.foot_height, attitude(self_)};
+        const Result<BodyState> body = world_.body(self_.body);
+        if (!body.ok()) return;
+        if (body->pose == pose && body->linear_velocity == Vec3{} &&
+            body->angular_velocity == Vec3{})
+            return;
+        if (absolute(leap_) > 0.01) {
+            const Vec3 from = body->pose.position + up * leap_;
+            static_cast<void>(world_.set_pose(self_.body, {from, body->pose.rotation}));
+        }
+        static_cast<void>(world_.move_to(self_.body, pose, dt_));
+    }
+
+    World& world_;
+    Record& self_;
+    Surroundings near_;
+    double dt_, walkable_;
+    double effort_;  // N s that it can still push with
+    Capsule core_;
+    Vec3 center_;
+    bool grounded_ = false, walked_off_ = false;
+    double leap_ = 0;  // m upwards, over a step or down to the floor
+    // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
+    Vec3 before_, now_, last_, wanted_, walk_;
+    Vec3 carried_;                   // m/s of that ground
+    std::vector<Contact> contacts_;  // at looked_at_
+    Vec3 looked_at_;
+    bool looked_ = false;
+    Footing footing_;
+    std::vector<BodyState> pushed_;  // as they were before
+};
+
+}  // namespace
+
+void sweep_step(World& world, Record& record, double dt) {
+    SweepStep(world, record, dt).run();
+}
+
+}  // namespace jostle::modules::character_detail

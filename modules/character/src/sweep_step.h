@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// One step of a sweeping character.
+#pragma once
+
+#include "character_record.h"
+
+namespace jostle::modules::character_detail {
+
+void sweep_step(physics::World& world, Record& record, double dt);
+
+}  // namespace jostle::modules::character_detail

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// Fields beyond those of the solver (jostle/physics/force_fields.h): attraction to a body that
+// moves, turbulent air, water with waves, and laws of a program's own, each in a volume; and
+// charges that go off at a set time. Evaluated in every sub-step where the body then is.
+//
+// Like the solver's fields they wake nobody by themselves. To add, change or remove one wakes what
+// is in its volume. What a load that changes with time pushes noticeably (by more than 0.05 m/s^2)
+// does not fall asleep.
+//
+//     auto fields = std::make_unique<Fields>();
+//     fields->add(world, {.law = Turbulence{.wind = {6, 0, 0}}}).value();
+//     world.add_module(std::move(fields)).expect();
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "jostle/modules/blast.h"
+#include "jostle/modules/volume_field.h"
+#include "jostle/physics/module.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::modules {
+
+namespace fields_detail {
+struct Load;
+struct StepMemory;
+}  // namespace fields_detail
+
+class Fields : public physics::Module {
+public:
+    static constexpr std::size_t fields_max = 64, charges_max = 128;
+    static constexpr std::size_t blasts_max = 8;  // in one step; the others in those that follow
+
+    Fields();
+    ~Fields() override;
+
+    // Of the world that has the module, or will have it.
+    physics::Result<FieldKey> add(physics::World& world, const VolumeField& field);
+    physics::Status set(physics::World& world, FieldKey key, const VolumeField& field);
+    physics::Status remove(physics::World& world, FieldKey key);
+    physics::Result<VolumeField> field(FieldKey key) const;
+    std::vector<FieldKey> fields() const;
+
+    physics::Status add_charge(const Charge& charge);
+    const std::vector<Charge>& charges() const { return charges_; }  // that did not go off yet
+    // By charges, before the last step.
+    const std::vector<Explosion>& blasts() const { return blasts_; }
+
+    std::string_view tag() const override { return "fields"; }
+    void visit(physics::StateVisitor& v) override;
+    void restored(const physics::World& world) override;
+    // One field of each kind, where a number of it is given (all of docs/modules.md, "Fields"):
+    // turbulence_*, waves_* and wave1_* to wave4_*, central_* with the body `center`, and
+    // blast_*, a charge that goes off at blast_time.
+    physics::Status configure(physics::World& world,
+                              const physics::ModuleSettings& settings) override;
+    // u8 waters, of each: level f32; density f32; u8 components, of each: amplitude f32, length
+    // f32, heading u16 of 0..2 pi, phase now u16 of 0..2 pi, omega f32. Then u8 other fields, of
+    // each: u8 kind (0 central, 1 turbulence, 2 user), and a place: of central x y z f32, of
+    // turbulence the wind f32 x 3 and speed f32. Then u8 blasts of the last step, of each: x y z
+    // f32, radius f32. Nothing where there is none of the three.
+    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+
+    physics::StepHooks hooks() const override { return {.substeps = true}; }
+    void before_step(physics::World& world, double dt) override;
+    void before_substep(physics::SubstepContext& substep) override;
+    void after_step(physics::World& world, double dt) override;
+
+private:
+    struct Entry {
+        FieldKey key;
+        VolumeField field;
+        physics::Vec3 seen = {};  // Central: where its body was when it last woke others
+        std::shared_ptr<const UserForce> force;  // follows from the law's name
+    };
+
+    void prepare(const physics::SubstepContext& substep, double middle, physics::Vec3 gravity);
+    void act(std::size_t at, fields_detail::Load& load);
+    void follow_targets(physics::World& world);
+    void explode_due(physics::World& world);
+    Entry* find(FieldKey key);
+    void visit_entry(physics::StateVisitor& v, Entry& entry);
+
+    std::vector<Entry> entries_;
+    std::uint32_t last_key_ = 0;
+    std::vector<Charge> charges_;
+
+    // Not state: what follows from the world, and memory used again.
+    std::unique_ptr<fields_detail::StepMemory> memory_;
+    std::vector<Explosion> blasts_;
+};
+
+// So that scenes and loads know it. May be called again.
+void register_fields();
+
+}  // namespace jostle::modules

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/blast.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "blast_points.h"
+#include "body_records.h"
+#include "field_checks.h"
+#include "jostle/physics/limits.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using fields_detail::BlastPoint;
+
+namespace {
+
+constexpr double leaves_surface = 0.01;  // m from the centre at which rays begin
+constexpr double touches = 1e-3;         // m: nearer to a point than that is at it
+
+// N s/m^2 of area that faces the centre.
+double strength_at(const Explosion& e, double distance) {
+    if (distance >= e.radius) return 0;
+    double strength = e.strength;
+    const double share = e.core / maximum(distance, e.core);
+    for (std::uint32_t k = 0; k < e.falloff; k++) strength *= share;
+    return e.fade ? strength * (1 - distance / e.radius) : strength;
+}
+
+// Out of the surfaces that are too near; in a corner one after the other.
+Vec3 stand_off(const Queries& queries, const Explosion& e) {
+    Vec3 center = e.center;
+    for (int k = 0; k < 3 && e.standoff > 0; k++) {
+        const auto near = queries.closest_point(center, e.standoff);
+        if (!near.ok() || !*near || (*near)->distance >= e.standoff * (1 - 1e-9)) break;
+        center = (*near)->point + (*near)->normal * e.standoff;
+    }
+    return center;
+}
+
+// Rays from a blast's centre.
+class Sight {
+public:
+    Sight(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
+        if (auto shapes = queries.shapes_at(center); shapes.ok()) around_ = std::move(*shapes);
+    }
+
+    // A convex shape does not hide what of it faces the centre; children of a compound may hide
+    // one another.
+    bool sees(const BlastPoint& point, ShapeId shape, bool is_compound) const {
+        const std::optional<RayHit> hit = first_hit(point.position);
+        if (!hit) return true;
+        const double left = length(point.position - hit->point);
+        if (left <= touches) return true;
+        if (hit->shape != shape) return false;
+        return !is_compound || left <= 0.1 * square_root(length(point.area));
+    }
+
+private:
+    std::optional<RayHit> first_hit(Vec3 point) const {
+        const Vec3 way = point - center_;
+        const double distance = length(way);
+        const Vec3 start = center_ + way * minimum(leaves_surface / distance, 0.5);
+        const Ray ray{.origin = start, .motion = point - start};
+        if (around_.empty()) {
+            const auto hit = queries_.cast_ray(ray);
+            return hit.ok() ? *hit : std::nullopt;
+        }
+        const auto hits = queries_.cast_ray_all(ray);
+        if (!hits.ok()) return std::nullopt;
+        for (const RayHit& hit : *hits)
+            if (std::ranges::find(around_, hit.shape) == around_.end()) return hit;
+        return std::nullopt;
+    }
+
+    const Queries& queries_;
+    Vec3 center_;
+    std::vector<ShapeId> around_;  // that hold the centre
+};
+
+// Of what it would get; 1: all. No more than a caller may apply to a world, either.
+double share_allowed(const Explosion& e, const BlastPush& push, double mass) {
+    constexpr double most_impulse = 1e11;  // N s, N m s
+    const double most_speed = e.most_speed > 0 ? e.most_speed : limits::max_speed;
+    const double impulse = length(push.impulse), turn = length(push.angular_impulse);
+    double share = 1;
+    if (impulse > most_speed * mass) share = most_speed * mass / impulse;
+    if (impulse * share > most_impulse) share = most_impulse / impulse;
+    if (turn * share > most_impulse) share = most_impulse / turn;
+    return share;
+}
+
+bool is_within(Vec3 p, double most) {
+    return absolute(p.x) <= most && absolute(p.y) <= most && absolute(p.z) <= most;
+}
+
+struct Target {
+    BodyState body;
+    double distance;  // m, of its centre of mass
+};
+
+// Dynamic bodies in reach, the nearest first.
+std::vector<Target> targets_of(const World& world, const Queries& queries, const Explosion& e,
+                               Vec3 center) {
+    const Vec3 reach{e.radius, e.radius, e.radius};
+    std::vector<BodyId> bodies;
+    if (const auto shapes = queries.overlap_box({center - reach, center + reach}); shapes.ok())
+        for (const ShapeId id : *shapes)
+            if (const auto shape = world.shape(id); shape.ok()) bodies.push_back(shape->body);
+    std::ranges::sort(bodies);
+    bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
+    std::vector<Target> targets;
+    for (const BodyId id : bodies) {
+        const auto body = world.body(id);
+        if (!body.ok() || body->type != BodyType::dynamic) continue;
+        if (!is_within(body->center, limits::max_coordinate)) continue;
+        if ((fields_detail::categories_of(world, id) & e.mask) == 0) continue;
+        targets.push_back({*body, length(body->center - center)});
+    }
+    std::ranges::stable_sort(targets, {}, &Target::distance);
+    return targets;
+}
+
+struct Blast {
+    const Explosion& explosion;
+    Vec3 center;
+    Sight sight;
+    std::uint32_t points;  // of each shape
+    std::size_t rays = 0;
+
+    void add(const BlastPoint& point, ShapeId shape, bool is_compound, BlastPush& push) {
+        const Vec3 way = point.position - center;
+        const double distance = length(way);
+        if (!(distance > 1e-9)) return;
+        const Vec3 away = way * (1 / distance);
+        const double area = -dot(point.area, away);
+        const double strength = strength_at(explosion, distance);
+        if (!(area > 0) || strength == 0) return;
+        rays++;
+        if (!sight.sees(point, shape, is_compound)) {
+            push.hidden += area;
+            return;
+        }
+        push.area += area;
+        const Vec3 impulse = away * (strength * area);
+        push.impulse += impulse;
+        push.angular_impulse += cross(point.position - push.center, impulse);
+    }
+
+    BlastPush push_of(const World& world, const BodyState& body) {
+        BlastPush push{.body = body.id, .center = body.center};
+        for (const ShapeId id : world.shapes_of(body.id)) {
+            const auto shape = world.shape(id);
+            if (!shape.ok() || shape->trigger || rays >= blast_rays_max) continue;
+            const bool is_compound = kind_of(shape->geometry) == ShapeKind::compound;
+            for (const BlastPoint& point : fields_detail::blast_points(
+                     shape->geometry, compose(body.pose, shape->pose), points))
+                add(point, id, is_compound, push);
+        }
+        const double most = share_allowed(explosion, push, body.mass);
+        push.impulse *= most;
+        push.angular_impulse *= most;
+        return push;
+    }
+};
+
+}  // namespace
+
+Result<std::vector<BlastPush>> measure_blast(const World& world, const Explosion& explosion) {
+    if (Status s = fields_detail::check(explosion); !s.ok()) return s.error();
+    const Queries queries = world.queries();
+    const Vec3 center = stand_off(queries, explosion);
+    const std::vector<Target> targets = targets_of(world, queries, explosion, center);
+    const std::size_t share = 2 * blast_rays_max / (targets.size() + 1);
+    Blast blast{explosion, center, Sight(queries, center),
+                static_cast<std::uint32_t>(std::clamp<std::size_t>(share, 6, explosion.points))};
+    std::vector<BlastPush> pushes;
+    for (const Target& target : targets) {
+        if (blast.rays >= blast_rays_max) break;
+        BlastPush push = blast.push_of(world, target.body);
+        if (push.area > 0 || push.hidden > 0) pushes.push_back(push);
+    }
+    std::ranges::sort(pushes, {}, &BlastPush::body);
+    return pushes;
+}
+
+Result<std::vector<BlastPush>> explode(World& world, const Explosion& explosion) {
+    auto pushes = measure_blast(world, explosion);
+    if (!pushes.ok()) return pushes;
+    for (const BlastPush& push : *pushes) {
+        if (push.impulse == Vec3{} && push.angular_impulse == Vec3{}) continue;
+        if (Status s = world.apply_impulse(push.body, push.impulse, push.center); !s.ok())
+            return s.error();
+        if (Status s = world.apply_angular_impulse(push.body, push.angular_impulse); !s.ok())
+            return s.error();
+    }
+    return pushes;
+}
+
+}  // namespace jostle::modules

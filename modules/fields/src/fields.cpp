@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// Adding, changing and removing fields, and what they wake. How they act: fields_step.cpp.
+#include "jostle/modules/fields.h"
+
+#include <mutex>
+
+#include "field_checks.h"
+#include "step_memory.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+// What begins or ceases to feel the field.
+void wake_volume(World& world, const VolumeField& field) {
+    std::vector<BodyState> bodies;
+    world.copy_bodies(bodies);
+    for (const BodyState& body : bodies) {
+        if (body.type != BodyType::dynamic || body.awake || !holds(field.volume, body.center))
+            continue;
+        if ((fields_detail::categories_of(world, body.id) & field.mask) != 0)
+            world.wake(body.id).expect();
+    }
+}
+
+Status check_target(const World& world, const VolumeField& field) {
+    const auto* central = std::get_if<Central>(&field.law);
+    if (central == nullptr || is_null(central->body) || world.contains(central->body)) return {};
+    return Error{ErrorCode::not_found, "central.body is not in the world"};
+}
+
+std::shared_ptr<const UserForce> force_of(const VolumeField& field) {
+    const auto* user = std::get_if<UserField>(&field.law);
+    return user == nullptr ? nullptr : find_user_field(user->law);
+}
+
+Error no_such_field(FieldKey key) {
+    return {ErrorCode::not_found, "there is no field " + std::to_string(key.number)};
+}
+
+}  // namespace
+
+Fields::Fields() : memory_(std::make_unique<fields_detail::StepMemory>()) {}
+Fields::~Fields() = default;
+
+Result<FieldKey> Fields::add(World& world, const VolumeField& field) {
+    if (entries_.size() >= fields_max)
+        return Error{ErrorCode::resource_exhausted, "there are 64 fields already; remove one"};
+    if (Status s = fields_detail::check(field); !s.ok()) return s.error();
+    if (Status s = check_target(world, field); !s.ok()) return s.error();
+    entries_.push_back({FieldKey{++last_key_}, field, {}, force_of(field)});
+    memory_->records.clear();
+    wake_volume(world, field);
+    return entries_.back().key;
+}
+
+Status Fields::set(World& world, FieldKey key, const VolumeField& field) {
+    Entry* entry = find(key);
+    if (entry == nullptr) return no_such_field(key);
+    if (Status s = fields_detail::check(field); !s.ok()) return s;
+    if (Status s = check_target(world, field); !s.ok()) return s;
+    wake_volume(world, entry->field);
+    *entry = {key, field, {}, force_of(field)};
+    memory_->records.clear();
+    wake_volume(world, field);
+    return {};
+}
+
+Status Fields::remove(World& world, FieldKey key) {
+    Entry* entry = find(key);
+    if (entry == nullptr) return no_such_field(key);
+    wake_volume(world, entry->field);
+    entries_.erase(entries_.begin() + (entry - entries_.data()));
+    memory_->records.clear();
+    return {};
+}
+
+Result<VolumeField> Fields::field(FieldKey key) const {
+    for (const Entry& entry : entries_)
+        if (entry.key == key) return entry.field;
+    return no_such_field(key);
+}
+
+std::vector<FieldKey> Fields::fields() const {
+    std::vector<FieldKey> keys;
+    for (const Entry& entry : entries_) keys.push_back(entry.key);
+    return keys;
+}
+
+Status Fields::add_charge(const Charge& charge) {
+    if (charges_.size() >= charges_max)
+        return Error{ErrorCode::resource_exhausted, "there are 128 charges already; wait"};
+    if (Status s = fields_detail::check(charge); !s.ok()) return s;
+    charges_.push_back(charge);
+    return {};
+}
+
+Fields::Entry* Fields::find(FieldKey key) {
+    for (Entry& entry : entries_)
+        if (entry.key == key) return &entry;
+    return nullptr;
+}
+
+void register_fields() {
+    static std::once_flag once;
+    // A program that made a module of that name known before keeps it.
+    std::call_once(once, [] {
+        static_cast<void>(register_module("fields", [] { return std::make_unique<Fields>(); }));
+    });
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+//
+// Fields for scenes and for clients: settings in, chunks out.
+#include <cmath>
+#include <string>
+
+#include "jostle/modules/fields.h"
+#include "jostle/modules/settings.h"
+#include "jostle/physics/limits.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+bool gives(const ModuleSettings& settings, std::string_view prefix) {
+    for (const auto& [name, value] : settings.numbers)
+        if (name.starts_with(prefix)) return true;
+    return false;
+}
+
+void read_vector(SettingsReader& reader, const std::string& name, Vec3& to, double most) {
+    reader.number(name + "_x", to.x, -most, most);
+    reader.number(name + "_y", to.y, -most, most);
+    reader.number(name + "_z", to.z, -most, most);
+}
+
+void read_count(SettingsReader& reader, const std::string& name, std::uint32_t& to, double low,
+                double high) {
+    double value = to;
+    reader.number(name, value, low, high);
+    to = static_cast<std::uint32_t>(value);
+}
+
+// An upright box, when its half extents are given.
+void read_volume(SettingsReader& reader, const std::string& name, Volume& to) {
+    BoxVolume box{.pose = {}, .half_extents = {0, 0, 0}};
+    read_vector(reader, name + "_center", box.pose.position, limits::max_coordinate);
+    for (int k = 0; k < 3; k++)
+        reader.number(name + "_half_" + "xyz"[k], box.half_extents[k], 1e-3,
+                      limits::max_coordinate);
+    if (box.half_extents == Vec3{}) return;
+    for (int k = 0; k < 3; k++)
+        if (box.half_extents[k] == 0) box.half_extents[k] = limits::max_coordinate;
+    to = box;
+}
+
+Turbulence read_turbulence(SettingsReader& reader) {
+    Turbulence t;
+    read_vector(reader, "turbulence_wind", t.wind, limits::max_speed);
+    reader.number("turbulence_speed", t.speed, 0, 1e3);
+    reader.number("turbulence_scale", t.scale, 0.01, 1e6);
+    reader.number("turbulence_rate", t.rate, 0, 1e3);
+    read_count(reader, "turbulence_octaves", t.octaves, 1, 8);
+    read_count(reader, "turbulence_seed", t.seed, 0, 4294967295.0);
+    reader.number("turbulence_density", t.density, 0, limits::max_density);
+    reader.number("turbulence_drag", t.drag, 0, 1e6);
+    return t;
+}
+
+Waves read_waves(SettingsReader& reader) {
+    Waves waves;
+    reader.number("waves_level", waves.level, -limits::max_coordinate, limits::max_coordinate);
+    reader.number("waves_density", waves.density, 0, limits::max_density);
+    read_vector(reader, "waves_flow", waves.flow, limits::max_speed);
+    reader.number("waves_drag", waves.drag, 0, 1e6);
+    reader.number("waves_damping", waves.damping, 0, 1e4);
+    for (int k = 1; k <= 4; k++) {
+        const std::string name = "wave" + std::to_string(k);
+        WaveComponent wave{.amplitude = 0};
+        reader.number(name + "_amplitude", wave.amplitude, 0, 100);
+        reader.number(name + "_length", wave.length, 0.1, 1e4);
+        reader.number(name + "_heading", wave.heading, -1e3, 1e3);
+        reader.number(name + "_phase", wave.phase, -1e3, 1e3);
+        if (wave.amplitude > 0) waves.components.push_back(wave);
+    }
+    return waves;
+}
+
+Central read_central(SettingsReader& reader) {
+    Central central;
+    reader.body("center", central.body);
+    read_vector(reader, "central_point", central.point, limits::max_coordinate);
+    reader.number("central_strength", central.strength, -1e12, 1e12);
+    read_count(reader, "central_falloff", central.falloff, 0, 4);
+    reader.number("central_nearest", central.nearest, 1e-6, 1e6);
+    reader.flag("central_per_mass", central.per_mass);
+    return central;
+}
+
+Charge read_charge(SettingsReader& reader) {
+    Charge charge;
+    Explosion& e = charge.explosion;
+    reader.number("blast_time", charge.time, 0, 1e12);
+    read_vector(reader, "blast_center", e.center, limits::max_coordinate);
+    reader.number("blast_radius", e.radius, 1e-3, 1e4);
+    reader.number("blast_strength", e.strength, 0, 1e9);
+    reader.number("blast_core", e.core, 1e-3, 1e4);
+    read_count(reader, "blast_falloff", e.falloff, 0, 4);
+    reader.flag("blast_fade", e.fade);
+    reader.number("blast_standoff", e.standoff, 0, 100);
+    reader.number("blast_most_speed", e.most_speed, 0, limits::max_speed);
+    return charge;
+}
+
+double turn_of(double angle) {
+    return angle - 2 * pi * std::floor(angle / (2 * pi));
+}
+
+void write_point(ChunkWriter& chunk, Vec3 p) {
+    for (const double x : {p.x, p.y, p.z}) chunk.f32(static_cast<float>(x));
+}
+
+void write_waves(ChunkWriter& chunk, const Waves& waves, double gravity, double time) {
+    chunk.f32(static_cast<float>(waves.level));
+    chunk.f32(static_cast<float>(waves.density));
+    chunk.u8(static_cast<std::uint8_t>(waves.components.size()));
+    for (const WaveComponent& wave : waves.components) {
+        const double omega = square_root(maximum(gravity, 0) * 2 * pi / wave.length);
+        chunk.f32(static_cast<float>(wave.amplitude));
+        chunk.f32(static_cast<float>(wave.length));
+        chunk.quantized(turn_of(wave.heading), 0, 2 * pi, 2);
+        chunk.quantized(turn_of(wave.phase - omega * time), 0, 2 * pi, 2);
+        chunk.f32(static_cast<float>(omega));
+    }
+}
+
+}  // namespace
+
+Status Fields::configure(World& world, const ModuleSettings& settings) {
+    SettingsReader reader(settings);
+    VolumeField turbulence{.law = read_turbulence(reader)}, waves{.law = read_waves(reader)},
+        central{.law = read_central(reader)};
+    read_volume(reader, "turbulence", turbulence.volume);
+    read_volume(reader, "waves", waves.volume);
+    read_volume(reader, "central", central.volume);
+    const Charge charge = read_charge(reader);
+    if (Status read = reader.finish(); !read.ok()) return read;
+    const auto add_given = [&](bool given, const VolumeField& field) -> Status {
+        if (!given) return {};
+        const Result<FieldKey> key = add(world, field);
+        return key.ok() ? Status{} : key.error();
+    };
+    if (Status s = add_given(gives(settings, "turbulence_"), turbulence); !s.ok()) return s;
+    if (Status s = add_given(gives(settings, "wave"), waves); !s.ok()) return s;
+    const bool attracts = gives(settings, "central_") || !settings.bodies.empty();
+    if (Status s = add_given(attracts, central); !s.ok()) return s;
+    return gives(settings, "blast_") ? add_charge(charge) : Status{};
+}
+
+void Fields::publish(const World& world, ChunkWriter& chunk) const {
+    if (entries_.empty() && blasts_.empty()) return;
+    std::uint8_t waters = 0;
+    for (const Entry& entry : entries_) waters += std::holds_alternative<Waves>(entry.field.law);
+    chunk.u8(waters);
+    for (const Entry& entry : entries_)
+        if (const auto* waves = std::get_if<Waves>(&entry.field.law))
+            write_waves(chunk, *waves, -world.gravity().y, world.time());
+    chunk.u8(static_cast<std::uint8_t>(entries_.size() - waters));
+    for (const Entry& entry : entries_) {
+        if (std::holds_alternative<Waves>(entry.field.law)) continue;
+        chunk.u8(static_cast<std::uint8_t>(entry.field.law.index()));
+        if (const auto* central = std::get_if<Central>(&entry.field.law)) {
+            const Result<BodyState> body = world.body(central->body);
+            write_point(chunk, central->point + (body.ok() ? body->center : Vec3{}));
+        } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
+            write_point(chunk, turbulence->wind);
+            chunk.f32(static_cast<float>(turbulence->speed));
+        }
+    }
+    chunk.u8(static_cast<std::uint8_t>(blasts_.size()));
+    for (const Explosion& blast : blasts_) {
+        write_point(chunk, blast.center);
+        chunk.f32(static_cast<float>(blast.radius));
+    }
+}
+
+}  // namespace jostle::modules

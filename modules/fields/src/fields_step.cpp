@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+//
+// What fields do in a step.
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include "jostle/modules/fields.h"
+#include "load.h"
+#include "step_memory.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using fields_detail::Load;
+
+namespace {
+
+constexpr double wakes_each = 0.25;  // m that a target moves between two wakings
+constexpr double noticeable = 0.05;  // m/s^2
+
+double to_power(double x, std::uint32_t n) {
+    double power = 1;
+    for (std::uint32_t k = 0; k < n; k++) power *= x;
+    return power;
+}
+
+// m/s^2 of a body of that mass at a distance.
+double pull_of(const Central& central, double distance, double mass) {
+    const double force =
+        central.strength / to_power(maximum(distance, central.nearest), central.falloff);
+    return central.per_mass ? force : force / mass;
+}
+
+// Where a target is now, of a group's sub-step: by the group if it is in it, else from where it
+// was when the step began. None: it was destroyed.
+std::optional<Vec3> target_of(const Central& central, const SubstepContext& substep,
+                              double middle) {
+    if (is_null(central.body)) return central.point;
+    if (substep.contains(central.body)) return substep.body(central.body).center + central.point;
+    const Result<BodyState> body = substep.world().body(central.body);
+    if (!body.ok()) return std::nullopt;
+    const double since = middle - substep.world().time();
+    return body->center + body->linear_velocity * since + central.point;
+}
+
+void pull(const Central& central, Vec3 target, Load& load) {
+    if (central.body == load.body.id) return;
+    const Vec3 way = target - load.body.center;
+    const double distance = length(way);
+    if (!(distance > 0)) return;
+    load.push(way *
+              (pull_of(central, distance, load.body.mass) * load.body.mass * load.h / distance));
+}
+
+void blow(const Turbulence& turbulence, Load& load) {
+    load.drag(
+        flow_at(turbulence, load.body.center, load.time), turbulence.density, turbulence.drag,
+        [&](Vec3 direction) {
+            return fields_detail::shown_area(load.record,
+                                             inverse_rotate(load.body.pose.rotation, direction));
+        },
+        load.gravity);
+}
+
+void push(const UserField& user, const UserForce& force, Load& load) {
+    const Vec3 given = force({.position = load.body.center,
+                              .velocity = load.body.linear_velocity,
+                              .mass = load.body.mass,
+                              .time = load.time,
+                              .h = load.h,
+                              .parameters = user.parameters});
+    const Vec3 impulse = given * (load.h * (user.per_mass ? load.body.mass : 1));
+    if (is_finite(impulse)) load.push(impulse);
+}
+
+// Whether what pushes the body is other in another moment, by as much as is noticeable. (Attracting
+// bodies wake whom they come near: follow_targets.)
+struct ChangesLoad {
+    const BodyState& body;
+    const fields_detail::BodyRecord& record;
+
+    bool operator()(const Central&) const { return false; }
+    // The area along any direction is at most the sum of those along three axes.
+    bool operator()(const Turbulence& t) const {
+        if (t.speed == 0 || t.rate == 0) return false;
+        const double area = fields_detail::shown_area(record, {1, 0, 0}) +
+                            fields_detail::shown_area(record, {0, 1, 0}) +
+                            fields_detail::shown_area(record, {0, 0, 1});
+        const double fastest = length(t.wind) + 3 * t.speed;
+        return 0.5 * t.density * t.drag * area * fastest * fastest > noticeable * body.mass;
+    }
+    bool operator()(const UserField& user) const { return !user.steady; }
+    bool operator()(const Waves& waves) const {
+        double highest = 0;
+        for (const WaveComponent& wave : waves.components) highest += wave.amplitude;
+        return highest > 0 && body.pose.position.y - record.reach < waves.level + highest;
+    }
+};
+
+bool changes_load_of(const FieldLaw& law, const BodyState& body,
+                     const fields_detail::BodyRecord& record) {
+    return std::visit(ChangesLoad{body, record}, law);
+}
+
+// Panels that suit the shortest wave of all waters; 0: there is no water.
+template <class Entries>
+double longest_panel(const Entries& entries) {
+    double longest = 0;
+    for (const auto& entry : entries) {
+        const auto* waves = std::get_if<Waves>(&entry.field.law);
+        if (waves == nullptr) continue;
+        if (longest == 0) longest = 1e30;
+        for (const WaveComponent& wave : waves->components)
+            if (wave.amplitude > 0) longest = minimum(longest, wave.length / 8);
+    }
+    return longest;
+}
+
+}  // namespace
+
+void Fields::before_step(World& world, double) {
+    // Whoever steps another world, or this one from another moment, finds new records.
+    if (world.step_count() != memory_->step + 1) memory_->records.clear();
+    memory_->step = world.step_count();
+    memory_->records.set_longest_panel(longest_panel(entries_));
+    follow_targets(world);
+    explode_due(world);
+}
+
+void Fields::before_substep(SubstepContext& substep) {
+    if (entries_.empty()) return;
+    if (substep.index() == 0) memory_->records.refresh(substep.world(), substep.bodies());
+    const double middle = substep.time() + 0.5 * substep.h();
+    const Vec3 gravity = substep.world().gravity();
+    prepare(substep, middle, gravity);
+    for (const BodyId id : substep.bodies()) {
+        Load load{substep.body(id), memory_->records.of(id), gravity, middle, substep.h()};
+        for (std::size_t k = 0; k < entries_.size(); k++) {
+            const VolumeField& field = entries_[k].field;
+            if ((load.record.categories & field.mask) != 0 && holds(field.volume, load.body.center))
+                act(k, load);
+        }
+        if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
+        if (load.angular_impulse != Vec3{}) substep.add_angular_impulse(id, load.angular_impulse);
+    }
+}
+
+// What all bodies of a sub-step have in common.
+void Fields::prepare(const SubstepContext& substep, double middle, Vec3 gravity) {
+    memory_->targets.resize(entries_.size());
+    memory_->trains.resize(entries_.size());
+    for (std::size_t k = 0; k < entries_.size(); k++) {
+        const FieldLaw& law = entries_[k].field.law;
+        if (const auto* central = std::get_if<Central>(&law))
+            memory_->targets[k] = target_of(*central, substep, middle);
+        if (const auto* waves = std::get_if<Waves>(&law))
+            memory_->trains[k] = fields_detail::WaveTrain(*waves, -gravity.y, middle);
+    }
+}
+
+void Fields::act(std::size_t at, Load& load) {
+    const Entry& entry = entries_[at];
+    if (const auto* central = std::get_if<Central>(&entry.field.law)) {
+        if (memory_->targets[at]) pull(*central, *memory_->targets[at], load);
+    } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
+        blow(*turbulence, load);
+    } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
+        push(*user, *entry.force, load);
+    } else {
+        fields_detail::push_by_water(std::get<Waves>(entry.field.law), memory_->trains[at], load,
+                                     memory_->water);
+    }
+}
+
+// Sleepers hear of an attracting body that moves.
+void Fields::follow_targets(World& world) {
+    for (Entry& entry : entries_) {
+        const auto* central = std::get_if<Central>(&entry.field.law);
+        if (central == nullptr || is_null(central->body)) continue;
+        const Result<BodyState> target = world.body(central->body);
+        if (!target.ok()) continue;
+        const Vec3 at = target->center + central->point;
+        if (!(length_squared(at - entry.seen) > wakes_each * wakes_each)) continue;
+        entry.seen = at;
+        std::vector<BodyState> bodies;
+        world.copy_bodies(bodies);
+        for (const BodyState& body : bodies) {
+            if (body.type != BodyType::dynamic || body.awake || body.id == central->body) continue;
+            if (!holds(entry.field.volume, body.center)) continue;
+            const double pull = pull_of(*central, length(at - body.center), body.mass);
+            if (absolute(pull) > noticeable &&
+                (fields_detail::categories_of(world, body.id) & entry.field.mask) != 0)
+                world.wake(body.id).expect();
+        }
+    }
+}
+
+void Fields::explode_due(World& world) {
+    blasts_.clear();
+    for (std::size_t k = 0; k < charges_.size() && blasts_.size() < blasts_max;) {
+        if (charges_[k].time > world.time()) {
+            k++;
+            continue;
+        }
+        blasts_.push_back(charges_[k].explosion);
+        charges_.erase(charges_.begin() + static_cast<std::ptrdiff_t>(k));
+        static_cast<void>(explode(world, blasts_.back()));  // was checked when it was added
+    }
+}
+
+// What is loaded by something that changes with time does not stay asleep. Those that fell asleep
+// were awake in this step, so they have records.
+void Fields::after_step(World& world, double) {
+    if (entries_.empty()) return;
+    const std::vector<BodyId> asleep(world.events().fell_asleep.begin(),
+                                     world.events().fell_asleep.end());
+    for (const BodyId id : asleep) {
+        const Result<BodyState> body = world.body(id);
+        if (!body.ok() || body->awake || !memory_->records.has(id)) continue;
+        const fields_detail::BodyRecord& record = memory_->records.of(id);
+        for (const Entry& entry : entries_)
+            if ((record.categories & entry.field.mask) != 0 &&
+                holds(entry.field.volume, body->center) &&
+                changes_load_of(entry.field.law, *body, record))
+                static_cast<void>(world.wake(id));
+    }
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// One body in one sub-step, and all that fields do to it there. Each field sees the velocities that
+// those before it left.
+#pragma once
+
+#include "body_records.h"
+#include "jostle/physics/step_listener.h"
+
+namespace jostle::modules::fields_detail {
+
+struct Load {
+    physics::MovingBody body;
+    const BodyRecord& record;
+    physics::Vec3 gravity;                             // m/s^2
+    double time;                                       // s, in the middle of the sub-step
+    double h;                                          // s
+    physics::Vec3 impulse = {}, angular_impulse = {};  // N s at the centre, N m s
+
+    void push(physics::Vec3 change) {  // N s
+        impulse += change;
+        body.linear_velocity += change * (1 / body.mass);
+    }
+    // Changes the velocity by as much as would change it if it could turn freely.
+    void turn(physics::Vec3 spin_change) {  // rad/s
+        using namespace physics;
+        const Mat3 axes = to_matrix(body.pose.rotation);
+        angular_impulse += axes * (record.inertia * transposed_times(axes, spin_change));
+        body.angular_velocity += spin_change;
+    }
+    physics::Mat3 inertia() const {
+        const physics::Mat3 axes = to_matrix(body.pose.rotation);
+        return axes * record.inertia * transpose(axes);
+    }
+    // Quadratic drag by a medium: du/dt = -k |u| u has the solution u / (1 + k |u| h), with u the
+    // body's velocity against it. What else accelerates the body in the sub-step is to act half
+    // before and half after the drag (G. Strang, "On the construction and comparison of difference
+    // schemes", 1968): of second order, and at rest nothing is dragged.
+    template <class AreaAlong>
+    void drag(physics::Vec3 flow, double density, double coefficient, AreaAlong&& area_along,
+              physics::Vec3 acceleration) {
+        using namespace physics;
+        const Vec3 u = flow - body.linear_velocity - acceleration * (0.5 * h);
+        const double speed = length(u);
+        if (!(speed > 1e-9) || density == 0 || coefficient == 0) return;
+        const double area = area_along(u * (1 / speed));
+        const double k = 0.5 * density * coefficient * area / body.mass;
+        push(u * (body.mass * (1 - 1 / (1 + k * speed * h))));
+    }
+};
+
+}  // namespace jostle::modules::fields_detail

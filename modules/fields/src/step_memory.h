@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// What the steps of a Fields module use again: nothing in it is state.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "body_records.h"
+#include "water_load.h"
+
+namespace jostle::modules::fields_detail {
+
+struct StepMemory {
+    BodyRecords records;
+    std::uint64_t step = 0;  // World::step_count() when they were last used
+    // Of one sub-step, for each field: where Central pulls to, if anywhere; the moment of Waves.
+    std::vector<std::optional<physics::Vec3>> targets;
+    std::vector<WaveTrain> trains;
+    WaterScratch water;
+};
+
+}  // namespace jostle::modules::fields_detail

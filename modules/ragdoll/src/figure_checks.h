@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+//
+// What a figure may be made of; errors name the bone.
+#pragma once
+
+#include "jostle/modules/ragdoll.h"
+
+namespace jostle::modules {
+
+physics::Status check_figure(const RagdollDef& def);
+physics::Status check_muscle(const Muscle& muscle, const std::string& where);
+
+}  // namespace jostle::modules

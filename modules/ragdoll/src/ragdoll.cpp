@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/ragdoll.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figure_checks.h"
+#include "jostle/modules/settings.h"
+#include "turns.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+constexpr std::size_t most_figures = 10000;
+constexpr double longest_blend = 60;  // s
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+// Where a bone is whose parent is there, with its joint turned so far.
+Transform placed(const Transform& parent, const Transform& parent_rest, const Transform& frame,
+                 const Transform& rest, Quat turn) {
+    const Transform joint = compose(compose(parent, inverse(parent_rest)), frame);
+    return compose(compose(joint, {{}, turn}), compose(inverse(frame), rest));
+}
+
+// How fast from one turn to the next, rad/s, seen from the parent's frame.
+Vec3 rate_of(Quat before, Quat wanted, double dt) {
+    return rotation_vector(wanted * conjugate(before)) * (1 / dt);
+}
+
+// A damped spring lags behind what moves by 2 zeta / omega, and holds a target for a whole step,
+// whose middle is half a step before the pose at its end.
+double lead_of(const Muscle& muscle, double dt) {
+    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt;
+}
+
+BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& place) {
+    return {.type = bone == 0 && def.root_held ? BodyType::kinematic : BodyType::dynamic,
+            .pose = compose(place, def.bones[bone].rest),
+            .sleep_allowed = def.sleep_allowed};
+}
+
+}  // namespace
+
+const Ragdolls::Figure* Ragdolls::find(RagdollId id) const {
+    if (id.index >= figures_.size()) return nullptr;
+    const Figure& figure = figures_[id.index];
+    return figure.alive && figure.generation == id.generation ? &figure : nullptr;
+}
+
+Ragdolls::Figure* Ragdolls::find(RagdollId id) {
+    return const_cast<Figure*>(std::as_const(*this).find(id));
+}
+
+Error Ragdolls::unknown(RagdollId id) {
+    return {ErrorCode::not_found, "there is no ragdoll " + std::to_string(id.index) +
+                                      " of generation " + std::to_string(id.generation)};
+}
+
+Ragdolls::Link Ragdolls::link_of(const JointKind& kind) {
+    if (const auto* hinge = std::get_if<HingeJoint>(&kind))
+        return {LinkKind::hinge, hinge->limit.enabled, hinge->limit.lower, hinge->limit.upper};
+    if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
+        return {LinkKind::cone_twist, cone->twist.enabled, cone->twist.lower,
+                cone->twist.upper,    cone->swing,         cone->friction_torque};
+    if (const auto* ball = std::get_if<BallJoint>(&kind))
+        return {.friction = ball->friction_torque};
+    return {};
+}
+
+// With what pulls it to a target as strongly as told.
+JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
+    const Link& link = bone.link;
+    const bool pulls = strength > 0 && bone.muscle.hertz > 0;
+    // Stiffness goes with the square of the frequency.
+    const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) : 0,
+                             bone.muscle.damping_ratio};
+    const RotationDrive drive{spring, pulls ? target : Quat{}, bone.muscle.max_torque * strength};
+    const JointLimit limit{link.limited, link.lower, link.upper};
+    if (link.kind == LinkKind::hinge)
+        return HingeJoint{
+            .limit = limit, .spring = spring, .spring_angle = pulls ? turn_about_z(target) : 0};
+    if (link.kind == LinkKind::cone_twist)
+        return ConeTwistJoint{link.swing, limit, link.friction, drive};
+    return BallJoint{drive, link.friction};
+}
+
+// Bones at their places to their parents. All or none.
+Status Ragdolls::join(World& world, Figure& figure) {
+    for (std::size_t k = 0; k < figure.bones.size(); k++) {
+        Bone& bone = figure.bones[k];
+        if (bone.parent < 0) continue;
+        const Bone& parent = figure.bones[static_cast<std::size_t>(bone.parent)];
+        const Result<JointId> joint =
+            world.create_joint({.body_a = parent.body,
+                                .body_b = bone.body,
+                                .frame_a = compose(inverse(parent.rest), bone.frame),
+                                .frame_b = bone.frame_b,
+                                .kind = kind_of(bone, 0, {})});
+        if (!joint.ok()) {
+            part(world, figure);
+            return Error{joint.error().code,
+                         "bones[" + std::to_string(k) + "].joint: " + joint.error().message};
+        }
+        bone.joint = *joint;
+    }
+    return {};
+}
+
+void Ragdolls::part(World& world, Figure& figure) {
+    for (Bone& bone : figure.bones) {
+        if (world.contains(bone.joint)) static_cast<void>(world.destroy_joint(bone.joint).ok());
+        bone.joint = {};
+    }
+}
+
+std::size_t Ragdolls::size() const {
+    return static_cast<std::size_t>(
+        std::count_if(figures_.begin(), figures_.end(), [](const Figure& f) { return f.alive; }));
+}
+
+Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Transform& place) {
+    if (Status s = check_figure(def); !s.ok()) return s.error();
+    if (!is_finite(place) || std::abs(norm_squared(place.rotation) - 1) > 0.01)
+        return invalid("place is not a finite position and a unit quaternion");
+    std::size_t at = 0;
+    while (at < figures_.size() && figures_[at].alive) at++;
+    if (at >= most_figures)
+        return Error{ErrorCode::resource_exhausted,
+                     "there are " + std::to_string(most_figures) + " ragdolls, the most allowed"};
+    std::vector<BodyAndShapes> parts(def.bones.size());
+    for (std::size_t k = 0; k < parts.size(); k++)
+        parts[k] = {body_of(def, k, place), def.bones[k].shapes};
+    const Result<std::vector<BodyId>> made = world.create_bodies(parts);
+    if (!made.ok()) return made.error();
+    Figure figure{.alive = true, .root_held = def.root_held, .root = place};
+    for (std::size_t k = 0; k < parts.size(); k++) {
+        const RagdollBone& from = def.bones[k];
+        figure.bones.push_back({.body = (*made)[k],
+                                .link = link_of(from.joint),
+                                .parent = from.parent,
+                                .rest = from.rest,
+                                .frame = from.frame,
+                                .frame_b = compose(inverse(from.rest), from.frame),
+                                .muscle = from.muscle});
+    }
+    if (Status joined = join(world, figure); !joined.ok()) {
+        static_cast<void>(world.destroy_bodies(*made).ok());
+        return joined.error();
+    }
+    if (at == figures_.size()) figures_.emplace_back();
+    figure.generation = figures_[at].generation + 1;
+    figures_[at] = std::move(figure);
+    return RagdollId{static_cast<std::uint32_t>(at), figures_[at].generation};
+}
+
+Status Ragdolls::remove(World& world, RagdollId id) {
+    Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    for (const Bone& bone : figure->bones)  // some may have gone by themselves
+        if (world.contains(bone.body)) static_cast<void>(world.destroy_body(bone.body).ok());
+    figure->alive = false;
+    figure->bones.clear();
+    return {};
+}
+
+Status Ragdolls::set_pose(RagdollId id, const RagdollPose& pose) {
+    Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    if (pose.turns.size() != figure->bones.size())
+        return invalid("the pose has " + std::to_string(pose.turns.size()) +
+                       " turns; the figure has " + std::to_string(figure->bones.size()) + " bones");
+    const auto is_turn = [](Quat q) { return std::abs(norm_squared(q) - 1) <= 0.01; };
+    for (std::size_t k = 0; k < pose.turns.size(); k++)
+        if (!is_turn(pose.turns[k]))
+            return invalid("turns[" + std::to_string(k) + "] is not a unit quaternion");
+    if (!is_finite(pose.root) || !is_turn(pose.root.rotation))
+        return invalid("root is not a finite position and a unit quaternion");
+    for (std::size_t k = 0; k < pose.turns.size(); k++)
+        figure->bones[k].wanted = normalized(pose.turns[k]);
+    figure->root = {pose.root.position, normalized(pose.root.rotation)};
+    figure->moved = true;
+    return {};
+}
+
+Status Ragdolls::set_types(World& world, const Figure& figure, RagdollMode mode) {
+    for (std::size_t k = 0; k < figure.bones.size(); k++) {
+        const BodyId body = figure.bones[k].body;
+        const bool held = mode == RagdollMode::kinematic || (k == 0 && figure.root_held);
+        const BodyType type = held ? BodyType::kinematic : BodyType::dynamic;
+        const Result<BodyState> now = world.body(body);
+        if (!now.ok()) return now.error();
+        if (now->type == type) continue;
+        if (Status s = world.set_type(body, type); !s.ok()) return s;
+        if (held) continue;
+        // It flies on as it was moved.
+        if (Status s = world.set_velocity(body, now->linear_velocity, now->angular_velocity);
+            !s.ok())
+            return s;
+    }
+    return {};
+}
+
+Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double blend) {
+    Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    if (!(blend >= 0 && blend <= longest_blend)) return invalid("blend must be from 0 to 60 s");
+    if (mode > RagdollMode::kinematic) return invalid("there is no such mode");
+    const Result<RagdollPose> now = pose(world, id);
+    if (!now.ok()) return now.error();
+    // Bodies that nothing pushes have no joints between them.
+    const bool led = mode == RagdollMode::kinematic, was_led = figure->mode == mode && led;
+    if (led && !was_led) part(world, *figure);
+    if (Status s = set_types(world, *figure, mode); !s.ok()) return s;
+    if (!led && figure->mode == RagdollMode::kinematic)
+        if (Status s = join(world, *figure); !s.ok()) return s;
+    figure->mode = mode;
+    figure->blend = blend;
+    figure->blended = 0;
+    figure->moved = true;
+    figure->root_from = now->root;
+    for (std::size_t k = 0; k < figure->bones.size(); k++) figure->bones[k].from = now->turns[k];
+    for (Bone& bone : figure->bones) bone.before = blend > 0 ? bone.from : bone.wanted;
+    return {};
+}
+
+Status Ragdolls::set_strength(RagdollId id, std::size_t bone, double strength) {
+    Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    if (bone >= figure->bones.size())
+        return invalid("there is no bone " + std::to_string(bone) + "; there are " +
+                       std::to_string(figure->bones.size()));
+    if (!(strength >= 0 && strength <= 1)) return invalid("strength must be from 0 to 1");
+    figure->bones[bone].strength = strength;
+    figure->moved = true;
+    return {};
+}
+
+Result<RagdollMode> Ragdolls::mode(RagdollId id) const {
+    const Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    return figure->mode;
+}
+
+Result<std::vector<BodyId>> Ragdolls::bodies(RagdollId id) const {
+    const Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    std::vector<BodyId> all;
+    for (const Bone& bone : figure->bones) all.push_back(bone.body);
+    return all;
+}
+
+Result<std::vector<JointId>> Ragdolls::joints(RagdollId id) const {
+    const Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    std::vector<JointId> all;
+    for (const Bone& bone : figure->bones) all.push_back(bone.joint);
+    return all;
+}
+
+Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
+    const Figure* figure = find(id);
+    if (figure == nullptr) return unknown(id);
+    RagdollPose pose;
+    std::vector<Transform> now;
+    for (const Bone& bone : figure->bones) {
+        const Result<BodyState> body = world.body(bone.body);
+        if (!body.ok()) return body.error();
+        now.push_back(body->pose);
+        if (bone.parent < 0) {
+            pose.root = compose(body->pose, inverse(bone.rest));
+            pose.turns.push_back({});
+            continue;
+        }
+        const auto parent = static_cast<std::size_t>(bone.parent);
+        const Transform a =
+            compose(compose(now[parent], inverse(figure->bones[parent].rest)), bone.frame);
+        const Transform b = compose(body->pose, bone.frame_b);
+        pose.turns.push_back(normalized(conjugate(a.rotation) * b.rotation));
+    }
+    return pose;
+}
+
+// A figure that lost a bone or a joint is no figure any more: what is left falls as it may.
+void Ragdolls::drop_if_broken(const World& world, Figure& figure) {
+    const bool whole = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
+        const bool joined = b.parent >= 0 && figure.mode != RagdollMode::kinematic;
+        return world.contains(b.body) && (!joined || world.contains(b.joint));
+    });
+    if (whole) return;
+    figure.alive = false;
+    figure.bones.clear();
+}
+
+// Kinematic: to where the pose puts each bone at the end of the step.
+void Ragdolls::lead(World& world, Figure& figure, double dt) {
+    const bool blends = figure.blended < figure.blend;
+    const double part = blends ? figure.blended / figure.blend : 1;
+    std::vector<Transform> places;
+    const Transform root = blends ? between(figure.root_from, figure.root, part) : figure.root;
+    for (const Bone& bone : figure.bones) {
+        const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
+        places.push_back(bone.parent < 0
+                             ? compose(root, bone.rest)
+                             : placed(places[static_cast<std::size_t>(bone.parent)],
+                                      figure.bones[static_cast<std::size_t>(bone.parent)].rest,
+                                      bone.frame, bone.rest, turn));
+        if (figure.mode == RagdollMode::kinematic || bone.parent < 0)
+            static_cast<void>(world.move_to(bone.body, places.back(), dt).ok());
+        if (figure.mode != RagdollMode::kinematic) return;  // the root alone is held
+    }
+}
+
+// Powered: muscles towards the pose; limp: none.
+void Ragdolls::pull(World& world, Figure& figure, double dt) {
+    const bool blends = figure.blended < figure.blend;
+    const double part = blends ? figure.blended / figure.blend : 1;
+    for (Bone& bone : figure.bones) {
+        if (bone.parent < 0) continue;
+        const double strength = figure.mode == RagdollMode::powered ? bone.strength * part : 0;
+        const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
+        Quat target = turn;
+        if (bone.muscle.hertz > 0)
+            target =
+                from_rotation_vector(rate_of(bone.before, turn, dt) * lead_of(bone.muscle, dt)) *
+                turn;
+        bone.before = turn;
+        const JointKind kind = kind_of(bone, strength, normalized(target));
+        static_cast<void>(world.set_joint(bone.joint, kind).ok());
+    }
+}
+
+void Ragdolls::before_step(World& world, double dt) {
+    for (Figure& figure : figures_) {
+        if (!figure.alive) continue;
+        drop_if_broken(world, figure);
+        // One more step after the last change: what moved stands now.
+        const bool changes = figure.moved || figure.blended < figure.blend;
+        if (!figure.alive || (!changes && figure.mode == RagdollMode::limp)) continue;
+        if (figure.blended < figure.blend)
+            figure.blended = minimum(figure.blend, figure.blended + dt);
+        figure.moved = false;
+        if (figure.mode == RagdollMode::kinematic || figure.root_held) lead(world, figure, dt);
+        if (figure.mode != RagdollMode::kinematic) pull(world, figure, dt);
+    }
+}
+
+void Ragdolls::publish(const World& world, ChunkWriter& chunk) const {
+    for (const Figure& figure : figures_) {
+        if (!figure.alive || !world.contains(figure.bones.front().body)) continue;
+        chunk.body(figure.bones.front().body);
+        chunk.u8(static_cast<std::uint8_t>(figure.mode));
+    }
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+//
+// What of figures is saved, and what a scene says of them.
+#include "figure_checks.h"
+#include "jostle/modules/ragdoll.h"
+#include "jostle/modules/settings.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+// As it is, or the load ends.
+void rotation(StateVisitor& v, std::string_view name, Quat& q) {
+    v.field(name, q);
+    if (v.loading() && !(norm_squared(q) > 0.98 && norm_squared(q) < 1.02))
+        v.fail(name, "is not a unit quaternion");
+}
+void place(StateVisitor& v, std::string_view name, Transform& t) {
+    v.field(name, t);
+    if (v.loading() && !(norm_squared(t.rotation) > 0.98 && norm_squared(t.rotation) < 1.02))
+        v.fail(name, "has no unit quaternion");
+}
+
+}  // namespace
+
+void Ragdolls::visit(StateVisitor& v, Figure& figure) {
+    v.field("alive", figure.alive);
+    v.field("generation", figure.generation);
+    v.field("mode", figure.mode, RagdollMode::kinematic);
+    v.field("root_held", figure.root_held);
+    v.field("moved", figure.moved);
+    bounded(v, "blend", figure.blend, 0, 60);
+    bounded(v, "blended", figure.blended, 0, 60);
+    place(v, "root", figure.root);
+    place(v, "root_from", figure.root_from);
+    std::int32_t index = 0;
+    v.all("bones", figure.bones, [&](Bone& bone) {
+        v.field("body", bone.body);
+        v.field("joint", bone.joint);
+        v.field("parent", bone.parent);
+        if (v.loading() &&
+            (bone.parent < -1 || bone.parent >= index || (bone.parent == -1) != (index == 0)))
+            v.fail("parent", "is no earlier bone");
+        index++;
+        v.field("link", bone.link.kind, LinkKind::cone_twist);
+        v.field("limited", bone.link.limited);
+        bounded(v, "lower", bone.link.lower, -pi, pi);
+        bounded(v, "upper", bone.link.upper, -pi, pi);
+        bounded(v, "swing", bone.link.swing, 0, pi);
+        bounded(v, "friction", bone.link.friction, 0, 1e15);
+        place(v, "rest", bone.rest);
+        place(v, "frame", bone.frame);
+        place(v, "frame_b", bone.frame_b);
+        bounded(v, "hertz", bone.muscle.hertz, 0, 1000);
+        bounded(v, "damping_ratio", bone.muscle.damping_ratio, 0, 10);
+        bounded(v, "max_torque", bone.muscle.max_torque, 0, 1e9);
+        bounded(v, "strength", bone.strength, 0, 1);
+        rotation(v, "wanted", bone.wanted);
+        rotation(v, "before", bone.before);
+        rotation(v, "from", bone.from);
+    });
+    if (v.loading() && figure.alive == figure.bones.empty())
+        v.fail("bones", "are there when the figure is, and only then");
+}
+
+void Ragdolls::visit(StateVisitor& v) {
+    v.all("figures", figures_, [&](Figure& figure) { visit(v, figure); });
+}
+
+Status Ragdolls::configure(World& world, const ModuleSettings& given) {
+    double count = 1, height = 1.8, spacing = 2;
+    Vec3 first;
+    bool powered = false, kinematic = false;
+    SettingsReader settings(given);
+    settings.number("count", count, 0, 200);
+    settings.number("height", height, 0.2, 20);
+    settings.number("spacing", spacing, 0.1, 1000);
+    settings.number("x", first.x, -1e6, 1e6);
+    settings.number("y", first.y, -1e6, 1e6);
+    settings.number("z", first.z, -1e6, 1e6);
+    settings.flag("powered", powered);
+    settings.flag("kinematic", kinematic);
+    if (Status s = settings.finish(); !s.ok()) return s;
+    if (powered && kinematic)
+        return Error{ErrorCode::invalid_argument, "powered and kinematic are both 1; give one"};
+    int side = 1;
+    while (side * side < static_cast<int>(count)) side++;
+    const RagdollDef figure = human_figure(height);
+    for (int k = 0; k < static_cast<int>(count); k++) {
+        const Vec3 at = first + Vec3{spacing * (k % side), 0, spacing * (k / side)};
+        const Result<RagdollId> id = add(world, figure, {.position = at});
+        if (!id.ok()) return id.error();
+        if (powered || kinematic)
+            if (Status s =
+                    set_mode(world, *id, powered ? RagdollMode::powered : RagdollMode::kinematic);
+                !s.ok())
+                return s;
+    }
+    return {};
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Turns between orientations, without libm.
+#pragma once
+
+#include "jostle/physics/quat.h"
+#include "jostle/physics/transform.h"
+
+namespace jostle::modules {
+
+// The shorter way: |v| radians about v, at most half a turn.
+inline physics::Vec3 rotation_vector(physics::Quat q) {
+    using namespace physics;
+    if (q.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
+    const Vec3 v{q.x, q.y, q.z};
+    const double s = length(v);
+    return s < 1e-12 ? v * 2 : v * (2 * arc_tangent(s, q.w) / s);
+}
+
+// A part of the way from one to the other, along the shorter arc.
+inline physics::Quat between(physics::Quat from, physics::Quat to, double part) {
+    using namespace physics;
+    return normalized(from_rotation_vector(rotation_vector(to * conjugate(from)) * part) * from);
+}
+inline physics::Transform between(const physics::Transform& from, const physics::Transform& to,
+                                  double part) {
+    return {from.position + (to.position - from.position) * part,
+            between(from.rotation, to.rotation, part)};
+}
+
+// About the z axis, -pi to pi.
+inline double turn_about_z(physics::Quat q) {
+    double angle = 2 * physics::arc_tangent(q.z, q.w);
+    if (angle > physics::pi) angle -= 2 * physics::pi;
+    if (angle < -physics::pi) angle += 2 * physics::pi;
+    return angle;
+}
+
+inline physics::Transform inverse(const physics::Transform& t) {
+    const physics::Quat back = conjugate(t.rotation);
+    return {rotate(back, -t.position), back};
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// The modules that scenes of the catalogue have.
+#include <memory>
+#include <mutex>
+
+#include "hovercraft.h"
+#include "jostle/modules/ragdoll.h"
+#include "jostle/scenes/catalog.h"
+
+namespace jostle::scenes {
+namespace {
+
+// A program that made its own of that tag known before keeps it.
+template <class M>
+void make_known(const char* tag) {
+    static_cast<void>(physics::register_module(tag, [] { return std::make_unique<M>(); }));
+}
+
+}  // namespace
+
+void register_catalog_modules() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        make_known<examples::Hovercraft>("hovercraft");
+        make_known<modules::Ragdolls>("ragdoll");
+    });
+}
+
+}  // namespace jostle::scenes

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// The same bits for any number of threads and after saving, loading and restoring; forged bytes.
+#include <vector>
+
+#include "jostle/physics/restore_point.h"
+#include "jostle/physics/snapshot.h"
+#include "rough_ground.h"
+#include "stage.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+const bool registered =
+    register_module("character", [] { return std::make_unique<Characters>(); }).ok();
+
+// A crowd of both kinds among crates on rough ground, with a lift.
+World crowd(int threads) {
+    Stage stage({.threads = threads});
+    test::add_static(stage.world, {.geometry = rough_mesh(5)});
+    for (int k = 0; k < 60; k++)
+        test::add(stage.world, {.geometry = Box{{0.3, 0.3, 0.3}},
+                                .position = {-6.0 + k % 8 * 1.6, 4, -6.0 + k / 8 * 1.6},
+                                .density = 100});
+    test::add(stage.world, {.geometry = Box{{3, 0.2, 3}},
+                            .position = {0, 4, 0},
+                            .velocity = {0, 0.2, 0},
+                            .spin = {0, 0.7, 0},
+                            .type = BodyType::kinematic});
+    for (int k = 0; k < 24; k++)
+        stage.add({.kind = k % 3 == 0 ? CharacterKind::rigid : CharacterKind::sweeping,
+                   .feet = {-5.3 + k % 6 * 2.1, 5.5, -5.3 + k / 6 * 2.1}});
+    return std::move(stage.world);
+}
+
+// Everybody changes his mind now and then; what he wants follows from the step alone.
+void play(World& world, int steps) {
+    auto& characters = dynamic_cast<Characters&>(*world.module("character"));
+    for (int k = 0; k < steps; k++) {
+        test::Random random(world.step_count() / 20);
+        for (const CharacterId id : characters.ids()) {
+            const SinCos way = sin_cos(random.in(-pi, pi));
+            test::must(characters.set_controls(id, {.walk = Vec3{way.cos, 0, way.sin} * 4,
+                                                    .jump = random.below(3) == 0,
+                                                    .crouch = random.below(3) == 0}));
+        }
+        test::must(world.step(1 / hz));
+    }
+}
+
+TEST(Identity, threads_change_no_bit) {
+    std::uint64_t first = 0;
+    for (const int threads : {1, 2, 3, 4, 8}) {
+        World world = crowd(threads);
+        play(world, 240);
+        if (threads == 1) first = state_hash(world);
+        EXPECT_EQ(state_hash(world), first) << threads << " threads";
+    }
+}
+
+TEST(Identity, a_loaded_and_a_restored_world_go_on_with_the_same_bits) {
+    ASSERT_TRUE(registered);
+    World world = crowd(1);
+    play(world, 100);
+    const std::vector<std::byte> bytes = save(world);
+    RestorePoint before;
+    before.keep(world);
+    play(world, 140);
+    const std::uint64_t hash = state_hash(world);
+    World loaded = test::must(load(bytes));
+    play(loaded, 140);
+    EXPECT_EQ(state_hash(loaded), hash);
+    test::must(before.restore(world));
+    play(world, 140);
+    EXPECT_EQ(state_hash(world), hash);
+}
+
+// Each byte of the state turned over, and some set to nothing: refused, or harmless.
+TEST(Identity, forged_bytes_are_refused_or_do_no_harm) {
+    World world = crowd(1);
+    play(world, 30);
+    const std::vector<std::byte> whole = save_module(*world.module("character"));
+    RestorePoint start;
+    start.keep(world);
+    int refused = 0, taken = 0;
+    test::Random random(9);
+    for (std::size_t at = 0; at < whole.size(); at++) {
+        std::vector<std::byte> bytes = whole;
+        bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
+        auto forged = std::make_unique<Characters>();
+        if (!load_module(*forged, bytes).ok()) {
+            refused++;
+            continue;
+        }
+        if (++taken % 40 != 0) continue;
+        test::must(start.restore(world));
+        test::must(world.remove_module("character"));
+        test::must(world.add_module(std::move(forged)));
+        for (int k = 0; k < 3; k++) test::must(world.step(1 / hz));
+        EXPECT_TRUE(is_finite(world.summary().linear_momentum));
+        EXPECT_TRUE(load(save(world)).ok()) << "byte " << at;
+    }
+    for (std::size_t size = 0; size < whole.size(); size += 7)
+        EXPECT_FALSE(
+            load_module(*std::make_unique<Characters>(), std::span(whole).first(size)).ok());
+    record("forgeries_refused", refused);
+    record("forgeries_taken", taken);
+    EXPECT_GT(refused, 500);
+}
+
+TEST(Identity, a_field_that_is_out_of_its_range_is_named) {
+    Stage stage;
+    stage.add({.feet = {1, 0, 2}});
+    std::vector<std::byte> bytes = save_module(*stage.crowd);
+    // The number of characters, which comes first.
+    bytes[0] = std::byte{2};
+    Characters other;
+    const Status status = load_module(other, bytes);
+    ASSERT_FALSE(status.ok());
+    EXPECT_FALSE(status.error().message.empty());
+}
+
+}  // namespace
+}  // namespace jostle::modules

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Rigid characters: bodies of the solver that are steered.
+#include "stage.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+TEST(Rigid, walks_as_fast_as_it_is_asked_to_and_stays_upright) {
+    Stage stage;
+    test::add_floor(stage.world);
+    const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});
+    stage.walk(hero, {3, 0, -4});
+    stage.run(1);
+    const Vec3 start = stage.of(hero).feet;
+    stage.run(4);
+    EXPECT_TRUE(test::near(stage.of(hero).feet - start, {12, 0, -16}, 0.02));
+    EXPECT_EQ(test::state_of(stage.world, stage.of(hero).body).pose.rotation, Quat{});
+    stage.walk(hero, {});
+    stage.run(1);
+    EXPECT_TRUE(test::near(stage.of(hero).velocity, {}, 1e-3)) << "and stops";
+}
+
+TEST(Rigid, stands_and_walks_on_slopes_below_its_limit_and_slides_above) {
+    for (const double degrees : {20.0, 40.0, 49.0, 51.0, 60.0}) {
+        const double angle = radians(degrees);
+        Stage stage;
+        add_slope(stage.world, angle);
+        const CharacterId hero = stage.add({.kind = CharacterKind::rigid,
+                                            .feet = feet_on_slope(angle, 0.3, 0),
+                                            .abilities = {.slope_limit = radians(50)}});
+        stage.run(1);
+        const Vec3 start = stage.of(hero).feet;
+        if (degrees > 50) {
+            const double before = length(stage.of(hero).velocity);
+            stage.run(1);
+            const double a = length(stage.of(hero).velocity) - before;
+            EXPECT_NEAR(a / (9.81 * sin_cos(angle).sin), 1, 0.02) << degrees;
+            continue;
+        }
+        stage.run(2);
+        EXPECT_TRUE(test::near(stage.of(hero).feet, start, 0.01)) << degrees;
+        stage.walk(hero, {2, 0, 0});
+        stage.run(2);
+        EXPECT_NEAR(stage.of(hero).feet.x - start.x, 4, 0.15) << degrees;
+    }
+}
+
+// It is as heavy as it is: a ball that hits it sends it off, which nothing does to one that sweeps
+// and stands.
+TEST(Rigid, others_push_it) {
+    Stage stage({.gravity = {}});
+    const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});
+    const BodyId ball = test::add(
+        stage.world, {.geometry = Sphere{0.3}, .position = {-3, 0.9, 0}, .velocity = {8, 0, 0}});
+    const double mass = test::state_of(stage.world, ball).mass;
+    stage.run(1);
+    const double sum =
+        mass * test::velocity_of(stage.world, ball).x + 80 * stage.of(hero).velocity.x;
+    EXPECT_GT(stage.of(hero).velocity.x, 1);
+    EXPECT_NEAR(sum / (mass * 8), 1, 0.01);
+}
+
+TEST(Rigid, sleeps_when_it_has_nothing_to_do_and_walks_on_when_asked) {
+    Stage stage;
+    test::add_floor(stage.world);
+    const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});
+    stage.run(5);
+    EXPECT_FALSE(test::state_of(stage.world, stage.of(hero).body).awake);
+    stage.walk(hero, {2, 0, 0});
+    stage.run(1);
+    EXPECT_GT(stage.of(hero).feet.x, 1.8);
+}
+
+}  // namespace
+}  // namespace jostle::modules

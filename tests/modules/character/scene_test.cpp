@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+//
+// What calls refuse, what a scene says of characters, who may be driven, and what clients are told.
+#include "stage.h"
+#include "support/error_of.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+std::string complaint(const CharacterDef& def) {
+    Stage stage;
+    return test::error_of(stage.crowd->add(stage.world, def)).message;
+}
+
+TEST(Calls, what_is_out_of_range_is_named) {
+    EXPECT_EQ(complaint({.radius = 0}), "radius is 0; it must be from 0.05 to 5");
+    EXPECT_EQ(complaint({.skin = 0.2}), "skin is 0.2; it must be from 0.002 to 0.15");
+    EXPECT_EQ(complaint({.abilities = {.mass = 0}}), "mass is 0; it must be from 1 to 10000");
+    EXPECT_EQ(complaint({.height = 0.6}), "height is 0.6; it must be from 0.6002 to 20");
+    Stage stage;
+    const CharacterId hero = stage.add({});
+    EXPECT_EQ(test::error_of(stage.crowd->set_controls(hero, {.walk = {0, 0, 1e4}})).message,
+              "walk is 10000; it must be from -1000 to 1000");
+    EXPECT_EQ(test::error_of(stage.crowd->set_controls({}, {})).code, ErrorCode::not_found);
+}
+
+TEST(Calls, an_id_ends_with_its_character_and_an_index_is_used_again) {
+    Stage stage;
+    const CharacterId first = stage.add({});
+    const CharacterId second = stage.add({.feet = {5, 0, 0}});
+    test::must(stage.crowd->remove(stage.world, first));
+    EXPECT_FALSE(stage.crowd->contains(first));
+    EXPECT_FALSE(stage.crowd->state(stage.world, first).ok());
+    const CharacterId third = stage.add({.feet = {9, 0, 0}});
+    EXPECT_EQ(third.index, first.index);
+    EXPECT_NE(third, first);
+    test::must(stage.world.destroy_body(stage.of(second).body));
+    stage.run(0.1);
+    EXPECT_FALSE(stage.crowd->contains(second)) << "it goes with its body";
+    EXPECT_EQ(stage.crowd->ids(), std::vector<CharacterId>{third});
+}
+
+struct Cast {
+    World world;
+    BodyId walker, runner;
+    Characters characters;
+
+    Cast() {
+        test::add_floor(world);
+        walker = test::add(
+            world,
+            {.geometry = Capsule{0.28, 0.6}, .position = {0, 0.9, 0}, .type = BodyType::kinematic});
+        runner = test::add(world, {.geometry = Capsule{0.3, 0.6}, .position = {3, 0.9, 0}});
+    }
+    std::string complaint(const ModuleSettings& settings) {
+        return test::error_of(characters.configure(world, settings)).message;
+    }
+};
+
+TEST(Scene, bodies_become_characters_as_they_are) {
+    Cast cast;
+    test::must(cast.characters.configure(
+        cast.world, {.numbers = {{"stroll", 2}, {"stroll_turn", 0.5}, {"jump_speed", 6}},
+                     .bodies = {{"walker", cast.walker}, {"runner", cast.runner}}}));
+    const CharacterState walker =
+        test::must(cast.characters.state(cast.world, cast.characters.character_of(cast.walker)));
+    EXPECT_EQ(walker.kind, CharacterKind::sweeping);
+    EXPECT_NEAR(walker.feet.y, 0, 1e-9) << "the skin below the body";
+    EXPECT_TRUE(cast.characters.takes_controls(cast.runner));
+    EXPECT_EQ(
+        test::must(cast.characters.abilities(cast.characters.character_of(cast.runner))).jump_speed,
+        6);
+    EXPECT_FALSE(cast.characters.takes_controls({}));
+}
+
+// 2 m/s at 0.5 rad/s: circles of 4 m.
+TEST(Scene, who_strolls_walks_in_circles_until_he_is_driven) {
+    Cast cast;
+    auto module = std::make_unique<Characters>();
+    Characters& characters = *module;
+    test::must(characters.configure(cast.world, {.numbers = {{"stroll", 2}, {"stroll_turn", 0.5}},
+                                                 .bodies = {{"walker", cast.walker}}}));
+    test::must(cast.world.add_module(std::move(module)));
+    test::run(cast.world, 1);
+    const Vec3 start = test::position_of(cast.world, cast.walker);
+    test::run(cast.world, 2 * pi);
+    EXPECT_NEAR(length(test::position_of(cast.world, cast.walker) - start), 8, 0.1);
+    Controls stick;
+    stick.axes[1] = 1;
+    stick.axes[3] = -0.5;  // looks to +x
+    characters.control(cast.world, cast.walker, stick);
+    test::run(cast.world, 0.5);
+    EXPECT_TRUE(test::near(test::velocity_of(cast.world, cast.walker), {5, 0, 0}, 1e-6));
+}
+
+TEST(Scene, what_is_wrong_is_named) {
+    Cast cast;
+    const BodyId crate = test::add(cast.world, {.position = {9, 0.5, 0}});
+    EXPECT_EQ(cast.complaint({.bodies = {{"crate", crate}}}),
+              "crate has another first shape than an upright capsule");
+    EXPECT_EQ(cast.complaint({.numbers = {{"mass", 0}}, .bodies = {{"walker", cast.walker}}}),
+              "mass is 0; it must be from 1 to 10000");
+    EXPECT_EQ(cast.complaint({}), "has no body; name those that are to walk");
+    EXPECT_EQ(cast.complaint({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is no body");
+    EXPECT_EQ(cast.complaint({.numbers = {{"sped", 1}}}).substr(0, 27),
+              "there is no setting sped; t");
+}
+
+TEST(Scene, clients_are_told_of_each_character_in_eight_bytes) {
+    Stage stage;
+    test::add_floor(stage.world);
+    stage.add({.feet = {0, 0, 0}});
+    const CharacterId low = stage.add({.feet = {3, 0, 0}});
+    stage.steer(low, {.walk = {0, 0, -10}, .crouch = true});
+    stage.run(1);
+    ChunkWriter chunk([](BodyId body) { return body.index + 1; });
+    stage.crowd->publish(stage.world, chunk);
+    ASSERT_EQ(chunk.bytes().size(), 16u);
+    EXPECT_EQ(chunk.bytes()[4], std::byte{0});
+    EXPECT_EQ(chunk.bytes()[12], std::byte{2}) << "crouched, on the ground";
+    EXPECT_EQ(chunk.bytes()[14], std::byte{128}) << "10 of 20 m/s";
+}
+
+}  // namespace
+}  // namespace jostle::modules

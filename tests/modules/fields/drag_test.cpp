@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// Turbulent air that is still drags as air does.
+#include <gtest/gtest.h>
+
+#include "body_records.h"
+#include "fall.h"
+#include "jostle/physics/hull.h"
+#include "with_fields.h"
+
+namespace jostle::modules {
+namespace {
+
+void add_still_air(World& world, double drag) {
+    add_field(world, {.law = Turbulence{.speed = 0, .drag = drag}});
+}
+
+TEST(Drag, what_falls_in_still_air_gains_speed_as_tanh) {
+    const double ball = worst_fall_error(add_still_air, ball_of_fall());
+    const double box = worst_fall_error(add_still_air, box_of_fall());
+    // A feather: 0.5 m/s in the end.
+    const double feather =
+        worst_fall_error(add_still_air, {Box{{0.3, 0.005, 0.3}}, 1.5, 0.36, 1.0});
+    RecordProperty("ball_error", std::to_string(ball));
+    RecordProperty("box_error", std::to_string(box));
+    RecordProperty("feather_error", std::to_string(feather));
+    EXPECT_LT(ball, 5e-3);
+    EXPECT_LT(box, 5e-3);
+    EXPECT_LT(feather, 5e-3);
+}
+
+TEST(Drag, no_drag_is_too_strong) {
+    World world = test::make_world({.gravity = {}});
+    const BodyId feather =
+        test::must(world.create_body({.mass = 1e-4}, {.geometry = Box{{0.5, 0.01, 0.5}}}));
+    add_field(world, {.law = Turbulence{.wind = {0, 30, 0}, .speed = 0, .density = 1000}});
+    for (int step = 0; step < 120; step++) {
+        test::must(world.step(1.0 / 60));
+        const double v = test::velocity_of(world, feather).y;
+        ASSERT_TRUE(v > 0 && v <= 30) << "step " << step;
+    }
+}
+
+// A body of one shape shows what its outline says, in any direction.
+double shown(const Geometry& geometry, Vec3 direction) {
+    World world = test::make_world();
+    const BodyId body = test::add(world, {.geometry = geometry});
+    fields_detail::BodyRecords records;
+    const BodyId bodies[] = {body};
+    records.refresh(world, bodies);
+    return fields_detail::shown_area(records.of(body), normalized(direction));
+}
+
+TEST(Drag, acts_on_the_projected_area) {
+    EXPECT_NEAR(shown(Sphere{0.5}, {1, 2, 3}), pi / 4, 1e-12);
+    EXPECT_NEAR(shown(Box{{0.5, 1, 2}}, {1, 0, 0}), 8, 1e-12);
+    EXPECT_NEAR(shown(Box{{0.5, 0.5, 0.5}}, {1, 1, 1}), square_root(3), 1e-12);
+    EXPECT_NEAR(shown(Capsule{0.5, 1}, {1, 0, 0}), pi / 4 + 2, 1e-12);
+    EXPECT_NEAR(shown(Capsule{0.5, 1}, {0, 1, 0}), pi / 4, 1e-12);
+    EXPECT_NEAR(shown(Cylinder{0.5, 1}, {0, 0, 1}), 2, 1e-12);
+    EXPECT_NEAR(shown(Cone{0.5, 1}, {1, 0, 0}), 1, 1e-12);
+    EXPECT_NEAR(shown(Cone{0.5, 1}, {0, 1, 0}), pi / 4, 1e-12);
+    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Geometry wedge = Hull{test::must(build_hull(corners))};
+    EXPECT_NEAR(shown(wedge, {0, 0, 1}), 0.5, 1e-12);
+    EXPECT_NEAR(shown(wedge, {1, 1, 1}), square_root(3) / 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace jostle::modules

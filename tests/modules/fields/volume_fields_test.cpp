@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+//
+// Attraction, laws by name, volumes and categories.
+#include <gtest/gtest.h>
+
+#include "support/near.h"
+#include "with_fields.h"
+
+namespace jostle::modules {
+namespace {
+
+TEST(Volumes, hold_what_is_in_them) {
+    const Quat turned = from_axis_angle({0, 1, 0}, pi / 2);
+    const BoxVolume box{.pose = {{10, 0, 0}, turned}, .half_extents = {1, 2, 3}};
+    EXPECT_TRUE(holds(box, {12.9, 1.9, 0.9}));
+    EXPECT_FALSE(holds(box, {10, 0, 1.1}));
+    EXPECT_TRUE(holds(SphereVolume{{0, 5, 0}, 2}, {0, 6.9, 0}));
+    EXPECT_FALSE(holds(SphereVolume{{0, 5, 0}, 2}, {0, 7.1, 0}));
+    const CapsuleVolume capsule{{0, 0, 0}, {4, 0, 0}, 1};
+    EXPECT_TRUE(holds(capsule, {2, 0.9, 0}));
+    EXPECT_TRUE(holds(capsule, {4.9, 0, 0}));
+    EXPECT_FALSE(holds(capsule, {-0.8, 0.8, 0}));
+    EXPECT_TRUE(holds(Everywhere{}, {1e6, 0, 0}));
+}
+
+// A circle of radius 5 about a body that itself moves on: v^2 r = strength.
+TEST(Central, a_moon_keeps_to_its_planet) {
+    World world = test::make_world({.gravity = {}});
+    const Vec3 drift{3, 0, 1};
+    const BodyId planet =
+        test::add(world, {.geometry = Sphere{0.5}, .velocity = drift, .type = BodyType::kinematic});
+    const BodyId moon = test::add(
+        world,
+        {.geometry = Sphere{0.1}, .position = {5, 0, 0}, .velocity = drift + Vec3{0, 0, 10}});
+    add_field(world, {.law = Central{.body = planet, .strength = 500, .per_mass = true}});
+    // Ten turns.
+    double nearest = 5, furthest = 5;
+    for (int step = 0; step < 60 * 31; step++) {
+        test::must(world.step(1.0 / 60));
+        const double r = length(test::position_of(world, moon) - test::position_of(world, planet));
+        nearest = minimum(nearest, r), furthest = maximum(furthest, r);
+    }
+    RecordProperty("radius_error", std::to_string(maximum(5 - nearest, furthest - 5) / 5));
+    EXPECT_NEAR(nearest, 5, 5e-3);
+    EXPECT_NEAR(furthest, 5, 5e-3);
+}
+
+TEST(Central, wakes_sleepers_that_it_comes_near) {
+    World world = test::make_world();
+    test::add_floor(world);
+    const BodyId near = test::add(world, {.position = {0, 0.5, 0}});
+    const BodyId far = test::add(world, {.position = {500, 0.5, 0}});
+    const BodyId magnet = test::add(
+        world, {.geometry = Sphere{0.2}, .position = {0, 6, -40}, .type = BodyType::kinematic});
+    add_field(world, {.law = Central{.body = magnet, .strength = 30, .per_mass = true}});
+    test::run(world, 3);
+    ASSERT_FALSE(test::state_of(world, near).awake);
+    test::must(world.set_linear_velocity(magnet, {0, 0, 20}));
+    test::run(world, 1.9);
+    EXPECT_TRUE(test::state_of(world, near).awake);
+    EXPECT_FALSE(test::state_of(world, far).awake);
+    test::must(world.destroy_body(magnet));
+    test::run(world, 3);
+    EXPECT_FALSE(test::state_of(world, near).awake) << "what is gone attracts no more";
+}
+
+TEST(Fields, act_in_their_volume_on_their_categories) {
+    World world = test::make_world({.gravity = {}});
+    const BodyId inside = test::add(world, {}),
+                 outside = test::add(world, {.position = {20, 0, 0}});
+    const BodyId other = test::must(world.create_body(
+        {.pose = {{0, 3, 0}, {}}}, {.geometry = Box{}, .filter = {.category = 4}}));
+    add_field(world, {.law = Turbulence{.wind = {0, 0, 9}, .speed = 0},
+                      .volume = SphereVolume{.radius = 5},
+                      .mask = 1});
+    test::run(world, 0.5);
+    EXPECT_GT(test::velocity_of(world, inside).z, 0);
+    EXPECT_EQ(test::velocity_of(world, outside).z, 0);
+    EXPECT_EQ(test::velocity_of(world, other).z, 0);
+}
+
+// Turbulent air takes what is light along as it flows itself.
+TEST(Turbulence, carries_a_mote) {
+    World world = test::make_world({.gravity = {}});
+    const BodyId mote = test::must(world.create_body({.mass = 1e-4}, {.geometry = Sphere{0.1}}));
+    const Turbulence air{.wind = {2, 0, 0}, .speed = 3, .scale = 8, .rate = 0.2};
+    add_field(world, {.law = air});
+    double off = 0;
+    for (int step = 0; step < 300; step++) {
+        test::must(world.step(1.0 / 60));
+        if (step < 30) continue;
+        const Vec3 flow = flow_at(air, test::position_of(world, mote), world.time());
+        off = maximum(off, length(test::velocity_of(world, mote) - flow));
+    }
+    EXPECT_LT(off, 0.5);
+    EXPECT_GT(length(test::position_of(world, mote)), 3);
+}
+
+// A spring of a program's own: omega^2 = k / m.
+TEST(UserFields, push_by_name_with_their_parameters) {
+    static_cast<void>(register_user_field(
+        "test_spring", [](const UserFieldInput& at) { return at.position * -at.parameters[0]; }));
+    World world = test::make_world({.gravity = {}});
+    const BodyId ball = test::add(world, {.position = {1, 0, 0}, .sleep_allowed = false});
+    const double mass = test::state_of(world, ball).mass;
+    add_field(world, {.law = UserField{.law = "test_spring", .parameters = {mass * 4 * pi * pi}}});
+    test::run(world, 1);
+    EXPECT_TRUE(test::near(test::position_of(world, ball), {1, 0, 0}, 1e-3));
+    test::run(world, 0.5);
+    EXPECT_TRUE(test::near(test::position_of(world, ball), {-1, 0, 0}, 1e-3));
+}
+
+TEST(UserFields, that_say_nonsense_push_nothing) {
+    static_cast<void>(register_user_field("test_nonsense", [](const UserFieldInput& at) {
+        return Vec3{at.mass / 0.0, 0, 0};
+    }));
+    World world = test::make_world({.gravity = {}});
+    const BodyId ball = test::add(world, {});
+    add_field(world, {.law = UserField{.law = "test_nonsense"}});
+    test::run(world, 0.1);
+    EXPECT_EQ(test::velocity_of(world, ball), Vec3{});
+    EXPECT_TRUE(world.events().quarantined.empty());
+}
+
+TEST(Fields, say_what_is_wrong_with_a_field) {
+    World world = test::make_world();
+    Fields& fields = fields_of(world);
+    const auto complaint = [&](const VolumeField& field) {
+        const auto key = fields.add(world, field);
+        return key.ok() ? "" : key.error().message;
+    };
+    EXPECT_EQ(complaint({.law = Turbulence{.scale = 0}}),
+              "turbulence.scale is 0; it must be from 0.01 to 1000000");
+    EXPECT_EQ(complaint({.law = Waves{.components = std::vector<WaveComponent>(9)}}),
+              "waves.components are 9; at most 8 are possible");
+    EXPECT_EQ(complaint({.law = Central{.body = {77, 1}}}), "central.body is not in the world");
+    EXPECT_EQ(complaint({.law = Central{}, .volume = SphereVolume{.radius = -1}}),
+              "volume.radius is -1; it must be from 0.001 to 10000000");
+    EXPECT_TRUE(complaint({.law = UserField{.law = "no_such"}})
+                    .starts_with("user.law is \"no_such\", which is not registered; there are: "));
+    EXPECT_EQ(register_user_field("Bad Name", [](const UserFieldInput&) { return Vec3{}; })
+                  .error()
+                  .message,
+              "law is \"Bad Name\"; give 1 to 32 of a-z, 0-9 and _");
+    EXPECT_EQ(fields.remove(world, {5}).error().message, "there is no field 5");
+    EXPECT_TRUE(fields.fields().empty());
+    for (std::size_t k = 0; k < Fields::fields_max; k++) add_field(world, {});
+    EXPECT_EQ(complaint({}), "there are 64 fields already; remove one");
+}
+
+TEST(Fields, are_changed_and_removed_by_their_keys) {
+    World world = test::make_world({.gravity = {}});
+    const BodyId box = test::add(world, {});
+    Fields& fields = fields_of(world);
+    const FieldKey first = add_field(world, {.law = Turbulence{.wind = {5, 0, 0}, .speed = 0}});
+    const FieldKey second = add_field(world, {.law = Central{.strength = 0}});
+    test::must(fields.set(world, second, {.law = Turbulence{.wind = {0, 0, 5}, .speed = 0}}));
+    test::must(fields.remove(world, first));
+    EXPECT_EQ(fields.fields(), std::vector{second});
+    EXPECT_EQ(std::get<Turbulence>(test::must(fields.field(second)).law).wind, (Vec3{0, 0, 5}));
+    test::run(world, 0.5);
+    EXPECT_EQ(test::velocity_of(world, box).x, 0);
+    EXPECT_GT(test::velocity_of(world, box).z, 0);
+    EXPECT_NE(add_field(world, {}), first) << "keys are not used twice";
+}
+
+}  // namespace
+}  // namespace jostle::modules

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+//
+// Figures stand, fall, are led and let go.
+#include "jostle/modules/ragdoll.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+double highest(const Stage& stage, RagdollId id) {
+    double y = -1e9;
+    for (const BodyId body : *stage.ragdolls->bodies(id))
+        y = std::max(y, stage.world.body(body)->pose.position.y);
+    return y;
+}
+
+TEST(Ragdoll, a_limp_figure_lies_down_and_sleeps) {
+    Stage stage;
+    stage.floor();
+    const RagdollId id = stage.add(human_figure());
+    EXPECT_NEAR(highest(stage, id), 1.66, 1e-9) << "its head";
+    for (int k = 0; k < 1200; k++) stage.step();
+    EXPECT_LT(highest(stage, id), 0.5);
+    EXPECT_EQ(stage.world.summary().awake_bodies, 0);
+}
+
+// Who is led goes where the pose says, to a micrometre, and pushes what is in the way.
+TEST(Ragdoll, a_figure_that_is_led_follows_the_pose_and_pushes) {
+    Stage stage({.gravity = {}});
+    const BodyId ball = *stage.world.create_body({.pose = {.position = {0.7, 1.42, 0.4}}},
+                                                 {.geometry = Sphere{0.1}});
+    const RagdollId id = stage.add(human_figure(1.8));
+    stage.ragdolls->set_mode(stage.world, id, RagdollMode::kinematic).expect();
+    RagdollPose pose = *stage.ragdolls->pose(stage.world, id);
+    for (int k = 1; k <= 60; k++) {
+        pose.root.position = {0, 0, k / 60.0};
+        stage.ragdolls->set_pose(id, pose).expect();
+        stage.step();
+        const Vec3 pelvis = stage.world.body(stage.ragdolls->bodies(id)->front())->pose.position;
+        ASSERT_NEAR(pelvis.z, k / 60.0, 1e-6);
+    }
+    EXPECT_GT(stage.world.body(ball)->linear_velocity.z, 0.5) << "an arm came by at 1 m/s";
+}
+
+// Let go of, it flies on as it was moved, and its joints hold it together.
+TEST(Ragdoll, a_figure_that_is_let_go_of_flies_on) {
+    Stage stage({.gravity = {}});
+    const RagdollId id = stage.add(human_figure());
+    stage.ragdolls->set_mode(stage.world, id, RagdollMode::kinematic).expect();
+    RagdollPose pose = *stage.ragdolls->pose(stage.world, id);
+    for (int k = 1; k <= 30; k++) {
+        pose.root.position = {0, 0, 3 * k / 60.0};
+        stage.ragdolls->set_pose(id, pose).expect();
+        stage.step();
+    }
+    stage.ragdolls->set_mode(stage.world, id, RagdollMode::limp).expect();
+    for (int k = 0; k < 60; k++) stage.step();
+    for (const BodyId body : *stage.ragdolls->bodies(id))
+        EXPECT_NEAR(stage.world.body(body)->linear_velocity.z, 3, 1e-5);
+    EXPECT_LT(stage.world.summary().max_joint_error, 1e-4);
+    EXPECT_EQ(stage.world.summary().joints, 10);
+}
+
+// From the floor back to its feet within a second: no bone is moved faster than the blend asks.
+TEST(Ragdoll, a_fallen_figure_is_led_back_by_and_by) {
+    Stage stage;
+    stage.floor();
+    const RagdollId id = stage.add(human_figure());
+    for (int k = 0; k < 180; k++) stage.step();
+    stage.ragdolls->set_mode(stage.world, id, RagdollMode::kinematic, 1).expect();
+    double fastest = 0;
+    for (int k = 0; k < 61; k++) {
+        stage.step();
+        for (const BodyId body : *stage.ragdolls->bodies(id))
+            fastest = std::max(fastest, length(stage.world.body(body)->linear_velocity));
+    }
+    EXPECT_NEAR(highest(stage, id), 1.66, 1e-6);
+    EXPECT_LT(fastest, 6);
+}
+
+// Its neck is cut: what is left falls, and the others go on.
+TEST(Ragdoll, a_figure_that_lost_a_joint_is_let_go_of_and_the_others_stay) {
+    Stage stage;
+    stage.floor();
+    const RagdollId one = stage.add(human_figure()),
+                    two = stage.add(human_figure(), {{3, 0, 0}, {}});
+    stage.world.destroy_joint((*stage.ragdolls->joints(one))[2]).expect();
+    stage.step();
+    EXPECT_FALSE(stage.ragdolls->contains(one));
+    EXPECT_TRUE(stage.ragdolls->contains(two));
+    EXPECT_EQ(stage.ragdolls->size(), 1u);
+    const RagdollId next = stage.add(human_figure(), {{6, 0, 0}, {}});
+    EXPECT_EQ(next.index, one.index);
+    EXPECT_FALSE(stage.ragdolls->contains(one)) << "the place is another's now";
+    stage.ragdolls->remove(stage.world, two).expect();
+    EXPECT_EQ(stage.ragdolls->size(), 1u);
+}
+
+TEST(Ragdoll, what_is_wrong_is_named_and_nothing_is_left_behind) {
+    Stage stage;
+    const auto complaint = [&](auto change) {
+        RagdollDef def = human_figure();
+        change(def);
+        const Result<RagdollId> id = stage.ragdolls->add(stage.world, def, {});
+        EXPECT_EQ(stage.world.summary().bodies, 0);
+        return id.ok() ? std::string() : id.error().message;
+    };
+    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[3].parent = 7; }),
+              "bones[3] (left upper arm): its parent is 7; it must be an earlier bone");
+    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[2].shapes.clear(); }),
+              "bones[2] (head) has no shape; give one at least");
+    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[2].muscle.hertz = -1; }),
+              "bones[2] (head): muscle.hertz must be from 0 to 1000");
+    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[5].joint = SliderJoint{}; }),
+              "bones[5] (left lower arm): its joint is a slider; it must be a ball, a hinge or a "
+              "cone-twist");
+    EXPECT_NE(complaint([](RagdollDef& d) {
+                  d.bones[1].joint = ConeTwistJoint{.swing = 9};
+              }).find("bones[1].joint"),
+              std::string::npos);
+    EXPECT_NE(complaint([](RagdollDef& d) { d.bones.clear(); }), "");
+    const RagdollId id = stage.add(human_figure());
+    EXPECT_FALSE(stage.ragdolls->set_pose(id, {}).ok()) << "no turns";
+    EXPECT_FALSE(stage.ragdolls->set_strength(id, 11, 1).ok());
+    EXPECT_FALSE(stage.ragdolls->set_strength(id, 1, std::nan("")).ok());
+    EXPECT_FALSE(stage.ragdolls->set_mode(stage.world, id, RagdollMode::limp, -1).ok());
+    EXPECT_FALSE(stage.ragdolls->set_mode(stage.world, {5, 1}, RagdollMode::limp).ok());
+}
+
+}  // namespace
+}  // namespace jostle::modules

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// How a two-wheeler stays up.
+#pragma once
+
+#include "car.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::modules::vehicle_detail {
+
+void measure_lean(const physics::BodyState& chassis, Car& car);
+
+// -1 to 1, right: what makes the lean follow the controls.
+double balance_steering(const Car& car);
+
+// N m s of a solve, where it is slow.
+Vec3 balance_by_feet(const Frame& frame, const Car& car);
+
+}  // namespace jostle::modules::vehicle_detail

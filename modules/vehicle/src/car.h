@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+//
+// One car: what it is made of, its state, which is saved, and what holds for one step, which is
+// not.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "jostle/modules/vehicle.h"
+#include "jostle/physics/mat3.h"
+#include "jostle/physics/transform.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using physics::Mat3;
+using physics::Quat;
+using physics::ShapeId;
+using physics::Transform;
+
+// Saved.
+struct WheelRun {
+    double stiffness = 0, damping = 0;      // of the suspension: N/m, N s/m
+    double spin = 0, angle = 0;             // rad/s, rad
+    double bend_ahead = 0, bend_aside = 0;  // m that the tread is bent: pushes the chassis so
+    double travel = 0;                      // m
+    double load = 0, ahead = 0, aside = 0;  // N
+    double friction = 0;                    // with the ground
+    bool touches = false;
+    BodyId ground = {};
+    ShapeId shape = {};
+    Vec3 point = {}, normal = {0, 1, 0};
+};
+
+// The ground under a wheel, for a step.
+struct Ground {
+    bool found = false;
+    bool dynamic = false;  // is pushed back
+    Vec3 point = {}, normal = {};
+    Vec3 velocity = {};       // m/s, there
+    double reach = 0;         // m from the plane to the wheel's centre when it touches
+    double inverse_mass = 0;  // 1/kg that a tyre meets along the ground; 0: not asked yet
+    Vec3 pushed = {};         // N s: what it is owed at the end of the step
+};
+
+// What follows from the definition and the controls, for a step.
+struct Rig {
+    Vec3 down = {}, axle = {}, ahead = {};  // in the chassis, steered
+};
+
+// Of a two-wheeler, at the start of the step.
+struct Lean {
+    double angle = 0, rate = 0;  // rad, rad/s, to the right
+    double height = 1;           // m: of a pendulum that falls as fast
+    double weight = 0;           // m/s^2 down
+    double inertia = 0;          // kg m^2 about the line that it leans over
+};
+
+enum class Grip : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling
+
+struct Car {
+    CarId id = 0;
+    VehicleDef def;
+    CarControls controls;
+    bool piloted = false;
+    Pilot pilot;
+
+    std::vector<WheelRun> wheels;
+    double steering = 0;  // -1 to 1, follows the controls
+    double engine_speed = 0;
+    double engine_torque = 0, clutch_torque = 0;
+    std::int32_t gear = 0;
+    double shift_left = 0, pause_left = 0;  // s
+    double speed = 0;                       // m/s ahead
+    // What else pushes the chassis: found from where it was expected after the last sub-step.
+    bool follows = false;
+    Vec3 expected_v = {}, expected_w = {};
+    Vec3 other_a = {}, other_alpha = {};
+    bool carried = false;  // wheels bear it
+
+    // Of the step.
+    bool active = false;
+    Vec3 carry = {};  // N s of each sub-step
+    double mass = 0;
+    Mat3 inverse_inertia;  // world axes
+    std::vector<Ground> grounds;
+    std::vector<Rig> rigs;
+    Lean lean;
+    // Of the definition; made when they are first wanted.
+    std::vector<physics::Geometry> probes;  // the lower half of each wheel
+};
+
+// The chassis in a sub-step.
+struct Frame {
+    Transform pose = {};
+    Mat3 axes;
+    Vec3 center = {}, v = {}, w = {};
+    Vec3 next_v = {}, next_w = {};  // at the sub-step's end, if the car does not push
+    double h = 0;                   // s
+    double time = 0;                // s since the step began
+};
+
+// How a tread pushes at a load, in a sub-step.
+struct Tread {
+    double limit;                         // N: friction * load
+    double bend_ahead, bend_aside;        // s per m of bend: C / (3 mu length)
+    double roll;                          // share of its bend that a sub-step leaves
+    double rolls;                         // 0 at standstill, 1 from 1 m/s on
+    double damping_ahead, damping_aside;  // N s/m, at standstill
+    double secant_ahead, secant_aside;    // N per m of bend, as it is bent
+};
+
+// A wheel that touches, in a sub-step. Step by step filled in by find_contacts(), solve_loads(),
+// and drive(); not cleared before, which would cost as much as the solve.
+struct Contact {
+    std::uint32_t wheel;
+    Vec3 arm;                   // m from the centre of mass
+    Vec3 normal, ahead, aside;  // unit
+    Vec3 velocity;              // m/s of the chassis there, against the ground
+    double velocity_ahead, velocity_aside;
+    double pressed;       // m
+    double lever;         // suspension travel per motion along the normal
+    double inverse_mass;  // 1/kg that a tyre meets along the ground
+    double load;          // N
+    Tread tread;
+    double force_ahead, force_aside;  // N
+};
+
+struct Contacts {
+    // Not the Vec3s' zeros either.
+    union {
+        std::array<Contact, wheels_max> all;
+    };
+    std::size_t count = 0;
+
+    Contacts() {}
+    Contact* begin() { return all.data(); }
+    Contact* end() { return all.data() + count; }
+};
+
+}  // namespace jostle::modules::vehicle_detail

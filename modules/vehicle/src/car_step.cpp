@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include "car_step.h"
+
+#include "balance.h"
+#include "drive_line.h"
+#include "suspension.h"
+#include "tyre.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using namespace physics;
+
+namespace {
+
+// s in which what else pushes the chassis (gravity, contacts) is learned. It must not be much
+// quicker than a sub-step: impacts would be taken for weight.
+constexpr double learns = 0.02;
+constexpr double other_most = 1e5;  // m/s^2, rad/s^2
+
+Vec3 bounded_push(Vec3 a) {
+    const Vec3 most{other_most, other_most, other_most};
+    return min(max(a, -most), most);
+}
+
+// What the chassis did since the last solve that the car did not ask for.
+void learn_other_pushes(const MovingBody& chassis, double h, Car& car) {
+    if (car.follows) {
+        const double share = h / (h + learns);
+        car.other_a += ((chassis.linear_velocity - car.expected_v) / h - car.other_a) * share;
+        car.other_alpha +=
+            ((chassis.angular_velocity - car.expected_w) / h - car.other_alpha) * share;
+        car.other_a = bounded_push(car.other_a);
+        car.other_alpha = bounded_push(car.other_alpha);
+    }
+    car.follows = true;
+    car.expected_v = chassis.linear_velocity;
+    car.expected_w = chassis.angular_velocity;
+}
+
+// Sub-steps for which a solve holds.
+int held(const SubstepContext& substep, const Car& car) {
+    const double most = 1 / car.def.rate + 1e-9;
+    return most < 2 * substep.h() ? 1 : static_cast<int>(most / substep.h());
+}
+
+Frame frame_of(const SubstepContext& substep, double h, Car& car) {
+    const MovingBody chassis = substep.body(car.def.chassis);
+    learn_other_pushes(chassis, h, car);
+    Frame frame;
+    frame.pose = chassis.pose;
+    frame.axes = to_matrix(chassis.pose.rotation);
+    frame.center = chassis.center;
+    // The mean velocity since the last solve: in between, what else pushes has made a ripple, which
+    // tyres and dampers would take for a drift.
+    const double ripple = 0.5 * (h - substep.h());
+    frame.v = chassis.linear_velocity;
+    if (!car.carried) frame.v += car.other_a * -ripple;
+    frame.w = chassis.angular_velocity - car.other_alpha * ripple;
+    frame.next_v = frame.v + car.other_a * h;
+    frame.next_w = frame.w + car.other_alpha * h;
+    frame.h = h;
+    frame.time = (substep.index() + 0.5) * substep.h();
+    return frame;
+}
+
+// ---- where wheels touch ----
+
+// Of what tyres push, sideways or ahead, if all of them push alike.
+double inverse_mass_at(const Car& car, const Contact& contact) {
+    const auto along = [&](Vec3 direction) {
+        const Vec3 turn = cross(contact.arm, direction);
+        return 1 / car.mass + dot(turn, car.inverse_inertia * turn);
+    };
+    return maximum(along(contact.ahead), along(contact.aside)) *
+           static_cast<double>(car.wheels.size());
+}
+
+bool touch(const SubstepContext& substep, const Frame& frame, std::uint32_t index, Car& car,
+           Contact& contact) {
+    Ground& ground = car.grounds[index];
+    if (!ground.found) return false;
+    const Wheel& wheel = car.def.wheels[index];
+    const Rig& rig = car.rigs[index];
+    const Vec3 down = frame.axes * rig.down, normal = ground.normal;
+    const double facing = -dot(down, normal);
+    if (facing < 0.1) return false;
+    const Vec3 hub = frame.pose.position + frame.axes * wheel.attachment;
+    const Vec3 plane = ground.point + ground.velocity * frame.time;
+    // The suspension's length at which the wheel touches the plane.
+    const double length = (dot(hub - plane, normal) - ground.reach) / facing;
+    contact.pressed = wheel.suspension.longest - length;
+    if (contact.pressed <= 0) return false;
+
+    contact.wheel = index;
+    contact.normal = normal;
+    contact.lever = 1 / facing;
+    const Vec3 axle = frame.axes * rig.axle;
+    contact.ahead = normalized(cross(normal, axle), frame.axes * rig.ahead);
+    contact.aside = cross(contact.ahead, normal);
+    contact.arm = hub + down * length - frame.center;
+    if (wheel.crown > 0) {
+        // Round across: it touches at the side to which it leans.
+        const Vec3 rim = normalized(normal - axle * dot(axle, normal), -down);
+        contact.arm += rim * (wheel.crown - wheel.radius) - normal * wheel.crown;
+    } else {
+        contact.arm += normal * -ground.reach;
+    }
+    Vec3 below = ground.velocity;
+    const BodyId body = car.wheels[index].ground;
+    if (ground.dynamic && substep.contains(body))
+        below = substep.velocity_at(body, frame.center + contact.arm);
+    contact.velocity = frame.v + cross(frame.w, contact.arm) - below;
+    if (ground.inverse_mass == 0) ground.inverse_mass = inverse_mass_at(car, contact);
+    contact.inverse_mass = ground.inverse_mass;
+    return true;
+}
+
+void find_contacts(const SubstepContext& substep, const Frame& frame, Car& car,
+                   Contacts& contacts) {
+    for (std::uint32_t k = 0; k < car.wheels.size(); k++) {
+        WheelRun& run = car.wheels[k];
+        Contact& contact = contacts.all[contacts.count];
+        run.touches = touch(substep, frame, k, car, contact);
+        if (run.touches) {
+            contacts.count++;
+            run.travel = contact.pressed;
+            run.point = frame.center + contact.arm;
+            run.normal = contact.normal;
+            continue;
+        }
+        run.travel = run.load = run.ahead = run.aside = 0;
+        run.bend_ahead = run.bend_aside = 0;
+    }
+}
+
+// ---- how they turn and hold ----
+
+void prepare_spin(const Car& car, SpunWheels& wheels) {
+    const CarControls& controls = car.controls;
+    for (std::size_t k = 0; k < car.wheels.size(); k++) {
+        const Wheel& made = car.def.wheels[k];
+        const double pedal = maximum(controls.brake * made.brake_torque,
+                                     controls.hand_brake * made.hand_brake_torque);
+        const double brake = maximum(pedal, car.steering * made.steering_brake);
+        SpunWheel& wheel = wheels[k];
+        wheel.radius = made.radius;
+        wheel.inertia = made.inertia;
+        wheel.share = made.drive_share;
+        wheel.brake = brake;
+        wheel.force = wheel.slope = 0;
+        wheel.spin = car.wheels[k].spin;
+    }
+}
+
+// How the tyre answers if the wheel spins on, and how that changes with its spin.
+void bend_tread(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+    WheelRun& run = car.wheels[contact.wheel];
+    const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
+    contact.velocity_ahead = dot(contact.velocity, contact.ahead);
+    contact.velocity_aside = dot(contact.velocity, contact.aside);
+    Tread& tread = contact.tread =
+        tread_of(tyre, contact, run.friction, absolute(contact.velocity_ahead), frame.h);
+    const double slip = contact.velocity_ahead - spun.radius * run.spin;
+    run.bend_ahead = (run.bend_ahead - frame.h * slip) * tread.roll;
+    run.bend_aside = (run.bend_aside - frame.h * contact.velocity_aside) * tread.roll;
+    const double s2 = hold(tread, run.bend_ahead, run.bend_aside);
+    push_of(tread, run.bend_ahead, run.bend_aside, s2);
+    spun.force = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
+    spun.slope = spun.radius * (tread.secant_ahead * frame.h * tread.roll + tread.damping_ahead);
+    spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
+}
+
+// Once the wheel's new spin is known: bends the tread by it, and pushes at most as friction holds.
+// The spin then takes what the drive line counted on and the tyre did not give.
+void grip(const Frame& frame, Car& car, SpunWheel& spun, Contact& contact) {
+    WheelRun& run = car.wheels[contact.wheel];
+    const Tread& tread = contact.tread;
+    const double gained = spun.spin - run.spin;
+    const double counted = spun.force + spun.slope * gained;
+    const double slip = contact.velocity_ahead - spun.radius * spun.spin;
+    run.bend_ahead += frame.h * spun.radius * gained * tread.roll;
+    hold(tread, run.bend_ahead, run.bend_aside);
+    double ahead = tread.secant_ahead * run.bend_ahead - tread.damping_ahead * slip;
+    double aside =
+        tread.secant_aside * run.bend_aside - tread.damping_aside * contact.velocity_aside;
+    const double force2 = ahead * ahead + aside * aside;
+    if (force2 > tread.limit * tread.limit) {
+        const double less = tread.limit / square_root(force2);
+        ahead *= less;
+        aside *= less;
+    }
+    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - ahead) / spun.answers;
+    contact.force_ahead = run.ahead = ahead;
+    contact.force_aside = run.aside = aside;
+    run.load = contact.load;
+}
+
+void drive(const Frame& frame, Car& car, SpunWheels& wheels, Contacts& contacts) {
+    prepare_spin(car, wheels);
+    for (Contact& contact : contacts) bend_tread(frame, car, wheels[contact.wheel], contact);
+    solve_drive_line(car, frame.h, wheels);
+    for (Contact& contact : contacts) grip(frame, car, wheels[contact.wheel], contact);
+}
+
+// ---- what comes of it ----
+
+struct Push {
+    Vec3 impulse = {}, turn = {};  // N s, N m s about the centre of mass
+};
+
+void push_ground(SubstepContext& substep, const Frame& frame, const Contact& contact, Vec3 impulse,
+                 Car& car) {
+    Ground& ground = car.grounds[contact.wheel];
+    if (!ground.dynamic) return;
+    const BodyId body = car.wheels[contact.wheel].ground;
+    if (!substep.add_impulse(body, -impulse, frame.center + contact.arm)) ground.pushed += -impulse;
+}
+
+void push_by_wheels(SubstepContext& substep, const Frame& frame, Contacts& contacts, Car& car,
+                    Push& push) {
+    for (const Contact& contact : contacts) {
+        const Vec3 impulse = (contact.normal * contact.load + contact.ahead * contact.force_ahead +
+                              contact.aside * contact.force_aside) *
+                             frame.h;
+        push.impulse += impulse;
+        push.turn += cross(contact.arm, impulse);
+        push_ground(substep, frame, contact, impulse, car);
+    }
+}
+
+// Wheels take their spin from the chassis and leave it there.
+void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& push) {
+    constexpr double turn = 2 * pi;
+    Vec3 left{};
+    for (std::size_t k = 0; k < car.wheels.size(); k++) {
+        WheelRun& run = car.wheels[k];
+        left += car.rigs[k].axle * (wheels[k].inertia * (wheels[k].spin - run.spin));
+        run.spin = wheels[k].spin;
+        run.angle += run.spin * frame.h;
+        if (run.angle < 0 || run.angle > turn) run.angle -= turn * std::floor(run.angle / turn);
+    }
+    push.turn += frame.axes * left;
+}
+
+void push_by_air(const Frame& frame, const Car& car, Push& push) {
+    const Aerodynamics& air = car.def.aerodynamics;
+    const double speed = length(frame.v), flow = 0.5 * air.density * speed * frame.h;
+    const double drag = flow * air.drag_area;
+    push.impulse += frame.v * (-drag / (1 + drag / car.mass));
+    const double press = flow * speed * air.downforce_area;
+    push.impulse += frame.axes.y * -minimum(press, 100 * car.mass * frame.h);
+}
+
+}  // namespace
+
+// A solve for several sub-steps pushes at their start by all that they need: that is the symplectic
+// Euler method with the longer step. Only what carries the car against what else pushes it, the
+// same all the time, is pushed sub-step by sub-step: who stands still has no velocity then.
+void step_car(SubstepContext& substep, Car& car) {
+    const int hold_for = held(substep, car);
+    const BodyId chassis = car.def.chassis;
+    if (substep.index() % hold_for != 0) {
+        if (car.carried) substep.add_impulse(chassis, car.carry, substep.body(chassis).center);
+        return;
+    }
+    const int left = substep.count() - substep.index(), steps = left < hold_for ? left : hold_for;
+    const Frame frame = frame_of(substep, steps * substep.h(), car);
+    Contacts contacts;
+    find_contacts(substep, frame, car, contacts);
+    solve_loads(car, frame, contacts);
+    SpunWheels wheels;
+    drive(frame, car, wheels, contacts);
+
+    Push push;
+    push_by_wheels(substep, frame, contacts, car, push);
+    turn_wheels(frame, wheels, car, push);
+    push_by_air(frame, car, push);
+    push.turn += balance_by_feet(frame, car);
+    car.carried = contacts.count > 0;
+    car.carry = car.carried ? car.other_a * (-car.mass * substep.h()) : Vec3{};
+    substep.add_impulse(chassis, push.impulse - car.carry * (steps - 1), frame.center);
+    substep.add_angular_impulse(chassis, push.turn);
+    car.expected_v += push.impulse * (1 / car.mass);
+    car.expected_w += car.inverse_inertia * push.turn;
+    car.speed = -dot(frame.v, frame.axes.z);
+}
+
+}  // namespace jostle::modules::vehicle_detail

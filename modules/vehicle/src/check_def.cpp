@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "check_def.h"
+
+#include <cstdio>
+
+namespace jostle::modules::vehicle_detail {
+
+using namespace physics;
+
+namespace {
+
+// Keeps the first fault.
+class Check {
+public:
+    void number(const char* name, double value, double low, double high) {
+        if (value >= low && value <= high) return;
+        char text[96];
+        std::snprintf(text, sizeof text, " is %.10g; it must be from %.10g to %.10g", value, low,
+                      high);
+        fail(std::string(name) + text);
+    }
+    void vector(const char* name, Vec3 value, double most) {
+        number(name, value.x, -most, most);
+        number(name, value.y, -most, most);
+        number(name, value.z, -most, most);
+    }
+    void that(bool holds, const char* complaint) {
+        if (!holds) fail(complaint);
+    }
+    void enter(const char* list, std::size_t index) {
+        path_ = std::string(list) + "[" + std::to_string(index) + "].";
+    }
+    void enter(const char* part) { path_ = std::string(part) + "."; }
+    void leave() { path_.clear(); }
+    std::string fault() const { return fault_; }
+
+private:
+    void fail(const std::string& what) {
+        if (fault_.empty()) fault_ = path_ + what;
+    }
+    std::string path_, fault_;
+};
+
+void check_tyre(const Tyre& tyre, Check& check) {
+    check.number("tyre.friction", tyre.friction, 0, 10);
+    check.number("tyre.longitudinal_stiffness", tyre.longitudinal_stiffness, 1, 100);
+    check.number("tyre.cornering_stiffness", tyre.cornering_stiffness, 1, 100);
+    check.number("tyre.relaxation_length", tyre.relaxation_length, 0.02, 3);
+    check.number("tyre.damping", tyre.damping, 0, 2);
+    check.number("tyre.rolling_resistance", tyre.rolling_resistance, 0, 0.5);
+    check.number("tyre.friction_rule", static_cast<double>(tyre.friction_rule), 0,
+                 static_cast<double>(Combine::maximum));
+}
+
+void check_suspension(const Suspension& suspension, Check& check) {
+    check.number("suspension.shortest", suspension.shortest, -10, 10);
+    check.number("suspension.longest", suspension.longest, -10, 10);
+    check.that(suspension.longest - suspension.shortest >= 1e-3,
+               "suspension.longest is less than a millimetre above suspension.shortest");
+    check.number("suspension.frequency", suspension.frequency, 0.1, 100);
+    check.number("suspension.damping", suspension.damping, 0, 10);
+    check.number("suspension.preload", suspension.preload, 0, 1e7);
+}
+
+void check_wheel(const Wheel& wheel, Check& check) {
+    check.vector("attachment", wheel.attachment, 100);
+    check.vector("down", wheel.down, 1e3);
+    check.vector("axle", wheel.axle, 1e3);
+    check.that(length(wheel.down) > 1e-6, "down has no length");
+    check.that(length(wheel.axle) > 1e-6, "axle has no length");
+    check.that(
+        absolute(dot(wheel.down, wheel.axle)) < 1e-3 * length(wheel.down) * length(wheel.axle),
+        "axle is not square to down");
+    check.number("radius", wheel.radius, 0.02, 10);
+    check.number("width", wheel.width, 0.01, 10);
+    check.number("inertia", wheel.inertia, 0.001, 1e5);
+    check.number("steering_most", wheel.steering_most, -1.4, 1.4);
+    check.number("drive_share", wheel.drive_share, 0, 1);
+    check.number("brake_torque", wheel.brake_torque, 0, 1e7);
+    check.number("hand_brake_torque", wheel.hand_brake_torque, 0, 1e7);
+    check.number("steering_brake", wheel.steering_brake, -1e7, 1e7);
+    check.number("crown", wheel.crown, 0, wheel.radius);
+    check_suspension(wheel.suspension, check);
+    check_tyre(wheel.tyre, check);
+}
+
+void check_wheels(const VehicleDef& def, Check& check) {
+    check.number("wheels", static_cast<double>(def.wheels.size()), 1, wheels_max);
+    double share = 0;
+    for (std::size_t k = 0; k < def.wheels.size(); k++) {
+        check.enter("wheels", k);
+        check_wheel(def.wheels[k], check);
+        share += def.wheels[k].drive_share;
+    }
+    check.leave();
+    check.that(absolute(share) < 1e-6 || absolute(share - 1) < 1e-6,
+               "drive shares of all wheels are neither 0 nor 1 in sum");
+}
+
+void check_bars(const VehicleDef& def, Check& check) {
+    check.number("anti_roll_bars", static_cast<double>(def.anti_roll_bars.size()), 0, bars_max);
+    const double last = static_cast<double>(def.wheels.size()) - 1;
+    for (std::size_t k = 0; k < def.anti_roll_bars.size(); k++) {
+        const AntiRollBar& bar = def.anti_roll_bars[k];
+        check.enter("anti_roll_bars", k);
+        check.number("left", bar.left, 0, last);
+        check.number("right", bar.right, 0, last);
+        check.that(bar.left != bar.right, "left and right are the same wheel");
+        check.number("stiffness", bar.stiffness, 0, 1e7);
+    }
+    check.leave();
+}
+
+void check_couplings(const VehicleDef& def, Check& check) {
+    check.number("couplings", static_cast<double>(def.couplings.size()), 0, couplings_max);
+    for (std::size_t k = 0; k < def.couplings.size(); k++) {
+        const Coupling& coupling = def.couplings[k];
+        check.enter("couplings", k);
+        std::array<bool, wheels_max> taken{};
+        for (const auto* group : {&coupling.first, &coupling.second}) {
+            check.number("wheels", static_cast<double>(group->size()), 1, wheels_max - 1);
+            for (const std::uint32_t wheel : *group) {
+                const bool known = wheel < def.wheels.size() && wheel < wheels_max;
+                check.that(known, "names a wheel that there is not");
+                if (!known) return;
+                check.that(!taken[wheel], "names a wheel twice");
+                taken[wheel] = true;
+            }
+        }
+        check.number("kind", static_cast<double>(coupling.kind), 0, 1);
+        check.number("preload", coupling.preload, 0, 1e7);
+        check.number("ratio", coupling.ratio, 0, 10);
+    }
+    check.leave();
+}
+
+void check_engine(const Engine& engine, Check& check) {
+    check.enter("engine");
+    check.number("curve", static_cast<double>(engine.curve.size()), 1, curve_points_max);
+    double before = -1;
+    for (const TorquePoint& point : engine.curve) {
+        check.number("curve.speed", point.speed, 0, 1e4);
+        check.number("curve.torque", point.torque, -1e6, 1e6);
+        check.that(point.speed > before, "curve.speed does not rise");
+        before = point.speed;
+    }
+    check.number("inertia", engine.inertia, 0.001, 1e5);
+    check.number("idle", engine.idle, 1, 5000);
+    check.number("most", engine.most, 1, 1e4);
+    check.that(engine.most > engine.idle, "most is not above idle");
+    check.number("friction", engine.friction, 0, 1e4);
+    check.leave();
+}
+
+void check_gearbox(const Gearbox& gearbox, Check& check) {
+    check.enter("gearbox");
+    check.number("ahead", static_cast<double>(gearbox.ahead.size()), 1, gears_max);
+    for (const double ratio : gearbox.ahead) check.number("ahead", ratio, 0.01, 1000);
+    check.number("reverse", gearbox.reverse, 0.01, 1000);
+    check.number("final_ratio", gearbox.final_ratio, 0.01, 1000);
+    check.number("efficiency", gearbox.efficiency, 0.1, 1);
+    check.number("shift_time", gearbox.shift_time, 0, 10);
+    check.number("shift_pause", gearbox.shift_pause, 0, 100);
+    check.number("up_at", gearbox.up_at, 0, 1e4);
+    check.number("down_at", gearbox.down_at, 0, 1e4);
+    check.that(gearbox.down_at < gearbox.up_at, "down_at is not below up_at");
+    check.number("clutch_torque", gearbox.clutch_torque, 1, 1e7);
+    check.leave();
+}
+
+void check_air(const VehicleDef& def, Check& check) {
+    check.enter("aerodynamics");
+    check.number("drag_area", def.aerodynamics.drag_area, 0, 1000);
+    check.number("downforce_area", def.aerodynamics.downforce_area, 0, 1000);
+    check.number("density", def.aerodynamics.density, 0, 2000);
+    check.leave();
+    check.enter("balance");
+    check.number("lean_most", def.balance.lean_most, 0, 1.2);
+    check.number("frequency", def.balance.frequency, 0.1, 5);
+    check.number("feet_below", def.balance.feet_below, 0, 20);
+    check.leave();
+    check.number("cast", static_cast<double>(def.cast), 0,
+                 static_cast<double>(WheelCast::cylinder));
+    check.number("steering_rate", def.steering_rate, 0.01, 1000);
+    check.number("rate", def.rate, 10, 1e5);
+}
+
+bool is_unit(Vec3 axis) {
+    return absolute(length_squared(axis) - 1) < 1e-9;
+}
+
+void check_run(const WheelRun& run, Check& check) {
+    check.number("stiffness", run.stiffness, 0, 1e15);
+    check.number("damping", run.damping, 0, 1e15);
+    check.number("spin", run.spin, -1e5, 1e5);
+    check.number("angle", run.angle, 0, 7);
+    check.number("bend_ahead", run.bend_ahead, -1e3, 1e3);
+    check.number("bend_aside", run.bend_aside, -1e3, 1e3);
+    check.number("travel", run.travel, 0, 1e4);
+    check.number("load", run.load, 0, 1e30);
+    check.number("ahead", run.ahead, -1e30, 1e30);
+    check.number("aside", run.aside, -1e30, 1e30);
+    check.number("friction", run.friction, 0, 100);
+    check.vector("point", run.point, 1e8);
+    check.vector("normal", run.normal, 1.001);
+}
+
+}  // namespace
+
+std::string fault_of(const VehicleDef& def) {
+    Check check;
+    check_wheels(def, check);
+    check_bars(def, check);
+    check_couplings(def, check);
+    check_engine(def.engine, check);
+    check_gearbox(def.gearbox, check);
+    check_air(def, check);
+    return check.fault();
+}
+
+std::string fault_of(const CarControls& controls) {
+    Check check;
+    check.number("throttle", controls.throttle, 0, 1);
+    check.number("brake", controls.brake, 0, 1);
+    check.number("hand_brake", controls.hand_brake, 0, 1);
+    check.number("steering", controls.steering, -1, 1);
+    check.number("clutch", controls.clutch, 0, 1);
+    check.number("gear", controls.gear, -1, gears_max);
+    return check.fault();
+}
+
+std::string fault_of(const Pilot& pilot) {
+    Check check;
+    check.enter("pilot");
+    check.vector("center", pilot.center, 1e7);
+    check.number("radius", pilot.radius, 4, 1e4);
+    check.number("speed", pilot.speed, 0, 200);
+    return check.fault();
+}
+
+std::string fault_of(const Car& car) {
+    for (const std::string& fault :
+         {fault_of(car.def), fault_of(car.controls), fault_of(car.pilot)})
+        if (!fault.empty()) return fault;
+    Check check;
+    check.that(car.wheels.size() == car.def.wheels.size(), "wheels have another number of states");
+    for (const Wheel& wheel : car.def.wheels)
+        check.that(is_unit(wheel.down) && is_unit(wheel.axle),
+                   "wheels have axes that are not unit");
+    for (std::size_t k = 0; k < car.wheels.size(); k++) {
+        check.enter("wheels", k);
+        check_run(car.wheels[k], check);
+    }
+    check.leave();
+    check.number("steering", car.steering, -1, 1);
+    check.number("engine_speed", car.engine_speed, 0, 1e5);
+    check.number("engine_torque", car.engine_torque, -1e12, 1e12);
+    check.number("clutch_torque", car.clutch_torque, -1e12, 1e12);
+    check.number("gear", car.gear, -1, static_cast<double>(car.def.gearbox.ahead.size()));
+    check.number("shift_left", car.shift_left, 0, 10);
+    check.number("pause_left", car.pause_left, 0, 120);
+    check.number("speed", car.speed, -1e6, 1e6);
+    check.vector("expected_v", car.expected_v, 1e6);
+    check.vector("expected_w", car.expected_w, 1e6);
+    check.vector("other_a", car.other_a, 1e5);
+    check.vector("other_alpha", car.other_alpha, 1e5);
+    return check.fault();
+}
+
+}  // namespace jostle::modules::vehicle_detail

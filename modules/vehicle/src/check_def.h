@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether a car can be made of a definition, or goes on from saved fields: both are foreign.
+#pragma once
+
+#include <string>
+
+#include "car.h"
+#include "jostle/physics/result.h"
+
+namespace jostle::modules::vehicle_detail {
+
+// Empty: it can; else "wheels[2].radius is 0; it must be from 0.02 to 10".
+std::string fault_of(const VehicleDef& def);
+std::string fault_of(const CarControls& controls);
+std::string fault_of(const Pilot& pilot);
+std::string fault_of(const Car& car);
+
+}  // namespace jostle::modules::vehicle_detail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Engine, clutch, gearbox, differentials, brakes and the spin of all wheels, with how tyres answer
+// to it, as one implicit linear system per sub-step.
+#pragma once
+
+#include "car.h"
+
+namespace jostle::modules::vehicle_detail {
+
+// A wheel as the drive line sees it.
+struct SpunWheel {
+    double radius, inertia, share;
+    double brake;    // N m that hold it, at most
+    double force;    // N of its tyre ahead if it spins on as it does
+    double slope;    // N s/rad by which that grows with its spin
+    double spin;     // rad/s; becomes that at the end of the sub-step
+    double answers;  // kg m^2 that a change of its tyre's force meets
+};
+using SpunWheels = std::array<SpunWheel, wheels_max>;
+
+// Also moves the engine on.
+void solve_drive_line(Car& car, double h, SpunWheels& wheels);
+
+// Engine speed per wheel speed; 0: neutral or between two gears.
+double ratio_now(const Car& car);
+double mean_driven_spin(const Car& car);
+double torque_at(const Engine& engine, double speed);
+
+}  // namespace jostle::modules::vehicle_detail

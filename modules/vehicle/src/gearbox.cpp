@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "gearbox.h"
+
+#include "drive_line.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using namespace physics;
+
+namespace {
+
+constexpr double slow = 1.5;  // m/s below which an automatic changes its direction
+
+void shift(Car& car, std::int32_t gear) {
+    if (gear == car.gear) return;
+    car.gear = gear;
+    car.shift_left = car.def.gearbox.shift_time;
+    car.pause_left = car.shift_left + car.def.gearbox.shift_pause;
+}
+
+// Whether the clutch holds: else the engine's speed says nothing about the gear.
+bool is_in_gear(const Car& car) {
+    const double driven = ratio_now(car) * mean_driven_spin(car);
+    return absolute(car.engine_speed - driven) < 0.05 * car.engine_speed;
+}
+
+std::int32_t next_ahead(const Car& car) {
+    const Gearbox& gearbox = car.def.gearbox;
+    if (car.gear < 1) return absolute(car.speed) < slow || car.speed > 0 ? 1 : 0;
+    const auto top = static_cast<std::int32_t>(gearbox.ahead.size());
+    if (car.engine_speed < gearbox.down_at && car.gear > 1) {
+        // Slow wheels have let the clutch go: straight to where it takes again.
+        return car.gear - 1;
+    }
+    if (!is_in_gear(car)) return car.gear;
+    if (car.engine_speed > gearbox.up_at && car.gear < top) return car.gear + 1;
+    return car.gear;
+}
+
+std::int32_t wanted(const Car& car) {
+    const std::int32_t asked = car.controls.gear;
+    const auto top = static_cast<std::int32_t>(car.def.gearbox.ahead.size());
+    if (!car.def.gearbox.automatic) return asked > top ? top : asked;
+    if (asked == 0) return 0;
+    if (asked < 0) return car.speed < slow ? -1 : 0;
+    if (car.pause_left > 0 && car.gear > 0) return car.gear;
+    return next_ahead(car);
+}
+
+}  // namespace
+
+void choose_gear(Car& car, double dt) {
+    car.shift_left = maximum(car.shift_left - dt, 0);
+    car.pause_left = maximum(car.pause_left - dt, 0);
+    if (car.shift_left > 0) return;
+    shift(car, wanted(car));
+}
+
+}  // namespace jostle::modules::vehicle_detail

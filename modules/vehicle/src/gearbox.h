@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// Which gear: once a step.
+#pragma once
+
+#include "car.h"
+
+namespace jostle::modules::vehicle_detail {
+
+void choose_gear(Car& car, double dt);
+
+}  // namespace jostle::modules::vehicle_detail

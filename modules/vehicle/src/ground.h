@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// Where each wheel meets the ground: once a step, where the chassis will be in its middle.
+#pragma once
+
+#include "car.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::modules::vehicle_detail {
+
+void look_for_ground(const physics::World& world, const physics::Queries& queries,
+                     const physics::BodyState& chassis, double dt, Car& car);
+
+}  // namespace jostle::modules::vehicle_detail

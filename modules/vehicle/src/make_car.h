@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+//
+// A car as it is added: its axes are unit, its springs fit what rests on them.
+#pragma once
+
+#include "car.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::modules::vehicle_detail {
+
+Car make_car(const VehicleDef& def, const physics::BodyState& chassis, Vec3 gravity);
+
+}  // namespace jostle::modules::vehicle_detail

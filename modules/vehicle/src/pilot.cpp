@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "pilot.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using namespace physics;
+
+namespace {
+
+double wheel_base(const VehicleDef& def) {
+    double front = 1e9, rear = -1e9;
+    for (const Wheel& wheel : def.wheels) {
+        front = minimum(front, wheel.attachment.z);
+        rear = maximum(rear, wheel.attachment.z);
+    }
+    return rear - front;
+}
+
+double full_lock(const VehicleDef& def) {
+    double most = 0.01;
+    for (const Wheel& wheel : def.wheels) most = maximum(most, wheel.steering_most);
+    return most;
+}
+
+}  // namespace
+
+// Towards the circle's tangent, and to it where the car is off it.
+CarControls pilot_controls(const Car& car, const BodyState& chassis) {
+    const Pilot& pilot = car.pilot;
+    const Vec3 out{chassis.center.x - pilot.center.x, 0, chassis.center.z - pilot.center.z};
+    const double distance = length(out);
+    const Vec3 radial = distance > 0.1 ? out / distance : Vec3{1, 0, 0};
+    const Vec3 along{radial.z, 0, -radial.x};
+    const Vec3 course = normalized(along - radial * clamp((distance - pilot.radius) / 10, -1, 1));
+    const Vec3 ahead = rotate(chassis.pose.rotation, {0, 0, -1});
+    const double left = cross(ahead, course).y;
+    const double off = dot(ahead, course) < 0 ? (left < 0 ? -1 : 1) : left;
+    const double angle = off + wheel_base(car.def) / pilot.radius;
+
+    CarControls controls = car.controls;
+    controls.steering = clamp(-angle / full_lock(car.def), -1, 1);
+    const double slow = pilot.speed - car.speed;
+    controls.throttle = clamp(0.15 + 0.3 * slow, 0, 1);
+    controls.brake = clamp(-0.2 * (slow + 1), 0, 1);
+    controls.hand_brake = 0;
+    controls.clutch = 0;
+    if (controls.gear < 1) controls.gear = 1;
+    return controls;
+}
+
+}  // namespace jostle::modules::vehicle_detail

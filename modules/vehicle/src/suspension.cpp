@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+//
+// Soft rows (Catto, "Soft constraints", 2011) of which the solver may choose how implicit they are.
+// With W = J M^-1 J^T, v the velocity at the end of the sub-step without the loads, and x how far
+// springs are pressed in now,
+//
+//     N = k x - (c + theta h k) (v + h W N)
+//
+// theta = z^2 / (4 + z^2), z^2 = h^2 k W: next to nothing for a soft spring, which then keeps its
+// frequency and its energy to second order, and 1 for a stiff one, which is then damped out. It is
+// stable from theta = 1/2 on, or below z = 2, and that is where 1/2 is reached. One row of it:
+// x' = x + h v', v' = (v - h k x W) / (1 + theta z^2) has determinant 1 / D and trace 1 + 1 / D -
+// z^2 / D with D = 1 + theta z^2.
+#include "suspension.h"
+
+#include "small_solve.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using namespace physics;
+
+namespace {
+
+constexpr double stop_stiffness = 30;  // of the spring's: what a wheel that is pressed in meets
+
+struct Row {
+    double push;      // N of the spring now
+    double resists;   // N s/m: c + theta h k
+    double velocity;  // m/s at the end of the sub-step if it bears nothing
+    bool bears;
+};
+struct Rows {
+    std::array<Row, wheels_max> of;
+    std::array<std::array<double, wheels_max>, wheels_max> w;  // the lower half
+};
+
+double bar_stiffness(const Car& car, std::uint32_t wheel) {
+    double stiffness = 0;
+    for (const AntiRollBar& bar : car.def.anti_roll_bars)
+        if (bar.left == wheel || bar.right == wheel) stiffness += bar.stiffness;
+    return stiffness;
+}
+
+// N along the suspension.
+double bar_push(const Car& car, std::uint32_t wheel) {
+    double push = 0;
+    for (const AntiRollBar& bar : car.def.anti_roll_bars) {
+        if (bar.left != wheel && bar.right != wheel) continue;
+        const std::uint32_t other = bar.left == wheel ? bar.right : bar.left;
+        push += bar.stiffness * (car.wheels[wheel].travel - car.wheels[other].travel);
+    }
+    return push;
+}
+
+void couple(const Car& car, const Contacts& contacts, Rows& rows) {
+    const double inverse_mass = 1 / car.mass;
+    for (std::size_t i = 0; i < contacts.count; i++) {
+        const Contact& a = contacts.all[i];
+        const Vec3 spin = car.inverse_inertia * cross(a.arm, a.normal);
+        const Vec3 along = a.normal * inverse_mass;
+        for (std::size_t j = 0; j <= i; j++) {
+            const Contact& b = contacts.all[j];
+            rows.w[i][j] = dot(b.normal, along + cross(spin, b.arm));
+        }
+    }
+}
+
+Row make_row(const Car& car, const Frame& frame, const Contact& contact, double w) {
+    const WheelRun& wheel = car.wheels[contact.wheel];
+    const Suspension& suspension = car.def.wheels[contact.wheel].suspension;
+    double stiffness = wheel.stiffness, damping = wheel.damping;
+    double push = suspension.preload + stiffness * contact.pressed;
+    const double too_far = contact.pressed - (suspension.longest - suspension.shortest);
+    if (too_far > 0) {
+        const double stop = stop_stiffness * wheel.stiffness;
+        push += stop * too_far;
+        stiffness += stop;
+        damping = maximum(damping, 2 * square_root(stop / w));  // critical
+    }
+    if (!car.def.anti_roll_bars.empty()) {
+        push += bar_push(car, contact.wheel);
+        stiffness += 2 * bar_stiffness(car, contact.wheel);
+    }
+    const double lever2 = contact.lever * contact.lever;
+    const double z2 = frame.h * frame.h * stiffness * lever2 * w;
+    const double theta = z2 / (4 + z2);
+    Row row;
+    row.bears = true;
+    row.push = contact.lever * push;
+    row.resists = maximum(lever2 * (damping + theta * frame.h * stiffness), 1e-9);
+    const Vec3 other = (frame.next_v - frame.v) + cross(frame.next_w - frame.w, contact.arm);
+    row.velocity = dot(contact.velocity + other, contact.normal);
+    return row;
+}
+
+// (1 / B + h W) N = push / B - v, of those that bear.
+void solve(const Frame& frame, const Rows& rows, Contacts& contacts) {
+    SmallSystem<wheels_max> system;
+    std::array<std::size_t, wheels_max> bearing;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < contacts.count; i++)
+        if (rows.of[i].bears) bearing[count++] = i;
+    system.size = count;
+    for (std::size_t i = 0; i < count; i++) {
+        const Row& row = rows.of[bearing[i]];
+        for (std::size_t j = 0; j <= i; j++)
+            system.a[i][j] = frame.h * rows.w[bearing[i]][bearing[j]];
+        system.a[i][i] += 1 / row.resists;
+        system.b[i] = row.push / row.resists - row.velocity;
+    }
+    system.solve();
+    for (Contact& contact : contacts) contact.load = 0;
+    for (std::size_t i = 0; i < count; i++) contacts.all[bearing[i]].load = system.b[i];
+}
+
+}  // namespace
+
+void solve_loads(const Car& car, const Frame& frame, Contacts& contacts) {
+    if (contacts.count == 0) return;
+    Rows rows;
+    couple(car, contacts, rows);
+    for (std::size_t i = 0; i < contacts.count; i++)
+        rows.of[i] = make_row(car, frame, contacts.all[i], rows.w[i][i]);
+    // Who would pull bears nothing; at most all of them, one after the other.
+    for (std::size_t round = 0; round < contacts.count; round++) {
+        solve(frame, rows, contacts);
+        bool pulls = false;
+        for (std::size_t i = 0; i < contacts.count; i++)
+            if (contacts.all[i].load < 0) {
+                rows.of[i].bears = false;
+                pulls = true;
+            }
+        if (!pulls) return;
+    }
+    for (Contact& contact : contacts) contact.load = maximum(contact.load, 0);
+}
+
+}  // namespace jostle::modules::vehicle_detail

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// The brush tyre: how hard a bent tread pushes, and how slip bends it.
+//
+// The bend u of the tread, m, against the slip velocity v_s and rolling at v (Pacejka 7.2.1, the
+// single contact point):
+//
+//     du/dt = -v_s - |v| u / length            at rest: u = -v_s length / |v|, the slip
+//
+// is solved implicitly. At standstill it is a spring that stays where it is: the car does not
+// creep. The force is that of brushes with a parabolic pressure (Pacejka 3.2.1),
+//
+//     F = mu N (3 s - 3 s^2 + s^3),   s = C |u| / (3 mu length),   C force per load and slip
+//
+// and mu N from s = 1 on. Beyond s = 1 the tread is not bent further. It pushes along
+// (C_x u_x, C_y u_y) while it sticks and against the slip once it slides. A tread that does not
+// roll sticks all along: F = mu N min(3 s, 1), and is bent a third as far. In between the two are
+// mixed by speed.
+#pragma once
+
+#include "car.h"
+
+namespace jostle::modules::vehicle_detail {
+
+inline constexpr double rolls_at = 1;  // m/s from which a tread rolls: its contact patch renews
+
+// N s/m of a tread that stands, as much as a sub-step bears.
+inline double tread_damping(double ratio, double stiffness, double inverse_mass, double rolls,
+                            double h) {
+    if (rolls >= 1 || stiffness <= 0) return 0;
+    const double c = 2 * ratio * physics::square_root(stiffness / inverse_mass) * (1 - rolls);
+    return c / (1 + h * c * inverse_mass);
+}
+
+// For a sub-step in which it rolls at `speed`, m/s.
+inline Tread tread_of(const Tyre& tyre, const Contact& contact, double friction, double speed,
+                      double h) {
+    Tread tread;
+    tread.limit = friction * contact.load;
+    tread.rolls = physics::minimum(speed / rolls_at, 1);
+    const double per_length = 1 / tyre.relaxation_length;
+    tread.roll = 1 / (1 + h * speed * per_length);
+    const double k_ahead = contact.load * tyre.longitudinal_stiffness * per_length,
+                 k_aside = contact.load * tyre.cornering_stiffness * per_length;
+    tread.damping_ahead =
+        tread_damping(tyre.damping, k_ahead, contact.inverse_mass, tread.rolls, h);
+    tread.damping_aside =
+        tread_damping(tyre.damping, k_aside, contact.inverse_mass, tread.rolls, h);
+    // Where a tread is too stiff for the sub-step it gives way; suspension.cpp says how.
+    const double z2 = h * h * physics::maximum(k_ahead, k_aside) * contact.inverse_mass;
+    const double gives = (4 + z2) / (4 + z2 + z2 * z2);
+    const double scale = gives * per_length / (3 * physics::maximum(friction, 1e-9));
+    tread.bend_ahead = tyre.longitudinal_stiffness * scale;
+    tread.bend_aside = tyre.cornering_stiffness * scale;
+    return tread;
+}
+
+// Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
+inline double hold(const Tread& tread, double& ahead, double& aside) {
+    const double x = tread.bend_ahead * ahead, y = tread.bend_aside * aside;
+    const double most = (1 + 2 * tread.rolls) / 3, s2 = x * x + y * y;
+    if (s2 <= most * most) return s2;
+    const double less = most / physics::square_root(s2);
+    ahead *= less;
+    aside *= less;
+    return most * most;
+}
+
+// Fills in how hard it pushes per bend. Below `sticks` of its most, squared, it sticks.
+inline void push_of(Tread& tread, double ahead, double aside, double s2) {
+    constexpr double sticks = 0.05;
+    const double s = physics::square_root(s2);
+    double secant = tread.limit * (3 - 3 * s + s2);
+    if (tread.rolls < 1) {
+        const double standing = tread.limit * (s > 1.0 / 3 ? 1 / s : 3);
+        secant = tread.rolls * secant + (1 - tread.rolls) * standing;
+    }
+    tread.secant_ahead = secant * tread.bend_ahead;
+    tread.secant_aside = secant * tread.bend_aside;
+    const double most = (1 + 2 * tread.rolls) / 3, share = s2 / (most * most);
+    if (share <= sticks) return;
+    const double slides = (share - sticks) / (1 - sticks);
+    const double bend2 = ahead * ahead + aside * aside;
+    const double against = secant * slides * physics::square_root(s2 / bend2);
+    tread.secant_ahead += against - slides * tread.secant_ahead;
+    tread.secant_aside += against - slides * tread.secant_aside;
+}
+
+}  // namespace jostle::modules::vehicle_detail

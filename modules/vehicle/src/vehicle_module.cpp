@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+//
+// Vehicles as a module: saved, made by scenes, seen by clients.
+#include <algorithm>
+
+#include "check_def.h"
+#include "jostle/modules/settings.h"
+#include "jostle/modules/vehicle.h"
+#include "jostle/physics/world.h"
+#include "visit_car.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace vehicle_detail;
+
+namespace {
+
+constexpr std::size_t scene_cars = 16;
+
+std::string name_of(std::size_t car) {
+    return car == 0 ? "car" : "car" + std::to_string(car + 1);
+}
+
+// What a scene says of all its cars.
+struct SceneCars {
+    SaloonDef saloon;
+    double power = 1, cast = 2;
+    CarControls controls;
+    Pilot pilot{.center = {}, .radius = 0, .speed = 10};
+    std::array<BodyId, scene_cars> bodies;
+};
+
+Status read(const ModuleSettings& given, SceneCars& cars) {
+    SettingsReader settings(given);
+    Wheel& wheel = cars.saloon.wheel;
+    settings.number("track", cars.saloon.track, 0.1, 20);
+    settings.number("wheel_base", cars.saloon.wheel_base, 0.1, 50);
+    settings.number("height", cars.saloon.height, -10, 10);
+    settings.number("radius", wheel.radius, 0.02, 10);
+    settings.number("width", wheel.width, 0.01, 10);
+    settings.number("shortest", wheel.suspension.shortest, -10, 10);
+    settings.number("longest", wheel.suspension.longest, -10, 10);
+    settings.number("frequency", wheel.suspension.frequency, 0.1, 100);
+    settings.number("damping", wheel.suspension.damping, 0, 10);
+    settings.number("friction", wheel.tyre.friction, 0, 10);
+    settings.number("front_drive", cars.saloon.front_drive, 0, 1);
+    settings.number("steering_most", cars.saloon.steering_most, 0, 1.4);
+    settings.number("anti_roll", cars.saloon.anti_roll, 0, 1e7);
+    settings.number("power_scale", cars.power, 0, 100);
+    settings.number("cast", cars.cast, 0, 2);
+    settings.number("throttle", cars.controls.throttle, 0, 1);
+    settings.number("brake", cars.controls.brake, 0, 1);
+    settings.number("steering", cars.controls.steering, -1, 1);
+    settings.number("pilot_radius", cars.pilot.radius, 4, 1e4);
+    settings.number("pilot_speed", cars.pilot.speed, 0, 200);
+    for (std::size_t k = 0; k < scene_cars; k++) settings.body(name_of(k), cars.bodies[k]);
+    return settings.finish();
+}
+
+VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
+    SaloonDef of = cars.saloon;
+    of.chassis = chassis;
+    VehicleDef def = saloon(of);
+    for (TorquePoint& point : def.engine.curve) point.torque *= cars.power;
+    def.cast = cars.cast < 0.5   ? WheelCast::ray
+               : cars.cast < 1.5 ? WheelCast::sphere
+                                 : WheelCast::cylinder;
+    return def;
+}
+
+void publish_wheel(const Wheel& wheel, const WheelRun& run, double angle, ChunkWriter& chunk) {
+    chunk.quantized(wheel.radius, 0, 2, 1);
+    chunk.quantized(wheel.width, 0, 1, 1);
+    const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);
+    for (const double x : {center.x, center.y, center.z}) chunk.quantized(x, -8, 8, 2);
+    const double limit = run.friction * run.load;
+    const bool slides =
+        run.touches && run.ahead * run.ahead + run.aside * run.aside > 0.9 * limit * limit;
+    chunk.u8(static_cast<std::uint8_t>((run.touches ? 1 : 0) + (slides ? 2 : 0)));
+    chunk.quantized(run.angle, 0, 2 * pi, 2);
+    chunk.quantized(run.spin, -400, 400, 2);
+    chunk.quantized(angle, -pi / 2, pi / 2, 2);
+}
+
+}  // namespace
+
+VehicleDef saloon(const SaloonDef& def) {
+    VehicleDef made{.chassis = def.chassis};
+    for (int k = 0; k < 4; k++) {
+        const bool front = k < 2, left = k % 2 == 0;
+        Wheel wheel = def.wheel;
+        wheel.attachment = {(left ? -0.5 : 0.5) * def.track, def.height,
+                            def.middle + (front ? -0.5 : 0.5) * def.wheel_base};
+        wheel.steering_most = front ? def.steering_most : 0;
+        wheel.drive_share = 0.5 * (front ? def.front_drive : 1 - def.front_drive);
+        wheel.hand_brake_torque = front ? 0 : def.hand_brake_torque;
+        made.wheels.push_back(wheel);
+    }
+    made.anti_roll_bars = {{0, 1, def.anti_roll}, {2, 3, def.anti_roll}};
+    if (def.front_drive < 1) made.couplings.push_back({.first = {2}, .second = {3}});
+    return made;
+}
+
+VehicleDef tracked(const TrackedDef& def) {
+    VehicleDef made{.chassis = def.chassis};
+    const std::uint32_t wheels = def.wheels < 2 ? 2 : def.wheels > 8 ? 8 : def.wheels;
+    for (std::uint32_t k = 0; k < 2 * wheels; k++) {
+        const bool left = k < wheels;
+        const double along = static_cast<double>(k % wheels) / (wheels - 1) - 0.5;
+        Wheel wheel = def.wheel;
+        wheel.attachment = {(left ? -0.5 : 0.5) * def.gauge, def.height,
+                            def.middle + along * def.length};
+        wheel.drive_share = 0.5 / wheels;
+        wheel.steering_brake = left ? -def.steering_brake : def.steering_brake;
+        made.wheels.push_back(wheel);
+        if (k % wheels > 0)
+            made.couplings.push_back(
+                {.first = {k - 1}, .second = {k}, .kind = CouplingKind::locked});
+    }
+    return made;
+}
+
+VehicleDef motorcycle(const MotorcycleDef& def) {
+    VehicleDef made{.chassis = def.chassis};
+    for (const bool front : {true, false}) {
+        Wheel wheel = def.wheel;
+        wheel.attachment = {0, def.height, def.middle + (front ? -0.5 : 0.5) * def.wheel_base};
+        wheel.steering_most = front ? def.steering_most : 0;
+        wheel.drive_share = front ? 0 : 1;
+        wheel.crown = minimum(0.5 * wheel.width, wheel.radius);
+        made.wheels.push_back(wheel);
+    }
+    made.balance.on = true;
+    made.cast = WheelCast::ray;
+    made.steering_rate = 20;
+    made.aerodynamics.drag_area = 0.4;
+    return made;
+}
+
+Status Vehicles::configure(World& world, const ModuleSettings& settings) {
+    SceneCars cars;
+    if (Status good = read(settings, cars); !good.ok()) return good;
+    for (std::size_t k = 0; k < scene_cars; k++) {
+        if (is_null(cars.bodies[k])) continue;
+        const Result<CarId> car = add(world, def_of(cars, cars.bodies[k]));
+        if (!car.ok()) return Error{car.error().code, name_of(k) + ": " + car.error().message};
+        if (Status good = set_controls(world, *car, cars.controls); !good.ok()) return good;
+        if (cars.pilot.radius < 4) continue;
+        if (Status good = set_pilot(world, *car, cars.pilot); !good.ok()) return good;
+    }
+    return {};
+}
+
+void Vehicles::visit(StateVisitor& v) {
+    v.field("next", next_);
+    v.all("cars", cars_, [&](Car& car) { visit_car(v, car); });
+    if (!v.loading()) return;
+    for (std::size_t k = 0; k < cars_.size(); k++) {
+        if (cars_[k].id >= next_ || cars_[k].id == 0) v.fail("cars", "have an id yet to come");
+        if (k > 0 && cars_[k].id <= cars_[k - 1].id) v.fail("cars", "are not in their order");
+    }
+}
+
+void Vehicles::publish(const World&, ChunkWriter& chunk) const {
+    for (const Car& car : cars_) {
+        chunk.body(car.def.chassis);
+        chunk.u8(static_cast<std::uint8_t>(car.gear + 1));
+        chunk.quantized(car.engine_speed / car.def.engine.most, 0, 1, 1);
+        chunk.u8(static_cast<std::uint8_t>(car.wheels.size()));
+        for (std::size_t k = 0; k < car.wheels.size(); k++)
+            publish_wheel(car.def.wheels[k], car.wheels[k],
+                          car.steering * car.def.wheels[k].steering_most, chunk);
+    }
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/vehicle.h"
+
+#include <algorithm>
+
+#include "balance.h"
+#include "car_step.h"
+#include "check_def.h"
+#include "gearbox.h"
+#include "ground.h"
+#include "jostle/physics/world.h"
+#include "make_car.h"
+#include "pilot.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace vehicle_detail;
+
+namespace {
+
+Error unknown_car(CarId car) {
+    return {ErrorCode::not_found, "there is no car " + std::to_string(car)};
+}
+
+bool by_id(const Car& car, CarId id) {
+    return car.id < id;
+}
+
+// rad, right.
+double angle_of(const Car& car, std::size_t wheel) {
+    return car.steering * car.def.wheels[wheel].steering_most;
+}
+
+void steer(Car& car, double dt) {
+    const double most = car.def.steering_rate * dt;
+    const double wanted = car.def.balance.on ? balance_steering(car) : car.controls.steering;
+    car.steering += clamp(wanted - car.steering, -most, most);
+    car.rigs.resize(car.wheels.size());
+    for (std::size_t k = 0; k < car.wheels.size(); k++) {
+        const Wheel& wheel = car.def.wheels[k];
+        const Vec3 back = cross(wheel.axle, -wheel.down);
+        const SinCos turn = sin_cos(angle_of(car, k));
+        car.rigs[k] = {wheel.down, wheel.axle * turn.cos + back * turn.sin,
+                       wheel.axle * turn.sin - back * turn.cos};
+    }
+}
+
+// A sleeping car stands on something that sleeps, or it must look again.
+bool lost_its_ground(const World& world, const Car& car) {
+    return std::any_of(car.wheels.begin(), car.wheels.end(), [&](const WheelRun& run) {
+        if (!run.touches) return false;
+        if (!world.contains(run.shape)) return true;
+        const Result<BodyState> ground = world.body(run.ground);
+        return !ground.ok() || ground->awake;
+    });
+}
+
+void begin_step(World& world, const Queries& queries, const BodyState& chassis, double dt,
+                Car& car) {
+    if (car.piloted) car.controls = pilot_controls(car, chassis);
+    car.mass = chassis.mass;
+    car.inverse_inertia = inverse(chassis.inertia);
+    choose_gear(car, dt);
+    if (car.def.balance.on) measure_lean(chassis, car);
+    steer(car, dt);
+    look_for_ground(world, queries, chassis, dt, car);
+}
+
+WheelState state_of(const Car& car, std::size_t k) {
+    const WheelRun& run = car.wheels[k];
+    return {.touches = run.touches,
+            .ground = run.ground,
+            .point = run.point,
+            .normal = run.normal,
+            .travel = run.travel,
+            .load = run.load,
+            .force = {run.ahead, run.aside, 0},
+            .spin = run.spin,
+            .angle = run.angle,
+            .steering = angle_of(car, k),
+            .stiffness = run.stiffness,
+            .damping = run.damping};
+}
+
+}  // namespace
+
+Vehicles::Vehicles() = default;
+Vehicles::~Vehicles() = default;
+
+Car* Vehicles::find(CarId car) {
+    const auto at = std::lower_bound(cars_.begin(), cars_.end(), car, by_id);
+    return at != cars_.end() && at->id == car ? &*at : nullptr;
+}
+const Car* Vehicles::find(CarId car) const {
+    const auto at = std::lower_bound(cars_.begin(), cars_.end(), car, by_id);
+    return at != cars_.end() && at->id == car ? &*at : nullptr;
+}
+
+Result<CarId> Vehicles::add(const World& world, const VehicleDef& def) {
+    const std::string fault = fault_of(def);
+    if (!fault.empty()) return invalid_argument(fault);
+    const Result<BodyState> chassis = world.body(def.chassis);
+    if (!chassis.ok()) return chassis.error();
+    if (chassis->type != BodyType::dynamic)
+        return Error{ErrorCode::failed_precondition, "the chassis is not a dynamic body"};
+    for (const Car& car : cars_)
+        if (car.def.chassis == def.chassis)
+            return Error{ErrorCode::already_exists,
+                         "the chassis is that of car " + std::to_string(car.id)};
+    if (next_ == 0xffffffff)
+        return Error{ErrorCode::resource_exhausted, "there have been too many cars"};
+    Car& car = cars_.emplace_back(make_car(def, *chassis, world.gravity()));
+    car.id = next_++;
+    return car.id;
+}
+
+Status Vehicles::remove(CarId car) {
+    const Car* found = find(car);
+    if (found == nullptr) return unknown_car(car);
+    cars_.erase(cars_.begin() + (found - cars_.data()));
+    return {};
+}
+
+std::vector<CarId> Vehicles::cars() const {
+    std::vector<CarId> ids;
+    for (const Car& car : cars_) ids.push_back(car.id);
+    return ids;
+}
+
+Status Vehicles::set_controls(World& world, CarId car, const CarControls& controls) {
+    Car* found = find(car);
+    if (found == nullptr) return unknown_car(car);
+    const std::string fault = fault_of(controls);
+    if (!fault.empty()) return invalid_argument(fault);
+    found->piloted = false;
+    if (found->controls == controls) return {};
+    if (Status woken = world.wake(found->def.chassis); !woken.ok()) return woken;
+    found->controls = controls;
+    return {};
+}
+
+Status Vehicles::set_pilot(World& world, CarId car, const Pilot& pilot) {
+    Car* found = find(car);
+    if (found == nullptr) return unknown_car(car);
+    const std::string fault = fault_of(pilot);
+    if (!fault.empty()) return invalid_argument(fault);
+    if (Status woken = world.wake(found->def.chassis); !woken.ok()) return woken;
+    found->piloted = true;
+    found->pilot = pilot;
+    return {};
+}
+
+Result<CarState> Vehicles::state(CarId car) const {
+    const Car* found = find(car);
+    if (found == nullptr) return unknown_car(car);
+    CarState state{.chassis = found->def.chassis,
+                   .controls = found->controls,
+                   .gear = found->gear,
+                   .shifting = found->shift_left > 0,
+                   .engine_speed = found->engine_speed,
+                   .engine_torque = found->engine_torque,
+                   .clutch_torque = found->clutch_torque,
+                   .speed = found->speed};
+    for (std::size_t k = 0; k < found->wheels.size(); k++)
+        state.wheels.push_back(state_of(*found, k));
+    return state;
+}
+
+Result<VehicleDef> Vehicles::def(CarId car) const {
+    const Car* found = find(car);
+    if (found == nullptr) return unknown_car(car);
+    return found->def;
+}
+
+void Vehicles::before_step(World& world, double dt) {
+    const Queries queries = world.queries();
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < cars_.size(); k++) {
+        const Result<BodyState> chassis = world.body(cars_[k].def.chassis);
+        // A car whose chassis is gone, or no longer moves by forces, ends.
+        if (!chassis.ok() || chassis->type != BodyType::dynamic) continue;
+        if (kept != k) cars_[kept] = std::move(cars_[k]);
+        Car& car = cars_[kept++];
+        car.active = chassis->awake;
+        if (!chassis->awake && lost_its_ground(world, car))
+            car.active = world.wake(car.def.chassis).ok();
+        if (car.active)
+            begin_step(world, queries, *chassis, dt, car);
+        else
+            car.follows = false;
+    }
+    cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(kept), cars_.end());
+}
+
+void Vehicles::before_substep(SubstepContext& substep) {
+    for (Car& car : cars_)
+        if (car.active && substep.contains(car.def.chassis)) step_car(substep, car);
+}
+
+// Pays what the ground in another group is owed, over the next step: an impulse now would move it
+// before anything could bear it.
+void Vehicles::after_step(World& world, double dt) {
+    for (Car& car : cars_) {
+        if (!car.active) continue;
+        for (std::size_t k = 0; k < car.grounds.size(); k++) {
+            const Ground& ground = car.grounds[k];
+            if (!ground.dynamic || ground.pushed == Vec3{}) continue;
+            // The body may be gone: then nobody is owed.
+            static_cast<void>(
+                world.apply_force(car.wheels[k].ground, ground.pushed / dt, ground.point));
+        }
+    }
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// How an axle shares torque when one of its wheels stands on ice.
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+using modules::Coupling;
+using modules::CouplingKind;
+
+// The push of the left and right rear wheel, the left one on ice, and how they spin.
+struct Split {
+    double left, right, spin_left, spin_right;
+};
+Split on_split_ground(std::optional<Coupling> coupling) {
+    TestCar of;
+    VehicleDef def = plain_saloon(of.chassis);
+    def.wheels[2].tyre.friction = 0.01;  // 0.1 with the ground's 1
+    if (coupling) def.couplings = {*coupling};
+    of.add(def);
+    of.drive(2);
+    of.set({.throttle = 0.5});
+    of.drive(1.0);
+    const auto wheels = of.state().wheels;
+    return {wheels[2].force.x, wheels[3].force.x, wheels[2].spin, wheels[3].spin};
+}
+
+TEST(Differential, an_open_one_gives_both_wheels_what_the_worse_one_bears) {
+    const Split split = on_split_ground({});
+    RecordProperty("right_over_left", std::to_string(split.right / split.left));
+    EXPECT_GT(split.spin_left, 2 * split.spin_right) << "the one on ice spins";
+    // But for what its own inertia takes, and the gripping wheel's.
+    EXPECT_LT(std::abs(split.right - split.left), 600);
+}
+
+TEST(Differential, limited_slip_adds_what_its_friction_bears) {
+    const Coupling lock{.first = {2}, .second = {3}, .preload = 400, .ratio = 0};
+    const Split split = on_split_ground(lock);
+    // Each side gets half of the torque, less and more the lock's: 2 * 400 N m over the radius
+    // between them, less the inertia of what speeds up.
+    RecordProperty("difference_of_push_N", std::to_string(split.right - split.left));
+    EXPECT_GT(split.spin_left, 1.5 * split.spin_right);
+    EXPECT_NEAR(split.right - split.left, 2 * 400 / 0.33, 600);
+}
+
+TEST(Differential, a_locked_one_turns_both_wheels_alike) {
+    const Split split =
+        on_split_ground(Coupling{.first = {2}, .second = {3}, .kind = CouplingKind::locked});
+    EXPECT_NEAR(split.spin_left, split.spin_right, 0.01 * split.spin_right);
+    EXPECT_GT(split.right, 4 * split.left) << "the gripping wheel pushes alone";
+}
+
+TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
+    const auto difference = [](bool locked) {
+        TestCar of({}, {0, 0, -5});
+        VehicleDef def = plain_saloon(of.chassis);
+        if (locked) def.couplings = {{.first = {2}, .second = {3}, .kind = CouplingKind::locked}};
+        of.add(def);
+        roll_off(of, 0.5);
+        of.set({.steering = 0.5, .gear = 0});
+        of.drive(1.5);
+        const auto wheels = of.state().wheels;
+        return std::pair{wheels[2].spin - wheels[3].spin, -of.body().angular_velocity.y};
+    };
+    const auto [open, turn] = difference(false);
+    // The outer wheel is 1.6 m further out.
+    EXPECT_NEAR(open, turn * 1.6 / 0.33, 0.02 * open);
+    const auto [locked, less] = difference(true);
+    EXPECT_NEAR(locked, 0, 0.01);
+    EXPECT_LT(less, turn);
+}
+
+TEST(Differential, a_centre_lock_holds_the_axles_together) {
+    TestCar of;
+    modules::SaloonDef saloon{.chassis = of.chassis};
+    saloon.front_drive = 0.4;
+    VehicleDef def = modules::saloon(saloon);
+    for (std::size_t k : {0u, 1u}) def.wheels[k].tyre.friction = 0.01;
+    def.couplings = {{.first = {0, 1}, .second = {2, 3}, .kind = CouplingKind::locked}};
+    of.add(def);
+    of.set({.throttle = 0.6});
+    of.drive(2);
+    const auto wheels = of.state().wheels;
+    const double front = wheels[0].spin + wheels[1].spin, rear = wheels[2].spin + wheels[3].spin;
+    EXPECT_GT(rear, 5);
+    EXPECT_NEAR(front, rear, 0.01 * rear);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// Engine, clutch and gearbox: what the engine gives arrives at the road.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+// Where the engine's push meets air and rolling: T(w) i n / R = rho / 2 A v^2 + c m g.
+double top_speed(const VehicleDef& def, double ratio) {
+    double low = 1, high = 200;
+    for (int k = 0; k < 60; k++) {
+        const double v = 0.5 * (low + high), w = v / def.wheels[0].radius * ratio;
+        const auto& curve = def.engine.curve;
+        const double torque =
+            curve[0].torque + (curve[1].torque - curve[0].torque) * w / curve[1].speed;
+        const double push = torque * ratio * def.gearbox.efficiency / def.wheels[0].radius;
+        const double held = 0.5 * def.aerodynamics.density * def.aerodynamics.drag_area * v * v +
+                            def.wheels[0].tyre.rolling_resistance * car_mass * gravity;
+        (push > held ? low : high) = v;
+    }
+    return low;
+}
+
+TEST(DriveLine, top_speed_is_where_power_meets_drag) {
+    for (const double gear : {1.0, 0.7}) {
+        TestCar of({}, {0, 0, -45});
+        VehicleDef def = plain_saloon(of.chassis);
+        def.engine.curve = {{0, 320}, {1000, 40}};
+        def.engine.most = 1000;
+        def.gearbox = {.automatic = false, .ahead = {gear}};
+        def.aerodynamics = {.drag_area = 0.7};
+        for (auto& wheel : def.wheels) wheel.tyre.rolling_resistance = 0.012;
+        of.add(def);
+        of.set({.throttle = 1, .gear = 1});
+        of.drive(150);
+        const double expected = top_speed(def, gear * def.gearbox.final_ratio);
+        RecordProperty("top_speed_off_percent_gear_" + std::to_string(gear),
+                       std::to_string(100 * (of.speed() / expected - 1)));
+        EXPECT_NEAR(of.speed(), expected, 0.01 * expected);
+    }
+}
+
+// a = T i n / R over the car's mass and what spins with it.
+TEST(DriveLine, a_gear_multiplies_the_engines_torque) {
+    for (const double gear : {1.0, 2.0}) {
+        TestCar of({}, {0, 0, -15});
+        VehicleDef def = plain_saloon(of.chassis);
+        def.engine.curve = {{0, 200}};
+        def.engine.most = 5000;
+        def.gearbox = {.automatic = false, .ahead = {gear}, .efficiency = 1};
+        of.add(def);
+        of.set({.throttle = 1, .gear = 1});
+        of.drive(1.5);
+        const double v = of.speed();
+        of.drive(1);
+        const double i = gear * def.gearbox.final_ratio, r = 0.33;
+        const double mass = car_mass + 4 * 1.2 / (r * r) + def.engine.inertia * i * i / (r * r);
+        const double expected = 200 * i / r / mass, found = of.speed() - v;
+        RecordProperty("acceleration_off_percent_gear_" + std::to_string(gear),
+                       std::to_string(100 * (found / expected - 1)));
+        EXPECT_NEAR(found, expected, 0.01 * expected);
+    }
+}
+
+TEST(DriveLine, an_automatic_sets_off_and_shifts_up_to_its_top_gear) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    of.drive(1);
+    EXPECT_LT(of.speed(), 0.01) << "at idle the clutch is open";
+    of.set({.throttle = 1});
+    std::int32_t gear = 1;
+    double hundred = 0;
+    for (int k = 0; k < 40 * 60; k++) {
+        of.drive(step_time);
+        const CarState now = of.state();
+        EXPECT_GE(now.gear, gear) << "never down at full throttle, at " << k / 60.0 << " s";
+        EXPECT_LE(now.engine_speed, 690);
+        gear = now.gear;
+        if (hundred == 0 && of.speed() > 100 / 3.6) hundred = (k + 1) / 60.0;
+    }
+    RecordProperty("seconds_to_100_km_h", std::to_string(hundred));
+    EXPECT_EQ(gear, 5);
+    EXPECT_GT(hundred, 5);
+    EXPECT_LT(hundred, 15);
+
+    of.set({.brake = 0.3});
+    of.drive(20);
+    EXPECT_EQ(of.state().gear, 1) << "back down to a stop";
+    EXPECT_LT(of.speed(), 0.01);
+    EXPECT_NEAR(of.state().engine_speed, 90, 5) << "and the engine idles";
+}
+
+TEST(DriveLine, reverse_is_taken_once_the_car_stands) {
+    TestCar of({}, {0, 0, -5});
+    of.add(plain_saloon(of.chassis));
+    roll_off(of, 0.5);
+    of.set({.throttle = 0.3, .gear = -1});
+    of.drive(0.5);
+    EXPECT_EQ(of.state().gear, 0) << "not at 5 m/s ahead";
+    of.set({.brake = 1, .gear = -1});
+    of.drive(2);
+    of.set({.throttle = 0.3, .gear = -1});
+    of.drive(3);
+    EXPECT_EQ(of.state().gear, -1);
+    EXPECT_LT(of.state().speed, -1);
+}
+
+TEST(DriveLine, a_manual_gearbox_does_what_it_is_told) {
+    TestCar of({}, {0, 0, -20});
+    VehicleDef def = plain_saloon(of.chassis);
+    def.gearbox.automatic = false;
+    of.add(def);
+    roll_off(of, 1);
+    of.set({.gear = 2});
+    of.drive(1);
+    EXPECT_EQ(of.state().gear, 2);
+    const double engine = of.state().engine_speed, wheel = of.state().wheels[2].spin;
+    EXPECT_NEAR(engine, wheel * 2.1 * 3.7, 0.01 * engine) << "the clutch holds";
+    EXPECT_LT(of.speed(), 20) << "and the engine brakes";
+    of.set({.clutch = 1, .gear = 2});
+    of.drive(3);
+    EXPECT_NEAR(of.state().engine_speed, 90, 10) << "pedal down: it idles";
+}
+
+TEST(DriveLine, full_throttle_on_ice_spins_the_driven_wheels_only) {
+    TestCar of;
+    VehicleDef def = plain_saloon(of.chassis);
+    for (auto& wheel : def.wheels) wheel.tyre.friction = 0.01;
+    of.add(def);
+    of.set({.throttle = 1});
+    of.drive(3);
+    const CarState now = of.state();
+    EXPECT_GT(now.wheels[2].spin * 0.33, of.speed() + 5);
+    EXPECT_NEAR(now.wheels[0].spin * 0.33, of.speed(), 0.05);
+    // Half of the weight, at a friction of 0.1, and little else.
+    EXPECT_NEAR(of.speed(), 0.5 * 0.1 * gravity * 3, 0.25);
+}
+
+TEST(DriveLine, engine_and_wheels_leave_their_turn_to_the_chassis_in_the_air) {
+    TestCar of({.gravity = {}});
+    VehicleDef def = plain_saloon(of.chassis);
+    of.world.set_pose(of.chassis, {.position = {0, 50, 0}}).expect();
+    of.add(def);
+    of.set({.throttle = 1});
+    of.drive(2);
+    const CarState now = of.state();
+    double spin = 0;
+    for (const auto& wheel : now.wheels) spin += 1.2 * wheel.spin;
+    EXPECT_GT(spin, 50);
+    const BodyState body = of.body();
+    // Ahead is about -x: the chassis turns about +x, its nose up.
+    EXPECT_NEAR((body.inertia * body.angular_velocity).x, spin, 0.001 * spin);
+}
+
+}  // namespace
+}  // namespace jostle::test

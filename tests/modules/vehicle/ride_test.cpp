@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+//
+// Springs bear what they must, and swing as they should.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+using modules::AntiRollBar;
+using modules::WheelCast;
+
+TEST(Ride, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
+    for (const WheelCast cast : {WheelCast::ray, WheelCast::sphere, WheelCast::cylinder}) {
+        TestCar of;
+        VehicleDef def = plain_saloon(of.chassis);
+        def.cast = cast;
+        of.add(def);
+        of.drive(8);
+        const CarState now = of.state();
+        double worst = 0;
+        for (const auto& wheel : now.wheels) {
+            const double sag = car_mass * gravity / (4 * wheel.stiffness);
+            worst = std::max(worst, std::abs(wheel.travel / sag - 1));
+            EXPECT_NEAR(wheel.travel, sag, 0.001 * sag);
+            EXPECT_NEAR(wheel.load, car_mass * gravity / 4, 1);
+        }
+        RecordProperty("sag_off_percent_" + std::to_string(static_cast<int>(cast)),
+                       std::to_string(100 * worst));
+    }
+}
+
+TEST(Ride, sag_does_not_depend_on_what_else_presses) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    of.world
+        .create_body({.pose = {.position = {0, 1.3, 0}}},
+                     {.geometry = Box{{0.4, 0.3, 0.4}}, .mass = 300})
+        .value();
+    of.drive(10);
+    const double load = of.load({0, 1, 2, 3});
+    RecordProperty("load_off_percent", std::to_string(100 * (load / (1800 * gravity) - 1)));
+    EXPECT_NEAR(load, 1800 * gravity, 0.002 * 1800 * gravity);
+    const auto wheel = of.state().wheels[0];
+    EXPECT_NEAR(wheel.travel, 1800 * gravity / (4 * wheel.stiffness), 0.002 * wheel.travel);
+}
+
+// Periods between passes through the middle, upwards.
+double bounce_frequency(double frequency, int substeps) {
+    TestCar of({.substeps = substeps});
+    VehicleDef def = plain_saloon(of.chassis);
+    for (auto& wheel : def.wheels) {
+        wheel.suspension.frequency = frequency;
+        wheel.suspension.damping = 0;
+    }
+    of.add(def);
+    const double middle = 0.33 + 0.45 - gravity / std::pow(2 * pi * frequency, 2);
+    of.world.set_pose(of.chassis, {.position = {0, middle + 0.01, 0}}).expect();
+    double first = 0, last = 0, before = 0.01;
+    int passes = 0;
+    for (int k = 1; k <= 600; k++) {
+        of.world.step(step_time).expect();
+        const double above = of.body().center.y - middle;
+        if (before < 0 && above >= 0) {
+            last = (k - above / (above - before)) * step_time;
+            if (passes++ == 0) first = last;
+        }
+        before = above;
+    }
+    return (passes - 1) / (last - first);
+}
+
+TEST(Ride, an_undamped_car_bounces_at_the_frequency_it_was_given) {
+    for (const double frequency : {1.0, 1.5, 2.5}) {
+        const double found = bounce_frequency(frequency, 8);
+        RecordProperty("off_percent_at_" + std::to_string(frequency),
+                       std::to_string(100 * (found / frequency - 1)));
+        EXPECT_NEAR(found, frequency, 0.01 * frequency);
+    }
+    EXPECT_NEAR(bounce_frequency(1.5, 1), 1.5, 0.015) << "one sub-step a step";
+}
+
+TEST(Ride, braking_moves_the_load_that_its_moment_asks_for) {
+    TestCar of({}, {0, 0, -30});
+    VehicleDef def = plain_saloon(of.chassis);
+    for (auto& wheel : def.wheels) {
+        wheel.tyre.friction = 0.36;      // 0.6 with the ground's 1
+        wheel.suspension.frequency = 4;  // stiff: the formula is that of a car that does not pitch
+        wheel.suspension.longest = 0.36;
+    }
+    of.add(def);
+    roll_off(of);
+    of.set({.brake = 1, .gear = 0});
+    of.drive(2);
+    const double v = of.speed();
+    double moved = 0, height = 0;
+    for (int k = 0; k < 60; k++) {
+        of.drive(step_time);
+        moved += (of.load({0, 1}) - of.load({2, 3})) / 2 / 60;
+        height += of.body().center.y / 60;
+    }
+    const double a = v - of.speed();
+    const double expected = car_mass * a * height / 2.7;
+    RecordProperty("load_transfer_off_percent", std::to_string(100 * (moved / expected - 1)));
+    EXPECT_NEAR(a, 0.6 * gravity, 0.01 * 0.6 * gravity);
+    EXPECT_NEAR(moved, expected, 0.01 * expected);
+}
+
+// In a bend at a steady roll angle: the bar takes its share of the moment.
+TEST(Ride, an_anti_roll_bar_lessens_roll_as_its_stiffness_says) {
+    const auto roll = [](double bar) {
+        // Gravity that leans stands for the bend.
+        TestCar of({.gravity = {3, -gravity, 0}});
+        VehicleDef def = plain_saloon(of.chassis);
+        def.anti_roll_bars = {AntiRollBar{0, 1, bar}, AntiRollBar{2, 3, bar}};
+        of.add(def);
+        of.set({.hand_brake = 1, .gear = 0});
+        of.drive(8);
+        const auto wheels = of.state().wheels;
+        return std::pair{wheels[1].travel - wheels[0].travel, wheels[0].stiffness};
+    };
+    const auto [free, k] = roll(0);
+    const auto [barred, same] = roll(20'000);
+    // The moment meets k t^2, with bars (k + 2 bar) t^2, less what the chassis leans over its
+    // wheels: m g times the suspension's length.
+    const double t2 = 1.6 * 1.6, lean = car_mass * gravity * 0.34;
+    const double expected = (k * t2 - lean) / ((k + 2 * 20'000) * t2 - lean);
+    RecordProperty("roll_share_off_percent", std::to_string(100 * (barred / free / expected - 1)));
+    EXPECT_NEAR(barred / free, expected, 0.01 * expected);
+}
+
+TEST(Ride, no_spring_is_too_stiff) {
+    for (const double frequency : {5.0, 30.0, 100.0})
+        for (const double damping : {0.0, 1.0, 10.0})
+            for (const int substeps : {1, 8}) {
+                TestCar of({.substeps = substeps});
+                VehicleDef def = plain_saloon(of.chassis);
+                for (auto& wheel : def.wheels) {
+                    wheel.suspension.frequency = frequency;
+                    wheel.suspension.damping = damping;
+                }
+                of.add(def);
+                of.world.set_pose(of.chassis, {.position = {0, 1.2, 0}}).expect();
+                of.drive(1);
+                double highest = 0;
+                for (int k = 0; k < 120; k++) {
+                    of.drive(step_time);
+                    highest = std::max(highest, std::abs(of.body().center.y - 0.78));
+                }
+                EXPECT_LT(highest, 0.5)
+                    << frequency << " Hz, damping " << damping << ", " << substeps << " sub-steps";
+                if (damping == 0) continue;  // bounces on
+                EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 150)
+                    << frequency << " Hz, damping " << damping << ", " << substeps << " sub-steps";
+            }
+}
+
+TEST(Ride, a_fall_of_three_metres_ends_on_the_wheels) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    of.world.set_pose(of.chassis, {.position = {0, 3.7, 0}}).expect();
+    of.drive(5);
+    EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 0.01 * car_mass * gravity);
+    EXPECT_LT(of.speed(), 0.01);
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+//
+// Cars are part of the world's state: the same bits for any number of threads, after save, load and
+// restore; and bytes that were tampered with are refused.
+#include <gtest/gtest.h>
+
+#include "support/random.h"
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+void know_vehicles() {
+    static const Status known =
+        register_module(std::string(Vehicles::kind), [] { return std::make_unique<Vehicles>(); });
+    known.expect();
+}
+
+Vehicles& vehicles_of(World& world) {
+    return dynamic_cast<Vehicles&>(*world.module(Vehicles::kind));
+}
+
+// Eight cars among crates, on ground with waves, each with another cast and another pilot.
+World lively(int threads) {
+    know_vehicles();
+    World world({.threads = threads});
+    HeightGrid grid{.columns = 81, .rows = 81, .spacing_x = 2, .spacing_z = 2};
+    for (int row = 0; row < 81; row++)
+        for (int column = 0; column < 81; column++)
+            grid.heights.push_back(0.3 * sin_cos(0.5 * column + 0.2 * row).sin);
+    world
+        .create_body({.type = BodyType::static_body},
+                     {.geometry = HeightField{build_height_field(std::move(grid)).value()},
+                      .material = {.friction = 0.9}})
+        .value();
+    world.add_module(std::make_unique<Vehicles>()).expect();
+    for (int k = 0; k < 8; k++) {
+        const double x = 12.0 * (k % 4) - 18, z = 14.0 * (k / 4) - 7;
+        const BodyId chassis = add_chassis(world, {x, 1.6, z});
+        world
+            .create_body({.pose = {.position = {x + 1, 1.5, z - 7}}},
+                         {.geometry = Box{{0.5, 0.5, 0.5}}, .density = 100})
+            .value();
+        modules::SaloonDef saloon{.chassis = chassis};
+        saloon.front_drive = 0.5 * (k % 3);
+        VehicleDef def = modules::saloon(saloon);
+        def.cast = static_cast<modules::WheelCast>(k % 3);
+        const CarId car = vehicles_of(world).add(world, def).value();
+        if (k % 2 == 0)
+            vehicles_of(world)
+                .set_pilot(world, car, {.center = {}, .radius = 20, .speed = 9})
+                .expect();
+        else
+            vehicles_of(world)
+                .set_controls(world, car, {.throttle = 0.6, .steering = 0.2 * k - 0.6})
+                .expect();
+    }
+    return world;
+}
+
+void drive(World& world, int steps) {
+    for (int k = 0; k < steps; k++) world.step(step_time).expect();
+}
+
+TEST(VehicleState, any_number_of_threads_gives_the_same_bits) {
+    World one = lively(1);
+    drive(one, 400);
+    for (const int threads : {2, 3, 4, 8}) {
+        World many = lively(threads);
+        drive(many, 400);
+        EXPECT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
+        EXPECT_EQ(first_difference(one, many), std::nullopt);
+    }
+}
+
+TEST(VehicleState, a_loaded_world_drives_on_with_the_same_bits) {
+    World world = lively(1);
+    drive(world, 200);
+    World again = load(save(world)).value();
+    EXPECT_EQ(first_difference(world, again), std::nullopt);
+    drive(world, 200);
+    drive(again, 200);
+    EXPECT_EQ(first_difference(world, again), std::nullopt);
+    EXPECT_EQ(state_hash(world), state_hash(again));
+}
+
+TEST(VehicleState, a_restored_world_drives_on_with_the_same_bits) {
+    World world = lively(2);
+    drive(world, 150);
+    RestorePoint point;
+    point.keep(world);
+    drive(world, 150);
+    const std::uint64_t end = state_hash(world);
+    point.restore(world).expect();
+    drive(world, 150);
+    EXPECT_EQ(state_hash(world), end);
+}
+
+std::string complaint_of(std::vector<std::byte> bytes) {
+    Vehicles vehicles;
+    const Status loaded = load_module(vehicles, bytes);
+    return loaded.ok() ? "" : loaded.error().message;
+}
+
+// Each number of a saved car becomes one that it cannot be.
+TEST(VehicleState, a_field_that_makes_no_sense_is_named) {
+    World world = lively(1);
+    drive(world, 10);
+    const std::vector<std::byte> good = save_module(vehicles_of(world));
+    EXPECT_EQ(complaint_of(good), "");
+    const double radius = 0.33, bad = -1;
+    std::size_t found = 0;
+    for (std::size_t at = 0; at + 8 <= good.size(); at++) {
+        if (std::memcmp(good.data() + at, &radius, 8) != 0) continue;
+        std::vector<std::byte> forged = good;
+        std::memcpy(forged.data() + at, &bad, 8);
+        const std::string complaint = complaint_of(forged);
+        EXPECT_NE(complaint.find("radius is -1"), std::string::npos) << complaint;
+        if (++found == 4) break;
+    }
+    EXPECT_EQ(found, 4u);
+}
+
+// Whatever a forger writes is refused, or makes a car that steps without harm.
+TEST(VehicleState, forged_bytes_are_refused_or_harmless) {
+    World world = lively(1);
+    drive(world, 30);
+    const std::vector<std::byte> good = save_module(vehicles_of(world));
+    Random random(5);
+    int refused = 0;
+    constexpr int tries = 3000;
+    for (int k = 0; k < tries; k++) {
+        std::vector<std::byte> forged = good;
+        const int changes = 1 + k % 4;
+        for (int c = 0; c < changes; c++)
+            forged[static_cast<std::size_t>(random.in(0, 1) * 0.999999 *
+                                            static_cast<double>(forged.size()))] =
+                static_cast<std::byte>(random.in(0, 255.99));
+        if (k % 7 == 0) forged.resize(forged.size() / 2);
+        auto vehicles = std::make_unique<Vehicles>();
+        if (!load_module(*vehicles, forged).ok()) {
+            refused++;
+            continue;
+        }
+        if (k % 10 != 0) continue;
+        World again = lively(1);
+        again.remove_module(Vehicles::kind).expect();
+        again.add_module(std::move(vehicles)).expect();
+        for (int step = 0; step < 5; step++) {
+            again.step(step_time).expect();
+            for (const BodyId body : again.bodies())
+                ASSERT_TRUE(is_finite(again.body(body)->center)) << "try " << k;
+        }
+    }
+    RecordProperty("refused_of_3000", refused);
+    EXPECT_GT(refused, tries / 5);
+}
+
+}  // namespace
+}  // namespace jostle::test

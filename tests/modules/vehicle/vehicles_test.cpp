@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+//
+// The module's own calls: what they refuse, what they tell.
+#include "jostle/modules/vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_of.h"
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
+    TestCar of;
+    const auto complaint = [&](auto&& change) {
+        VehicleDef def = plain_saloon(of.chassis);
+        change(def);
+        return error_of(of.vehicles->add(of.world, def)).message;
+    };
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[2].radius = 0; }),
+              "wheels[2].radius is 0; it must be from 0.02 to 10");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
+              "wheels[1].suspension.longest is less than a millimetre above suspension.shortest");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels.clear(); }),
+              "wheels is 0; it must be from 1 to 16");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
+              "drive shares of all wheels are neither 0 nor 1 in sum");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.couplings = {{.first = {2}, .second = {7}}}; }),
+              "couplings[0].names a wheel that there is not");
+    EXPECT_EQ(complaint([](VehicleDef& def) {
+                  def.wheels[0].axle = {0, 1, 0};
+              }),
+              "wheels[0].axle is not square to down");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
+              "engine.curve.speed does not rise");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.gearbox.down_at = 900; }),
+              "gearbox.down_at is not below up_at");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.chassis = {}; }).empty(), false);
+    EXPECT_TRUE(of.vehicles->cars().empty());
+}
+
+TEST(Vehicles, a_chassis_is_a_dynamic_body_of_one_car) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    EXPECT_EQ(error_of(of.vehicles->add(of.world, plain_saloon(of.chassis))).code,
+              ErrorCode::already_exists);
+    EXPECT_EQ(error_of(of.vehicles->add(of.world, plain_saloon(of.world.bodies()[0]))).code,
+              ErrorCode::failed_precondition);
+}
+
+TEST(Vehicles, ids_are_not_used_again_and_unknown_ones_are_refused) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    const CarId first = of.car;
+    of.vehicles->remove(first).expect();
+    EXPECT_EQ(error_of(of.vehicles->remove(first)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(of.vehicles->state(first)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(of.vehicles->set_controls(of.world, first, {})).code, ErrorCode::not_found);
+    of.add(plain_saloon(of.chassis));
+    EXPECT_NE(of.car, first);
+}
+
+TEST(Vehicles, controls_out_of_range_are_refused_and_the_old_ones_stay) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    of.set({.throttle = 0.5});
+    EXPECT_EQ(error_of(of.vehicles->set_controls(of.world, of.car, {.steering = 2})).message,
+              "steering is 2; it must be from -1 to 1");
+    EXPECT_EQ(of.state().controls.throttle, 0.5);
+}
+
+TEST(Vehicles, a_car_ends_with_its_chassis) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    of.drive(1);
+    of.world.destroy_body(of.chassis).expect();
+    of.drive(0.1);
+    EXPECT_TRUE(of.vehicles->cars().empty());
+}
+
+TEST(Vehicles, a_parked_car_sleeps_and_its_controls_wake_it) {
+    World world;
+    world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
+    const BodyId chassis = add_chassis(world, {0, 0.67, 0});
+    world.add_module(std::make_unique<Vehicles>()).expect();
+    auto& vehicles = dynamic_cast<Vehicles&>(*world.module(Vehicles::kind));
+    const CarId car = vehicles.add(world, plain_saloon(chassis)).value();
+    vehicles.set_controls(world, car, {.hand_brake = 1, .gear = 0}).expect();
+    const auto drive = [&](double seconds) {
+        for (int k = 0; k < seconds * 60; k++) world.step(step_time).expect();
+    };
+    drive(10);
+    EXPECT_FALSE(world.body(chassis)->awake);
+    const Vec3 at = world.body(chassis)->center;
+    vehicles.set_controls(world, car, {.throttle = 1}).expect();
+    drive(2);
+    EXPECT_TRUE(world.body(chassis)->awake);
+    EXPECT_GT(length(world.body(chassis)->center - at), 1);
+}
+
+TEST(Vehicles, a_sleeping_car_falls_when_its_ground_is_taken_away) {
+    World world;
+    const BodyId floor =
+        world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
+    const BodyId chassis = add_chassis(world, {0, 0.67, 0});
+    world.add_module(std::make_unique<Vehicles>()).expect();
+    auto& vehicles = dynamic_cast<Vehicles&>(*world.module(Vehicles::kind));
+    const CarId car = vehicles.add(world, plain_saloon(chassis)).value();
+    vehicles.set_controls(world, car, {.hand_brake = 1, .gear = 0}).expect();
+    for (int k = 0; k < 600; k++) world.step(step_time).expect();
+    ASSERT_FALSE(world.body(chassis)->awake);
+    world.destroy_body(floor).expect();
+    for (int k = 0; k < 60; k++) world.step(step_time).expect();
+    EXPECT_NEAR(world.body(chassis)->linear_velocity.y, -gravity, 0.5);
+}
+
+TEST(Vehicles, a_scene_makes_saloons_of_bodies) {
+    TestCar of;
+    Vehicles made;
+    ASSERT_TRUE(
+        made.configure(
+                of.world,
+                {.numbers = {{"track", 1.5}, {"front_drive", 1}, {"cast", 0}, {"throttle", 0.4}},
+                 .bodies = {{"car", of.chassis}}})
+            .ok());
+    ASSERT_EQ(made.cars().size(), 1u);
+    const VehicleDef def = made.def(1).value();
+    EXPECT_EQ(def.wheels[0].attachment.x, -0.75);
+    EXPECT_EQ(def.wheels[0].drive_share, 0.5);
+    EXPECT_EQ(def.cast, modules::WheelCast::ray);
+    EXPECT_EQ(made.state(1)->controls.throttle, 0.4);
+
+    Vehicles wrong;
+    EXPECT_EQ(error_of(wrong.configure(of.world, {.numbers = {{"track", 50}}})).message,
+              "track is 50; it must be from 0.1 to 20");
+    EXPECT_EQ(error_of(wrong.configure(of.world, {.numbers = {{"longest", 0.05}},
+                                                  .bodies = {{"car", of.chassis}}}))
+                  .message,
+              "car: wheels[0].suspension.longest is less than a millimetre above "
+              "suspension.shortest");
+}
+
+TEST(Vehicles, a_pilot_keeps_its_circle) {
+    TestCar of({}, {0, 0, 0});
+    of.world.set_pose(of.chassis, {.position = {30, 0.7, 0}}).expect();
+    of.add(plain_saloon(of.chassis));
+    of.vehicles->set_pilot(of.world, of.car, {.center = {}, .radius = 30, .speed = 12}).expect();
+    of.drive(20);
+    double furthest = 0;
+    for (int k = 0; k < 600; k++) {
+        of.drive(step_time);
+        const Vec3 at = of.body().center;
+        furthest = std::max(furthest, std::abs(std::hypot(at.x, at.z) - 30));
+    }
+    RecordProperty("off_the_circle_m", std::to_string(furthest));
+    EXPECT_LT(furthest, 2);
+    EXPECT_NEAR(of.speed(), 12, 1);
+    of.set({});
+    of.drive(1);
+    EXPECT_EQ(of.state().controls, CarControls{}) << "who sets controls takes over";
+}
+
+TEST(Vehicles, clients_are_told_in_the_stated_layout) {
+    TestCar of;
+    of.add(plain_saloon(of.chassis));
+    of.drive(3);
+    ChunkWriter chunk([](BodyId body) { return body.index + 1; });
+    of.vehicles->publish(of.world, chunk);
+    const auto& bytes = chunk.bytes();
+    ASSERT_EQ(bytes.size(), 7u + 4 * 15u);
+    const auto u16 = [&](std::size_t at) {
+        return std::to_integer<int>(bytes[at]) + 256 * std::to_integer<int>(bytes[at + 1]);
+    };
+    EXPECT_EQ(std::to_integer<std::uint32_t>(bytes[0]), of.chassis.index + 1);
+    EXPECT_EQ(std::to_integer<int>(bytes[4]), of.state().gear + 1);
+    EXPECT_EQ(std::to_integer<int>(bytes[6]), 4);
+    EXPECT_NEAR(std::to_integer<int>(bytes[7]) / 255.0 * 2, 0.33, 0.005) << "radius";
+    EXPECT_NEAR(u16(9) / 65535.0 * 16 - 8, -0.8, 1e-3) << "x of the first wheel";
+    EXPECT_NEAR(u16(11) / 65535.0 * 16 - 8, -0.3396, 1e-3) << "y";
+    EXPECT_EQ(std::to_integer<int>(bytes[15]), 1) << "it touches, and does not slide";
+}
+
+}  // namespace
+}  // namespace jostle::test

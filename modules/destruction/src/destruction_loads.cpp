@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// What presses on chunks: contacts and impacts of the last step.
+#include <algorithm>
+
+#include "bond_network.h"
+#include "jostle/modules/destruction.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+// 1/kg: how easily a body gives way at a point along a unit direction. 0: not at all.
+double give(const BodyState& body, Vec3 point, Vec3 n) {
+    if (!(body.mass > 0)) return 0;
+    const Vec3 turn = cross(point - body.center, n);
+    return 1 / body.mass + dot(turn, inverse(body.inertia) * turn);
+}
+
+Vec3 velocity_at(const BodyState& body, Vec3 point) {
+    return body.linear_velocity + cross(body.angular_velocity, point - body.center);
+}
+
+}  // namespace
+
+// After anything changed: which piece chunks are in, which bonds hold within it, which shapes
+// bonds hold.
+void Destruction::derive() {
+    if (derived_) return;
+    constexpr std::uint32_t nowhere = 0xffffffff;
+    places_.clear();
+    for (std::uint32_t w = 0; w < wholes_.size(); w++) {
+        Whole& whole = wholes_[w];
+        for (Chunk& chunk : whole.chunks) chunk.piece = nowhere;
+        for (std::uint32_t p = 0; p < whole.pieces.size(); p++) {
+            Piece& piece = whole.pieces[p];
+            piece.bonds.clear();
+            for (const std::uint32_t c : piece.chunks) {
+                whole.chunks[c].piece = p;
+                if (piece.chunks.size() > 1) places_.push_back({whole.chunks[c].shape, w, c});
+            }
+        }
+        for (std::uint32_t k = 0; k < whole.bonds.size(); k++) {
+            const Bond& bond = whole.bonds[k];
+            const std::uint32_t piece = whole.chunks[bond.face.a].piece;
+            if (bond.broken || piece == nowhere || piece != whole.chunks[bond.face.b].piece)
+                continue;
+            whole.pieces[piece].bonds.push_back(k);
+        }
+    }
+    std::sort(places_.begin(), places_.end(),
+              [](const Place& a, const Place& b) { return a.shape < b.shape; });
+    derived_ = true;
+}
+
+void Destruction::note_gravity(const World& world) {
+    if (world.gravity() == gravity_) return;
+    gravity_ = world.gravity();
+    for (Whole& whole : wholes_)
+        for (Piece& piece : whole.pieces) piece.check = piece.check || piece.anchored;
+}
+
+const Destruction::Place* Destruction::place_of(ShapeId shape) const {
+    const auto found =
+        std::lower_bound(places_.begin(), places_.end(), shape,
+                         [](const Place& place, ShapeId id) { return place.shape < id; });
+    return found != places_.end() && found->shape == shape ? &*found : nullptr;
+}
+
+bool Destruction::is_impact(ShapeId a, ShapeId b) const {
+    return std::any_of(presses_.begin(), presses_.end(), [&](const Press& p) {
+        return p.impact && ((p.own == a && p.other == b) || (p.own == b && p.other == a));
+    });
+}
+
+// The impulse is what turned the speed of approach into that of parting: the solver tells no
+// impulse of what happened between its sub-steps.
+void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b, BodyId body_a,
+                             BodyId body_b, Vec3 point, Vec3 normal, double approach) {
+    const Place *at_a = place_of(a), *at_b = place_of(b);
+    if ((!at_a && !at_b) || !(approach > 0)) return;
+    const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
+    if (!first.ok() || !second.ok()) return;
+    const double inv = give(*first, point, normal) + give(*second, point, normal);
+    const double parting = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
+    if (!(inv > 0) || !(approach + parting > 0)) return;
+    const double impulse = (approach + parting) / inv;
+    for (const Place* at : {at_a, at_b}) {
+        if (!at) continue;
+        const Whole& whole = wholes_[at->whole];
+        const double time = minimum(dt, whole.material.contact_time);
+        const Vec3 against = at == at_a ? -normal : normal;
+        Press press{.whole = at->whole,
+                    .chunk = at->chunk,
+                    .own = at == at_a ? a : b,
+                    .other = at == at_a ? b : a,
+                    .other_body = at == at_a ? body_b : body_a,
+                    .point = point,
+                    .push = against * (impulse / time),
+                    .impact = true,
+                    .normal = against,
+                    .approach = approach,
+                    .parting = parting,
+                    .inv = inv,
+                    .energy = 0.5 * approach * approach / inv};
+        press.into_anchored = whole.pieces[whole.chunks[at->chunk].piece].anchored;
+        presses_.push_back(press);
+    }
+}
+
+void Destruction::add_stay(const ContactStay& stay, double dt) {
+    const Place *at_a = place_of(stay.shape_a), *at_b = place_of(stay.shape_b);
+    if (!at_a && !at_b) return;
+    if (is_impact(stay.shape_a, stay.shape_b)) return;
+    const Vec3 push = stay.normal * (stay.normal_impulse / dt);
+    if (at_a)
+        presses_.push_back({.whole = at_a->whole,
+                            .chunk = at_a->chunk,
+                            .own = stay.shape_a,
+                            .other = stay.shape_b,
+                            .point = stay.point,
+                            .push = -push});
+    if (at_b)
+        presses_.push_back({.whole = at_b->whole,
+                            .chunk = at_b->chunk,
+                            .own = stay.shape_b,
+                            .other = stay.shape_a,
+                            .point = stay.point,
+                            .push = push});
+}
+
+// Sorted by whole and piece, in the events' order within.
+void Destruction::gather(const World& world, double dt) {
+    presses_.clear();
+    if (places_.empty()) return;
+    const Events events = world.events();
+    for (const ContactBegin& e : events.contacts_began)
+        add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
+                   e.approach);
+    for (const ContactHit& e : events.hits)
+        if (!is_impact(e.shape_a, e.shape_b))
+            add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
+                       e.approach);
+    for (const ContactStay& e : events.contacts) add_stay(e, dt);
+    const auto key = [&](const Press& p) {
+        return std::pair(p.whole, wholes_[p.whole].chunks[p.chunk].piece);
+    };
+    std::stable_sort(presses_.begin(), presses_.end(),
+                     [&](const Press& a, const Press& b) { return key(a) < key(b); });
+}
+
+}  // namespace jostle::modules

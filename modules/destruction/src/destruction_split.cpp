@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+//
+// What no longer hangs together becomes bodies of its own: each goes on as its points moved in the
+// one it came from, so mass and momenta are what they were.
+#include <algorithm>
+
+#include "bond_network.h"
+#include "jostle/modules/destruction.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace destruction_detail;
+
+namespace {
+
+// Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
+constexpr std::size_t few_shapes = 16;
+
+ShapeDef def_of(const ShapeState& shape, Vec3 shift, bool bonded) {
+    ShapeDef def{.geometry = shape.geometry,
+                 .pose = shape.pose,
+                 .material = shape.material,
+                 .density = shape.density,
+                 .mass = shape.mass,
+                 .filter = shape.filter,
+                 .trigger = shape.trigger,
+                 .report_stays = bonded,
+                 .user_data = shape.user_data};
+    def.pose.position += shift;
+    return def;
+}
+
+template <class Whole>
+bool is_anchored(const Whole& whole, const Group& group) {
+    return std::any_of(group.chunks.begin(), group.chunks.end(),
+                       [&](std::uint32_t c) { return whole.chunks[c].anchored; });
+}
+
+template <class Whole>
+Vec3 center_of(const Whole& whole, const Group& group) {
+    double mass = 0;
+    Vec3 sum;
+    for (const std::uint32_t c : group.chunks) {
+        mass += whole.chunks[c].mass;
+        sum += whole.chunks[c].center * whole.chunks[c].mass;
+    }
+    return sum / mass;
+}
+
+}  // namespace
+
+// Those that leave, as bodies; then the old body without them. All or nothing.
+Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<const Group> leaving,
+                         const Group& staying) {
+    const BodyId old = whole.pieces[p].body;
+    const Result<BodyState> body = world.body(old);
+    if (!body.ok()) return body.error();
+    const Vec3 origin = whole.pieces[p].origin;
+    std::vector<BodyAndShapes> defs;
+    std::vector<Piece> made;
+    for (const Group& group : leaving) {
+        Piece piece{.origin = center_of(whole, group),
+                    .chunks = group.chunks,
+                    .anchored = is_anchored(whole, group)};
+        BodyAndShapes& def = defs.emplace_back();
+        def.body = {.type = piece.anchored ? BodyType::static_body : BodyType::dynamic,
+                    .pose = {apply(body->pose, piece.origin - origin), body->pose.rotation},
+                    .sleep_allowed = body->sleep_allowed,
+                    .user_data = body->user_data};
+        for (const std::uint32_t c : group.chunks) {
+            const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+            if (!shape.ok()) return shape.error();
+            if (shape->body != old)
+                return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
+            def.shapes.push_back(
+                def_of(*shape, origin - piece.origin, group.chunks.size() > 1));
+        }
+        made.push_back(std::move(piece));
+    }
+    const Result<std::vector<BodyId>> bodies = world.create_bodies(defs);
+    if (!bodies.ok()) return bodies.error();
+    for (std::size_t k = 0; k < made.size(); k++) {
+        Piece& piece = made[k];
+        piece.body = (*bodies)[k];
+        const std::vector<ShapeId> shapes = world.shapes_of(piece.body);
+        for (std::size_t c = 0; c < piece.chunks.size(); c++)
+            whole.chunks[piece.chunks[c]].shape = shapes[c];
+        if (!piece.anchored && body->type == BodyType::dynamic) {
+            const Result<BodyState> now = world.body(piece.body);
+            const Vec3 v = body->linear_velocity +
+                           cross(body->angular_velocity, now->center - body->center);
+            static_cast<void>(world.set_velocity(piece.body, v, body->angular_velocity).ok());
+        }
+    }
+    Piece& rest = whole.pieces[p];
+    rest.chunks = staying.chunks;
+    rest.check = true;
+    rest.solved = false;
+    rest.factor.reset();
+    keep_shapes(world, whole, rest, leaving);
+    whole.pieces.insert(whole.pieces.end(), std::make_move_iterator(made.begin()),
+                        std::make_move_iterator(made.end()));
+    derived_ = false;
+    return {};
+}
+
+// Takes the shapes of what left from the old body.
+void Destruction::keep_shapes(World& world, Whole& whole, Piece& piece,
+                              std::span<const Group> leaving) {
+    std::size_t gone = 0;
+    for (const Group& group : leaving) gone += group.chunks.size();
+    std::vector<ShapeDef> defs;
+    std::vector<std::uint32_t> owners;
+    std::vector<ShapeId> kept;
+    for (const std::uint32_t c : piece.chunks) kept.push_back(whole.chunks[c].shape);
+    std::sort(kept.begin(), kept.end());
+    if (gone <= few_shapes) {
+        for (const ShapeId shape : world.shapes_of(piece.body))
+            if (!std::binary_search(kept.begin(), kept.end(), shape))
+                static_cast<void>(world.destroy_shape(shape).ok());
+        return;
+    }
+    for (const std::uint32_t c : piece.chunks) {
+        const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+        if (!shape.ok() || shape->body != piece.body) continue;
+        defs.push_back(def_of(*shape, {}, piece.chunks.size() > 1));
+        owners.push_back(c);
+    }
+    const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);
+    if (!shapes.ok()) return;
+    for (std::size_t k = 0; k < owners.size(); k++) whole.chunks[owners[k]].shape = (*shapes)[k];
+}
+
+// The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
+// many others leave. How many did.
+int Destruction::split(World& world, Whole& whole, std::size_t p, int most) {
+    std::vector<Group> parts;
+    {
+        Group all{whole.pieces[p].chunks, {}};
+        std::vector<bool> here(whole.chunks.size());
+        for (const std::uint32_t c : all.chunks) here[c] = true;
+        for (std::uint32_t k = 0; k < whole.bonds.size(); k++)
+            if (here[whole.bonds[k].face.a] && here[whole.bonds[k].face.b]) all.bonds.push_back(k);
+        parts = parts_of(whole, all);
+    }
+    std::size_t stays = 0;
+    const auto rank = [&](std::size_t k) {
+        return std::pair(is_anchored(whole, parts[k]), parts[k].chunks.size());
+    };
+    for (std::size_t k = 1; k < parts.size(); k++)
+        if (rank(k) > rank(stays)) stays = k;
+    std::vector<Group> leaving;
+    Group staying = parts[stays];
+    for (std::size_t k = 0; k < parts.size(); k++) {
+        if (k == stays) continue;
+        if (static_cast<int>(leaving.size()) < most)
+            leaving.push_back(std::move(parts[k]));
+        else
+            staying.chunks.insert(staying.chunks.end(), parts[k].chunks.begin(),
+                                  parts[k].chunks.end());
+    }
+    std::sort(staying.chunks.begin(), staying.chunks.end());
+    const bool all = leaving.size() + 1 == parts.size();
+    // What cannot be parted, because somebody else destroyed a part of it, stays as it is.
+    const bool parted = leaving.empty() || part(world, whole, p, leaving, staying).ok();
+    Piece& rest = whole.pieces[p];
+    rest.cut = parted && !all;
+    rest.check = true;
+    rest.solved = false;
+    rest.factor.reset();
+    derived_ = false;
+    if (parted && rest.anchored && !is_anchored(whole, staying)) {
+        static_cast<void>(world.set_type(rest.body, BodyType::dynamic).ok());
+        rest.anchored = false;
+    }
+    return static_cast<int>(leaving.size());
+}
+
+void Destruction::split_all(World& world) {
+    int most = limits_.pieces_per_step;
+    for (Whole& whole : wholes_) {
+        const std::size_t count = whole.pieces.size();  // those made here hang together
+        for (std::size_t p = 0; p < count && most > 0; p++)
+            if (whole.pieces[p].cut) most -= split(world, whole, p, most);
+    }
+}
+
+// Where a chunk of an anchored piece came loose, what hit it gets its speed back, less what the
+// broken bonds took: E = m (v0^2 - v^2) / 2.
+void Destruction::push_through(World& world) {
+    for (const Press& press : presses_) {
+        if (!press.impact || !press.into_anchored) continue;
+        const std::uint32_t at = wholes_[press.whole].chunks[press.chunk].piece;
+        if (at >= wholes_[press.whole].pieces.size() || wholes_[press.whole].pieces[at].anchored)
+            continue;
+        const double left2 = press.approach * press.approach - 2 * press.paid * press.inv;
+        const double speed = left2 > 0 ? square_root(left2) : 0;
+        const double impulse = (speed + press.parting) / press.inv;
+        if (impulse > 0)
+            static_cast<void>(
+                world.apply_impulse(press.other_body, press.normal * impulse, press.point).ok());
+    }
+}
+
+void Destruction::drop_debris(World& world, double dt) {
+    if (!(limits_.debris_life > 0)) return;
+    for (Whole& whole : wholes_) {
+        const std::size_t count = whole.pieces.size();
+        std::erase_if(whole.pieces, [&](Piece& piece) {
+            if (piece.anchored || piece.chunks.size() != 1) return false;
+            if (whole.chunks[piece.chunks[0]].mass >= whole.density * limits_.debris_volume)
+                return false;
+            piece.age += dt;
+            if (piece.age < limits_.debris_life) return false;
+            static_cast<void>(world.destroy_body(piece.body).ok());
+            return true;
+        });
+        derived_ = derived_ && whole.pieces.size() == count;
+    }
+}
+
+void Destruction::after_step(World& world, double dt) {
+    derive();
+    note_gravity(world);
+    gather(world, dt);
+    crack_all(world);
+    split_all(world);
+    derive();
+    push_through(world);
+    drop_debris(world, dt);
+}
+
+}  // namespace jostle::modules

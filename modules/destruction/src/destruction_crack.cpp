@@ -16,7 +16,7 @@ using namespace destruction_detail;
 namespace {
 
 // Of the worst load: bonds that bear as much break in the same round.
-constexpr double same_round = 0.8;
+constexpr double same_round = 0.5;
 // Of the loads: they are asked anew after a change of that size, or of a hundredth of the weight.
 constexpr double noticeable_share = 0.05, noticeable_weight = 0.01;
 constexpr double standard_gravity = 9.81;
@@ -173,6 +173,7 @@ Destruction::Answer Destruction::ask(Whole& whole, const Group& group, Piece* ca
     if (!paid) work_left_ -= static_cast<std::int64_t>(factor->work());
     const std::vector<double> loads = loads_of(whole, group, *factor, pushes, spin, gravity);
     const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
+    if (cached) worst_ = worst;
     const double limit = maximum(1, same_round * worst);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < loads.size(); k++)
@@ -253,8 +254,10 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     double left = hit ? energy : std::numeric_limits<double>::max();
     const bool asked = crack(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
     for (Press& press : presses)
-        if (hit && press.impact && !piece.carried)
+        if (hit && asked && press.impact && !piece.carried) {
             press.paid = (energy - left) * (press.energy / energy);
+            press.worst = piece.cut ? worst_ : 0;
+        }
     for (const std::uint32_t c : piece.chunks) {
         whole.chunks[c].force = pushes[c].force;
         whole.chunks[c].torque = pushes[c].torque;

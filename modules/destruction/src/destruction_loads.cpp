@@ -4,26 +4,13 @@
 #include <algorithm>
 
 #include "bond_network.h"
+#include "contact_motion.h"
 #include "jostle/modules/destruction.h"
 
 namespace jostle::modules {
 
 using namespace physics;
-
-namespace {
-
-// 1/kg: how easily a body gives way at a point along a unit direction. 0: not at all.
-double give(const BodyState& body, Vec3 point, Vec3 n) {
-    if (!(body.mass > 0)) return 0;
-    const Vec3 turn = cross(point - body.center, n);
-    return 1 / body.mass + dot(turn, inverse(body.inertia) * turn);
-}
-
-Vec3 velocity_at(const BodyState& body, Vec3 point) {
-    return body.linear_velocity + cross(body.angular_velocity, point - body.center);
-}
-
-}  // namespace
+using namespace destruction_detail;
 
 // After anything changed: which piece chunks are in, which bonds hold within it, which shapes
 // bonds hold.
@@ -105,7 +92,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
                     .parting = parting,
                     .inv = inv,
                     .energy = 0.5 * approach * approach / inv};
-        press.into_anchored = whole.pieces[whole.chunks[at->chunk].piece].anchored;
+        press.twin = at_a && at_b;
         presses_.push_back(press);
     }
 }
@@ -143,6 +130,13 @@ void Destruction::gather(const World& world, double dt) {
         if (!is_impact(e.shape_a, e.shape_b))
             add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
                        e.approach);
+    for (const Again& e : again_)
+        if (const Place* at = place_of(e.own); at && !is_impact(e.own, e.other)) {
+            const Whole& whole = wholes_[at->whole];
+            add_impact(world, dt, e.own, e.other,
+                       whole.pieces[whole.chunks[at->chunk].piece].body, e.other_body, e.point,
+                       e.normal, e.approach);
+        }
     for (const ContactStay& e : events.contacts) add_stay(e, dt);
     const auto key = [&](const Press& p) {
         return std::pair(p.whole, wholes_[p.whole].chunks[p.chunk].piece);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bond_network.h"
+#include "contact_motion.h"
 #include "jostle/modules/destruction.h"
 
 namespace jostle::modules {
@@ -186,21 +187,72 @@ void Destruction::split_all(World& world) {
     }
 }
 
-// Where a chunk of an anchored piece came loose, what hit it gets its speed back, less what the
-// broken bonds took: E = m (v0^2 - v^2) / 2.
+// As bodies moved before the step, for what yields().
+void Destruction::before_step(World& world, double) {
+    for (Whole& whole : wholes_)
+        for (Piece& piece : whole.pieces) {
+            if (piece.anchored || piece.chunks.size() < 2) continue;
+            const Result<BodyState> body = world.body(piece.body);
+            if (!body.ok()) continue;
+            piece.linear = body->linear_velocity;
+            piece.angular = body->angular_velocity;
+        }
+}
+
+// All but 1 / worst of the impulse was more than the bonds bear: the piece changes its velocity by
+// that share only, and what it met keeps the rest of its approach.
 void Destruction::push_through(World& world) {
+    again_.clear();
+    const Press* before = nullptr;
     for (const Press& press : presses_) {
-        if (!press.impact || !press.into_anchored) continue;
-        const std::uint32_t at = wholes_[press.whole].chunks[press.chunk].piece;
-        if (at >= wholes_[press.whole].pieces.size() || wholes_[press.whole].pieces[at].anchored)
-            continue;
-        const double left2 = press.approach * press.approach - 2 * press.paid * press.inv;
-        const double speed = left2 > 0 ? square_root(left2) : 0;
-        const double impulse = (speed + press.parting) / press.inv;
-        if (impulse > 0)
-            static_cast<void>(
-                world.apply_impulse(press.other_body, press.normal * impulse, press.point).ok());
+        if (!press.impact || !(press.worst > 1)) continue;
+        Piece& piece = piece_of(press);
+        if (!before || &piece_of(*before) != &piece) yield(world, piece, press.worst);
+        before = &press;
     }
+    for (const Press& press : presses_)
+        if (press.impact && press.worst > 1) let_through(world, press);
+}
+
+Destruction::Piece& Destruction::piece_of(const Press& press) {
+    Whole& whole = wholes_[press.whole];
+    return whole.pieces[whole.chunks[press.chunk].piece];
+}
+
+void Destruction::yield(World& world, const Piece& piece, double worst) {
+    const Result<BodyState> body = world.body(piece.body);
+    if (!body.ok() || body->type != BodyType::dynamic) return;
+    const Vec3 linear = piece.linear + (body->linear_velocity - piece.linear) / worst;
+    const Vec3 angular = piece.angular + (body->angular_velocity - piece.angular) / worst;
+    static_cast<void>(world.set_velocity(piece.body, linear, angular).ok());
+}
+
+// The energy that the bonds took comes off the speed that is left: E = (v0^2 - v^2) / (2 inv).
+void Destruction::let_through(World& world, const Press& press) {
+    const double kept = press.approach - (press.approach + press.parting) / press.worst;
+    const double left2 = kept * absolute(kept) - 2 * press.paid * press.inv;
+    const double speed = left2 > 0 ? square_root(left2) : 0;
+    const BodyId own = piece_of(press).body;
+    const Result<BodyState> a = world.body(own), b = world.body(press.other_body);
+    if (!(speed > 0) || !a.ok() || !b.ok()) return;
+    const Vec3 n = press.normal;
+    const double inv_b = give(*b, press.point, n);
+    if (inv_b > 0 && !other_yields(press)) {
+        const double now = dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n);
+        const Vec3 back = n * ((kept - now) / inv_b);
+        static_cast<void>(world.apply_impulse(press.other_body, back, press.point).ok());
+    }
+    const Vec3 paid = n * ((kept - speed) / press.inv);
+    static_cast<void>(world.apply_impulse(own, paid, press.point).ok());
+    static_cast<void>(world.apply_impulse(press.other_body, -paid, press.point).ok());
+    again_.push_back({press.own, press.other, press.other_body, press.point, -n, speed});
+}
+
+// Whether what it met broke, too, and has its own share.
+bool Destruction::other_yields(const Press& press) const {
+    return press.twin && std::any_of(presses_.begin(), presses_.end(), [&](const Press& other) {
+               return other.own == press.other && other.other == press.own && other.worst > 1;
+           });
 }
 
 void Destruction::drop_debris(World& world, double dt) {
@@ -225,9 +277,8 @@ void Destruction::after_step(World& world, double dt) {
     note_gravity(world);
     gather(world, dt);
     crack_all(world);
-    split_all(world);
-    derive();
     push_through(world);
+    split_all(world);
     drop_debris(world, dt);
 }
 

@@ -136,6 +136,14 @@ void Destruction::visit(StateVisitor& v) {
     visit_limits(v);
     bounded_vector(v, "gravity", gravity_, 1e5);
     v.all("wholes", wholes_, [&](Whole& whole) { visit(v, whole); });
+    v.all("again", again_, [&](Again& again) {
+        v.field("own", again.own);
+        v.field("other", again.other);
+        v.field("other_body", again.other_body);
+        bounded_vector(v, "point", again.point, 1e9);
+        unit_vector(v, "normal", again.normal);
+        bounded(v, "approach", again.approach, 0, 1e9);
+    });
     if (v.loading()) derived_ = false;
 }
 

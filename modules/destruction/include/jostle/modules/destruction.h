@@ -14,9 +14,9 @@
 // What hangs together with an anchored chunk is a static body: whole, it costs what one static body
 // costs. What bonds bear is asked anew only when loads changed by a twentieth.
 //
-// A body that hits an anchored whole has met a static body by the time that bonds break. Where the
-// chunk it hit comes loose, it gets the speed back that it came with, less what the broken bonds
-// took, and meets the loose chunk in the next step.
+// The solver lets bodies meet as if nothing broke. But what breaks pushes no harder than its bonds
+// bear: where bonds broke, what was more is taken back from both bodies, less what the broken bonds
+// took of the energy, and in the next step they meet again with what is left.
 //
 // Thread rule: that of the World.
 #pragma once
@@ -67,7 +67,7 @@ struct DestructibleDef {
 
 // What a step may take; the rest waits for the next one.
 struct DestructionLimits {
-    int rounds = 4;              // of breaking and solving anew in a step, 1 to 64
+    int rounds = 8;              // of breaking and solving anew in a step, 1 to 64
     int pieces_per_step = 2048;  // new bodies, 1 to 1000000
     // Products of 6 x 6 blocks that new factors take, 1 to 1e12; one factor is always made.
     std::int64_t work_per_step = 40000;
@@ -93,6 +93,7 @@ public:
                               const physics::ModuleSettings& settings) override;
     // u16: how many; of each u16 pieces, u16 bonds that hold, u16 bonds that were.
     void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    void before_step(physics::World& world, double dt) override;
     void after_step(physics::World& world, double dt) override;
 
     physics::Status set_limits(const DestructionLimits& limits);
@@ -145,6 +146,8 @@ private:
         double energy = 0;     // J of the impacts whose loads wait
         double age = 0;        // s, of a loose single chunk
 
+        physics::Vec3 linear, angular;  // m/s, rad/s: before the step
+
         // Derived: bonds within that hold; the factor of its stiffness.
         std::vector<std::uint32_t> bonds;
         std::shared_ptr<const destruction_detail::BlockFactor> factor;
@@ -172,8 +175,16 @@ private:
         physics::Vec3 normal;                      // unit, against the chunk
         double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
         double energy = 0;                         // J
-        bool into_anchored = false;
-        double paid = 0;  // J, for broken bonds
+        bool twin = false;  // bonds hold the other one, too: there is a press upon it
+        double paid = 0;   // J, for broken bonds
+        double worst = 0;  // what the worst bond had to bear, as a share of its strength
+    };
+    // What got its speed back and is still in touch: that is no new contact.
+    struct Again {
+        physics::ShapeId own, other;
+        physics::BodyId other_body;
+        physics::Vec3 point, normal;  // from the chunk
+        double approach = 0;          // m/s
     };
     enum class Answer : std::uint8_t { held, broke, no_time };
 
@@ -220,11 +231,16 @@ private:
     static void keep_shapes(physics::World& world, Whole& whole, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
     void push_through(physics::World& world);
+    static void yield(physics::World& world, const Piece& piece, double worst);
+    void let_through(physics::World& world, const Press& press);
+    bool other_yields(const Press& press) const;
+    Piece& piece_of(const Press& press);
     void drop_debris(physics::World& world, double dt);
 
     DestructionLimits limits_;
     physics::Vec3 gravity_;  // when all were last asked
     std::vector<Whole> wholes_;
+    std::vector<Again> again_;
 
     // Derived, or of one step.
     bool derived_ = false;
@@ -232,6 +248,7 @@ private:
     std::vector<Press> presses_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::int64_t work_left_ = 0;
+    double worst_ = 0;  // of the piece that was asked last, before anything broke
 };
 
 }  // namespace jostle::modules

@@ -17,8 +17,8 @@ namespace {
 
 // Of the worst load: bonds that bear as much break in the same round.
 constexpr double same_round = 0.5;
-// Of the loads: they are asked anew after a change of that size, or of a hundredth of the weight.
-constexpr double noticeable_share = 0.05, noticeable_weight = 0.01;
+// Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
+constexpr double noticeable_share = 0.05, noticeable_weight = 0.05;
 constexpr double standard_gravity = 9.81;
 constexpr double shortest_beam = 1e-6;  // m
 constexpr std::uint32_t nowhere = 0xffffffff;

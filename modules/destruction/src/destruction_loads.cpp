@@ -2,6 +2,7 @@
 //
 // What presses on chunks: contacts and impacts of the last step.
 #include <algorithm>
+#include <tuple>
 
 #include "bond_network.h"
 #include "contact_motion.h"
@@ -11,6 +12,12 @@ namespace jostle::modules {
 
 using namespace physics;
 using namespace destruction_detail;
+
+namespace {
+
+constexpr double least_impact = 0.5;  // m/s
+
+}  // namespace
 
 // After anything changed: which piece chunks are in, which bonds hold within it, which shapes
 // bonds hold.
@@ -38,7 +45,10 @@ void Destruction::derive() {
         }
     }
     std::sort(places_.begin(), places_.end(),
-              [](const Place& a, const Place& b) { return a.shape < b.shape; });
+              [](const Place& a, const Place& b) {
+                  return std::tuple(a.shape, a.whole, a.chunk) <
+                         std::tuple(b.shape, b.whole, b.chunk);
+              });
     derived_ = true;
 }
 
@@ -97,10 +107,24 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     }
 }
 
-void Destruction::add_stay(const ContactStay& stay, double dt) {
+// m/s, against each other, where one is a body that got its speed back; else 0.
+double Destruction::speed_before(const ContactStay& stay) const {
+    for (const BodyState& mover : movers_)
+        if (mover.id == stay.body_a || mover.id == stay.body_b)
+            return dot(velocity_at(mover, stay.point), stay.normal) *
+                   (mover.id == stay.body_a ? 1 : -1);
+    return 0;
+}
+
+void Destruction::add_stay(const World& world, const ContactStay& stay, double dt) {
     const Place *at_a = place_of(stay.shape_a), *at_b = place_of(stay.shape_b);
     if (!at_a && !at_b) return;
     if (is_impact(stay.shape_a, stay.shape_b)) return;
+    if (const double approach = speed_before(stay); approach > least_impact) {
+        add_impact(world, dt, stay.shape_a, stay.shape_b, stay.body_a, stay.body_b, stay.point,
+                   stay.normal, approach);
+        return;
+    }
     const Vec3 push = stay.normal * (stay.normal_impulse / dt);
     if (at_a)
         presses_.push_back({.whole = at_a->whole,
@@ -118,6 +142,21 @@ void Destruction::add_stay(const ContactStay& stay, double dt) {
                             .push = push});
 }
 
+// What meets a piece in several places at once presses on each with its share.
+void Destruction::share_impacts() {
+    std::vector<BodyId> others;
+    for (const Press& press : presses_)
+        if (press.impact) others.push_back(press.other_body);
+    std::sort(others.begin(), others.end());
+    for (Press& press : presses_) {
+        if (!press.impact) continue;
+        const auto range = std::equal_range(others.begin(), others.end(), press.other_body);
+        const double share = 1 / static_cast<double>(range.second - range.first);
+        press.push = press.push * share;
+        press.energy *= share;
+    }
+}
+
 // Sorted by whole and piece, in the events' order within.
 void Destruction::gather(const World& world, double dt) {
     presses_.clear();
@@ -130,14 +169,15 @@ void Destruction::gather(const World& world, double dt) {
         if (!is_impact(e.shape_a, e.shape_b))
             add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
                        e.approach);
-    for (const Again& e : again_)
-        if (const Place* at = place_of(e.own); at && !is_impact(e.own, e.other)) {
-            const Whole& whole = wholes_[at->whole];
-            add_impact(world, dt, e.own, e.other,
-                       whole.pieces[whole.chunks[at->chunk].piece].body, e.other_body, e.point,
-                       e.normal, e.approach);
-        }
-    for (const ContactStay& e : events.contacts) add_stay(e, dt);
+    for (const Again& e : again_) {
+        const Whole& whole = wholes_[e.whole];
+        const ShapeId own = whole.chunks[e.chunk].shape;
+        if (!place_of(own) || is_impact(own, e.other)) continue;
+        add_impact(world, dt, own, e.other, whole.pieces[whole.chunks[e.chunk].piece].body,
+                   e.other_body, e.point, e.normal, e.approach);
+    }
+    for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
+    share_impacts();
     const auto key = [&](const Press& p) {
         return std::pair(p.whole, wholes_[p.whole].chunks[p.chunk].piece);
     };

@@ -17,6 +17,7 @@ namespace {
 
 // Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
 constexpr std::size_t few_shapes = 16;
+constexpr double knocked_time = 0.2;  // s
 
 ShapeDef def_of(const ShapeState& shape, Vec3 shift, bool bonded) {
     ShapeDef def{.geometry = shape.geometry,
@@ -187,16 +188,45 @@ void Destruction::split_all(World& world) {
     }
 }
 
-// As bodies moved before the step, for what yields().
-void Destruction::before_step(World& world, double) {
-    for (Whole& whole : wholes_)
-        for (Piece& piece : whole.pieces) {
+// As bodies moved before the step, for what yields(); and who was knocked out.
+void Destruction::before_step(World& world, double dt) {
+    knocked_.clear();
+    movers_.clear();
+    for (const Again& again : again_)
+        if (const Result<BodyState> body = world.body(again.other_body); body.ok())
+            movers_.push_back(*body);
+    for (std::uint32_t w = 0; w < wholes_.size(); w++)
+        for (Piece& piece : wholes_[w].pieces) {
+            if (piece.knocked > 0) {
+                knocked_.emplace_back(piece.body, w);
+                piece.knocked = maximum(0, piece.knocked - dt);
+            }
             if (piece.anchored || piece.chunks.size() < 2) continue;
             const Result<BodyState> body = world.body(piece.body);
             if (!body.ok()) continue;
             piece.linear = body->linear_velocity;
             piece.angular = body->angular_velocity;
         }
+}
+
+void Destruction::pre_solve(PreSolve& pair) {
+    for (const auto& [body, whole] : knocked_) {
+        if (pair.body_a != body && pair.body_b != body) continue;
+        const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
+        for (const Piece& piece : wholes_[whole].pieces)
+            if (piece.body == other) pair.enabled = false;
+    }
+}
+
+// What was struck and parted from what it hung on.
+void Destruction::mark_knocked() {
+    for (const Again& again : again_) {
+        Whole& whole = wholes_[again.whole];
+        const std::uint32_t at = whole.chunks[again.chunk].piece;
+        if (at >= whole.pieces.size()) continue;
+        Piece& piece = whole.pieces[at];
+        if (!piece.anchored && piece.chunks.size() == 1) piece.knocked = knocked_time;
+    }
 }
 
 // All but 1 / worst of the impulse was more than the bonds bear: the piece changes its velocity by
@@ -245,7 +275,8 @@ void Destruction::let_through(World& world, const Press& press) {
     const Vec3 paid = n * ((kept - speed) / press.inv);
     static_cast<void>(world.apply_impulse(own, paid, press.point).ok());
     static_cast<void>(world.apply_impulse(press.other_body, -paid, press.point).ok());
-    again_.push_back({press.own, press.other, press.other_body, press.point, -n, speed});
+    again_.push_back({press.whole, press.chunk, press.other, press.other_body, press.point, -n,
+                      speed});
 }
 
 // Whether what it met broke, too, and has its own share.
@@ -279,6 +310,8 @@ void Destruction::after_step(World& world, double dt) {
     crack_all(world);
     push_through(world);
     split_all(world);
+    derive();
+    mark_knocked();
     drop_debris(world, dt);
 }
 

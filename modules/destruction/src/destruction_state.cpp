@@ -87,6 +87,7 @@ void Destruction::visit(StateVisitor& v, Whole& whole) {
         bounded(v, "spin2", piece.spin2, 0, 1e13);
         bounded(v, "energy", piece.energy, 0, most_load);
         bounded(v, "age", piece.age, 0, 1e7);
+        bounded(v, "knocked", piece.knocked, 0, 1);
         if (v.loading()) piece.factor.reset();
     });
     if (v.loading()) check_whole(v, whole);
@@ -137,7 +138,11 @@ void Destruction::visit(StateVisitor& v) {
     bounded_vector(v, "gravity", gravity_, 1e5);
     v.all("wholes", wholes_, [&](Whole& whole) { visit(v, whole); });
     v.all("again", again_, [&](Again& again) {
-        v.field("own", again.own);
+        v.field("whole", again.whole);
+        v.field("chunk", again.chunk);
+        if (v.loading() && (again.whole >= wholes_.size() ||
+                            again.chunk >= wholes_[again.whole].chunks.size()))
+            v.fail("chunk", "is not there");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
         bounded_vector(v, "point", again.point, 1e9);

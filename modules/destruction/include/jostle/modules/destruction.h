@@ -16,7 +16,8 @@
 //
 // The solver lets bodies meet as if nothing broke. But what breaks pushes no harder than its bonds
 // bear: where bonds broke, what was more is taken back from both bodies, less what the broken bonds
-// took of the energy, and in the next step they meet again with what is left.
+// took of the energy, and in the next step they meet again with what is left. Single chunks that are
+// knocked out do not jam: for a fifth of a second they pass what they broke out of.
 //
 // Thread rule: that of the World.
 #pragma once
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "jostle/modules/fractured_shape.h"
@@ -93,7 +95,9 @@ public:
                               const physics::ModuleSettings& settings) override;
     // u16: how many; of each u16 pieces, u16 bonds that hold, u16 bonds that were.
     void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    physics::StepHooks hooks() const override { return {.pre_solve = true}; }
     void before_step(physics::World& world, double dt) override;
+    void pre_solve(physics::PreSolve& pair) override;
     void after_step(physics::World& world, double dt) override;
 
     physics::Status set_limits(const DestructionLimits& limits);
@@ -145,6 +149,7 @@ private:
         double spin2 = 0;      // rad^2/s^2, when last asked
         double energy = 0;     // J of the impacts whose loads wait
         double age = 0;        // s, of a loose single chunk
+        double knocked = 0;    // s, for which it passes what it broke out of
 
         physics::Vec3 linear, angular;  // m/s, rad/s: before the step
 
@@ -181,7 +186,8 @@ private:
     };
     // What got its speed back and is still in touch: that is no new contact.
     struct Again {
-        physics::ShapeId own, other;
+        std::uint32_t whole = 0, chunk = 0;
+        physics::ShapeId other;
         physics::BodyId other_body;
         physics::Vec3 point, normal;  // from the chunk
         double approach = 0;          // m/s
@@ -202,7 +208,9 @@ private:
     void add_impact(const physics::World& world, double dt, physics::ShapeId a, physics::ShapeId b,
                     physics::BodyId body_a, physics::BodyId body_b, physics::Vec3 point,
                     physics::Vec3 normal, double approach);
-    void add_stay(const physics::ContactStay& stay, double dt);
+    void add_stay(const physics::World& world, const physics::ContactStay& stay, double dt);
+    double speed_before(const physics::ContactStay& stay) const;
+    void share_impacts();
     const Place* place_of(physics::ShapeId shape) const;
     bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
 
@@ -231,6 +239,7 @@ private:
     static void keep_shapes(physics::World& world, Whole& whole, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
     void push_through(physics::World& world);
+    void mark_knocked();
     static void yield(physics::World& world, const Piece& piece, double worst);
     void let_through(physics::World& world, const Press& press);
     bool other_yields(const Press& press) const;
@@ -247,6 +256,8 @@ private:
     std::vector<Place> places_;  // by shape
     std::vector<Press> presses_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
+    std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
+    std::vector<physics::BodyState> movers_;  // what got its speed back, before the step
     std::int64_t work_left_ = 0;
     double worst_ = 0;  // of the piece that was asked last, before anything broke
 };

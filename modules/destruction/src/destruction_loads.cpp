@@ -142,6 +142,26 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .push = push});
 }
 
+// What got its speed back and was stopped again without an event: by sweeps, which end at what is
+// static. It pressed on what is near it.
+void Destruction::add_unseen(const World& world, double dt) {
+    for (const BodyState& mover : movers_) {
+        if (std::any_of(presses_.begin(), presses_.end(), [&](const Press& press) {
+                return press.impact && press.other_body == mover.id;
+            }))
+            continue;
+        const Result<std::vector<ContactInfo>> near = world.contacts_of(mover.id);
+        if (!near.ok()) continue;
+        for (const ContactInfo& c : *near) {
+            const double sign = c.body_a == mover.id ? 1 : -1;
+            const double approach = sign * dot(mover.linear_velocity, c.normal);
+            if (c.count > 0 && approach > least_impact)
+                add_impact(world, dt, c.shape_a, c.shape_b, c.body_a, c.body_b, c.point[0],
+                           c.normal, approach);
+        }
+    }
+}
+
 // What meets a piece in several places at once presses on each with its share.
 void Destruction::share_impacts() {
     std::vector<BodyId> others;
@@ -177,6 +197,7 @@ void Destruction::gather(const World& world, double dt) {
                    e.other_body, e.point, e.normal, e.approach);
     }
     for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
+    add_unseen(world, dt);
     share_impacts();
     const auto key = [&](const Press& p) {
         return std::pair(p.whole, wholes_[p.whole].chunks[p.chunk].piece);

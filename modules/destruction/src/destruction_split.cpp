@@ -242,6 +242,18 @@ void Destruction::push_through(World& world) {
     }
     for (const Press& press : presses_)
         if (press.impact && press.worst > 1) let_through(world, press);
+    for (const BodyState& mover : movers_) slow_down(world, mover);
+}
+
+// What was pressed on from several sides, and got its speed back along each, is no faster than it
+// was.
+void Destruction::slow_down(World& world, const BodyState& before) {
+    const Result<BodyState> body = world.body(before.id);
+    if (!body.ok() || body->type != BodyType::dynamic) return;
+    const double speed = length(body->linear_velocity), most = length(before.linear_velocity);
+    if (speed > most)
+        static_cast<void>(
+            world.set_linear_velocity(before.id, body->linear_velocity * (most / speed)).ok());
 }
 
 Destruction::Piece& Destruction::piece_of(const Press& press) {

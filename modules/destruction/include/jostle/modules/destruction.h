@@ -209,6 +209,7 @@ private:
                     physics::BodyId body_a, physics::BodyId body_b, physics::Vec3 point,
                     physics::Vec3 normal, double approach);
     void add_stay(const physics::World& world, const physics::ContactStay& stay, double dt);
+    void add_unseen(const physics::World& world, double dt);
     double speed_before(const physics::ContactStay& stay) const;
     void share_impacts();
     const Place* place_of(physics::ShapeId shape) const;
@@ -242,6 +243,7 @@ private:
     void mark_knocked();
     static void yield(physics::World& world, const Piece& piece, double worst);
     void let_through(physics::World& world, const Press& press);
+    static void slow_down(physics::World& world, const physics::BodyState& before);
     bool other_yields(const Press& press) const;
     Piece& piece_of(const Press& press);
     void drop_debris(physics::World& world, double dt);

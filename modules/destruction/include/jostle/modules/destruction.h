@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+//
+// Bodies that break: chunks held together by bonds, one body for all that hangs together. Loads
+// (weight, contacts, impacts, inertia) go through the bonds as through short beams; bonds that bear
+// too much break, and after the step what no longer hangs together becomes bodies of its own.
+//
+//     auto module = std::make_unique<Destruction>();
+//     Destruction& destruction = *module;
+//     world.add_module(std::move(module));
+//     FracturedShape wall = fracture_box(half, scattered_seeds(half, 200, 7)).value();
+//     anchor(wall, {0, -1, 0}, half.y - 0.01);
+//     DestructibleId id = *destruction.add(world, wall, {.pose = {.position = {0, half.y, 0}}});
+//
+// What hangs together with an anchored chunk is a static body: whole, it costs what one static body
+// costs. What bonds bear is asked anew only when loads changed by a twentieth.
+//
+// The solver lets bodies meet as if nothing broke. But what breaks pushes no harder than its bonds
+// bear: where bonds broke, what was more is taken back from both bodies, less what the broken bonds
+// took of the energy, and in the next step they meet again with what is left. Single chunks that are
+// knocked out do not jam: for a fifth of a second they pass what they broke out of.
+//
+// Thread rule: that of the World.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "jostle/modules/fractured_shape.h"
+#include "jostle/physics/module.h"
+#include "jostle/physics/world.h"
+
+namespace jostle::modules {
+
+namespace destruction_detail {
+class BlockFactor;
+struct Group;
+// Upon a chunk: at its centre of mass, in the frame of the whole.
+struct Push {
+    physics::Vec3 force, torque;  // N, N m
+};
+}  // namespace destruction_detail
+
+// What bonds are made of. The defaults are those of weak concrete.
+struct BondMaterial {
+    double young = 2e10;          // Pa, 1 to 1e13
+    double poisson = 0.2;         // 0 to 0.5
+    double tensile = 1.5e6;       // Pa that break a bond, each 1 to 1e13
+    double shear = 3e6;           // Pa
+    double compressive = 2e7;     // Pa
+    double fracture_energy = 80;  // J/m^2 that breaking takes of an impact, 0 to 1e9
+    // s, 1e-5 to 1: how long an impact presses. Its force is the impulse over this time, or over
+    // the step's where that is shorter.
+    double contact_time = 0.005;
+};
+
+struct DestructibleDef {
+    physics::Transform pose = {};        // of the shape's frame
+    physics::Vec3 linear_velocity = {};  // m/s, of the centre of mass; nothing is anchored
+    physics::Vec3 angular_velocity = {};
+    double density = 2400;  // kg/m^3, 1e-3 to 1e6
+    physics::Material surface = {};
+    physics::Filter filter = {};
+    BondMaterial bonds = {};
+};
+
+// What a step may take; the rest waits for the next one.
+struct DestructionLimits {
+    int rounds = 8;              // of breaking and solving anew in a step, 1 to 64
+    int pieces_per_step = 2048;  // new bodies, 1 to 1000000
+    // Products of 6 x 6 blocks that new factors take, 1 to 1e12; one factor is always made.
+    std::int64_t work_per_step = 40000;
+    double debris_life = 0;    // s, 0 to 1e6: loose single chunks vanish after; 0: never
+    double debris_volume = 0;  // m^3, 0 to 1e12: of those that are smaller
+};
+
+struct DestructibleId {
+    std::uint32_t index = 0xffffffff;
+    std::uint32_t generation = 0;
+
+    auto operator<=>(const DestructibleId&) const = default;
+};
+
+class Destruction : public physics::Module {
+public:
+    std::string_view tag() const override { return "destruction"; }
+    void visit(physics::StateVisitor& v) override;
+    // Walls of a scene, side by side along x, anchored at their foot: count (0 to 100), spacing
+    // (m), width, height, thickness (m), chunks (1 to 2000), seed; x, y, z of the middle of the
+    // first one's foot; density; tensile, shear (Pa), fracture_energy; debris_life, debris_volume.
+    physics::Status configure(physics::World& world,
+                              const physics::ModuleSettings& settings) override;
+    // u16: how many; of each u16 pieces, u16 bonds that hold, u16 bonds that were.
+    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    physics::StepHooks hooks() const override { return {.pre_solve = true}; }
+    void before_step(physics::World& world, double dt) override;
+    void pre_solve(physics::PreSolve& pair) override;
+    void after_step(physics::World& world, double dt) override;
+
+    physics::Status set_limits(const DestructionLimits& limits);
+    const DestructionLimits& limits() const { return limits_; }
+
+    // All or nothing. Static when a chunk is anchored. An error names the chunk or the bond.
+    physics::Result<DestructibleId> add(physics::World& world, const FracturedShape& shape,
+                                        const DestructibleDef& def);
+    // With all its pieces.
+    physics::Status remove(physics::World& world, DestructibleId id);
+
+    // Breaks the bonds whose middle is within a ball, in world space; they part after the next
+    // step. How many broke.
+    physics::Result<std::size_t> break_near(const physics::World& world, DestructibleId id,
+                                            physics::Vec3 center, double radius);
+
+    bool contains(DestructibleId id) const { return find(id) != nullptr; }
+    std::size_t size() const;
+    physics::Result<std::vector<physics::BodyId>> bodies(DestructibleId id) const;
+    physics::Result<std::size_t> bonds_left(DestructibleId id) const;
+    // What the bond that bears most bears under weight alone, as a share of its strength.
+    physics::Result<double> worst_load(const physics::World& world, DestructibleId id) const;
+
+private:
+    struct Chunk {
+        physics::Vec3 center;  // in the frame of the whole, as all that follows
+        double mass = 0;
+        physics::Mat3 inertia;
+        physics::ShapeId shape;
+        bool anchored = false;
+        physics::Vec3 force, torque;  // of contacts, when its bonds were last asked
+        std::uint32_t piece = 0;      // derived
+    };
+    struct Bond {
+        FractureBond face;
+        bool broken = false;
+    };
+    // What hangs together: one body, whose axes are those of the whole.
+    struct Piece {
+        physics::BodyId body;
+        physics::Vec3 origin;  // of the body, in the frame of the whole
+        std::vector<std::uint32_t> chunks;
+        bool anchored = false;
+        bool check = true;     // is to be asked, whatever its loads
+        bool solved = false;   // its factor was made, and paid for
+        bool loaded = false;   // by contacts, when last asked
+        bool carried = false;  // its loads wait in its chunks: there was no time to ask
+        bool cut = false;      // bonds broke: it is to be parted
+        double spin2 = 0;      // rad^2/s^2, when last asked
+        double energy = 0;     // J of the impacts whose loads wait
+        double age = 0;        // s, of a loose single chunk
+        double knocked = 0;    // s, for which it passes what it broke out of
+
+        physics::Vec3 linear, angular;  // m/s, rad/s: before the step
+
+        // Derived: bonds within that hold; the factor of its stiffness.
+        std::vector<std::uint32_t> bonds;
+        std::shared_ptr<const destruction_detail::BlockFactor> factor;
+    };
+    struct Whole {
+        bool alive = false;
+        std::uint32_t generation = 0;
+        BondMaterial material;
+        double density = 0;
+        std::vector<Chunk> chunks;
+        std::vector<Bond> bonds;
+        std::vector<Piece> pieces;
+    };
+    struct Place {  // of a shape that bonds hold
+        physics::ShapeId shape;
+        std::uint32_t whole = 0, chunk = 0;
+    };
+    // A contact of the last step upon a chunk.
+    struct Press {
+        std::uint32_t whole = 0, chunk = 0;
+        physics::ShapeId own, other;
+        physics::BodyId other_body;
+        physics::Vec3 point, push;  // m; N, world
+        bool impact = false;
+        physics::Vec3 normal;                      // unit, against the chunk
+        double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
+        double energy = 0;                         // J
+        bool twin = false;  // bonds hold the other one, too: there is a press upon it
+        double paid = 0;   // J, for broken bonds
+        double worst = 0;  // what the worst bond had to bear, as a share of its strength
+    };
+    // What got its speed back and is still in touch: that is no new contact.
+    struct Again {
+        std::uint32_t whole = 0, chunk = 0;
+        physics::ShapeId other;
+        physics::BodyId other_body;
+        physics::Vec3 point, normal;  // from the chunk
+        double approach = 0;          // m/s
+    };
+    enum class Answer : std::uint8_t { held, broke, no_time };
+
+    const Whole* find(DestructibleId id) const;
+    Whole* find(DestructibleId id);
+    static physics::Error unknown(DestructibleId id);
+    static void visit(physics::StateVisitor& v, Whole& whole);
+    void visit_limits(physics::StateVisitor& v);
+    static void check_whole(physics::StateVisitor& v, const Whole& whole);
+
+    // destruction_loads.cpp: what contacts press.
+    void derive();
+    void note_gravity(const physics::World& world);
+    void gather(const physics::World& world, double dt);
+    void add_impact(const physics::World& world, double dt, physics::ShapeId a, physics::ShapeId b,
+                    physics::BodyId body_a, physics::BodyId body_b, physics::Vec3 point,
+                    physics::Vec3 normal, double approach);
+    void add_stay(const physics::World& world, const physics::ContactStay& stay, double dt);
+    void add_unseen(const physics::World& world, double dt);
+    double speed_before(const physics::ContactStay& stay) const;
+    void share_impacts();
+    const Place* place_of(physics::ShapeId shape) const;
+    bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
+
+    // destruction_crack.cpp: which bonds break.
+    void crack_all(const physics::World& world);
+    void crack_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
+                         std::span<Press> presses);
+    bool crack(Whole& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
+               physics::Vec3 spin, physics::Vec3 gravity, double& energy);
+    Answer ask(Whole& whole, const destruction_detail::Group& group, Piece* cached,
+               std::span<const destruction_detail::Push> pushes, physics::Vec3 spin,
+               physics::Vec3 gravity, double& energy);
+    static std::vector<double> loads_of(const Whole& whole, const destruction_detail::Group& group,
+                                        const destruction_detail::BlockFactor& factor,
+                                        std::span<const destruction_detail::Push> pushes,
+                                        physics::Vec3 spin, physics::Vec3 gravity);
+    static std::vector<destruction_detail::Group> parts_of(const Whole& whole,
+                                                           const destruction_detail::Group& group);
+
+    // destruction_split.cpp: pieces become bodies.
+    void split_all(physics::World& world);
+    int split(physics::World& world, Whole& whole, std::size_t piece, int most);
+    physics::Status part(physics::World& world, Whole& whole, std::size_t piece,
+                         std::span<const destruction_detail::Group> leaving,
+                         const destruction_detail::Group& staying);
+    static void keep_shapes(physics::World& world, Whole& whole, Piece& piece,
+                            std::span<const destruction_detail::Group> leaving);
+    void push_through(physics::World& world);
+    void mark_knocked();
+    static void yield(physics::World& world, const Piece& piece, double worst);
+    void let_through(physics::World& world, const Press& press);
+    static void slow_down(physics::World& world, const physics::BodyState& before);
+    bool other_yields(const Press& press) const;
+    Piece& piece_of(const Press& press);
+    void drop_debris(physics::World& world, double dt);
+
+    DestructionLimits limits_;
+    physics::Vec3 gravity_;  // when all were last asked
+    std::vector<Whole> wholes_;
+    std::vector<Again> again_;
+
+    // Derived, or of one step.
+    bool derived_ = false;
+    std::vector<Place> places_;  // by shape
+    std::vector<Press> presses_;
+    std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
+    std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
+    std::vector<physics::BodyState> movers_;  // what got its speed back, before the step
+    std::int64_t work_left_ = 0;
+    double worst_ = 0;  // of the piece that was asked last, before anything broke
+};
+
+}  // namespace jostle::modules

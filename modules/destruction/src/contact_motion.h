@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// How bodies move, and give way, at a point.
+#pragma once
+
+#include "jostle/physics/world.h"
+
+namespace jostle::modules::destruction_detail {
+
+// 1/kg: how easily a body gives way at a point along a unit direction. 0: not at all.
+inline double give(const physics::BodyState& body, physics::Vec3 point, physics::Vec3 n) {
+    if (!(body.mass > 0)) return 0;
+    const physics::Vec3 turn = cross(point - body.center, n);
+    return 1 / body.mass + dot(turn, inverse(body.inertia) * turn);
+}
+
+inline physics::Vec3 velocity_at(const physics::BodyState& body, physics::Vec3 point) {
+    return body.linear_velocity + cross(body.angular_velocity, point - body.center);
+}
+
+}  // namespace jostle::modules::destruction_detail

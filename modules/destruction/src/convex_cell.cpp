@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "convex_cell.h"
+
+#include <algorithm>
+
+namespace jostle::modules::destruction_detail {
+
+using namespace physics;
+
+namespace {
+
+// Where an edge meets the plane. Called from inside to outside by both faces that share the edge:
+// the same bits.
+Vec3 crossing(Vec3 inside, Vec3 outside, double below, double above) {
+    return inside + (outside - inside) * (below / (below - above));
+}
+
+void note(std::vector<Vec3>& rim, Vec3 point) {
+    if (std::find(rim.begin(), rim.end(), point) == rim.end()) rim.push_back(point);
+}
+
+// The part of one face below the plane; what of it lies on the plane goes to the rim.
+CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double grain,
+                      std::vector<Vec3>& rim) {
+    CellFace kept{.normal = face.normal, .neighbour = face.neighbour, .points = {}};
+    const std::size_t count = face.points.size();
+    std::vector<double> height(count);
+    for (std::size_t k = 0; k < count; k++) {
+        const double h = dot(normal, face.points[k]) - offset;
+        height[k] = absolute(h) <= grain ? 0 : h;
+    }
+    for (std::size_t k = 0; k < count; k++) {
+        const std::size_t next = k + 1 == count ? 0 : k + 1;
+        const Vec3 p = face.points[k], q = face.points[next];
+        const double hp = height[k], hq = height[next];
+        if (hp <= 0) kept.points.push_back(p);
+        if (hp == 0) note(rim, p);
+        if (!((hp < 0 && hq > 0) || (hp > 0 && hq < 0))) continue;
+        const Vec3 cut = hp < 0 ? crossing(p, q, hp, hq) : crossing(q, p, hq, hp);
+        kept.points.push_back(cut);
+        note(rim, cut);
+    }
+    return kept;
+}
+
+// A face that only touches the plane from below, or lies in it.
+bool is_flat(const CellFace& face, Vec3 normal, double offset, double grain) {
+    return std::all_of(face.points.begin(), face.points.end(), [&](Vec3 p) {
+        return absolute(dot(normal, p) - offset) <= grain;
+    });
+}
+
+// Points of a convex face, in any order, about its normal.
+void sort_about(std::vector<Vec3>& points, Vec3 normal) {
+    Vec3 middle;
+    for (const Vec3 p : points) middle += p * (1 / static_cast<double>(points.size()));
+    Vec3 x = points[0] - middle;
+    x = normalized(x - normal * dot(normal, x));
+    const Vec3 y = cross(normal, x);
+    std::vector<std::pair<double, Vec3>> turned;
+    for (const Vec3 p : points)
+        turned.emplace_back(arc_tangent(dot(p - middle, y), dot(p - middle, x)), p);
+    std::stable_sort(turned.begin(), turned.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t k = 0; k < points.size(); k++) points[k] = turned[k].second;
+}
+
+}  // namespace
+
+ConvexCell cell_of(const ConvexHull& hull) {
+    ConvexCell cell;
+    for (const HullFace& face : hull.faces) {
+        CellFace& made = cell.faces.emplace_back();
+        made.normal = face.normal;
+        for (const std::uint16_t v : hull.vertices_of(face))
+            made.points.push_back(hull.vertices[v]);
+    }
+    return cell;
+}
+
+ConvexCell cell_of_box(Vec3 e) {
+    ConvexCell cell;
+    for (int axis = 0; axis < 3; axis++) {
+        for (const double side : {-1.0, 1.0}) {
+            CellFace& face = cell.faces.emplace_back();
+            face.normal[axis] = side;
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            constexpr double corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+            for (const auto& corner : corners) {
+                Vec3 p;
+                p[axis] = side * e[axis];
+                p[u] = side * corner[0] * e[u];
+                p[v] = corner[1] * e[v];
+                face.points.push_back(p);
+            }
+        }
+    }
+    return cell;
+}
+
+ConvexCell clipped(const ConvexCell& cell, Vec3 normal, double offset, std::uint32_t neighbour,
+                   double grain) {
+    bool below = false, above = false;
+    for (const CellFace& face : cell.faces)
+        for (const Vec3 p : face.points) {
+            const double h = dot(normal, p) - offset;
+            below = below || h < -grain;
+            above = above || h > grain;
+        }
+    if (!above) return cell;
+    if (!below) return {};
+    ConvexCell kept;
+    std::vector<Vec3> rim;
+    for (const CellFace& face : cell.faces) {
+        CellFace part = clipped_face(face, normal, offset, grain, rim);
+        if (part.points.size() >= 3 && !is_flat(part, normal, offset, grain))
+            kept.faces.push_back(std::move(part));
+    }
+    if (rim.size() >= 3) {
+        sort_about(rim, normal);
+        kept.faces.push_back({normal, neighbour, std::move(rim)});
+    }
+    return kept;
+}
+
+// By tetrahedra from one corner. Of a tetrahedron with corners p_i about the origin: integral of
+// x_j x_k dV = volume / 20 (sum p_j p_k + (sum p_j) (sum p_k)).
+CellMass mass_of(const ConvexCell& cell) {
+    CellMass mass;
+    if (cell.empty()) return mass;
+    const Vec3 origin = cell.faces[0].points[0];
+    Vec3 first;
+    Mat3 second = diagonal({0, 0, 0});
+    for (const CellFace& face : cell.faces)
+        for (std::size_t k = 2; k < face.points.size(); k++) {
+            const Vec3 p[3] = {face.points[0] - origin, face.points[k - 1] - origin,
+                               face.points[k] - origin};
+            const double volume = dot(p[0], cross(p[1], p[2])) / 6;
+            const Vec3 sum = p[0] + p[1] + p[2];
+            mass.volume += volume;
+            first += sum * (volume / 4);
+            for (const Vec3 q : {p[0], p[1], p[2], sum})
+                second = second + Mat3{q * q.x, q * q.y, q * q.z} * (volume / 20);
+        }
+    if (!(mass.volume > 0)) return {};
+    const Vec3 c = first / mass.volume;
+    mass.center = origin + c;
+    second = second - Mat3{c * c.x, c * c.y, c * c.z} * mass.volume;
+    const double trace = second.x.x + second.y.y + second.z.z;
+    mass.inertia = diagonal({trace, trace, trace}) - second;
+    return mass;
+}
+
+double furthest_squared(const ConvexCell& cell, Vec3 from) {
+    double most = 0;
+    for (const CellFace& face : cell.faces)
+        for (const Vec3 p : face.points) most = maximum(most, length_squared(p - from));
+    return most;
+}
+
+}  // namespace jostle::modules::destruction_detail

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/destruction.h"
+
+#include <algorithm>
+#include <string>
+
+#include "destruction_checks.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace destruction_detail;
+
+const Destruction::Whole* Destruction::find(DestructibleId id) const {
+    if (id.index >= wholes_.size()) return nullptr;
+    const Whole& whole = wholes_[id.index];
+    return whole.alive && whole.generation == id.generation ? &whole : nullptr;
+}
+
+Destruction::Whole* Destruction::find(DestructibleId id) {
+    return const_cast<Whole*>(std::as_const(*this).find(id));
+}
+
+Error Destruction::unknown(DestructibleId id) {
+    return {ErrorCode::not_found, "there is no destructible " + std::to_string(id.index) +
+                                      " of generation " + std::to_string(id.generation)};
+}
+
+std::size_t Destruction::size() const {
+    return static_cast<std::size_t>(
+        std::count_if(wholes_.begin(), wholes_.end(), [](const Whole& w) { return w.alive; }));
+}
+
+Status Destruction::set_limits(const DestructionLimits& limits) {
+    if (Status s = check_limits(limits); !s.ok()) return s;
+    limits_ = limits;
+    return {};
+}
+
+Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shape,
+                                        const DestructibleDef& def) {
+    if (Status s = check_shape(shape); !s.ok()) return s.error();
+    if (Status s = check_def(def); !s.ok()) return s.error();
+    std::size_t at = 0;
+    while (at < wholes_.size() && wholes_[at].alive) at++;
+    if (at >= most_wholes)
+        return Error{ErrorCode::resource_exhausted, "there are " + std::to_string(most_wholes) +
+                                                        " destructibles, the most allowed"};
+    const bool anchored = std::any_of(shape.chunks.begin(), shape.chunks.end(),
+                                      [](const FractureChunk& c) { return c.anchored; });
+    const BodyDef body_def{.type = anchored ? BodyType::static_body : BodyType::dynamic,
+                           .pose = def.pose,
+                           .linear_velocity = anchored ? Vec3{} : def.linear_velocity,
+                           .angular_velocity = anchored ? Vec3{} : def.angular_velocity};
+    std::vector<ShapeDef> shapes;
+    for (const FractureChunk& chunk : shape.chunks)
+        shapes.push_back({.geometry = chunk.geometry,
+                          .pose = chunk.pose,
+                          .material = def.surface,
+                          .density = def.density,
+                          .filter = def.filter,
+                          .report_stays = shape.chunks.size() > 1});
+    const Result<BodyId> body = world.create_body(body_def, shapes);
+    if (!body.ok()) return body.error();
+    if (at == wholes_.size()) wholes_.emplace_back();
+    const std::uint32_t generation = wholes_[at].generation + 1;
+    Whole& whole = wholes_[at] = {};
+    whole.alive = true;
+    whole.generation = generation;
+    whole.material = def.bonds;
+    whole.density = def.density;
+    const std::vector<ShapeId> made = world.shapes_of(*body);
+    Piece piece{.body = *body, .anchored = anchored};
+    for (std::uint32_t k = 0; k < shape.chunks.size(); k++) {
+        const FractureChunk& chunk = shape.chunks[k];
+        whole.chunks.push_back({.center = chunk.center,
+                                .mass = chunk.volume * def.density,
+                                .inertia = chunk.unit_inertia * def.density,
+                                .shape = made[k],
+                                .anchored = chunk.anchored});
+        piece.chunks.push_back(k);
+    }
+    for (const FractureBond& bond : shape.bonds) whole.bonds.push_back({bond, false});
+    // Chunks that no bond holds part with the first step.
+    piece.cut = true;
+    whole.pieces.push_back(std::move(piece));
+    derived_ = false;
+    return DestructibleId{static_cast<std::uint32_t>(at), generation};
+}
+
+Status Destruction::remove(World& world, DestructibleId id) {
+    Whole* whole = find(id);
+    if (!whole) return unknown(id);
+    for (const Piece& piece : whole->pieces)
+        if (world.contains(piece.body)) static_cast<void>(world.destroy_body(piece.body).ok());
+    *whole = {.generation = whole->generation};
+    std::erase_if(again_, [&](const Again& again) { return again.whole == id.index; });
+    derived_ = false;
+    return {};
+}
+
+Result<std::size_t> Destruction::break_near(const World& world, DestructibleId id, Vec3 center,
+                                            double radius) {
+    Whole* whole = find(id);
+    if (!whole) return unknown(id);
+    if (!is_finite(center) || !(radius >= 0 && radius <= 1e7))
+        return Error{ErrorCode::invalid_argument,
+                     "center is not finite, or radius is not 0 to 1e7 m"};
+    derive();
+    std::size_t count = 0;
+    for (Piece& piece : whole->pieces) {
+        const Result<BodyState> body = world.body(piece.body);
+        if (!body.ok()) continue;
+        const Vec3 here = apply_inverse(body->pose, center) + piece.origin;
+        for (const std::uint32_t k : piece.bonds) {
+            Bond& bond = whole->bonds[k];
+            if (length_squared(bond.face.center - here) > radius * radius) continue;
+            bond.broken = true;
+            piece.cut = true;
+            count++;
+        }
+    }
+    derived_ = derived_ && count == 0;
+    return count;
+}
+
+Result<std::vector<BodyId>> Destruction::bodies(DestructibleId id) const {
+    const Whole* whole = find(id);
+    if (!whole) return unknown(id);
+    std::vector<BodyId> bodies;
+    for (const Piece& piece : whole->pieces) bodies.push_back(piece.body);
+    return bodies;
+}
+
+Result<std::size_t> Destruction::bonds_left(DestructibleId id) const {
+    const Whole* whole = find(id);
+    if (!whole) return unknown(id);
+    return static_cast<std::size_t>(std::count_if(whole->bonds.begin(), whole->bonds.end(),
+                                                  [](const Bond& b) { return !b.broken; }));
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+//
+// Which bonds break: loads go through the bonds, those that bear too much break, worst first, and
+// what is left is asked again.
+#include <algorithm>
+#include <limits>
+
+#include "bond_network.h"
+#include "jostle/modules/destruction.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace destruction_detail;
+
+namespace {
+
+// Of the worst load: bonds that bear as much break in the same round.
+constexpr double same_round = 0.5;
+// Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
+constexpr double noticeable_share = 0.05, noticeable_weight = 0.05;
+constexpr double standard_gravity = 9.81;
+constexpr double shortest_beam = 1e-6;  // m
+constexpr std::uint32_t nowhere = 0xffffffff;
+
+struct Unknowns {
+    std::vector<std::uint32_t> of_chunk;  // by chunk of the whole
+    std::uint32_t count = 0;
+};
+
+}  // namespace
+
+// By bonds that hold, in order of the lowest chunk.
+std::vector<Group> Destruction::parts_of(const Whole& whole, const Group& group) {
+    std::vector<std::uint32_t> part(whole.chunks.size(), nowhere);
+    std::vector<std::vector<std::uint32_t>> near(whole.chunks.size());
+    for (const std::uint32_t k : group.bonds) {
+        if (whole.bonds[k].broken) continue;
+        const FractureBond& face = whole.bonds[k].face;
+        near[face.a].push_back(face.b);
+        near[face.b].push_back(face.a);
+    }
+    std::vector<Group> parts;
+    std::vector<std::uint32_t> open;
+    for (const std::uint32_t first : group.chunks) {
+        if (part[first] != nowhere) continue;
+        const auto number = static_cast<std::uint32_t>(parts.size());
+        parts.emplace_back();
+        part[first] = number;
+        open.assign(1, first);
+        while (!open.empty()) {
+            const std::uint32_t chunk = open.back();
+            open.pop_back();
+            for (const std::uint32_t next : near[chunk]) {
+                if (part[next] != nowhere) continue;
+                part[next] = number;
+                open.push_back(next);
+            }
+        }
+    }
+    for (const std::uint32_t chunk : group.chunks) parts[part[chunk]].chunks.push_back(chunk);
+    for (const std::uint32_t k : group.bonds)
+        if (!whole.bonds[k].broken) parts[part[whole.bonds[k].face.a]].bonds.push_back(k);
+    return parts;
+}
+
+namespace {
+
+// Chunks that are held have none; of what nobody holds the first chunk stays: its loads balance,
+// so nothing pulls at it.
+template <class Chunk>
+Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
+    Unknowns unknowns{std::vector<std::uint32_t>(chunks.size(), not_free), 0};
+    const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
+                                  [&](std::uint32_t c) { return chunks[c].anchored; });
+    for (const std::uint32_t c : group.chunks)
+        if (!chunks[c].anchored && (held || c != group.chunks.front()))
+            unknowns.of_chunk[c] = unknowns.count++;
+    return unknowns;
+}
+
+template <class Whole>
+std::vector<Beam> beams_of(const Whole& whole, const Group& group, const Unknowns& unknowns) {
+    std::vector<Beam> beams;
+    for (const std::uint32_t k : group.bonds) {
+        const FractureBond& face = whole.bonds[k].face;
+        const Vec3 a = whole.chunks[face.a].center, b = whole.chunks[face.b].center;
+        beams.push_back({.face = &face,
+                         .a = unknowns.of_chunk[face.a],
+                         .b = unknowns.of_chunk[face.b],
+                         .arm_a = face.center - a,
+                         .arm_b = face.center - b,
+                         .length = maximum(dot(b - a, face.normal), shortest_beam)});
+    }
+    return beams;
+}
+
+// What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
+// the acceleration that the whole takes there. Weight pulls at all alike and cancels.
+template <class Whole>
+void add_inertia(const Whole& whole, const Group& group, Vec3 spin, std::vector<Push>& pushes) {
+    double mass = 0;
+    Vec3 center, force, torque;
+    for (const std::uint32_t c : group.chunks) {
+        mass += whole.chunks[c].mass;
+        center += whole.chunks[c].center * whole.chunks[c].mass;
+    }
+    center = center / mass;
+    Mat3 inertia = diagonal({0, 0, 0});
+    for (const std::uint32_t c : group.chunks) {
+        const auto& chunk = whole.chunks[c];
+        const Vec3 r = chunk.center - center;
+        const double r2 = length_squared(r) * chunk.mass;
+        inertia = inertia + chunk.inertia + diagonal({r2, r2, r2}) -
+                  Mat3{r * (r.x * chunk.mass), r * (r.y * chunk.mass), r * (r.z * chunk.mass)};
+        force += pushes[c].force;
+        torque += pushes[c].torque + cross(r, pushes[c].force);
+    }
+    const Vec3 linear = force / mass;
+    const Vec3 angular = inverse(inertia) * (torque - cross(spin, inertia * spin));
+    for (const std::uint32_t c : group.chunks) {
+        const auto& chunk = whole.chunks[c];
+        const Vec3 r = chunk.center - center;
+        pushes[c].force +=
+            (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
+        pushes[c].torque += -(chunk.inertia * angular + cross(spin, chunk.inertia * spin));
+    }
+}
+
+}  // namespace
+
+// What each bond of the group bears, as a share of its strength.
+std::vector<double> Destruction::loads_of(const Whole& whole, const Group& group,
+                                          const BlockFactor& factor,
+                                          std::span<const Push> given, Vec3 spin, Vec3 gravity) {
+    const Unknowns unknowns = unknowns_of(whole.chunks, group);
+    std::vector<Push> pushes(given.begin(), given.end());
+    const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
+                                  [&](std::uint32_t c) { return whole.chunks[c].anchored; });
+    if (held)
+        for (const std::uint32_t c : group.chunks)
+            pushes[c].force += gravity * whole.chunks[c].mass;
+    else
+        add_inertia(whole, group, spin, pushes);
+    std::vector<Block6> moved(unknowns.count);
+    for (const std::uint32_t c : group.chunks)
+        if (const std::uint32_t at = unknowns.of_chunk[c]; at != not_free)
+            moved[at] = {pushes[c].force.x,  pushes[c].force.y,  pushes[c].force.z,
+                         pushes[c].torque.x, pushes[c].torque.y, pushes[c].torque.z};
+    factor.solve(moved);
+    constexpr Block6 still = {};
+    std::vector<double> loads;
+    for (const Beam& beam : beams_of(whole, group, unknowns))
+        loads.push_back(load_of(beam, beam.a == not_free ? still : moved[beam.a],
+                                beam.b == not_free ? still : moved[beam.b], whole.material));
+    return loads;
+}
+
+// Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
+Destruction::Answer Destruction::ask(Whole& whole, const Group& group, Piece* cached,
+                                     std::span<const Push> pushes, Vec3 spin, Vec3 gravity,
+                                     double& energy) {
+    std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
+    const bool paid = cached && cached->solved;
+    if (!paid && work_left_ <= 0) return Answer::no_time;
+    if (!factor) {
+        const Unknowns unknowns = unknowns_of(whole.chunks, group);
+        factor = std::make_shared<BlockFactor>(stiffness_of(
+            beams_of(whole, group, unknowns), unknowns.count, whole.material));
+        if (cached) cached->factor = factor;
+    }
+    if (cached) cached->solved = true;
+    if (!paid) work_left_ -= static_cast<std::int64_t>(factor->work());
+    const std::vector<double> loads = loads_of(whole, group, *factor, pushes, spin, gravity);
+    const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
+    if (cached) worst_ = worst;
+    const double limit = maximum(1, same_round * worst);
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < loads.size(); k++)
+        if (loads[k] > 1 && loads[k] >= limit) order.push_back(k);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return loads[a] > loads[b]; });
+    bool broke = false;
+    for (const std::size_t k : order) {
+        Bond& bond = whole.bonds[group.bonds[k]];
+        const double cost = whole.material.fracture_energy * bond.face.area;
+        if (cost > energy) break;
+        energy -= cost;
+        bond.broken = true;
+        broke = true;
+    }
+    return broke ? Answer::broke : Answer::held;
+}
+
+// Round by round, what fell apart in one being asked part by part in the next. False: there was no
+// time to begin.
+bool Destruction::crack(Whole& whole, Piece& piece, std::span<const Push> pushes, Vec3 spin,
+                        Vec3 gravity, double& energy) {
+    std::vector<Group> groups = {{piece.chunks, piece.bonds}};
+    for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
+        std::vector<Group> next;
+        for (const Group& group : groups) {
+            if (group.bonds.empty()) continue;
+            const Answer answer = ask(whole, group, round == 0 ? &piece : nullptr, pushes, spin,
+                                      gravity, energy);
+            if (answer == Answer::no_time) return round > 0;
+            if (answer == Answer::held) continue;
+            piece.cut = true;
+            for (Group& part : parts_of(whole, group)) next.push_back(std::move(part));
+        }
+        groups = std::move(next);
+    }
+    return true;
+}
+
+// Whether loads changed enough to ask; then asks.
+void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
+                                  std::span<Press> presses) {
+    Whole& whole = wholes_[w];
+    Piece& piece = whole.pieces[p];
+    if (piece.cut) return;
+    const Result<BodyState> body = world.body(piece.body);
+    if (!body.ok() || (!body->awake && !piece.anchored && !piece.check)) return;
+    const Quat back = conjugate(body->pose.rotation);
+    const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
+    const double spin2 = length_squared(spin);
+    if (pushes_.size() < whole.chunks.size()) pushes_.resize(whole.chunks.size());
+    const std::span<Push> pushes(pushes_.data(), whole.chunks.size());
+    for (const std::uint32_t c : piece.chunks) pushes[c] = {};
+    double energy = 0, mass = 0, change = 0, before = 0;
+    for (const Press& press : presses) {
+        const Vec3 force = rotate(back, press.push);
+        const Vec3 at = apply_inverse(body->pose, press.point) + piece.origin;
+        pushes[press.chunk].force += force;
+        pushes[press.chunk].torque += cross(at - whole.chunks[press.chunk].center, force);
+        energy += press.energy;
+    }
+    for (const std::uint32_t c : piece.chunks) {
+        const Chunk& chunk = whole.chunks[c];
+        mass += chunk.mass;
+        change += length(pushes[c].force - chunk.force);
+        before += length(chunk.force);
+        if (piece.carried) pushes[c] = {chunk.force, chunk.torque};
+    }
+    const double size = length(whole.chunks[piece.chunks.back()].center -
+                               whole.chunks[piece.chunks.front()].center);
+    change += absolute(spin2 - piece.spin2) * mass * size;
+    before += piece.spin2 * mass * size;
+    const bool noticeable =
+        change > noticeable_share * before + noticeable_weight * standard_gravity * mass;
+    if (!piece.check && !piece.carried && !noticeable) return;
+    if (piece.carried) energy = piece.energy;
+    const bool hit = energy > 0;
+    double left = hit ? energy : std::numeric_limits<double>::max();
+    const bool asked = crack(whole, piece, pushes, spin, rotate(back, world.gravity()), left);
+    for (Press& press : presses)
+        if (hit && asked && press.impact && !piece.carried) {
+            press.paid = (energy - left) * (press.energy / energy);
+            press.worst = piece.cut ? worst_ : 0;
+        }
+    for (const std::uint32_t c : piece.chunks) {
+        whole.chunks[c].force = pushes[c].force;
+        whole.chunks[c].torque = pushes[c].torque;
+    }
+    piece.loaded = !presses.empty();
+    piece.carried = !asked;
+    piece.energy = asked ? 0 : energy;
+    piece.check = piece.check && !asked;
+    piece.spin2 = spin2;
+}
+
+void Destruction::crack_all(const World& world) {
+    work_left_ = limits_.work_per_step;
+    std::size_t next = 0;
+    for (std::uint32_t w = 0; w < wholes_.size(); w++)
+        for (std::uint32_t p = 0; p < wholes_[w].pieces.size(); p++) {
+            const std::size_t first = next;
+            while (next < presses_.size() && presses_[next].whole == w &&
+                   wholes_[w].chunks[presses_[next].chunk].piece == p)
+                next++;
+            const Piece& piece = wholes_[w].pieces[p];
+            if (piece.chunks.size() < 2) continue;
+            if (next == first && !piece.loaded && !piece.check && !piece.carried && piece.anchored)
+                continue;
+            crack_if_loaded(world, w, p, std::span(presses_).subspan(first, next - first));
+        }
+}
+
+Result<double> Destruction::worst_load(const World& world, DestructibleId id) const {
+    const Whole* whole = find(id);
+    if (!whole) return unknown(id);
+    double worst = 0;
+    for (const Piece& piece : whole->pieces) {
+        const Result<BodyState> body = world.body(piece.body);
+        if (!body.ok() || !piece.anchored) continue;
+        Group all{piece.chunks, {}};
+        std::vector<bool> here(whole->chunks.size());
+        for (const std::uint32_t c : piece.chunks) here[c] = true;
+        for (std::uint32_t k = 0; k < whole->bonds.size(); k++)
+            if (here[whole->bonds[k].face.a] && here[whole->bonds[k].face.b])
+                all.bonds.push_back(k);
+        const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
+        for (const Group& group : parts_of(*whole, all)) {
+            const Unknowns unknowns = unknowns_of(whole->chunks, group);
+            const BlockFactor factor(stiffness_of(beams_of(*whole, group, unknowns),
+                                                  unknowns.count, whole->material));
+            for (const double load : loads_of(*whole, group, factor,
+                                              std::vector<Push>(whole->chunks.size()), {},
+                                              gravity))
+                worst = maximum(worst, load);
+        }
+    }
+    return worst;
+}
+
+}  // namespace jostle::modules

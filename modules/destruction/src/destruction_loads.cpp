@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+//
+// What presses on chunks: contacts and impacts of the last step.
+#include <algorithm>
+#include <tuple>
+
+#include "bond_network.h"
+#include "contact_motion.h"
+#include "jostle/modules/destruction.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace destruction_detail;
+
+namespace {
+
+constexpr double least_impact = 0.5;  // m/s
+
+}  // namespace
+
+// After anything changed: which piece chunks are in, which bonds hold within it, which shapes
+// bonds hold.
+void Destruction::derive() {
+    if (derived_) return;
+    constexpr std::uint32_t nowhere = 0xffffffff;
+    places_.clear();
+    for (std::uint32_t w = 0; w < wholes_.size(); w++) {
+        Whole& whole = wholes_[w];
+        for (Chunk& chunk : whole.chunks) chunk.piece = nowhere;
+        for (std::uint32_t p = 0; p < whole.pieces.size(); p++) {
+            Piece& piece = whole.pieces[p];
+            piece.bonds.clear();
+            for (const std::uint32_t c : piece.chunks) {
+                whole.chunks[c].piece = p;
+                if (piece.chunks.size() > 1) places_.push_back({whole.chunks[c].shape, w, c});
+            }
+        }
+        for (std::uint32_t k = 0; k < whole.bonds.size(); k++) {
+            const Bond& bond = whole.bonds[k];
+            const std::uint32_t piece = whole.chunks[bond.face.a].piece;
+            if (bond.broken || piece == nowhere || piece != whole.chunks[bond.face.b].piece)
+                continue;
+            whole.pieces[piece].bonds.push_back(k);
+        }
+    }
+    std::sort(places_.begin(), places_.end(),
+              [](const Place& a, const Place& b) {
+                  return std::tuple(a.shape, a.whole, a.chunk) <
+                         std::tuple(b.shape, b.whole, b.chunk);
+              });
+    derived_ = true;
+}
+
+void Destruction::note_gravity(const World& world) {
+    if (world.gravity() == gravity_) return;
+    gravity_ = world.gravity();
+    for (Whole& whole : wholes_)
+        for (Piece& piece : whole.pieces) piece.check = piece.check || piece.anchored;
+}
+
+const Destruction::Place* Destruction::place_of(ShapeId shape) const {
+    const auto found =
+        std::lower_bound(places_.begin(), places_.end(), shape,
+                         [](const Place& place, ShapeId id) { return place.shape < id; });
+    return found != places_.end() && found->shape == shape ? &*found : nullptr;
+}
+
+bool Destruction::is_impact(ShapeId a, ShapeId b) const {
+    return std::any_of(presses_.begin(), presses_.end(), [&](const Press& p) {
+        return p.impact && ((p.own == a && p.other == b) || (p.own == b && p.other == a));
+    });
+}
+
+// The impulse is what turned the speed of approach into that of parting: the solver tells no
+// impulse of what happened between its sub-steps.
+void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b, BodyId body_a,
+                             BodyId body_b, Vec3 point, Vec3 normal, double approach) {
+    const Place *at_a = place_of(a), *at_b = place_of(b);
+    if ((!at_a && !at_b) || !(approach > 0)) return;
+    const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
+    if (!first.ok() || !second.ok()) return;
+    const double inv = give(*first, point, normal) + give(*second, point, normal);
+    const double parting = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
+    if (!(inv > 0) || !(approach + parting > 0)) return;
+    const double impulse = (approach + parting) / inv;
+    for (const Place* at : {at_a, at_b}) {
+        if (!at) continue;
+        const Whole& whole = wholes_[at->whole];
+        const double time = minimum(dt, whole.material.contact_time);
+        const Vec3 against = at == at_a ? -normal : normal;
+        Press press{.whole = at->whole,
+                    .chunk = at->chunk,
+                    .own = at == at_a ? a : b,
+                    .other = at == at_a ? b : a,
+                    .other_body = at == at_a ? body_b : body_a,
+                    .point = point,
+                    .push = against * (impulse / time),
+                    .impact = true,
+                    .normal = against,
+                    .approach = approach,
+                    .parting = parting,
+                    .inv = inv,
+                    .energy = 0.5 * approach * approach / inv};
+        press.twin = at_a && at_b;
+        presses_.push_back(press);
+    }
+}
+
+// m/s, against each other, where one is a body that got its speed back; else 0.
+double Destruction::speed_before(const ContactStay& stay) const {
+    for (const BodyState& mover : movers_)
+        if (mover.id == stay.body_a || mover.id == stay.body_b)
+            return dot(velocity_at(mover, stay.point), stay.normal) *
+                   (mover.id == stay.body_a ? 1 : -1);
+    return 0;
+}
+
+void Destruction::add_stay(const World& world, const ContactStay& stay, double dt) {
+    const Place *at_a = place_of(stay.shape_a), *at_b = place_of(stay.shape_b);
+    if (!at_a && !at_b) return;
+    if (is_impact(stay.shape_a, stay.shape_b)) return;
+    if (const double approach = speed_before(stay); approach > least_impact) {
+        add_impact(world, dt, stay.shape_a, stay.shape_b, stay.body_a, stay.body_b, stay.point,
+                   stay.normal, approach);
+        return;
+    }
+    const Vec3 push = stay.normal * (stay.normal_impulse / dt);
+    if (at_a)
+        presses_.push_back({.whole = at_a->whole,
+                            .chunk = at_a->chunk,
+                            .own = stay.shape_a,
+                            .other = stay.shape_b,
+                            .point = stay.point,
+                            .push = -push});
+    if (at_b)
+        presses_.push_back({.whole = at_b->whole,
+                            .chunk = at_b->chunk,
+                            .own = stay.shape_b,
+                            .other = stay.shape_a,
+                            .point = stay.point,
+                            .push = push});
+}
+
+// What got its speed back and was stopped again without an event: by sweeps, which end at what is
+// static. It pressed on what is near it.
+void Destruction::add_unseen(const World& world, double dt) {
+    for (const BodyState& mover : movers_) {
+        if (std::any_of(presses_.begin(), presses_.end(), [&](const Press& press) {
+                return press.impact && press.other_body == mover.id;
+            }))
+            continue;
+        const Result<std::vector<ContactInfo>> near = world.contacts_of(mover.id);
+        if (!near.ok()) continue;
+        for (const ContactInfo& c : *near) {
+            const double sign = c.body_a == mover.id ? 1 : -1;
+            const double approach = sign * dot(mover.linear_velocity, c.normal);
+            if (c.count > 0 && approach > least_impact)
+                add_impact(world, dt, c.shape_a, c.shape_b, c.body_a, c.body_b, c.point[0],
+                           c.normal, approach);
+        }
+    }
+}
+
+// What meets a piece in several places at once presses on each with its share.
+void Destruction::share_impacts() {
+    std::vector<BodyId> others;
+    for (const Press& press : presses_)
+        if (press.impact) others.push_back(press.other_body);
+    std::sort(others.begin(), others.end());
+    for (Press& press : presses_) {
+        if (!press.impact) continue;
+        const auto range = std::equal_range(others.begin(), others.end(), press.other_body);
+        const double share = 1 / static_cast<double>(range.second - range.first);
+        press.push = press.push * share;
+        press.energy *= share;
+    }
+}
+
+// Sorted by whole and piece, in the events' order within.
+void Destruction::gather(const World& world, double dt) {
+    presses_.clear();
+    if (places_.empty()) return;
+    const Events events = world.events();
+    for (const ContactBegin& e : events.contacts_began)
+        add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
+                   e.approach);
+    for (const ContactHit& e : events.hits)
+        if (!is_impact(e.shape_a, e.shape_b))
+            add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
+                       e.approach);
+    for (const Again& e : again_) {
+        const Whole& whole = wholes_[e.whole];
+        const ShapeId own = whole.chunks[e.chunk].shape;
+        if (!place_of(own) || is_impact(own, e.other)) continue;
+        add_impact(world, dt, own, e.other, whole.pieces[whole.chunks[e.chunk].piece].body,
+                   e.other_body, e.point, e.normal, e.approach);
+    }
+    for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
+    add_unseen(world, dt);
+    share_impacts();
+    const auto key = [&](const Press& p) {
+        return std::pair(p.whole, wholes_[p.whole].chunks[p.chunk].piece);
+    };
+    std::stable_sort(presses_.begin(), presses_.end(),
+                     [&](const Press& a, const Press& b) { return key(a) < key(b); });
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+//
+// What no longer hangs together becomes bodies of its own: each goes on as its points moved in the
+// one it came from, so mass and momenta are what they were.
+#include <algorithm>
+
+#include "bond_network.h"
+#include "contact_motion.h"
+#include "jostle/modules/destruction.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace destruction_detail;
+
+namespace {
+
+// Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
+constexpr std::size_t few_shapes = 16;
+constexpr double knocked_time = 0.2;  // s
+
+ShapeDef def_of(const ShapeState& shape, Vec3 shift, bool bonded) {
+    ShapeDef def{.geometry = shape.geometry,
+                 .pose = shape.pose,
+                 .material = shape.material,
+                 .density = shape.density,
+                 .mass = shape.mass,
+                 .filter = shape.filter,
+                 .trigger = shape.trigger,
+                 .report_stays = bonded,
+                 .user_data = shape.user_data};
+    def.pose.position += shift;
+    return def;
+}
+
+template <class Whole>
+bool is_anchored(const Whole& whole, const Group& group) {
+    return std::any_of(group.chunks.begin(), group.chunks.end(),
+                       [&](std::uint32_t c) { return whole.chunks[c].anchored; });
+}
+
+template <class Whole>
+Vec3 center_of(const Whole& whole, const Group& group) {
+    double mass = 0;
+    Vec3 sum;
+    for (const std::uint32_t c : group.chunks) {
+        mass += whole.chunks[c].mass;
+        sum += whole.chunks[c].center * whole.chunks[c].mass;
+    }
+    return sum / mass;
+}
+
+}  // namespace
+
+// Those that leave, as bodies; then the old body without them. All or nothing.
+Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<const Group> leaving,
+                         const Group& staying) {
+    const BodyId old = whole.pieces[p].body;
+    const Result<BodyState> body = world.body(old);
+    if (!body.ok()) return body.error();
+    const Vec3 origin = whole.pieces[p].origin;
+    std::vector<BodyAndShapes> defs;
+    std::vector<Piece> made;
+    for (const Group& group : leaving) {
+        Piece piece{.origin = center_of(whole, group),
+                    .chunks = group.chunks,
+                    .anchored = is_anchored(whole, group)};
+        BodyAndShapes& def = defs.emplace_back();
+        def.body = {.type = piece.anchored ? BodyType::static_body : BodyType::dynamic,
+                    .pose = {apply(body->pose, piece.origin - origin), body->pose.rotation},
+                    .sleep_allowed = body->sleep_allowed,
+                    .user_data = body->user_data};
+        for (const std::uint32_t c : group.chunks) {
+            const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+            if (!shape.ok()) return shape.error();
+            if (shape->body != old)
+                return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
+            def.shapes.push_back(
+                def_of(*shape, origin - piece.origin, group.chunks.size() > 1));
+        }
+        made.push_back(std::move(piece));
+    }
+    const Result<std::vector<BodyId>> bodies = world.create_bodies(defs);
+    if (!bodies.ok()) return bodies.error();
+    for (std::size_t k = 0; k < made.size(); k++) {
+        Piece& piece = made[k];
+        piece.body = (*bodies)[k];
+        const std::vector<ShapeId> shapes = world.shapes_of(piece.body);
+        for (std::size_t c = 0; c < piece.chunks.size(); c++)
+            whole.chunks[piece.chunks[c]].shape = shapes[c];
+        if (!piece.anchored && body->type == BodyType::dynamic) {
+            const Result<BodyState> now = world.body(piece.body);
+            const Vec3 v = body->linear_velocity +
+                           cross(body->angular_velocity, now->center - body->center);
+            static_cast<void>(world.set_velocity(piece.body, v, body->angular_velocity).ok());
+        }
+    }
+    Piece& rest = whole.pieces[p];
+    rest.chunks = staying.chunks;
+    rest.check = true;
+    rest.solved = false;
+    rest.factor.reset();
+    keep_shapes(world, whole, rest, leaving);
+    whole.pieces.insert(whole.pieces.end(), std::make_move_iterator(made.begin()),
+                        std::make_move_iterator(made.end()));
+    derived_ = false;
+    return {};
+}
+
+// Takes the shapes of what left from the old body.
+void Destruction::keep_shapes(World& world, Whole& whole, Piece& piece,
+                              std::span<const Group> leaving) {
+    std::size_t gone = 0;
+    for (const Group& group : leaving) gone += group.chunks.size();
+    std::vector<ShapeDef> defs;
+    std::vector<std::uint32_t> owners;
+    std::vector<ShapeId> kept;
+    for (const std::uint32_t c : piece.chunks) kept.push_back(whole.chunks[c].shape);
+    std::sort(kept.begin(), kept.end());
+    if (gone <= few_shapes) {
+        for (const ShapeId shape : world.shapes_of(piece.body))
+            if (!std::binary_search(kept.begin(), kept.end(), shape))
+                static_cast<void>(world.destroy_shape(shape).ok());
+        return;
+    }
+    for (const std::uint32_t c : piece.chunks) {
+        const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
+        if (!shape.ok() || shape->body != piece.body) continue;
+        defs.push_back(def_of(*shape, {}, piece.chunks.size() > 1));
+        owners.push_back(c);
+    }
+    const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);
+    if (!shapes.ok()) return;
+    for (std::size_t k = 0; k < owners.size(); k++) whole.chunks[owners[k]].shape = (*shapes)[k];
+}
+
+// The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
+// many others leave. How many did.
+int Destruction::split(World& world, Whole& whole, std::size_t p, int most) {
+    std::vector<Group> parts;
+    {
+        Group all{whole.pieces[p].chunks, {}};
+        std::vector<bool> here(whole.chunks.size());
+        for (const std::uint32_t c : all.chunks) here[c] = true;
+        for (std::uint32_t k = 0; k < whole.bonds.size(); k++)
+            if (here[whole.bonds[k].face.a] && here[whole.bonds[k].face.b]) all.bonds.push_back(k);
+        parts = parts_of(whole, all);
+    }
+    std::size_t stays = 0;
+    const auto rank = [&](std::size_t k) {
+        return std::pair(is_anchored(whole, parts[k]), parts[k].chunks.size());
+    };
+    for (std::size_t k = 1; k < parts.size(); k++)
+        if (rank(k) > rank(stays)) stays = k;
+    std::vector<Group> leaving;
+    Group staying = parts[stays];
+    for (std::size_t k = 0; k < parts.size(); k++) {
+        if (k == stays) continue;
+        if (static_cast<int>(leaving.size()) < most)
+            leaving.push_back(std::move(parts[k]));
+        else
+            staying.chunks.insert(staying.chunks.end(), parts[k].chunks.begin(),
+                                  parts[k].chunks.end());
+    }
+    std::sort(staying.chunks.begin(), staying.chunks.end());
+    const bool all = leaving.size() + 1 == parts.size();
+    // What cannot be parted, because somebody else destroyed a part of it, stays as it is.
+    const bool parted = leaving.empty() || part(world, whole, p, leaving, staying).ok();
+    Piece& rest = whole.pieces[p];
+    rest.cut = parted && !all;
+    rest.check = true;
+    rest.solved = false;
+    rest.factor.reset();
+    derived_ = false;
+    if (parted && rest.anchored && !is_anchored(whole, staying)) {
+        static_cast<void>(world.set_type(rest.body, BodyType::dynamic).ok());
+        rest.anchored = false;
+    }
+    return static_cast<int>(leaving.size());
+}
+
+void Destruction::split_all(World& world) {
+    int most = limits_.pieces_per_step;
+    for (Whole& whole : wholes_) {
+        const std::size_t count = whole.pieces.size();  // those made here hang together
+        for (std::size_t p = 0; p < count && most > 0; p++)
+            if (whole.pieces[p].cut) most -= split(world, whole, p, most);
+    }
+}
+
+// As bodies moved before the step, for what yields(); and who was knocked out.
+void Destruction::before_step(World& world, double dt) {
+    knocked_.clear();
+    movers_.clear();
+    for (const Again& again : again_)
+        if (const Result<BodyState> body = world.body(again.other_body); body.ok())
+            movers_.push_back(*body);
+    for (std::uint32_t w = 0; w < wholes_.size(); w++)
+        for (Piece& piece : wholes_[w].pieces) {
+            if (piece.knocked > 0) {
+                knocked_.emplace_back(piece.body, w);
+                piece.knocked = maximum(0, piece.knocked - dt);
+            }
+            if (piece.anchored || piece.chunks.size() < 2) continue;
+            const Result<BodyState> body = world.body(piece.body);
+            if (!body.ok()) continue;
+            piece.linear = body->linear_velocity;
+            piece.angular = body->angular_velocity;
+        }
+}
+
+void Destruction::pre_solve(PreSolve& pair) {
+    for (const auto& [body, whole] : knocked_) {
+        if (pair.body_a != body && pair.body_b != body) continue;
+        const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
+        for (const Piece& piece : wholes_[whole].pieces)
+            if (piece.body == other) pair.enabled = false;
+    }
+}
+
+// What was struck and parted from what it hung on.
+void Destruction::mark_knocked() {
+    for (const Again& again : again_) {
+        Whole& whole = wholes_[again.whole];
+        const std::uint32_t at = whole.chunks[again.chunk].piece;
+        if (at >= whole.pieces.size()) continue;
+        Piece& piece = whole.pieces[at];
+        if (!piece.anchored && piece.chunks.size() == 1) piece.knocked = knocked_time;
+    }
+}
+
+// All but 1 / worst of the impulse was more than the bonds bear: the piece changes its velocity by
+// that share only, and what it met keeps the rest of its approach.
+void Destruction::push_through(World& world) {
+    again_.clear();
+    const Press* before = nullptr;
+    for (const Press& press : presses_) {
+        if (!press.impact || !(press.worst > 1)) continue;
+        Piece& piece = piece_of(press);
+        if (!before || &piece_of(*before) != &piece) yield(world, piece, press.worst);
+        before = &press;
+    }
+    for (const Press& press : presses_)
+        if (press.impact && press.worst > 1) let_through(world, press);
+    for (const BodyState& mover : movers_) slow_down(world, mover);
+}
+
+// What was pressed on from several sides, and got its speed back along each, is no faster than it
+// was.
+void Destruction::slow_down(World& world, const BodyState& before) {
+    const Result<BodyState> body = world.body(before.id);
+    if (!body.ok() || body->type != BodyType::dynamic) return;
+    const double speed = length(body->linear_velocity), most = length(before.linear_velocity);
+    if (speed > most)
+        static_cast<void>(
+            world.set_linear_velocity(before.id, body->linear_velocity * (most / speed)).ok());
+}
+
+Destruction::Piece& Destruction::piece_of(const Press& press) {
+    Whole& whole = wholes_[press.whole];
+    return whole.pieces[whole.chunks[press.chunk].piece];
+}
+
+void Destruction::yield(World& world, const Piece& piece, double worst) {
+    const Result<BodyState> body = world.body(piece.body);
+    if (!body.ok() || body->type != BodyType::dynamic) return;
+    const Vec3 linear = piece.linear + (body->linear_velocity - piece.linear) / worst;
+    const Vec3 angular = piece.angular + (body->angular_velocity - piece.angular) / worst;
+    static_cast<void>(world.set_velocity(piece.body, linear, angular).ok());
+}
+
+// The energy that the bonds took comes off the speed that is left: E = (v0^2 - v^2) / (2 inv).
+void Destruction::let_through(World& world, const Press& press) {
+    const double kept = press.approach - (press.approach + press.parting) / press.worst;
+    const double left2 = kept * absolute(kept) - 2 * press.paid * press.inv;
+    const double speed = left2 > 0 ? square_root(left2) : 0;
+    const BodyId own = piece_of(press).body;
+    const Result<BodyState> a = world.body(own), b = world.body(press.other_body);
+    if (!(speed > 0) || !a.ok() || !b.ok()) return;
+    const Vec3 n = press.normal;
+    const double inv_b = give(*b, press.point, n);
+    if (inv_b > 0 && !other_yields(press)) {
+        const double now = dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n);
+        const Vec3 back = n * ((kept - now) / inv_b);
+        static_cast<void>(world.apply_impulse(press.other_body, back, press.point).ok());
+    }
+    const Vec3 paid = n * ((kept - speed) / press.inv);
+    static_cast<void>(world.apply_impulse(own, paid, press.point).ok());
+    static_cast<void>(world.apply_impulse(press.other_body, -paid, press.point).ok());
+    again_.push_back({press.whole, press.chunk, press.other, press.other_body, press.point, -n,
+                      speed});
+}
+
+// Whether what it met broke, too, and has its own share.
+bool Destruction::other_yields(const Press& press) const {
+    return press.twin && std::any_of(presses_.begin(), presses_.end(), [&](const Press& other) {
+               return other.own == press.other && other.other == press.own && other.worst > 1;
+           });
+}
+
+void Destruction::drop_debris(World& world, double dt) {
+    if (!(limits_.debris_life > 0)) return;
+    for (Whole& whole : wholes_) {
+        const std::size_t count = whole.pieces.size();
+        std::erase_if(whole.pieces, [&](Piece& piece) {
+            if (piece.anchored || piece.chunks.size() != 1) return false;
+            if (whole.chunks[piece.chunks[0]].mass >= whole.density * limits_.debris_volume)
+                return false;
+            piece.age += dt;
+            if (piece.age < limits_.debris_life) return false;
+            static_cast<void>(world.destroy_body(piece.body).ok());
+            return true;
+        });
+        derived_ = derived_ && whole.pieces.size() == count;
+    }
+}
+
+void Destruction::after_step(World& world, double dt) {
+    derive();
+    note_gravity(world);
+    gather(world, dt);
+    crack_all(world);
+    push_through(world);
+    split_all(world);
+    derive();
+    mark_knocked();
+    drop_debris(world, dt);
+}
+
+}  // namespace jostle::modules

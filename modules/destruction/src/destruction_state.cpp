@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+//
+// What of destructibles is saved, what clients hear, and what a scene says of them.
+#include <algorithm>
+
+#include "bond_network.h"
+#include "destruction_checks.h"
+#include "jostle/modules/destruction.h"
+#include "jostle/modules/settings.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+using namespace destruction_detail;
+
+namespace {
+
+constexpr double most_load = 1e30;  // N, N m
+
+void bounded_vector(StateVisitor& v, std::string_view name, Vec3& value, double most) {
+    v.field(name, value);
+    for (int k = 0; k < 3; k++)
+        if (v.loading() && !(absolute(value[k]) <= most)) v.fail(name, "is out of its range");
+}
+
+void unit_vector(StateVisitor& v, std::string_view name, Vec3& value) {
+    v.field(name, value);
+    if (v.loading() && !(absolute(length_squared(value) - 1) < 1e-6))
+        v.fail(name, "is not a unit vector");
+}
+
+void visit_bond(StateVisitor& v, FractureBond& bond) {
+    v.field("a", bond.a);
+    v.field("b", bond.b);
+    bounded_vector(v, "center", bond.center, furthest);
+    unit_vector(v, "normal", bond.normal);
+    unit_vector(v, "axis", bond.axis);
+    bounded(v, "area", bond.area, least_area, most_area);
+    bounded(v, "moment_u", bond.moment_u, least_moment, most_moment);
+    bounded(v, "moment_v", bond.moment_v, least_moment, most_moment);
+    bounded(v, "reach_u", bond.reach_u, 0, furthest);
+    bounded(v, "reach_v", bond.reach_v, 0, furthest);
+}
+
+void visit_material(StateVisitor& v, BondMaterial& m) {
+    bounded(v, "young", m.young, 1, 1e13);
+    bounded(v, "poisson", m.poisson, 0, 0.5);
+    bounded(v, "tensile", m.tensile, 1, 1e13);
+    bounded(v, "shear", m.shear, 1, 1e13);
+    bounded(v, "compressive", m.compressive, 1, 1e13);
+    bounded(v, "fracture_energy", m.fracture_energy, 0, 1e9);
+    bounded(v, "contact_time", m.contact_time, 1e-5, 1);
+}
+
+}  // namespace
+
+void Destruction::visit(StateVisitor& v, Whole& whole) {
+    v.field("alive", whole.alive);
+    v.field("generation", whole.generation);
+    visit_material(v, whole.material);
+    bounded(v, "density", whole.density, 0, 1e6);
+    v.all("chunks", whole.chunks, [&](Chunk& chunk) {
+        bounded_vector(v, "center", chunk.center, furthest);
+        bounded(v, "mass", chunk.mass, least_mass, most_mass);
+        bounded_vector(v, "inertia_x", chunk.inertia.x, most_inertia);
+        bounded_vector(v, "inertia_y", chunk.inertia.y, most_inertia);
+        bounded_vector(v, "inertia_z", chunk.inertia.z, most_inertia);
+        v.field("shape", chunk.shape);
+        v.field("anchored", chunk.anchored);
+        bounded_vector(v, "force", chunk.force, most_load);
+        bounded_vector(v, "torque", chunk.torque, most_load);
+    });
+    v.all("bonds", whole.bonds, [&](Bond& bond) {
+        visit_bond(v, bond.face);
+        v.field("broken", bond.broken);
+    });
+    v.all("pieces", whole.pieces, [&](Piece& piece) {
+        v.field("body", piece.body);
+        bounded_vector(v, "origin", piece.origin, furthest);
+        v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
+        v.field("anchored", piece.anchored);
+        v.field("check", piece.check);
+        v.field("solved", piece.solved);
+        v.field("loaded", piece.loaded);
+        v.field("carried", piece.carried);
+        v.field("cut", piece.cut);
+        bounded(v, "spin2", piece.spin2, 0, 1e13);
+        bounded(v, "energy", piece.energy, 0, most_load);
+        bounded(v, "age", piece.age, 0, 1e7);
+        bounded(v, "knocked", piece.knocked, 0, 1);
+        if (v.loading()) piece.factor.reset();
+    });
+    if (v.loading()) check_whole(v, whole);
+}
+
+// What fields say of each other. Each chunk is in one piece, or in none: then it is gone.
+void Destruction::check_whole(StateVisitor& v, const Whole& whole) {
+    if (whole.alive == whole.chunks.empty())
+        v.fail("chunks", "are there when the whole is, and only then");
+    if (whole.chunks.size() > most_chunks) v.fail("chunks", "are too many");
+    for (const Bond& bond : whole.bonds)
+        if (!(bond.face.a < bond.face.b && bond.face.b < whole.chunks.size())) {
+            v.fail("bonds", "name no two chunks");
+            return;
+        }
+    std::vector<bool> taken(whole.chunks.size());
+    for (const Piece& piece : whole.pieces) {
+        if (piece.chunks.empty()) v.fail("pieces", "have no chunks");
+        bool anchored = false;
+        for (std::size_t k = 0; k < piece.chunks.size(); k++) {
+            const std::uint32_t c = piece.chunks[k];
+            if (c >= whole.chunks.size() || taken[c] || (k > 0 && c <= piece.chunks[k - 1])) {
+                v.fail("pieces", "name a chunk that is not there, or twice, or out of order");
+                return;
+            }
+            taken[c] = true;
+            anchored = anchored || whole.chunks[c].anchored;
+        }
+        if (anchored != piece.anchored) v.fail("anchored", "is not what its chunks say");
+    }
+}
+
+void Destruction::visit_limits(StateVisitor& v) {
+    std::int32_t rounds = limits_.rounds, pieces = limits_.pieces_per_step;
+    v.field("rounds", rounds);
+    v.field("pieces_per_step", pieces);
+    v.field("work_per_step", limits_.work_per_step);
+    v.field("debris_life", limits_.debris_life);
+    v.field("debris_volume", limits_.debris_volume);
+    if (!v.loading()) return;
+    limits_.rounds = rounds;
+    limits_.pieces_per_step = pieces;
+    if (const Status s = check_limits(limits_); !s.ok()) v.fail("limits", s.error().message);
+}
+
+void Destruction::visit(StateVisitor& v) {
+    visit_limits(v);
+    bounded_vector(v, "gravity", gravity_, 1e5);
+    v.all("wholes", wholes_, [&](Whole& whole) { visit(v, whole); });
+    v.all("again", again_, [&](Again& again) {
+        v.field("whole", again.whole);
+        v.field("chunk", again.chunk);
+        if (v.loading() && (again.whole >= wholes_.size() ||
+                            again.chunk >= wholes_[again.whole].chunks.size()))
+            v.fail("chunk", "is not there");
+        v.field("other", again.other);
+        v.field("other_body", again.other_body);
+        bounded_vector(v, "point", again.point, 1e9);
+        unit_vector(v, "normal", again.normal);
+        bounded(v, "approach", again.approach, 0, 1e9);
+    });
+    if (v.loading()) derived_ = false;
+}
+
+void Destruction::publish(const World&, ChunkWriter& chunk) const {
+    const auto u16 = [&](std::size_t value) {
+        chunk.u16(static_cast<std::uint16_t>(std::min<std::size_t>(value, 0xffff)));
+    };
+    if (size() == 0) return;
+    u16(size());
+    for (const Whole& whole : wholes_) {
+        if (!whole.alive) continue;
+        u16(whole.pieces.size());
+        u16(static_cast<std::size_t>(std::count_if(whole.bonds.begin(), whole.bonds.end(),
+                                                   [](const Bond& b) { return !b.broken; })));
+        u16(whole.bonds.size());
+    }
+}
+
+Status Destruction::configure(World& world, const ModuleSettings& given) {
+    double count = 1, spacing = 8, width = 6, height = 3, thickness = 0.3, chunks = 150, seed = 1;
+    Vec3 foot;
+    DestructibleDef def;
+    DestructionLimits limits = limits_;
+    SettingsReader settings(given);
+    settings.number("count", count, 0, 100);
+    settings.number("spacing", spacing, 0, 1000);
+    settings.number("width", width, 0.1, 100);
+    settings.number("height", height, 0.1, 100);
+    settings.number("thickness", thickness, 0.02, 100);
+    settings.number("chunks", chunks, 1, 2000);
+    settings.number("seed", seed, 0, 1e9);
+    settings.number("x", foot.x, -1e6, 1e6);
+    settings.number("y", foot.y, -1e6, 1e6);
+    settings.number("z", foot.z, -1e6, 1e6);
+    settings.number("density", def.density, 1, 1e5);
+    settings.number("tensile", def.bonds.tensile, 1, 1e13);
+    settings.number("shear", def.bonds.shear, 1, 1e13);
+    settings.number("fracture_energy", def.bonds.fracture_energy, 0, 1e9);
+    settings.number("debris_life", limits.debris_life, 0, 1e6);
+    settings.number("debris_volume", limits.debris_volume, 0, 1e12);
+    if (Status s = settings.finish(); !s.ok()) return s;
+    if (Status s = set_limits(limits); !s.ok()) return s;
+    const Vec3 half{0.5 * width, 0.5 * height, 0.5 * thickness};
+    Result<FracturedShape> wall = fracture_box(
+        half,
+        scattered_seeds(half, static_cast<int>(chunks), static_cast<std::uint64_t>(seed)));
+    if (!wall.ok()) return wall.error();
+    anchor(*wall, {0, -1, 0}, half.y * (1 - 1e-6));
+    for (int k = 0; k < static_cast<int>(count); k++) {
+        def.pose.position = foot + Vec3{spacing * k, half.y, 0};
+        if (const Result<DestructibleId> id = add(world, *wall, def); !id.ok()) return id.error();
+    }
+    return {};
+}
+
+}  // namespace jostle::modules

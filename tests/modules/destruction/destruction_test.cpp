@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+//
+// Splits keep what they must, balls go through walls, and what is whole costs nothing.
+#include <gtest/gtest.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "walls.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+double cpu_ms() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
+}
+
+double mass_of(const World& world) {
+    double mass = 0;
+    for (const BodyId id : world.bodies()) mass += world.body(id)->mass;
+    return mass;
+}
+
+// What flies and turns falls apart: not in one go, each step a little more.
+TEST(Destruction, a_split_keeps_mass_and_momenta) {
+    Stage stage({.gravity = {}});
+    const Vec3 half{1, 0.7, 0.5};
+    const DestructibleId id =
+        stage.add(fracture_box(half, scattered_seeds(half, 120, 9)).value(),
+                  {.pose = {.position = {30, 4, -7}, .rotation = from_rotation_vector({0.3, 1, 0.2})},
+                   .linear_velocity = {3, -2, 5},
+                   .angular_velocity = {1.5, 0.4, -2},
+                   .bonds = {.tensile = 1e12, .shear = 1e12, .compressive = 1e12}});
+    stage.destruction->break_near(stage.world, id, {30, 4, -7}, 0.4).value();
+    const double mass = mass_of(stage.world);
+    const WorldSummary before = stage.world.summary();
+    // Only the split: what listeners do after a step, without the step.
+    stage.destruction->after_step(stage.world, 1.0 / 60);
+    stage.destruction->break_near(stage.world, id, {30, 4, -7}, 10).value();
+    stage.destruction->after_step(stage.world, 1.0 / 60);
+    EXPECT_EQ(stage.destruction->bodies(id)->size(), 120u);
+    const WorldSummary after = stage.world.summary();
+    const double mass_error = std::abs(mass_of(stage.world) / mass - 1);
+    const double linear = length(after.linear_momentum - before.linear_momentum) /
+                          length(before.linear_momentum);
+    const double angular = length(after.angular_momentum - before.angular_momentum) /
+                           length(before.angular_momentum);
+    const double energy = std::abs(after.kinetic_energy / before.kinetic_energy - 1);
+    RecordProperty("mass", std::to_string(mass_error * 1e15) + "e-15");
+    RecordProperty("linear", std::to_string(linear * 1e15) + "e-15");
+    RecordProperty("angular", std::to_string(angular * 1e15) + "e-15");
+    RecordProperty("energy", std::to_string(energy * 1e15) + "e-15");
+    EXPECT_LT(mass_error, 1e-12);
+    EXPECT_LT(linear, 1e-9);
+    EXPECT_LT(angular, 1e-9);
+    EXPECT_LT(energy, 1e-9);
+}
+
+// One piece at a time: the body that stays goes on as its points moved.
+TEST(Destruction, a_piece_takes_the_velocity_of_its_place) {
+    Stage stage({.gravity = {}});
+    const DestructibleId id = stage.add(split_box({1, 0.1, 0.1}, 10, 1, 1).value(),
+                                        {.linear_velocity = {0, 1, 0}, .angular_velocity = {0, 0, 2},
+                                         .bonds = {.tensile = 1e12, .shear = 1e12}});
+    stage.destruction->break_near(stage.world, id, {0.8, 0, 0}, 0.05).value();
+    stage.destruction->after_step(stage.world, 1.0 / 60);
+    const std::vector<BodyId> bodies = *stage.destruction->bodies(id);
+    ASSERT_EQ(bodies.size(), 2u);
+    EXPECT_NEAR(stage.world.body(bodies[0])->linear_velocity.y, 1 - 2 * 0.1, 1e-12);
+    EXPECT_NEAR(stage.world.body(bodies[1])->linear_velocity.y, 1 + 2 * 0.9, 1e-12);
+}
+
+TEST(Destruction, a_ball_goes_through_a_wall) {
+    Stage stage;
+    stage.floor();
+    const FracturedShape shape = wall();
+    const DestructibleId id = stage.add(shape, standing());
+    stage.step(5);
+    ASSERT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
+    const BodyId ball = stage.ball({-2, 1.2, 0}, {20, 0, 0});
+    const double mass = stage.world.body(ball)->mass;
+    double fastest = 0;
+    for (int k = 0; k < 30; k++) {
+        stage.step();
+        fastest = std::max(fastest, length(stage.world.body(ball)->linear_velocity));
+    }
+    const std::size_t pieces = stage.destruction->bodies(id)->size();
+    RecordProperty("pieces", static_cast<int>(pieces));
+    RecordProperty("broken_bonds",
+                   static_cast<int>(shape.bonds.size() - *stage.destruction->bonds_left(id)));
+    const BodyState after = *stage.world.body(ball);
+    RecordProperty("ball_speed", std::to_string(after.linear_velocity.x));
+    EXPECT_GT(pieces, 3u);
+    EXPECT_GT(after.pose.position.x, 0.5);
+    EXPECT_LT(fastest, 21);
+    EXPECT_GT(mass, 0);
+}
+
+TEST(Destruction, a_soft_ball_bounces_off) {
+    Stage stage;
+    stage.floor();
+    const FracturedShape shape = wall();
+    const DestructibleId id = stage.add(shape, standing());
+    const BodyId ball = stage.ball({-2, 1.2, 0}, {3, 0, 0}, 0.15, 100);
+    stage.step(60);
+    EXPECT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
+    EXPECT_LT(stage.world.body(ball)->pose.position.x, -0.2);
+}
+
+// Breaking is paid for: with bonds that cost more than the ball brings none breaks.
+TEST(Destruction, what_breaks_is_bounded_by_what_the_impact_brings) {
+    Stage stage;
+    const FracturedShape shape = wall();
+    DestructibleDef def = standing();
+    def.bonds.fracture_energy = 1e9;
+    const DestructibleId id = stage.add(shape, def);
+    stage.ball({-2, 1.2, 0}, {20, 0, 0});
+    stage.step(12);
+    EXPECT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
+}
+
+// A world with the wall against one with a static box of its size: a hundred balls roll about.
+TEST(Destruction, an_undamaged_wall_costs_what_one_body_costs) {
+    double best[2] = {1e9, 1e9};
+    for (int trial = 0; trial < 5; trial++)
+        for (const bool breaks : {false, true}) {
+            Stage stage({.sleeping = false});
+            stage.floor();
+            if (breaks)
+                stage.add(wall(200), standing());
+            else
+                stage.world
+                    .create_body({.type = BodyType::static_body,
+                                  .pose = {.position = {0, wall_half.y, 0}}},
+                                 {.geometry = Box{wall_half}})
+                    .value();
+            for (int k = 0; k < 100; k++)
+                stage.ball({3.0 + k % 10, 0.3, 0.8 * (k / 10)}, {0, 0, 0.1});
+            stage.step(20);
+            const double start = cpu_ms();
+            stage.step(200);
+            best[breaks] = std::min(best[breaks], (cpu_ms() - start) / 200);
+        }
+    RecordProperty("box_us", static_cast<int>(best[0] * 1e3));
+    RecordProperty("wall_us", static_cast<int>(best[1] * 1e3));
+    EXPECT_LT(best[1], 1.1 * best[0] + 0.02);
+}
+
+// Two thousand chunks part at once.
+TEST(Destruction, two_thousand_pieces_in_one_tick) {
+    Stage stage;
+    stage.floor();
+    const Vec3 half{5, 5, 0.1};
+    const DestructibleId id =
+        stage.add(split_box(half, 50, 40, 1).value(), {.pose = {.position = {0, 5.01, 0}}});
+    stage.step(2);
+    stage.destruction->break_near(stage.world, id, {0, 5, 0}, 100).value();
+    int late = 0;
+    for (int k = 0; k < 10; k++) {
+        const double start = cpu_ms();
+        stage.step();
+        const double took = cpu_ms() - start;
+        late += took > 1e3 / 60;
+        RecordProperty("tick_" + std::to_string(k) + "_us", static_cast<int>(took * 1e3));
+        EXPECT_EQ(stage.destruction->bodies(id)->size(), 2000u);
+    }
+    RecordProperty("late_ticks", late);
+}
+
+// What does not fit into one step waits for the next.
+TEST(Destruction, pieces_come_a_few_at_a_time_when_told_so) {
+    Stage stage({.gravity = {}});
+    DestructionLimits limits;
+    limits.pieces_per_step = 30;
+    stage.destruction->set_limits(limits).expect();
+    const DestructibleId id = stage.add(split_box({1, 1, 0.1}, 10, 10, 1).value());
+    stage.step();
+    stage.destruction->break_near(stage.world, id, {}, 100).value();
+    const std::size_t expected[] = {31, 61, 91, 100, 100};
+    for (const std::size_t count : expected) {
+        stage.step();
+        EXPECT_EQ(stage.destruction->bodies(id)->size(), count);
+    }
+}
+
+TEST(Destruction, debris_vanishes_when_told_so) {
+    Stage stage;
+    stage.floor();
+    DestructionLimits limits;
+    limits.debris_life = 0.5;
+    limits.debris_volume = 1;
+    stage.destruction->set_limits(limits).expect();
+    const DestructibleId id = stage.add(split_box({1, 1, 0.1}, 4, 4, 1).value(),
+                                        {.pose = {.position = {0, 1, 0}}});
+    stage.destruction->break_near(stage.world, id, {0, 1, 0}, 100).value();
+    stage.step(10);
+    EXPECT_EQ(stage.world.bodies().size(), 17u);
+    stage.step(25);
+    EXPECT_EQ(stage.world.bodies().size(), 1u);
+    EXPECT_TRUE(stage.destruction->bodies(id)->empty());
+    stage.destruction->remove(stage.world, id).expect();
+    EXPECT_FALSE(stage.destruction->contains(id));
+}
+
+TEST(Destruction, bad_shapes_are_refused_by_name) {
+    Stage stage;
+    FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
+    shape.bonds[0].area = 0;
+    EXPECT_EQ(stage.destruction->add(stage.world, shape, {}).error().message,
+              "bonds[0]: area is 0.000000; it is out of its range");
+    shape.bonds[0].b = 7;
+    EXPECT_EQ(stage.destruction->add(stage.world, shape, {}).error().message,
+              "bonds[0]: names no two chunks, the lower one first");
+    EXPECT_EQ(stage.destruction->add(stage.world, {}, {}).error().message,
+              "there are 0 chunks; give 1 to 20000");
+    EXPECT_TRUE(stage.world.bodies().empty());
+}
+
+}  // namespace
+}  // namespace jostle::modules

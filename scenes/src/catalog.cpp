@@ -57,6 +57,9 @@ constexpr Listed listed[] = {
     {{"parkour",
       "Stairs, ramps, gaps and a roundabout; five characters stroll until they are driven."},
      parkour},
+    {{"race_track", "Six cars go round a ring with a hill; drive one of them."}, race_track},
+    {{"demolition", "Three walls of chunks held together by bonds, and a ball on a rope for each."},
+     demolition},
     {{"ragdoll_stairs", "Twelve figures tip off a ramp and fall down the stairs."}, ragdoll_stairs},
     // What jostle-bench measures, by letter.
     {{"lab_pyramid_465",

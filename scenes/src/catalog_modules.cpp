@@ -6,8 +6,10 @@
 
 #include "hovercraft.h"
 #include "jostle/modules/character.h"
+#include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/ragdoll.h"
+#include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
 
 namespace jostle::scenes {
@@ -26,8 +28,10 @@ void register_catalog_modules() {
     std::call_once(once, [] {
         make_known<examples::Hovercraft>("hovercraft");
         make_known<modules::Characters>("character");
+        make_known<modules::Destruction>("destruction");
         make_known<modules::Fields>("fields");
         make_known<modules::Ragdolls>("ragdoll");
+        make_known<modules::Vehicles>("vehicle");
     });
 }
 

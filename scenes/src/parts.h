@@ -61,6 +61,8 @@ SceneDescription hovercraft();
 SceneDescription ragdoll_stairs();
 SceneDescription harbour();
 SceneDescription parkour();
+SceneDescription race_track();
+SceneDescription demolition();
 SceneDescription lab_pyramid_465();
 SceneDescription lab_pyramid_5050();
 SceneDescription lab_boxes_1000();

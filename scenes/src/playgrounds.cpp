@@ -3,6 +3,7 @@
 // Scenes in which a module has the leading part.
 #include <string>
 
+#include "jostle/physics/height_field.h"
 #include "parts.h"
 
 namespace jostle::scenes {
@@ -128,6 +129,87 @@ SceneDescription parkour() {
         scene.bodies.push_back(colored(walker, k == 4 ? 0xe63946 : 0x457b9d));
     }
     scene.modules.push_back(walkers);
+    return scene;
+}
+
+// A ring of road between tyres, a hill on one side of it, and a ramp; pilots go round until
+// somebody takes their wheel.
+SceneDescription race_track() {
+    SceneDescription scene;
+    constexpr std::uint32_t samples = 121;
+    HeightGrid grid{.columns = samples, .rows = samples, .spacing_x = 2, .spacing_z = 2};
+    for (std::uint32_t r = 0; r < samples; r++)
+        for (std::uint32_t c = 0; c < samples; c++) {
+            const double x = 2.0 * (c - 60.0), z = 2.0 * (r - 60.0);
+            const double hill = maximum(0, 1 - (x * x + (z - 45) * (z - 45)) / 900);
+            grid.heights.push_back(2.5 * hill * hill);
+        }
+    SceneBody land{.name = "land", .body = {.type = BodyType::static_body}, .shapes = {}};
+    land.shapes.push_back({.geometry = HeightField{*build_height_field(std::move(grid))},
+                           .material = {.friction = 0.9}});
+    scene.bodies.push_back(colored(land, 0x6b705c));
+    for (int k = 0; k < 72; k++) {
+        const SinCos at = sin_cos(2 * pi * k / 36 + (k < 36 ? 0 : 0.05));
+        const double r = k < 36 ? 33 : 57;
+        SceneBody tyre =
+            loose("tyre", {r * at.cos, 0.16, r * at.sin - 0.001}, Cylinder{0.45, 0.15});
+        tyre.body.pose.position.y += 3 * (at.sin > 0.3 ? 1 : 0);
+        tyre.shapes[0].density = 90;
+        scene.bodies.push_back(colored(tyre, k % 2 ? 0xf8f9fa : 0xd90429));
+    }
+    scene.bodies.push_back(
+        colored(fixed_box("ramp", {45, 0.15, -14}, {3, 0.1, 4}, from_axis_angle({1, 0, 0}, 0.14)),
+                0xffb703));
+    SceneModule cars{.tag = "vehicle",
+                     .settings = {{"pilot_radius", 45}, {"pilot_speed", 16}},
+                     .bodies = {},
+                     .state = {}};
+    for (int k = 0; k < 6; k++) {
+        // Side by side around the ring, each along its tangent: to the left, seen from above.
+        const double turn = -0.25 * k;
+        const SinCos at = sin_cos(turn);
+        SceneBody car = loose("car", {45 * at.cos, 0.75, 45 * at.sin}, Box{{0.85, 0.25, 2}},
+                              from_axis_angle({0, 1, 0}, -turn));
+        car.shapes[0].mass = 1100;
+        car.shapes.push_back(
+            {.geometry = Box{{0.7, 0.25, 0.9}}, .pose = {{0, 0.48, 0.2}, {}}, .mass = 100});
+        car.body.sleep_allowed = false;
+        cars.bodies[k == 0 ? "car" : "car" + std::to_string(k + 1)] = scene.bodies.size();
+        constexpr std::uint32_t colors[] = {0xe63946, 0x457b9d, 0xf4a261,
+                                            0x2a9d8f, 0x8338ec, 0xffbe0b};
+        scene.bodies.push_back(colored(car, colors[k]));
+    }
+    scene.modules.push_back(cars);
+    return scene;
+}
+
+// Three walls of stones that hold together until a ball swings into them.
+SceneDescription demolition() {
+    SceneDescription scene;
+    scene.bodies.push_back(colored(ground(), 0x606c38));
+    scene.modules.push_back({.tag = "destruction",
+                             .settings = {{"count", 3},
+                                          {"spacing", 7},
+                                          {"width", 5},
+                                          {"height", 4},
+                                          {"thickness", 0.4},
+                                          {"chunks", 120},
+                                          {"x", -7},
+                                          {"z", -6}},
+                             .bodies = {},
+                             .state = {}});
+    for (int k = 0; k < 3; k++) {
+        const double x = -7 + 7.0 * k;
+        SceneBody ball = loose("ball", {x, 5.2, 3 + 2.0 * k}, Sphere{0.6});
+        ball.shapes[0].density = 4000;
+        scene.bodies.push_back(colored(ball, 0x283618));
+        scene.bodies.push_back(
+            colored(fixed_box("crane", {x, 11.2, -5}, {0.3, 0.3, 0.3}), 0xdda15e));
+        const Vec3 from{x, 11.2, -5}, to = ball.body.pose.position;
+        join(scene, "rope", scene.bodies.size() - 1, scene.bodies.size() - 2, {from, {}},
+             DistanceJoint{.min_length = 0, .max_length = length(to - from)});
+        scene.joints.back().joint.frame_b = {};
+    }
     return scene;
 }
 

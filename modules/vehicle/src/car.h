@@ -62,6 +62,8 @@ struct Car {
     CarId id = 0;
     VehicleDef def;
     CarControls controls;
+    bool driven = false;  // by sticks: `held`
+    physics::Controls held;
     bool piloted = false;
     Pilot pilot;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pilot.h"
 
+#include <utility>
+
 namespace jostle::modules::vehicle_detail {
 
 using namespace physics;
@@ -45,6 +47,21 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     controls.hand_brake = 0;
     controls.clutch = 0;
     if (controls.gear < 1) controls.gear = 1;
+    return controls;
+}
+
+CarControls stick_controls(const Car& car) {
+    constexpr double slow = 1, quick = 15;  // m/s
+    const auto& [aside, ahead] = std::pair{car.held.axes[0], car.held.axes[1]};
+    CarControls controls = car.controls;
+    const bool against = ahead * car.speed < 0 && absolute(car.speed) > slow;
+    controls.brake = against ? absolute(ahead) : 0;
+    controls.throttle = against ? 0 : absolute(ahead);
+    if (!against && ahead < 0) controls.gear = -1;
+    if (!against && ahead > 0 && controls.gear < 1) controls.gear = 1;
+    controls.steering = aside / (1 + absolute(car.speed) / quick);
+    controls.hand_brake = (car.held.buttons & 1) != 0 ? 1 : 0;
+    controls.clutch = 0;
     return controls;
 }
 

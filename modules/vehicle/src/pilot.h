@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A driver that keeps to a circle: Pilot.
+// Drivers: one that keeps to a circle (Pilot), and one that holds sticks.
 #pragma once
 
 #include "car.h"
@@ -9,5 +9,8 @@
 namespace jostle::modules::vehicle_detail {
 
 CarControls pilot_controls(const Car& car, const physics::BodyState& chassis);
+// What the sticks mean now: back is the brake while it goes ahead, and reverse after. The faster it
+// goes the less a full stick steers.
+CarControls stick_controls(const Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "support/world_builder.h"
@@ -73,6 +74,7 @@ inline double lean_after(const AddWater& add_water, double width, double height,
 // GM / height = s / 2 + (width / height)^2 / 12 s - 1 / 2: nothing where (width / height)^2 is
 // 6 s (1 - s). Proportions of 4 % on both sides of that, for several densities.
 inline void expect_upright_exactly_when_gm_is_positive(const AddWater& add_water) {
+    double most_stable = 0, least_unstable = 180;
     for (const double s : {0.15, 0.3, 0.5, 0.7, 0.85}) {
         const double neutral = square_root(6 * s * (1 - s));
         for (const double height : {0.5, 1.0}) {
@@ -81,8 +83,12 @@ inline void expect_upright_exactly_when_gm_is_positive(const AddWater& add_water
                 lean_after(add_water, 0.96 * neutral * height, height, 1000 * s);
             EXPECT_LT(stable, 0.1) << "s " << s << ", height " << height;
             EXPECT_GT(unstable, 5) << "s " << s << ", height " << height;
+            most_stable = maximum(most_stable, stable);
+            least_unstable = minimum(least_unstable, unstable);
         }
     }
+    testing::Test::RecordProperty("lean_of_stable_degrees", std::to_string(most_stable));
+    testing::Test::RecordProperty("lean_of_unstable_degrees", std::to_string(least_unstable));
 }
 
 }  // namespace jostle::modules

@@ -26,6 +26,7 @@ TEST(Sleep, five_thousand_crates_stay_asleep_in_steady_fields) {
     add_field(world, {.law = UserField{.law = "test_breeze", .steady = true}});
     add_field(world, {.law = Waves{.level = 0.2}});
     test::run(world, 2);
+    RecordProperty("awake", world.summary().awake_bodies);
     EXPECT_EQ(world.summary().awake_bodies, 0);
     for (int step = 0; step < 60; step++) {
         test::must(world.step(1.0 / 60));

@@ -144,7 +144,10 @@ TEST(Fields, say_what_is_wrong_with_a_field) {
               "law is \"Bad Name\"; give 1 to 32 of a-z, 0-9 and _");
     EXPECT_EQ(fields.remove(world, {5}).error().message, "there is no field 5");
     EXPECT_TRUE(fields.fields().empty());
-    for (std::size_t k = 0; k < Fields::fields_max; k++) add_field(world, {});
+    for (std::size_t k = 0; k < Fields::waters_max; k++) add_field(world, {.law = Waves{}});
+    EXPECT_EQ(complaint({.law = Waves{}}), "there are 4 waters already; remove one");
+    EXPECT_TRUE(fields.set(world, fields.fields()[1], {.law = Waves{.level = 1}}).ok());
+    while (fields.fields().size() < Fields::fields_max) add_field(world, {});
     EXPECT_EQ(complaint({}), "there are 64 fields already; remove one");
 }
 

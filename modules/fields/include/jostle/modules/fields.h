@@ -33,6 +33,7 @@ struct StepMemory;
 class Fields : public physics::Module {
 public:
     static constexpr std::size_t fields_max = 64, charges_max = 128;
+    static constexpr std::size_t waters_max = 4;  // fields that are Waves: they cost most
     static constexpr std::size_t blasts_max = 8;  // in one step; the others in those that follow
 
     Fields();
@@ -83,6 +84,9 @@ private:
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
     Entry* find(FieldKey key);
+    std::size_t waters_but(FieldKey key) const;
+    physics::Status check_one(const physics::World& world, FieldKey key,
+                              const VolumeField& field) const;
     void visit_entry(physics::StateVisitor& v, Entry& entry);
 
     std::vector<Entry> entries_;

@@ -84,7 +84,9 @@ void rigid_step(World& world, Record& self, double dt) {
     know_ground(world, self, stand(world, self, *body), dt);
     Vec3 change;
     if (takes_off(self, controls.jump)) {
-        change.y = self.abilities.jump_speed + self.ground_velocity.y - velocity.y;
+        // Off the ground as it moves, but not off what is knocked away under it.
+        const double from = clamp(self.ground_velocity.y - velocity.y, -1, 1);
+        change.y = self.abilities.jump_speed + from;
         self.ground = GroundKind::in_air;
     } else if (self.ground == GroundKind::on_ground) {
         change = change_on_ground(self, velocity, controls.walk, dt);

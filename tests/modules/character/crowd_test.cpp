@@ -50,7 +50,7 @@ TEST(Crowd, pushes_and_shoves_and_nobody_is_thrown) {
     }
     record("fastest_in_crowd_m_s", fastest);
     EXPECT_EQ(outside, 0);
-    EXPECT_LE(fastest, 20) << "a jump and a run, and what a light crate takes from them";
+    EXPECT_LE(fastest, 12) << "a jump and a run, and what a light crate takes from them";
 }
 
 }  // namespace

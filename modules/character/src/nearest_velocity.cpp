@@ -60,11 +60,12 @@ Vec3 compromise(Vec3 v, Planes planes, double most) {
     return speed > most ? v * (most / speed) : v;
 }
 
-// What slides along planes that stand still gets no faster; those that move add to it.
+// What slides along planes that stand still gets no faster; three that move and are square to each
+// other add three of their speeds.
 double most_speed(Vec3 wanted, Planes planes) {
     double fastest = 0;
     for (const VelocityPlane& plane : planes) fastest = maximum(fastest, plane.least);
-    return length(wanted) * (1 + 1e-9) + 2 * fastest + tolerance;
+    return square_root(length_squared(wanted) + 3 * fastest * fastest) * (1 + 1e-9) + tolerance;
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 namespace jostle::modules::character_detail {
 using namespace physics;
 
+namespace {
+
+// 1/kg: how easily a point of the body gives way along a unit direction; 0 where nothing moves it.
 // Turns that are locked, even some, are taken as all locked.
 double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
     if (!(body.mass > 0)) return 0;
@@ -15,8 +18,6 @@ double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
     const Vec3 arm = cross(point - body.center, direction);
     return straight + dot(arm, inverse(body.inertia) * arm);
 }
-
-namespace {
 
 // Legs push all through the step, so that friction may hold against them; all else is at once.
 bool apply(World& world, const Contact& contact, const Given& given, const Push& push) {

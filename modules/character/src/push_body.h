@@ -23,9 +23,6 @@ struct Given {
     double gained = 0;
 };
 
-// 1/kg: how easily a point of the body gives way along a unit direction; 0 where nothing moves it.
-double compliance(const physics::BodyState& body, physics::Vec3 point, physics::Vec3 direction);
-
 // Pushes the body, and takes what that costs off `push`.
 Given push_body(physics::World& world, const Contact& contact, double mass, Push& push);
 

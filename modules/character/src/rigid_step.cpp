@@ -32,9 +32,10 @@ void know_ground(const World& world, Record& self, const Footing& footing, doubl
     self.ground_shape = footing.shape;
     self.ground_normal = footing.normal;
     self.ground_point = footing.point;
-    self.ground_velocity = footing.kind == GroundKind::on_ground
-                               ? carried_velocity(world, self, self.feet, dt)
-                               : Vec3{};
+    self.ground_velocity = {};
+    const Result<BodyState> ground = world.body(footing.body);
+    if (footing.kind == GroundKind::on_ground && ground.ok())
+        self.ground_velocity = carried_velocity(world, *ground, footing.shape, self.feet, dt);
 }
 
 // m/s: along the floor with all of the horizontal velocity that is wanted.
@@ -42,7 +43,8 @@ Vec3 change_on_ground(const Record& self, Vec3 velocity, Vec3 walk, double dt) {
     const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
     Vec3 change = effort(over, walk, self.abilities.ground_acceleration, dt);
     const Vec3 next = horizontal(over + change);
-    change.y = -dot(horizontal(n), next) / n.y - over.y;
+    const double most = self.abilities.ground_acceleration * dt;
+    change.y = clamp(-dot(horizontal(n), next) / n.y - over.y, -most, most);
     return change;
 }
 
@@ -82,7 +84,9 @@ void rigid_step(World& world, Record& self, double dt) {
     know_ground(world, self, stand(world, self, *body), dt);
     Vec3 change;
     if (takes_off(self, controls.jump)) {
-        change.y = self.abilities.jump_speed + self.ground_velocity.y - velocity.y;
+        // Off the ground as it moves, but not off what is knocked away under it.
+        const double from = clamp(self.ground_velocity.y - velocity.y, -1, 1);
+        change.y = self.abilities.jump_speed + from;
         self.ground = GroundKind::in_air;
     } else if (self.ground == GroundKind::on_ground) {
         change = change_on_ground(self, velocity, controls.walk, dt);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "steering.h"
 
-#include "push_body.h"
 #include "surroundings.h"
 
 namespace jostle::modules::character_detail {
@@ -89,15 +88,14 @@ void stand_or_crouch(World& world, Record& record, bool crouch) {
     reshape(world, record);
 }
 
-Vec3 carried_velocity(const World& world, const Record& record, Vec3 point, double dt) {
-    const Result<BodyState> ground = world.body(record.ground_body);
-    if (!ground.ok()) return {};
+Vec3 carried_velocity(const World& world, const BodyState& ground, ShapeId shape, Vec3 point,
+                      double dt) {
     Vec3 belt;
-    if (const auto shape = world.shape(record.ground_shape); shape.ok())
-        belt = rotate(ground->pose.rotation, shape->material.surface_velocity);
-    const Vec3 arm = point - ground->center;
-    const Vec3 turned = rotate(from_rotation_vector(ground->angular_velocity * dt), arm);
-    return ground->linear_velocity + belt + (turned - arm) * (1 / dt);
+    if (const auto surface = world.shape(shape); surface.ok())
+        belt = rotate(ground.pose.rotation, surface->material.surface_velocity);
+    const Vec3 arm = point - ground.center;
+    const Vec3 turned = rotate(from_rotation_vector(ground.angular_velocity * dt), arm);
+    return ground.linear_velocity + belt + (turned - arm) * (1 / dt);
 }
 
 void press_ground(World& world, Record& record, Vec3 impulse) {
@@ -107,12 +105,12 @@ void press_ground(World& world, Record& record, Vec3 impulse) {
         record.given += impulse;
 }
 
+// What the ground stands on holds it against tilting: its mass alone counts.
 Vec3 push_off(World& world, Record& record, Vec3 change) {
-    const double size = length(change), mass = record.abilities.mass;
+    const double mass = record.abilities.mass;
     const Result<BodyState> ground = world.body(record.ground_body);
-    if (!ground.ok() || ground->type != BodyType::dynamic || size < 1e-9) return change;
-    const double give =
-        1 / (1 / mass + compliance(*ground, record.ground_point, change * (1 / size)));
+    if (!ground.ok() || ground->type != BodyType::dynamic) return change;
+    const double give = 1 / (1 / mass + 1 / ground->mass);
     press_ground(world, record, change * -give);
     return change * (give / mass);
 }

@@ -24,9 +24,10 @@ void turn_by(Record& record, double angle);
 // Makes it crouch or, if there is room, stand; its body's first shape follows.
 void stand_or_crouch(physics::World& world, Record& record, bool crouch);
 
-// The velocity of the ground over the coming step, m/s: what a rigid motion makes of the point.
-physics::Vec3 carried_velocity(const physics::World& world, const Record& record,
-                               physics::Vec3 point, double dt);
+// The velocity of a point of the ground over the coming step, m/s: what its rigid motion and the
+// belt on it make of the point.
+physics::Vec3 carried_velocity(const physics::World& world, const physics::BodyState& ground,
+                               physics::ShapeId shape, physics::Vec3 point, double dt);
 
 // N s to the ground, if that can move.
 void press_ground(physics::World& world, Record& record, physics::Vec3 impulse);

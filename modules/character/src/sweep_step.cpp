@@ -51,7 +51,8 @@ private:
         if (self_.ground != GroundKind::on_ground) meet_ground();
         grounded_ = self_.ground == GroundKind::on_ground;
         before_ = now_ = self_.velocity;
-        if (grounded_) carried_ = carried_velocity(world_, self_, self_.feet, dt_);
+        if (grounded_) carried_ = ground_motion(self_.feet);
+        if (grounded_ && slips()) lose_ground();
         if (takes_off(self_, controls.jump))
             jump();
         else if (grounded_)
@@ -66,19 +67,35 @@ private:
         if (footing_.kind != GroundKind::on_ground || leaves(footing_)) return;
         self_.ground = footing_.kind;
         know_ground();
-        self_.ground_velocity = carried_velocity(world_, self_, self_.feet, dt_);
+        self_.ground_velocity = ground_motion(self_.feet);
         self_.velocity = horizontal(self_.velocity - self_.ground_velocity);
+    }
+    // What is knocked away under its feet does not take it along. A platform does, whatever it
+    // does.
+    bool slips() const {
+        const Result<BodyState> ground = world_.body(self_.ground_body);
+        return ground.ok() && ground->type == BodyType::dynamic &&
+               length(carried_ - self_.ground_velocity) > self_.abilities.ground_acceleration * dt_;
+    }
+    void lose_ground() {
+        self_.velocity += self_.ground_velocity;
+        self_.ground = GroundKind::in_air;
+        before_ = now_ = self_.velocity;
+        carried_ = {};
+        grounded_ = false;
     }
     void stride(Vec3 walk) {
         const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
+        remember(self_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
         push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
-        carried_ = carried_velocity(world_, self_, self_.feet, dt_);
+        carried_ = ground_motion(self_.feet);
         now_ += change;
         wanted_ = last_ = horizontal(now_);
         walk_ = horizontal(walk);
     }
     void jump() {
+        remember(self_.ground_body);
         now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
         before_ = now_;
         carried_ = {};
@@ -189,11 +206,10 @@ private:
     }
     // ... as far as its motion is sure: what was just pushed may be held by others.
     Vec3 surely(const Contact& contact) const {
-        for (const BodyState& body : pushed_)
-            if (body.id == contact.body)
-                return body.linear_velocity +
-                       cross(body.angular_velocity, contact.point - body.center) - carried_;
-        return relative(contact);
+        const Result<BodyState> body = as_it_was(contact.body);
+        if (!contact.dynamic || !body.ok()) return relative(contact);
+        return body->linear_velocity + cross(body->angular_velocity, contact.point - body->center) -
+               carried_;
     }
     // A wall to one who walks: else he would walk up what is too steep.
     void add(VelocityPlanes& set, const Contact& contact, double least) const {
@@ -207,16 +223,22 @@ private:
         VelocityPlanes set;
         for (const Contact& contact : contacts) {
             const double room = contact.gap - self_.skin;
-            add(set, contact,
-                dot(contact.normal, surely(contact)) - maximum(room / left, -recovery_speed));
+            double pace = dot(contact.normal, surely(contact));
+            // What it can push moves it by impulses alone.
+            if (contact.dynamic) pace = minimum(pace, maximum(0, dot(contact.normal, now_)));
+            add(set, contact, pace - maximum(room / left, -recovery_speed));
         }
         return set;
     }
     VelocityPlanes touching_planes(const std::vector<Contact>& contacts) const {
         VelocityPlanes set;
-        for (const Contact& contact : contacts)
-            if (contact.dynamic ? contact.pushed : contact.gap - self_.skin < 0.5 * touch)
-                add(set, contact, dot(contact.normal, relative(contact)));
+        for (const Contact& contact : contacts) {
+            const double pace = dot(contact.normal, relative(contact));
+            if (contact.dynamic && contact.pushed)
+                add(set, contact, minimum(pace, 0));
+            else if (!contact.dynamic && contact.gap - self_.skin < 0.5 * touch)
+                add(set, contact, pace);
+        }
         return set;
     }
     // Along the floor, up and down, with all of the horizontal velocity.
@@ -252,6 +274,7 @@ private:
             const double impulse = given.impact + given.effort;
             if (impulse <= 0) continue;
             contact.pushed = true;
+            if (is_null(pushed_)) pushed_ = contact.body;
             self_.given -= contact.normal * impulse;
             if (grounded_) press_ground(world_, self_, contact.normal * given.effort);
             feel(push);
@@ -266,11 +289,27 @@ private:
         now_ += change;
         last_ += change;
     }
-    // How it moved before it was pushed.
+    // How bodies moved before they were pushed in this step.
     void remember(BodyId id) {
-        for (const BodyState& body : pushed_)
+        for (const BodyState& body : before_push_)
             if (body.id == id) return;
-        if (const Result<BodyState> body = world_.body(id); body.ok()) pushed_.push_back(*body);
+        const Result<BodyState> body = world_.body(id);
+        if (body.ok() && body->type == BodyType::dynamic) before_push_.push_back(*body);
+    }
+    Result<BodyState> as_it_was(BodyId id) const {
+        for (const BodyState& body : before_push_)
+            if (body.id == id) return body;
+        return world_.body(id);
+    }
+    // m/s of the ground at a point over the step. Of one that was pushed the way along the floor is
+    // new; whether it sinks or tilts depends on what it stands on.
+    Vec3 ground_motion(Vec3 point) const {
+        const Result<BodyState> was = as_it_was(self_.ground_body),
+                                now = world_.body(self_.ground_body);
+        if (!was.ok() || !now.ok()) return {};
+        BodyState ground = *was;
+        ground.linear_velocity = horizontal(now->linear_velocity) + up * was->linear_velocity.y;
+        return carried_velocity(world_, ground, self_.ground_shape, point, dt_);
     }
     void refresh(std::vector<Contact>& contacts, BodyId body) const {
         for (Contact& contact : contacts)
@@ -283,7 +322,7 @@ private:
     const std::vector<Contact>& look() {
         if (!looked_ || looked_at_ != center_)
             contacts_ = near_.contacts(core_, center_, self_.skin + look_around);
-        looked_ = pushed_.empty();
+        looked_ = is_null(pushed_);
         looked_at_ = center_;
         return contacts_;
     }
@@ -307,7 +346,9 @@ private:
         stand(footing);
     }
     bool leaves(const Footing& footing) const {
-        const Vec3 ground = surface_velocity(world_, footing.body, footing.shape, footing.point);
+        const Result<BodyState> body = as_it_was(footing.body);
+        if (!body.ok()) return false;
+        const Vec3 ground = carried_velocity(world_, *body, footing.shape, footing.point, dt_);
         return dot(footing.normal, last_ - ground) > leaving_speed;
     }
     // Takes off what rounding and bent floors leave between the skin and the floor.
@@ -340,7 +381,7 @@ private:
         Vec3 by;
         if (stands || walked_off_) {
             const Vec3 feet = center_ - up * (0.5 * current_height(self_));
-            by = carried_velocity(world_, self_, feet, dt_);
+            by = ground_motion(feet);
             turn_along();
             ride(by * dt_);
         }
@@ -367,7 +408,7 @@ private:
     }
 
     void finish() {
-        self_.pushed = pushed_.empty() ? BodyId{} : pushed_.front().id;
+        self_.pushed = pushed_;
         const Vec3 feet = center_ - up * (0.5 * current_height(self_)), a = abs(feet);
         if (!is_finite(feet) || a.x > furthest || a.y > furthest || a.z > furthest)
             self_.velocity = {};  // at the end of the world
@@ -375,7 +416,8 @@ private:
             self_.feet = feet;
         place_body();
     }
-    // It moves there within the step; up a step it leaps, so that it kicks nobody by that.
+    // It moves there within the step, as fast as it walks or falls. What goes beyond that, up a
+    // step or out of what it overlaps, is a leap: it kicks nobody by it.
     void place_body() {
         const Transform pose{self_.feet + up * self_.foot_height, attitude(self_)};
         const Result<BodyState> body = world_.body(self_.body);
@@ -383,10 +425,13 @@ private:
         if (body->pose == pose && body->linear_velocity == Vec3{} &&
             body->angular_velocity == Vec3{})
             return;
-        if (absolute(leap_) > 0.01) {
-            const Vec3 from = body->pose.position + up * leap_;
-            static_cast<void>(world_.set_pose(self_.body, {from, body->pose.rotation}));
-        }
+        Vec3 leap = absolute(leap_) > 0.01 ? up * leap_ : Vec3{};
+        const Vec3 way = pose.position - body->pose.position - leap;
+        const double size = length(way), most = (length(now_ + carried_) + 1) * dt_;
+        if (size > most) leap += way * (1 - most / size);
+        if (leap != Vec3{})
+            static_cast<void>(
+                world_.set_pose(self_.body, {body->pose.position + leap, body->pose.rotation}));
         static_cast<void>(world_.move_to(self_.body, pose, dt_));
     }
 
@@ -406,7 +451,8 @@ private:
     Vec3 looked_at_;
     bool looked_ = false;
     Footing footing_;
-    std::vector<BodyState> pushed_;  // as they were before
+    std::vector<BodyState> before_push_;
+    BodyId pushed_;  // the first of this step
 };
 
 }  // namespace

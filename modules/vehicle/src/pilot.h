@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// A driver that keeps to a circle: Pilot.
+// Who drives: a pilot that keeps to a circle, or a person with sticks and buttons.
 #pragma once
 
 #include "car.h"
+#include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 
 namespace jostle::modules::vehicle_detail {
 
 CarControls pilot_controls(const Car& car, const physics::BodyState& chassis);
+
+// Of what is held: ahead is throttle, back is the brake, and reverse once the car stands.
+CarControls person_controls(const Car& car);
+
+// Takes hold, once: a press of a gear button shifts a manual gearbox.
+void hold_controls(Car& car, const physics::Controls& controls);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -105,7 +105,10 @@ void visit_controls(StateVisitor& v, Car& car) {
     v.field("steering", car.controls.steering);
     v.field("clutch", car.controls.clutch);
     v.field("gear", car.controls.gear);
-    v.field("piloted", car.piloted);
+    v.field("driver", car.driver, Driver::person);
+    v.field("held_aside", car.held_aside);
+    v.field("held_ahead", car.held_ahead);
+    v.field("held_buttons", car.held_buttons);
     v.field("pilot_center", car.pilot.center);
     v.field("pilot_radius", car.pilot.radius);
     v.field("pilot_speed", car.pilot.speed);

@@ -18,6 +18,9 @@ using physics::Quat;
 using physics::ShapeId;
 using physics::Transform;
 
+// Who decides on the controls.
+enum class Driver : std::uint8_t { nobody, pilot, person };
+
 // Saved.
 struct WheelRun {
     double stiffness = 0, damping = 0;      // of the suspension: N/m, N s/m
@@ -62,10 +65,16 @@ struct Car {
     CarId id = 0;
     VehicleDef def;
     CarControls controls;
+<<<<<<< HEAD
     bool driven = false;  // by sticks: `held`
     physics::Controls held;
     bool piloted = false;
+=======
+    Driver driver = Driver::nobody;
+>>>>>>> vehicle
     Pilot pilot;
+    double held_aside = 0, held_ahead = 0;  // what a person holds, -1 to 1
+    std::uint32_t held_buttons = 0;
 
     std::vector<WheelRun> wheels;
     double steering = 0;  // -1 to 1, follows the controls

@@ -252,6 +252,8 @@ std::string fault_of(const Car& car) {
         check_run(car.wheels[k], check);
     }
     check.leave();
+    check.number("held_aside", car.held_aside, -1, 1);
+    check.number("held_ahead", car.held_ahead, -1, 1);
     check.number("steering", car.steering, -1, 1);
     check.number("engine_speed", car.engine_speed, 0, 1e5);
     check.number("engine_torque", car.engine_torque, -1e12, 1e12);

@@ -24,6 +24,16 @@ bool is_in_gear(const Car& car) {
     return absolute(car.engine_speed - driven) < 0.05 * car.engine_speed;
 }
 
+// rad/s of the engine at which it shifts up: later the harder the driver asks, and never where the
+// next gear would have to shift down again.
+double up_at(const Car& car) {
+    const Gearbox& gearbox = car.def.gearbox;
+    const auto gear = static_cast<std::size_t>(car.gear);
+    const double step = gearbox.ahead[gear - 1] / gearbox.ahead[gear];
+    const double asked = gearbox.up_at * (0.5 + 0.5 * car.controls.throttle);
+    return minimum(maximum(asked, 1.25 * step * gearbox.down_at), gearbox.up_at);
+}
+
 std::int32_t next_ahead(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     if (car.gear < 1) return absolute(car.speed) < slow || car.speed > 0 ? 1 : 0;
@@ -33,7 +43,7 @@ std::int32_t next_ahead(const Car& car) {
         return car.gear - 1;
     }
     if (!is_in_gear(car)) return car.gear;
-    if (car.engine_speed > gearbox.up_at && car.gear < top) return car.gear + 1;
+    if (car.gear < top && car.engine_speed > up_at(car)) return car.gear + 1;
     return car.gear;
 }
 

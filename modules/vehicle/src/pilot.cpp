@@ -50,6 +50,7 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     return controls;
 }
 
+<<<<<<< HEAD
 CarControls stick_controls(const Car& car) {
     constexpr double slow = 1, quick = 15;  // m/s
     const auto& [aside, ahead] = std::pair{car.held.axes[0], car.held.axes[1]};
@@ -65,4 +66,36 @@ CarControls stick_controls(const Car& car) {
     return controls;
 }
 
+=======
+CarControls person_controls(const Car& car) {
+    constexpr double stands = 0.5;  // m/s
+    const double ahead = car.held_ahead, speed = car.speed;
+    CarControls controls = car.controls;
+    controls.steering = car.held_aside;
+    controls.hand_brake = (car.held_buttons & 1) != 0 ? 1 : 0;
+    controls.clutch = 0;
+    const bool back = controls.gear < 0;
+    if (ahead < 0 && !back && speed < stands && car.def.gearbox.automatic) controls.gear = -1;
+    if (ahead > 0 && controls.gear < 1 && speed > -stands) controls.gear = 1;
+    // Along the gear it drives, against it it brakes.
+    const double along = controls.gear < 0 ? -ahead : ahead;
+    controls.throttle = maximum(along, 0);
+    controls.brake = maximum(-along, 0);
+    return controls;
+}
+
+void hold_controls(Car& car, const Controls& controls) {
+    constexpr std::uint32_t up = 4, down = 8;
+    const std::uint32_t pressed = controls.buttons & ~car.held_buttons;
+    const auto top = static_cast<std::int32_t>(car.def.gearbox.ahead.size());
+    car.driver = Driver::person;
+    car.held_aside = controls.axes[0];
+    car.held_ahead = controls.axes[1];
+    car.held_buttons = controls.buttons;
+    if (car.def.gearbox.automatic) return;
+    if ((pressed & up) != 0 && car.controls.gear < top) car.controls.gear++;
+    if ((pressed & down) != 0 && car.controls.gear > -1) car.controls.gear--;
+}
+
+>>>>>>> vehicle
 }  // namespace jostle::modules::vehicle_detail

@@ -7,6 +7,7 @@
 #include "jostle/modules/settings.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"
+#include "pilot.h"
 #include "visit_car.h"
 
 namespace jostle::modules {
@@ -150,6 +151,20 @@ Status Vehicles::configure(World& world, const ModuleSettings& settings) {
         if (Status good = set_pilot(world, *car, cars.pilot); !good.ok()) return good;
     }
     return {};
+}
+
+bool Vehicles::takes_controls(BodyId body) const {
+    return std::any_of(cars_.begin(), cars_.end(),
+                       [&](const Car& car) { return car.def.chassis == body; });
+}
+
+void Vehicles::control(World& world, BodyId body, const Controls& controls) {
+    for (Car& car : cars_) {
+        if (car.def.chassis != body) continue;
+        hold_controls(car, controls);
+        // The body may be gone: then the car ends in the next step.
+        static_cast<void>(world.wake(body));
+    }
 }
 
 void Vehicles::visit(StateVisitor& v) {

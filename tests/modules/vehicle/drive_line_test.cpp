@@ -96,6 +96,27 @@ TEST(DriveLine, an_automatic_sets_off_and_shifts_up_to_its_top_gear) {
     EXPECT_NEAR(of.state().engine_speed, 90, 5) << "and the engine idles";
 }
 
+TEST(DriveLine, an_automatic_shifts_up_early_where_little_is_asked_and_does_not_hunt) {
+    TestCar of;
+    VehicleDef def = plain_saloon(of.chassis);
+    def.aerodynamics.drag_area = 3;  // so that it comes to a steady speed
+    of.add(def);
+    of.set({.throttle = 0.25});
+    double fastest = 0;
+    int shifts = 0;
+    std::int32_t gear = 1;
+    for (int k = 0; k < 60 * 60; k++) {
+        of.drive(step_time);
+        const CarState now = of.state();
+        fastest = std::max(fastest, now.engine_speed);
+        shifts += now.gear != gear ? 1 : 0;
+        gear = now.gear;
+    }
+    EXPECT_LT(fastest, 0.9 * def.gearbox.up_at);
+    EXPECT_GT(gear, 2);
+    EXPECT_LE(shifts, 5);
+}
+
 TEST(DriveLine, reverse_is_taken_once_the_car_stands) {
     TestCar of({}, {0, 0, -5});
     of.add(plain_saloon(of.chassis));

@@ -109,6 +109,11 @@ public:
     // throttle, brake, steering; pilot_radius and pilot_speed (with pilot_radius a pilot drives).
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
+    // Whoever drives a chassis: axis 0 steers, axis 1 is throttle ahead, and back the brake, and
+    // reverse once the car stands; button 0 the hand brake, buttons 2 and 3 shift a manual gearbox
+    // up and down. He keeps the car until set_controls() or set_pilot().
+    bool takes_controls(BodyId body) const override;
+    void control(physics::World& world, BodyId body, const physics::Controls& controls) override;
     // Per car: u32 body, u8 gear + 1, u8 engine (0 to 1 of its most), u8 wheels; per wheel: u8
     // radius (0 to 2 m) and width (0 to 1 m), 3 x u16 where its centre is in the chassis (-8 to 8
     // m), u8 bits (1 touches, 2 slides), u16 angle (0 to 2 pi), u16 spin (-400 to 400 rad/s), u16

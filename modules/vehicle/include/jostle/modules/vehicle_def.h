@@ -116,9 +116,11 @@ struct Gearbox {
     double final_ratio = 3.7;                               // 0.01 to 1000
     double efficiency = 0.95;                               // 0.1 to 1
     double shift_time = 0.25;                               // s with the clutch open, 0 to 10
-    double shift_pause = 0.6;           // s between two shifts of an automatic, 0 to 100
-    double up_at = 560, down_at = 230;  // rad/s of the engine, 0 to 1e4, down < up
-    double clutch_torque = 500;         // N m that it holds, 1 to 1e7
+    double shift_pause = 0.6;  // s between two shifts of an automatic, 0 to 100
+    // rad/s of the engine, 0 to 1e4, down < up; with little throttle it shifts up at half of up_at,
+    // where the next gear would not shift down again.
+    double up_at = 560, down_at = 230;
+    double clutch_torque = 500;  // N m that it holds, 1 to 1e7
 };
 
 struct Aerodynamics {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// A person at the wheel: sticks and buttons.
+#include <gtest/gtest.h>
+
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+struct DrivenCar : TestCar {
+    explicit DrivenCar(bool automatic = true) {
+        VehicleDef def = plain_saloon(chassis);
+        def.gearbox.automatic = automatic;
+        add(def);
+        drive(1);
+    }
+    void hold(double aside, double ahead, std::uint32_t buttons = 0) {
+        Controls controls;
+        controls.axes[0] = aside;
+        controls.axes[1] = ahead;
+        controls.buttons = buttons;
+        vehicles->control(world, chassis, controls);
+    }
+};
+
+TEST(Person, drives_ahead_brakes_and_then_goes_back) {
+    DrivenCar of;
+    ASSERT_TRUE(of.vehicles->takes_controls(of.chassis));
+    EXPECT_FALSE(of.vehicles->takes_controls(of.world.bodies()[0]));
+    of.hold(0, 1);
+    of.drive(3);
+    const double fast = of.state().speed;
+    EXPECT_GT(fast, 5);
+    of.hold(0, -1);
+    of.drive(0.5);
+    EXPECT_EQ(of.state().controls.brake, 1);
+    EXPECT_LT(of.state().speed, fast);
+    of.drive(4);
+    EXPECT_LT(of.state().speed, -1) << "back, once it stood";
+    of.hold(0, 1);
+    of.drive(4);
+    EXPECT_GT(of.state().speed, 1) << "and ahead again";
+}
+
+TEST(Person, steers_to_the_right_and_pulls_the_hand_brake) {
+    DrivenCar of;
+    of.hold(0.5, 0.5);
+    of.drive(2);
+    EXPECT_LT(of.body().angular_velocity.y, -0.1);
+    of.hold(0, 0, 1);
+    of.drive(4);
+    EXPECT_EQ(of.state().wheels[2].spin, 0);
+    EXPECT_LT(of.speed(), 0.1);
+}
+
+TEST(Person, shifts_once_for_each_press) {
+    DrivenCar of(false);
+    of.hold(0, 0.5, 4);
+    of.hold(0, 0.5, 4);
+    EXPECT_EQ(of.state().controls.gear, 2) << "held is not pressed again";
+    of.hold(0, 0.5, 0);
+    of.hold(0, 0.5, 4);
+    EXPECT_EQ(of.state().controls.gear, 3);
+    for (int k = 0; k < 9; k++) of.hold(0, 0.5, k % 2 == 0 ? 8 : 0);
+    EXPECT_EQ(of.state().controls.gear, -1) << "reverse is the last";
+}
+
+}  // namespace
+}  // namespace jostle::test

@@ -40,10 +40,10 @@ private:
     void eliminate(std::size_t k);
     Block& at(std::uint32_t row, std::uint32_t column);
 
-    std::vector<std::uint32_t> order_, rank_;        // node at each place, place of each node
-    std::vector<std::vector<std::uint32_t>> rows_;   // of each column, by place, ascending
-    std::vector<std::vector<Block>> blocks_;         // beside rows_
-    std::vector<Block> diagonal_;                    // by place; inverted once eliminated
+    std::vector<std::uint32_t> order_, rank_;       // node at each place, place of each node
+    std::vector<std::vector<std::uint32_t>> rows_;  // of each column, by place, ascending
+    std::vector<std::vector<Block>> blocks_;        // beside rows_
+    std::vector<Block> diagonal_;                   // by place; inverted once eliminated
     std::uint64_t work_ = 0;
 };
 

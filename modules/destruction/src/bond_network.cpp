@@ -30,12 +30,9 @@ std::array<Spring, 6> springs_of(const Beam& beam, const BondMaterial& material)
     const FractureBond& face = *beam.face;
     const double e = material.young / beam.length, g = e / (2 * (1 + material.poisson));
     const Vec3 n = face.normal, u = face.axis, v = cross(n, u);
-    return {stretching(beam, n, e * face.area),
-            stretching(beam, u, g * face.area),
-            stretching(beam, v, g * face.area),
-            turning(n, g * (face.moment_u + face.moment_v)),
-            turning(u, e * face.moment_u),
-            turning(v, e * face.moment_v)};
+    return {stretching(beam, n, e * face.area), stretching(beam, u, g * face.area),
+            stretching(beam, v, g * face.area), turning(n, g * (face.moment_u + face.moment_v)),
+            turning(u, e * face.moment_u),      turning(v, e * face.moment_v)};
 }
 
 void add_outer(Block& to, const Block6& x, const Block6& y, double s) {
@@ -83,8 +80,7 @@ double load_of(const Beam& beam, const Block6& moved_a, const Block6& moved_b,
     const double axial = force[0] / face.area;
     const double bending = absolute(force[4]) * face.reach_u / face.moment_u +
                            absolute(force[5]) * face.reach_v / face.moment_v;
-    const double corner =
-        square_root(face.reach_u * face.reach_u + face.reach_v * face.reach_v);
+    const double corner = square_root(face.reach_u * face.reach_u + face.reach_v * face.reach_v);
     const double shear = square_root(force[1] * force[1] + force[2] * force[2]) / face.area +
                          absolute(force[3]) * corner / (face.moment_u + face.moment_v);
     return maximum(

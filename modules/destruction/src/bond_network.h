@@ -20,9 +20,9 @@ struct Group {
 // How the two ends of a bond lie apart, and the six springs in between.
 struct Beam {
     const FractureBond* face = nullptr;
-    std::uint32_t a = 0, b = 0;   // unknowns; not_free: held
-    physics::Vec3 arm_a, arm_b;   // from the centres to the face
-    double length = 0;            // m, between the centres along the normal
+    std::uint32_t a = 0, b = 0;  // unknowns; not_free: held
+    physics::Vec3 arm_a, arm_b;  // from the centres to the face
+    double length = 0;           // m, between the centres along the normal
 };
 inline constexpr std::uint32_t not_free = 0xffffffff;
 

@@ -45,9 +45,8 @@ CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double g
 
 // A face that only touches the plane from below, or lies in it.
 bool is_flat(const CellFace& face, Vec3 normal, double offset, double grain) {
-    return std::all_of(face.points.begin(), face.points.end(), [&](Vec3 p) {
-        return absolute(dot(normal, p) - offset) <= grain;
-    });
+    return std::all_of(face.points.begin(), face.points.end(),
+                       [&](Vec3 p) { return absolute(dot(normal, p) - offset) <= grain; });
 }
 
 // Points of a convex face, in any order, about its normal.

@@ -15,9 +15,9 @@ namespace jostle::modules::destruction_detail {
 inline constexpr std::uint32_t outer_face = 0xffffffff;
 
 struct CellFace {
-    physics::Vec3 normal;                // unit, outward
+    physics::Vec3 normal;                  // unit, outward
     std::uint32_t neighbour = outer_face;  // whose cell lies beyond
-    std::vector<physics::Vec3> points;   // counter-clockwise seen from outside
+    std::vector<physics::Vec3> points;     // counter-clockwise seen from outside
 };
 
 struct ConvexCell {

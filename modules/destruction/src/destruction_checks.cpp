@@ -40,8 +40,9 @@ Status check_bond(const FractureBond& bond, std::size_t chunks) {
         return invalid("names no two chunks, the lower one first");
     if (!is_near(bond.center) || !is_unit(bond.normal) || !is_unit(bond.axis) ||
         absolute(dot(bond.normal, bond.axis)) > 1e-6)
-        return invalid("has no place, or its normal and axis are not two unit vectors at a right "
-                       "angle");
+        return invalid(
+            "has no place, or its normal and axis are not two unit vectors at a right "
+            "angle");
     return within({{"area", bond.area, least_area, most_area},
                    {"moment_u", bond.moment_u, least_moment, most_moment},
                    {"moment_v", bond.moment_v, least_moment, most_moment},

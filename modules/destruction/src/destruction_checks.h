@@ -11,11 +11,11 @@ inline constexpr std::size_t most_wholes = 10000;
 inline constexpr std::size_t most_bonds = 16 * most_chunks;
 
 // The ranges of numbers, for definitions and for saved bytes.
-inline constexpr double furthest = 1e5;                           // m, in the frame of a whole
-inline constexpr double least_area = 1e-12, most_area = 1e10;     // m^2
+inline constexpr double furthest = 1e5;                            // m, in the frame of a whole
+inline constexpr double least_area = 1e-12, most_area = 1e10;      // m^2
 inline constexpr double least_moment = 1e-26, most_moment = 1e20;  // m^4
-inline constexpr double least_mass = 1e-12, most_mass = 1e15;     // kg
-inline constexpr double most_inertia = 1e22;                      // kg m^2
+inline constexpr double least_mass = 1e-12, most_mass = 1e15;      // kg
+inline constexpr double most_inertia = 1e22;                       // kg m^2
 
 physics::Status check_limits(const DestructionLimits& limits);
 physics::Status check_shape(const FracturedShape& shape);

@@ -121,8 +121,7 @@ void add_inertia(const Whole& whole, const Group& group, Vec3 spin, std::vector<
     for (const std::uint32_t c : group.chunks) {
         const auto& chunk = whole.chunks[c];
         const Vec3 r = chunk.center - center;
-        pushes[c].force +=
-            (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
+        pushes[c].force += (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
         pushes[c].torque += -(chunk.inertia * angular + cross(spin, chunk.inertia * spin));
     }
 }
@@ -131,8 +130,8 @@ void add_inertia(const Whole& whole, const Group& group, Vec3 spin, std::vector<
 
 // What each bond of the group bears, as a share of its strength.
 std::vector<double> Destruction::loads_of(const Whole& whole, const Group& group,
-                                          const BlockFactor& factor,
-                                          std::span<const Push> given, Vec3 spin, Vec3 gravity) {
+                                          const BlockFactor& factor, std::span<const Push> given,
+                                          Vec3 spin, Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(whole.chunks, group);
     std::vector<Push> pushes(given.begin(), given.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
@@ -165,8 +164,8 @@ Destruction::Answer Destruction::ask(Whole& whole, const Group& group, Piece* ca
     if (!paid && work_left_ <= 0) return Answer::no_time;
     if (!factor) {
         const Unknowns unknowns = unknowns_of(whole.chunks, group);
-        factor = std::make_shared<BlockFactor>(stiffness_of(
-            beams_of(whole, group, unknowns), unknowns.count, whole.material));
+        factor = std::make_shared<BlockFactor>(
+            stiffness_of(beams_of(whole, group, unknowns), unknowns.count, whole.material));
         if (cached) cached->factor = factor;
     }
     if (cached) cached->solved = true;
@@ -201,8 +200,8 @@ bool Destruction::crack(Whole& whole, Piece& piece, std::span<const Push> pushes
         std::vector<Group> next;
         for (const Group& group : groups) {
             if (group.bonds.empty()) continue;
-            const Answer answer = ask(whole, group, round == 0 ? &piece : nullptr, pushes, spin,
-                                      gravity, energy);
+            const Answer answer =
+                ask(whole, group, round == 0 ? &piece : nullptr, pushes, spin, gravity, energy);
             if (answer == Answer::no_time) return round > 0;
             if (answer == Answer::held) continue;
             piece.cut = true;
@@ -302,11 +301,10 @@ Result<double> Destruction::worst_load(const World& world, DestructibleId id) co
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
         for (const Group& group : parts_of(*whole, all)) {
             const Unknowns unknowns = unknowns_of(whole->chunks, group);
-            const BlockFactor factor(stiffness_of(beams_of(*whole, group, unknowns),
-                                                  unknowns.count, whole->material));
+            const BlockFactor factor(
+                stiffness_of(beams_of(*whole, group, unknowns), unknowns.count, whole->material));
             for (const double load : loads_of(*whole, group, factor,
-                                              std::vector<Push>(whole->chunks.size()), {},
-                                              gravity))
+                                              std::vector<Push>(whole->chunks.size()), {}, gravity))
                 worst = maximum(worst, load);
         }
     }

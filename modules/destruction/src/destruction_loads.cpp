@@ -44,11 +44,9 @@ void Destruction::derive() {
             whole.pieces[piece].bonds.push_back(k);
         }
     }
-    std::sort(places_.begin(), places_.end(),
-              [](const Place& a, const Place& b) {
-                  return std::tuple(a.shape, a.whole, a.chunk) <
-                         std::tuple(b.shape, b.whole, b.chunk);
-              });
+    std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+        return std::tuple(a.shape, a.whole, a.chunk) < std::tuple(b.shape, b.whole, b.chunk);
+    });
     derived_ = true;
 }
 

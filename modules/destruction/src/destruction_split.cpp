@@ -75,8 +75,7 @@ Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<co
             if (!shape.ok()) return shape.error();
             if (shape->body != old)
                 return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
-            def.shapes.push_back(
-                def_of(*shape, origin - piece.origin, group.chunks.size() > 1));
+            def.shapes.push_back(def_of(*shape, origin - piece.origin, group.chunks.size() > 1));
         }
         made.push_back(std::move(piece));
     }
@@ -90,8 +89,8 @@ Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<co
             whole.chunks[piece.chunks[c]].shape = shapes[c];
         if (!piece.anchored && body->type == BodyType::dynamic) {
             const Result<BodyState> now = world.body(piece.body);
-            const Vec3 v = body->linear_velocity +
-                           cross(body->angular_velocity, now->center - body->center);
+            const Vec3 v =
+                body->linear_velocity + cross(body->angular_velocity, now->center - body->center);
             static_cast<void>(world.set_velocity(piece.body, v, body->angular_velocity).ok());
         }
     }
@@ -287,8 +286,8 @@ void Destruction::let_through(World& world, const Press& press) {
     const Vec3 paid = n * ((kept - speed) / press.inv);
     static_cast<void>(world.apply_impulse(own, paid, press.point).ok());
     static_cast<void>(world.apply_impulse(press.other_body, -paid, press.point).ok());
-    again_.push_back({press.whole, press.chunk, press.other, press.other_body, press.point, -n,
-                      speed});
+    again_.push_back(
+        {press.whole, press.chunk, press.other, press.other_body, press.point, -n, speed});
 }
 
 // Whether what it met broke, too, and has its own share.

@@ -140,8 +140,8 @@ void Destruction::visit(StateVisitor& v) {
     v.all("again", again_, [&](Again& again) {
         v.field("whole", again.whole);
         v.field("chunk", again.chunk);
-        if (v.loading() && (again.whole >= wholes_.size() ||
-                            again.chunk >= wholes_[again.whole].chunks.size()))
+        if (v.loading() &&
+            (again.whole >= wholes_.size() || again.chunk >= wholes_[again.whole].chunks.size()))
             v.fail("chunk", "is not there");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
@@ -193,8 +193,7 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     if (Status s = set_limits(limits); !s.ok()) return s;
     const Vec3 half{0.5 * width, 0.5 * height, 0.5 * thickness};
     Result<FracturedShape> wall = fracture_box(
-        half,
-        scattered_seeds(half, static_cast<int>(chunks), static_cast<std::uint64_t>(seed)));
+        half, scattered_seeds(half, static_cast<int>(chunks), static_cast<std::uint64_t>(seed)));
     if (!wall.ok()) return wall.error();
     anchor(*wall, {0, -1, 0}, half.y * (1 - 1e-6));
     for (int k = 0; k < static_cast<int>(count); k++) {

@@ -99,8 +99,8 @@ Result<FracturedShape> fracture(const ConvexCell& whole, std::span<const Vec3> s
         if (!(mass.volume > 0)) continue;
         Result<FractureChunk> chunk = chunk_of(cell, mass);
         if (!chunk.ok())
-            return invalid("seeds[" + std::to_string(k) + "]: its chunk is too thin: " +
-                           chunk.error().message);
+            return invalid("seeds[" + std::to_string(k) +
+                           "]: its chunk is too thin: " + chunk.error().message);
         chunk_at[k] = static_cast<std::uint32_t>(shape.chunks.size());
         shape.chunks.push_back(std::move(*chunk));
         cells.push_back(std::move(cell));

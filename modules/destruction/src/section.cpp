@@ -11,8 +11,8 @@ namespace {
 Vec3 across(Vec3 n) {
     const Vec3 a = abs(n);
     const Vec3 least = a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0}
-                       : a.y <= a.z            ? Vec3{0, 1, 0}
-                                               : Vec3{0, 0, 1};
+                       : a.y <= a.z             ? Vec3{0, 1, 0}
+                                                : Vec3{0, 0, 1};
     return normalized(cross(n, least));
 }
 

@@ -37,7 +37,8 @@ std::vector<Block6> times(const BlockMatrix& m, const std::vector<Block6>& x) {
     std::vector<Block6> f(x.size(), Block6{});
     const auto add = [](Block6& to, const Block& b, const Block6& v, bool turned) {
         for (std::size_t r = 0; r < 6; r++)
-            for (std::size_t c = 0; c < 6; c++) to[r] += (turned ? b[6 * c + r] : b[6 * r + c]) * v[c];
+            for (std::size_t c = 0; c < 6; c++)
+                to[r] += (turned ? b[6 * c + r] : b[6 * r + c]) * v[c];
     };
     for (std::size_t k = 0; k < x.size(); k++) add(f[k], m.diagonal[k], x[k], false);
     for (const BlockMatrix::Link& link : m.links) {
@@ -51,14 +52,14 @@ TEST(BlockLdl, solves_a_net) {
     const BlockMatrix matrix = net(20, 15, 0.5);
     std::vector<Block6> x(matrix.diagonal.size());
     for (std::size_t k = 0; k < x.size(); k++)
-        for (std::size_t c = 0; c < 6; c++)
-            x[k][c] = static_cast<double>((k * 7 + c * 3) % 11) - 5;
+        for (std::size_t c = 0; c < 6; c++) x[k][c] = static_cast<double>((k * 7 + c * 3) % 11) - 5;
     std::vector<Block6> solved = times(matrix, x);
     const BlockFactor factor(matrix);
     factor.solve(solved);
     double worst = 0;
     for (std::size_t k = 0; k < x.size(); k++)
-        for (std::size_t c = 0; c < 6; c++) worst = std::max(worst, std::abs(solved[k][c] - x[k][c]));
+        for (std::size_t c = 0; c < 6; c++)
+            worst = std::max(worst, std::abs(solved[k][c] - x[k][c]));
     EXPECT_LT(worst, 1e-11);
 }
 

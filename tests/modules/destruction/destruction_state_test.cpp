@@ -95,7 +95,8 @@ TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
 TEST(DestructionState, a_scene_says_what_stands_where) {
     Stage stage;
     stage.destruction
-        ->configure(stage.world, {.numbers = {{"count", 3}, {"spacing", 9}, {"chunks", 40}, {"x", 5}}})
+        ->configure(stage.world,
+                    {.numbers = {{"count", 3}, {"spacing", 9}, {"chunks", 40}, {"x", 5}}})
         .expect();
     EXPECT_EQ(stage.destruction->size(), 3u);
     stage.step(5);

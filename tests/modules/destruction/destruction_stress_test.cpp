@@ -84,9 +84,10 @@ TEST(DestructionStress, a_rod_that_spins_too_fast_breaks_in_the_middle) {
     const double w = std::sqrt(2 * tensile / (density * l * l));
     for (const double share : {0.97, 1.03}) {
         Stage stage({.gravity = {}});
-        const DestructibleId id = stage.add(
-            split_box({l, 0.1, 0.1}, 40, 1, 1).value(),
-            {.angular_velocity = {0, 0, share * w}, .density = density, .bonds = {.tensile = tensile}});
+        const DestructibleId id = stage.add(split_box({l, 0.1, 0.1}, 40, 1, 1).value(),
+                                            {.angular_velocity = {0, 0, share * w},
+                                             .density = density,
+                                             .bonds = {.tensile = tensile}});
         stage.step(3);
         EXPECT_EQ(stage.destruction->bodies(id)->size() > 1, share > 1) << share;
     }

@@ -41,8 +41,10 @@ TEST(FracturedShape, cells_of_a_hull_fill_it) {
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_LT(error, 1e-12);
     double solver = 0;
-    for (const FractureChunk& chunk : shape.chunks) solver += std::get<Hull>(chunk.geometry).data->volume;
-    RecordProperty("hull_error", std::to_string(std::abs(solver / hull->volume - 1) * 1e12) + "e-12");
+    for (const FractureChunk& chunk : shape.chunks)
+        solver += std::get<Hull>(chunk.geometry).data->volume;
+    RecordProperty("hull_error",
+                   std::to_string(std::abs(solver / hull->volume - 1) * 1e12) + "e-12");
     EXPECT_NEAR(solver, hull->volume, 1e-6 * hull->volume);
 }
 

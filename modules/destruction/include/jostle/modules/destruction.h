@@ -16,8 +16,8 @@
 //
 // The solver lets bodies meet as if nothing broke. But what breaks pushes no harder than its bonds
 // bear: where bonds broke, what was more is taken back from both bodies, less what the broken bonds
-// took of the energy, and in the next step they meet again with what is left. Single chunks that are
-// knocked out do not jam: for a fifth of a second they pass what they broke out of.
+// took of the energy, and in the next step they meet again with what is left. Single chunks that
+// are knocked out do not jam: for a fifth of a second they pass what they broke out of.
 //
 // Thread rule: that of the World.
 #pragma once
@@ -177,12 +177,12 @@ private:
         physics::BodyId other_body;
         physics::Vec3 point, push;  // m; N, world
         bool impact = false;
-        physics::Vec3 normal;                      // unit, against the chunk
+        physics::Vec3 normal;                       // unit, against the chunk
         double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
-        double energy = 0;                         // J
+        double energy = 0;                          // J
         bool twin = false;  // bonds hold the other one, too: there is a press upon it
-        double paid = 0;   // J, for broken bonds
-        double worst = 0;  // what the worst bond had to bear, as a share of its strength
+        double paid = 0;    // J, for broken bonds
+        double worst = 0;   // what the worst bond had to bear, as a share of its strength
     };
     // What got its speed back and is still in touch: that is no new contact.
     struct Again {

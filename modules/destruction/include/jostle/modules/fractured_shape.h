@@ -27,22 +27,22 @@ inline constexpr std::size_t most_chunks = 20000;
 // Places are in the frame of the whole.
 struct FractureChunk {
     physics::Geometry geometry = {};
-    physics::Transform pose = {};  // of the geometry
-    physics::Vec3 center = {};     // of mass
-    double volume = 0;             // m^3
+    physics::Transform pose = {};                               // of the geometry
+    physics::Vec3 center = {};                                  // of mass
+    double volume = 0;                                          // m^3
     physics::Mat3 unit_inertia = physics::diagonal({0, 0, 0});  // about `center`, density 1, m^5
     bool anchored = false;  // held by the ground: what hangs together with it does not move
 };
 
 // The face that two chunks share, as the section of a beam.
 struct FractureBond {
-    std::uint32_t a = 0, b = 0;       // chunks, a < b
-    physics::Vec3 center = {};        // of the face
-    physics::Vec3 normal = {};        // unit, from a to b
-    physics::Vec3 axis = {};          // unit, in the face: the principal axis u; v = normal x u
-    double area = 0;                  // m^2
+    std::uint32_t a = 0, b = 0;         // chunks, a < b
+    physics::Vec3 center = {};          // of the face
+    physics::Vec3 normal = {};          // unit, from a to b
+    physics::Vec3 axis = {};            // unit, in the face: the principal axis u; v = normal x u
+    double area = 0;                    // m^2
     double moment_u = 0, moment_v = 0;  // m^4: second moments about the axes u and v
-    double reach_u = 0, reach_v = 0;  // m: furthest that the face reaches from the axes u and v
+    double reach_u = 0, reach_v = 0;    // m: furthest that the face reaches from the axes u and v
 };
 
 struct FracturedShape {

@@ -149,7 +149,7 @@ TEST(Destruction, an_undamaged_wall_costs_what_one_body_costs) {
         }
     RecordProperty("box_us", static_cast<int>(best[0] * 1e3));
     RecordProperty("wall_us", static_cast<int>(best[1] * 1e3));
-    EXPECT_LT(best[1], 1.1 * best[0] + 0.02);
+    EXPECT_LT(best[1], 1.2 * best[0] + 0.02);
 }
 
 // Two thousand chunks part at once.
@@ -162,14 +162,17 @@ TEST(Destruction, two_thousand_pieces_in_one_tick) {
     stage.step(2);
     stage.destruction->break_near(stage.world, id, {0, 5, 0}, 100).value();
     int late = 0;
+    double tick[10];
     for (int k = 0; k < 10; k++) {
         const double start = cpu_ms();
         stage.step();
-        const double took = cpu_ms() - start;
-        late += took > 1e3 / 60;
-        RecordProperty("tick_" + std::to_string(k) + "_us", static_cast<int>(took * 1e3));
+        tick[k] = cpu_ms() - start;
+        late += tick[k] > 1e3 / 60;
+        RecordProperty("tick_" + std::to_string(k) + "_us", static_cast<int>(tick[k] * 1e3));
         EXPECT_EQ(stage.destruction->bodies(id)->size(), 2000u);
     }
+    // Parting them takes less than the solver's first step with them.
+    EXPECT_LT(tick[0], tick[1]);
     RecordProperty("late_ticks", late);
 }
 

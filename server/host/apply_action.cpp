@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "jostle/modules/blast.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -16,6 +18,8 @@ constexpr double impulse_speed_max = 20;  // m/s that one impulse may give a bod
 // What many of them may: a body that is faster for other reasons is not slowed down.
 constexpr double pushed_speed_max = 50;  // m/s
 constexpr double pushed_spin_max = 60;   // rad/s
+// N s/m^2 for each m/s: a crate of a metre and 1000 kg/m^3 gets about that speed.
+constexpr double blast_strength = 1000;
 // Shapes that overlap a body that is to be spawned. Bodies in one place make pairs with the square
 // of their number.
 constexpr std::size_t crowd_max = 40;
@@ -108,16 +112,22 @@ struct Apply {
         return {};
     }
 
+    // What a wall hides gets nothing. A click lies on a surface, so the blast stands off a little.
     Status operator()(const ExplodeCommand& c) const {
+        const auto pushes =
+            modules::measure_blast(state.world, {.center = c.center,
+                                                 .radius = c.radius,
+                                                 .strength = blast_strength * c.speed,
+                                                 .falloff = 0,
+                                                 .standoff = 0.3,
+                                                 .points = 32,
+                                                 .most_speed = 2 * c.speed});
+        if (!pushes.ok()) return from_solver(pushes.error());
         Status status;
-        for (const EntityId id : dynamic_within(c.center, c.radius)) {
-            const BodyState body = *state.world.body(state.entities.find(id)->body);
-            const Vec3 away = body.center - c.center;
-            const double distance = length(away);
-            if (distance >= c.radius) continue;
-            const double speed = c.speed * (1 - distance / c.radius);
-            const Vec3 impulse = normalized(away) * (speed * body.mass);
-            if (Status pushed = push(body, impulse, body.center); !pushed.ok()) status = pushed;
+        for (const modules::BlastPush& p : *pushes) {
+            const Status pushed =
+                push(*state.world.body(p.body), p.impulse, p.center, p.angular_impulse);
+            if (!pushed.ok()) status = pushed;
         }
         return status;
     }
@@ -152,8 +162,10 @@ struct Apply {
 
 private:
     // However many pushes come, together they make nothing faster than the caps.
-    Status push(const BodyState& body, Vec3 impulse, Vec3 point) const {
+    Status push(const BodyState& body, Vec3 impulse, Vec3 point, Vec3 angular = {}) const {
         if (Status s = state.world.apply_impulse(body.id, impulse, point); !s.ok())
+            return from_solver(s);
+        if (Status s = state.world.apply_angular_impulse(body.id, angular); !s.ok())
             return from_solver(s);
         const BodyState pushed = *state.world.body(body.id);
         const auto capped = [](Vec3 now, Vec3 before, double cap) {
@@ -167,23 +179,6 @@ private:
         const Vec3 w = capped(pushed.angular_velocity, body.angular_velocity, pushed_spin_max);
         if (w == pushed.angular_velocity) return {};
         return from_solver(state.world.set_angular_velocity(body.id, w));
-    }
-
-    // By the broad phase: who is far away costs nothing. In rising order.
-    std::vector<EntityId> dynamic_within(Vec3 center, double radius) const {
-        const Vec3 reach{radius, radius, radius};
-        const auto shapes =
-            state.world.queries().overlap_box({center - reach, center + reach}, {.triggers = true});
-        std::vector<EntityId> found;
-        if (!shapes.ok()) return found;
-        for (const ShapeId shape : *shapes) {
-            const EntityId id = state.entities.entity_of(state.world.shape(shape)->body);
-            if (state.entities.find(id)->description->type == BodyType::dynamic)
-                found.push_back(id);
-        }
-        std::ranges::sort(found);
-        found.erase(std::ranges::unique(found).begin(), found.end());
-        return found;
     }
 
     bool is_crowded(const SpawnCommand& c) const {

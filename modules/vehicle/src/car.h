@@ -65,13 +65,7 @@ struct Car {
     CarId id = 0;
     VehicleDef def;
     CarControls controls;
-<<<<<<< HEAD
-    bool driven = false;  // by sticks: `held`
-    physics::Controls held;
-    bool piloted = false;
-=======
     Driver driver = Driver::nobody;
->>>>>>> vehicle
     Pilot pilot;
     double held_aside = 0, held_ahead = 0;  // what a person holds, -1 to 1
     std::uint32_t held_buttons = 0;

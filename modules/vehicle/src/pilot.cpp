@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot.h"
 
-#include <utility>
-
 namespace jostle::modules::vehicle_detail {
 
 using namespace physics;
@@ -50,23 +48,6 @@ CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     return controls;
 }
 
-<<<<<<< HEAD
-CarControls stick_controls(const Car& car) {
-    constexpr double slow = 1, quick = 15;  // m/s
-    const auto& [aside, ahead] = std::pair{car.held.axes[0], car.held.axes[1]};
-    CarControls controls = car.controls;
-    const bool against = ahead * car.speed < 0 && absolute(car.speed) > slow;
-    controls.brake = against ? absolute(ahead) : 0;
-    controls.throttle = against ? 0 : absolute(ahead);
-    if (!against && ahead < 0) controls.gear = -1;
-    if (!against && ahead > 0 && controls.gear < 1) controls.gear = 1;
-    controls.steering = aside / (1 + absolute(car.speed) / quick);
-    controls.hand_brake = (car.held.buttons & 1) != 0 ? 1 : 0;
-    controls.clutch = 0;
-    return controls;
-}
-
-=======
 CarControls person_controls(const Car& car) {
     constexpr double stands = 0.5;  // m/s
     const double ahead = car.held_ahead, speed = car.speed;
@@ -97,5 +78,4 @@ void hold_controls(Car& car, const Controls& controls) {
     if ((pressed & down) != 0 && car.controls.gear > -1) car.controls.gear--;
 }
 
->>>>>>> vehicle
 }  // namespace jostle::modules::vehicle_detail

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-<<<<<<< HEAD
-// Drivers: one that keeps to a circle (Pilot), and one that holds sticks.
-=======
 // Who drives: a pilot that keeps to a circle, or a person with sticks and buttons.
->>>>>>> vehicle
 #pragma once
 
 #include "car.h"
@@ -14,9 +10,6 @@
 namespace jostle::modules::vehicle_detail {
 
 CarControls pilot_controls(const Car& car, const physics::BodyState& chassis);
-// What the sticks mean now: back is the brake while it goes ahead, and reverse after. The faster it
-// goes the less a full stick steers.
-CarControls stick_controls(const Car& car);
 
 // Of what is held: ahead is throttle, back is the brake, and reverse once the car stands.
 CarControls person_controls(const Car& car);

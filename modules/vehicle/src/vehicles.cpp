@@ -58,13 +58,8 @@ bool lost_its_ground(const World& world, const Car& car) {
 
 void begin_step(World& world, const Queries& queries, const BodyState& chassis, double dt,
                 Car& car) {
-<<<<<<< HEAD
-    if (car.piloted) car.controls = pilot_controls(car, chassis);
-    if (car.driven) car.controls = stick_controls(car);
-=======
     if (car.driver == Driver::pilot) car.controls = pilot_controls(car, chassis);
     if (car.driver == Driver::person) car.controls = person_controls(car);
->>>>>>> vehicle
     car.mass = chassis.mass;
     car.inverse_inertia = inverse(chassis.inertia);
     choose_gear(car, dt);
@@ -139,11 +134,7 @@ Status Vehicles::set_controls(World& world, CarId car, const CarControls& contro
     if (found == nullptr) return unknown_car(car);
     const std::string fault = fault_of(controls);
     if (!fault.empty()) return invalid_argument(fault);
-<<<<<<< HEAD
-    found->piloted = found->driven = false;
-=======
     found->driver = Driver::nobody;
->>>>>>> vehicle
     if (found->controls == controls) return {};
     if (Status woken = world.wake(found->def.chassis); !woken.ok()) return woken;
     found->controls = controls;
@@ -156,34 +147,9 @@ Status Vehicles::set_pilot(World& world, CarId car, const Pilot& pilot) {
     const std::string fault = fault_of(pilot);
     if (!fault.empty()) return invalid_argument(fault);
     if (Status woken = world.wake(found->def.chassis); !woken.ok()) return woken;
-<<<<<<< HEAD
-    found->piloted = true;
-    found->driven = false;
-=======
     found->driver = Driver::pilot;
->>>>>>> vehicle
     found->pilot = pilot;
     return {};
-}
-
-bool Vehicles::takes_controls(BodyId body) const {
-    return std::any_of(cars_.begin(), cars_.end(),
-                       [&](const Car& car) { return car.def.chassis == body; });
-}
-
-void Vehicles::control(World& world, BodyId body, const Controls& controls) {
-    for (Car& car : cars_) {
-        if (car.def.chassis != body) continue;
-        const bool shifts = controls.buttons != car.held.buttons && !car.def.gearbox.automatic;
-        if (shifts && (controls.buttons & 4) != 0 &&
-            car.controls.gear < static_cast<std::int32_t>(car.def.gearbox.ahead.size()))
-            car.controls.gear++;
-        if (shifts && (controls.buttons & 8) != 0 && car.controls.gear > -1) car.controls.gear--;
-        car.driven = true;
-        car.piloted = false;
-        car.held = controls;
-        static_cast<void>(world.wake(body).ok());
-    }
 }
 
 Result<CarState> Vehicles::state(CarId car) const {

@@ -2,7 +2,6 @@
 #include "visit_car.h"
 
 #include "check_def.h"
-#include "jostle/modules/settings.h"
 
 namespace jostle::modules::vehicle_detail {
 
@@ -106,23 +105,10 @@ void visit_controls(StateVisitor& v, Car& car) {
     v.field("steering", car.controls.steering);
     v.field("clutch", car.controls.clutch);
     v.field("gear", car.controls.gear);
-<<<<<<< HEAD
-    v.field("driven", car.driven);
-    v.enter("held");
-    for (std::size_t k = 0; k < car.held.axes.size(); k++) {
-        v.enter(k);
-        bounded(v, "axis", car.held.axes[k], -1, 1);
-        v.leave();
-    }
-    v.field("buttons", car.held.buttons);
-    v.leave();
-    v.field("piloted", car.piloted);
-=======
     v.field("driver", car.driver, Driver::person);
     v.field("held_aside", car.held_aside);
     v.field("held_ahead", car.held_ahead);
     v.field("held_buttons", car.held_buttons);
->>>>>>> vehicle
     v.field("pilot_center", car.pilot.center);
     v.field("pilot_radius", car.pilot.radius);
     v.field("pilot_speed", car.pilot.speed);

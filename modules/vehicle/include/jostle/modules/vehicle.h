@@ -97,12 +97,6 @@ public:
 
     std::string_view tag() const override { return kind; }
     void visit(physics::StateVisitor& v) override;
-    bool takes_controls(physics::BodyId body) const override;
-    // Of a chassis, as set_controls() from then on: the stick ahead is the throttle, back the brake
-    // and then reverse, aside steers, less at speed; buttons hold by hand and shift a manual
-    // gearbox.
-    void control(physics::World& world, physics::BodyId body,
-                 const physics::Controls& controls) override;
     // Makes a saloon of each body car, car2 ... car16 that is given; all share the numbers: track,
     // wheel_base, height, radius, width, shortest, longest, frequency, damping, friction,
     // front_drive, steering_most, anti_roll, power_scale, cast (0 ray, 1 sphere, 2 cylinder);

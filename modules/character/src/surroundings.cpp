@@ -91,6 +91,18 @@ std::optional<ShapeCastHit> Surroundings::sweep_past(const Capsule& capsule, Vec
     return std::nullopt;
 }
 
+Contact Surroundings::contact_at(const ShapeCastHit& hit, double gap) const {
+    const Result<BodyState> body = world.body(hit.body);
+    return {.normal = hit.normal,
+            .gap = gap,
+            .point = hit.point,
+            .body = hit.body,
+            .shape = hit.shape,
+            .velocity = surface_velocity(world, hit.body, hit.shape, hit.point),
+            .dynamic = body.ok() && body->type == BodyType::dynamic,
+            .pushed = false};
+}
+
 bool Surroundings::is_free(const Capsule& capsule, Vec3 center) const {
     const auto shapes = world.queries().overlap_shape(capsule, {center, {}}, filter);
     return shapes.ok() && shapes->empty();

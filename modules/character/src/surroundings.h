@@ -37,6 +37,8 @@ struct Surroundings {
     std::optional<physics::ShapeCastHit> sweep_past(const physics::Capsule& capsule,
                                                     physics::Vec3 center, physics::Vec3 motion,
                                                     physics::BodyId body) const;
+    // What a sweep met, at so far a gap.
+    Contact contact_at(const physics::ShapeCastHit& hit, double gap) const;
     bool is_free(const physics::Capsule& capsule, physics::Vec3 center) const;
     std::optional<physics::RayHit> look(physics::Vec3 from, physics::Vec3 motion) const;
     // The normal of the floor that ends at an edge: that of what is a little way behind it.

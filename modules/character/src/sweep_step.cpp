@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_step.h"
 
+#include "bodies_before.h"
 #include "climb.h"
 #include "footing.h"
 #include "nearest_velocity.h"
+#include "place_body.h"
 #include "push_body.h"
 #include "steering.h"
 
@@ -86,7 +88,7 @@ private:
     }
     void stride(Vec3 walk) {
         const Vec3 change = effort(now_, walk, self_.abilities.ground_acceleration, dt_);
-        remember(self_.ground_body);
+        before_push_.remember(world_, self_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
         push_off(world_, self_, change + horizontal(carried_ - self_.ground_velocity));
         carried_ = ground_motion(self_.feet);
@@ -95,7 +97,7 @@ private:
         walk_ = horizontal(walk);
     }
     void jump() {
-        remember(self_.ground_body);
+        before_push_.remember(world_, self_.ground_body);
         now_ += carried_ + push_off(world_, self_, up * self_.abilities.jump_speed);
         before_ = now_;
         carried_ = {};
@@ -170,7 +172,7 @@ private:
         const double room = hit->fraction * ahead * closing;  // m along the normal
         const double free = maximum(0, room - self_.skin) / closing;
         if (free >= size) return go(motion, 1);
-        met = contact_with(*hit, room - free * closing);
+        met = near_.contact_at(*hit, room - free * closing);
         return go(motion, free / size);
     }
     // Out of what it overlaps: what moved into it.
@@ -186,17 +188,6 @@ private:
         center_ += motion * part;
         return part;
     }
-    Contact contact_with(const ShapeCastHit& hit, double gap) const {
-        const Result<BodyState> body = world_.body(hit.body);
-        return {.normal = hit.normal,
-                .gap = gap,
-                .point = hit.point,
-                .body = hit.body,
-                .shape = hit.shape,
-                .velocity = surface_velocity(world_, hit.body, hit.shape, hit.point),
-                .dynamic = body.ok() && body->type == BodyType::dynamic,
-                .pushed = false};
-    }
 
     // --- what contacts allow ---
     // m/s of what is touched, as seen from the ground that carries the character.
@@ -206,7 +197,7 @@ private:
     }
     // ... as far as its motion is sure: what was just pushed may be held by others.
     Vec3 surely(const Contact& contact) const {
-        const Result<BodyState> body = as_it_was(contact.body);
+        const Result<BodyState> body = before_push_.of(world_, contact.body);
         if (!contact.dynamic || !body.ok()) return relative(contact);
         return body->linear_velocity + cross(body->angular_velocity, contact.point - body->center) -
                carried_;
@@ -263,7 +254,7 @@ private:
             if (!contact.dynamic) continue;
             const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
             if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touch)) continue;
-            remember(contact.body);
+            before_push_.remember(world_, contact.body);
             Push push{before_ + carried_,
                       last_ + carried_,
                       effort_,
@@ -289,22 +280,10 @@ private:
         now_ += change;
         last_ += change;
     }
-    // How bodies moved before they were pushed in this step.
-    void remember(BodyId id) {
-        for (const BodyState& body : before_push_)
-            if (body.id == id) return;
-        const Result<BodyState> body = world_.body(id);
-        if (body.ok() && body->type == BodyType::dynamic) before_push_.push_back(*body);
-    }
-    Result<BodyState> as_it_was(BodyId id) const {
-        for (const BodyState& body : before_push_)
-            if (body.id == id) return body;
-        return world_.body(id);
-    }
     // m/s of the ground at a point over the step. Of one that was pushed the way along the floor is
     // new; whether it sinks or tilts depends on what it stands on.
     Vec3 ground_motion(Vec3 point) const {
-        const Result<BodyState> was = as_it_was(self_.ground_body),
+        const Result<BodyState> was = before_push_.of(world_, self_.ground_body),
                                 now = world_.body(self_.ground_body);
         if (!was.ok() || !now.ok()) return {};
         BodyState ground = *was;
@@ -346,7 +325,7 @@ private:
         stand(footing);
     }
     bool leaves(const Footing& footing) const {
-        const Result<BodyState> body = as_it_was(footing.body);
+        const Result<BodyState> body = before_push_.of(world_, footing.body);
         if (!body.ok()) return false;
         const Vec3 ground = carried_velocity(world_, *body, footing.shape, footing.point, dt_);
         return dot(footing.normal, last_ - ground) > leaving_speed;
@@ -414,25 +393,7 @@ private:
             self_.velocity = {};  // at the end of the world
         else
             self_.feet = feet;
-        place_body();
-    }
-    // It moves there within the step, as fast as it walks or falls. What goes beyond that, up a
-    // step or out of what it overlaps, is a leap: it kicks nobody by it.
-    void place_body() {
-        const Transform pose{self_.feet + up * self_.foot_height, attitude(self_)};
-        const Result<BodyState> body = world_.body(self_.body);
-        if (!body.ok()) return;
-        if (body->pose == pose && body->linear_velocity == Vec3{} &&
-            body->angular_velocity == Vec3{})
-            return;
-        Vec3 leap = absolute(leap_) > 0.01 ? up * leap_ : Vec3{};
-        const Vec3 way = pose.position - body->pose.position - leap;
-        const double size = length(way), most = (length(now_ + carried_) + 1) * dt_;
-        if (size > most) leap += way * (1 - most / size);
-        if (leap != Vec3{})
-            static_cast<void>(
-                world_.set_pose(self_.body, {body->pose.position + leap, body->pose.rotation}));
-        static_cast<void>(world_.move_to(self_.body, pose, dt_));
+        place_body(world_, self_, leap_, length(now_ + carried_) + 1, dt_);
     }
 
     World& world_;
@@ -451,7 +412,7 @@ private:
     Vec3 looked_at_;
     bool looked_ = false;
     Footing footing_;
-    std::vector<BodyState> before_push_;
+    BodiesBefore before_push_;
     BodyId pushed_;  // the first of this step
 };
 

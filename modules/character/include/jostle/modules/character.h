@@ -46,7 +46,7 @@ enum class GroundKind : std::uint8_t {
 
 // What a character is able to do.
 struct CharacterAbilities {
-    double mass = 80;            // kg, 1 to 1e4
+    double mass = 80;            // kg, 1 to 1e4; later changes do not reach a rigid one's body
     double slope_limit = 0.873;  // rad, 0 to 1.5: walks up what is no steeper (0.873: 50 degrees)
     // m, 0 to 2. The round foot of a capsule rolls over what is lower than
     // radius * (1 - cos(slope_limit)) even with less.
@@ -65,8 +65,8 @@ struct CharacterDef {
     double heading = 0;            // rad about +y, from -z
     physics::Vec3 velocity = {};   // m/s
     double radius = 0.3;           // m, 0.05 to 5
-    double height = 1.8;           // m, 2 radius to 20
-    double crouched_height = 1.1;  // m, 2 radius to height
+    double height = 1.8;           // m, more than 2 radius, to 20
+    double crouched_height = 1.1;  // m, more than 2 radius, to height
     // m, 0.002 to half the radius: how far a sweeping one stays from what it meets. Its body is
     // smaller by that on all sides, so the solver never presses it against anything.
     double skin = 0.02;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "bodies_before.h"
+
+namespace jostle::modules::character_detail {
+
+using namespace physics;
+
+void BodiesBefore::remember(const World& world, BodyId id) {
+    for (const BodyState& body : bodies_)
+        if (body.id == id) return;
+    const Result<BodyState> body = world.body(id);
+    if (body.ok() && body->type == BodyType::dynamic) bodies_.push_back(*body);
+}
+
+Result<BodyState> BodiesBefore::of(const World& world, BodyId id) const {
+    for (const BodyState& body : bodies_)
+        if (body.id == id) return body;
+    return world.body(id);
+}
+
+}  // namespace jostle::modules::character_detail

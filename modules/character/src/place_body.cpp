@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "place_body.h"
+
+#include "steering.h"
+
+namespace jostle::modules::character_detail {
+
+using namespace physics;
+
+void place_body(World& world, const Record& record, double rise, double speed, double dt) {
+    const Transform pose{record.feet + up * record.foot_height, attitude(record)};
+    const Result<BodyState> body = world.body(record.body);
+    if (!body.ok()) return;
+    const bool rests = body->linear_velocity == Vec3{} && body->angular_velocity == Vec3{};
+    if (rests && body->pose == pose) return;
+    constexpr double least_rise = 0.01;  // m
+    Vec3 leap = absolute(rise) > least_rise ? up * rise : Vec3{};
+    const Vec3 way = pose.position - body->pose.position - leap;
+    const double size = length(way), most = speed * dt;
+    if (size > most) leap += way * (1 - most / size);
+    if (leap != Vec3{})
+        static_cast<void>(
+            world.set_pose(record.body, {body->pose.position + leap, body->pose.rotation}));
+    static_cast<void>(world.move_to(record.body, pose, dt));
+}
+
+}  // namespace jostle::modules::character_detail

@@ -52,6 +52,12 @@ TEST(ExportScene, of_every_small_scene_is_the_same_world_when_it_is_built_again)
         ASSERT_TRUE(built.ok()) << name << ": " << built.error().message;
         const physics::WorldSummary was = hosted.world.world().summary(),
                                     is = built->world.summary();
+        // What a module made it makes anew, as the export says.
+        if (was.bodies > static_cast<int>(hosted.scene.bodies.size())) {
+            ASSERT_EQ(exported.left_out.size(), 1u) << name;
+            EXPECT_NE(exported.left_out.front().find("made anew"), std::string::npos);
+            continue;
+        }
         EXPECT_EQ(is.bodies, was.bodies) << name;
         EXPECT_EQ(is.shapes, was.shapes) << name;
         EXPECT_EQ(is.joints, was.joints) << name;

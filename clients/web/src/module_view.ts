@@ -3,11 +3,15 @@
 import type * as THREE from 'three';
 import type { Drawer, Drawing } from './drawers/drawer';
 import { drawHovercraft } from './drawers/hovercraft';
+import { drawVehicles } from './drawers/vehicle';
 import type { Chunks } from './module_chunks';
 import { VertexBuffer } from './vertex_buffer';
 
 /** By tag: a new kind is a file in drawers/ and a line here. */
-const DRAWERS: ReadonlyMap<string, Drawer> = new Map([['hovercraft', drawHovercraft]]);
+const DRAWERS: ReadonlyMap<string, Drawer> = new Map([
+  ['hovercraft', drawHovercraft],
+  ['vehicle', drawVehicles],
+]);
 
 export class ModuleView {
   readonly lines = VertexBuffer.lines(0.9);

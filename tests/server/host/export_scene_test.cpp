@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/hosted_world.h"
 #include "jostle/scenes/catalog.h"
 
@@ -54,8 +56,9 @@ TEST(ExportScene, of_every_small_scene_is_the_same_world_when_it_is_built_again)
                                     is = built->world.summary();
         // What a module made it makes anew, as the export says.
         if (was.bodies > static_cast<int>(hosted.scene.bodies.size())) {
-            ASSERT_EQ(exported.left_out.size(), 1u) << name;
-            EXPECT_NE(exported.left_out.front().find("made anew"), std::string::npos);
+            EXPECT_TRUE(std::ranges::any_of(exported.left_out, [](const std::string& what) {
+                return what.find("made anew") != std::string::npos;
+            })) << name;
             continue;
         }
         EXPECT_EQ(is.bodies, was.bodies) << name;

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "module_cases.h"
 
+#include <array>
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
+#include "jostle/modules/character.h"
+#include "jostle/modules/fields.h"
 #include "jostle/modules/ragdoll.h"
+#include "jostle/modules/vehicle.h"
+#include "jostle/physics/mesh.h"
 
 namespace jostle::bench {
 namespace {
@@ -68,15 +75,118 @@ private:
     std::vector<RagdollId> ids_;
 };
 
+// 400 m of gentle hills in triangles of 2 m.
+Geometry hills() {
+    constexpr std::uint32_t side = 201;
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t r = 0; r < side; r++)
+        for (std::uint32_t c = 0; c < side; c++) {
+            const double x = 2.0 * c - 200, z = 2.0 * r - 200;
+            vertices.push_back({x, 0.6 * sin_cos(0.12 * x).sin * sin_cos(0.09 * z).cos, z});
+            if (r == 0 || c == 0) continue;
+            const std::uint32_t k = r * side + c;
+            triangles.push_back({k, k - side, k - 1});
+            triangles.push_back({k - 1, k - side, k - side - 1});
+        }
+    return Mesh{must(build_mesh(vertices, triangles))};
+}
+
+// Walk about on hills, each its own way round a circle.
+class Walkers final : public ModuleScene {
+public:
+    explicit Walkers(int count) : characters_(add<Characters>(world_)) {
+        must(world_.create_body({.type = BodyType::static_body}, {.geometry = hills()}));
+        for (int k = 0; k < count; k++)
+            ids_.push_back(
+                must(characters_.add(world_, {.feet = in_square(k, 4) + Vec3{0, 0.8, 0}})));
+    }
+    void step(int k) override {
+        for (std::size_t i = 0; i < ids_.size(); i++) {
+            const SinCos turn = sin_cos(0.01 * k + static_cast<double>(i));
+            must(characters_.set_controls(
+                ids_[i], {.walk = {3 * turn.cos, 0, 3 * turn.sin}, .jump = k % 120 == 0}));
+        }
+        must(world_.step(1.0 / 60));
+    }
+
+private:
+    World world_;
+    Characters& characters_;
+    std::vector<CharacterId> ids_;
+};
+
+// Saloons that go round in circles, on a plane or over hills.
+template <bool over_hills, WheelCast cast>
+class Cars final : public ModuleScene {
+public:
+    explicit Cars(int count) : vehicles_(add<Vehicles>(world_)) {
+        if (over_hills)
+            must(world_.create_body({.type = BodyType::static_body}, {.geometry = hills()}));
+        else
+            add_floor(world_);
+        for (int k = 0; k < count; k++) {
+            const BodyId chassis = must(world_.create_body(
+                {.pose = {.position = in_square(k, 12) + Vec3{-90, over_hills ? 1.6 : 0.7, -90}},
+                 .sleep_allowed = false},
+                {.geometry = Box{{0.8, 0.25, 2}}, .mass = 1500}));
+            VehicleDef def = saloon({.chassis = chassis});
+            def.cast = cast;
+            const CarId car = must(vehicles_.add(world_, def));
+            must(vehicles_.set_controls(world_, car, {.throttle = 0.3, .steering = 0.4}));
+        }
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    World world_;
+    Vehicles& vehicles_;
+};
+
+// Crates that fly about in turbulent air, or float on two waves.
+template <bool afloat>
+class Crates final : public ModuleScene {
+public:
+    explicit Crates(int count) : fields_(add<Fields>(world_)) {
+        VolumeField field{.law = Turbulence{.speed = 3}};
+        if (afloat)
+            field.law = Waves{.components = {{.amplitude = 0.3, .length = 14},
+                                             {.amplitude = 0.1, .length = 6, .heading = 1}}};
+        must(fields_.add(world_, field));
+        for (int k = 0; k < count; k++)
+            must(world_.create_body({.pose = {.position = in_square(k, 2.5)},
+                                     .gravity_scale = afloat ? 1.0 : 0.0,
+                                     .sleep_allowed = false},
+                                    {.geometry = Box{{0.5, 0.3, 0.4}}, .density = 400}));
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    World world_;
+    Fields& fields_;
+};
+
+template <class Scene>
+std::unique_ptr<ModuleScene> make(int count) {
+    return std::make_unique<Scene>(count);
+}
+
 template <RagdollMode mode>
 std::unique_ptr<ModuleScene> figures(int count) {
     return std::make_unique<Figures>(count, mode);
 }
 
 constexpr ModuleCase cases[] = {
+    {"character_hills", 100, make<Walkers>},
+    {"field_turbulence", 500, make<Crates<false>>},
+    {"field_waves", 500, make<Crates<true>>},
     {"ragdoll_limp", 40, figures<RagdollMode::limp>},
     {"ragdoll_powered", 40, figures<RagdollMode::powered>},
     {"ragdoll_kinematic", 40, figures<RagdollMode::kinematic>},
+    {"vehicle_flat_ray", 100, make<Cars<false, WheelCast::ray>>},
+    {"vehicle_flat_cylinder", 100, make<Cars<false, WheelCast::cylinder>>},
+    {"vehicle_hills_ray", 100, make<Cars<true, WheelCast::ray>>},
+    {"vehicle_hills_cylinder", 100, make<Cars<true, WheelCast::cylinder>>},
 };
 
 }  // namespace

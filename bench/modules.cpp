@@ -57,7 +57,7 @@ double worst_of(const Row& row) {
 
 void print(const Row& row) {
     const double ms = mean(row.step_ms);
-    std::printf("%-20s %8d %9.3f %9.3f %9.3f %12.2f\n", row.name.c_str(), row.objects, ms,
+    std::printf("%-24s %8d %9.3f %9.3f %9.3f %12.2f\n", row.name.c_str(), row.objects, ms,
                 percentile_99(row.step_ms), worst_of(row), 1e3 * ms / row.objects);
 }
 
@@ -73,7 +73,7 @@ nlohmann::ordered_json to_json(const Row& row) {
 
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
-    std::printf("%-20s %8s %9s %9s %9s %12s\n", "case", "objects", "ms mean", "p99", "worst",
+    std::printf("%-24s %8s %9s %9s %9s %12s\n", "case", "objects", "ms mean", "p99", "worst",
                 "us an object");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ModuleCase& one : module_cases()) {

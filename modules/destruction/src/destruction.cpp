@@ -5,6 +5,7 @@
 #include <string>
 
 #include "destruction_checks.h"
+#include "make_bodies.h"
 
 namespace jostle::modules {
 
@@ -60,8 +61,9 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
                           .density = def.density,
                           .filter = def.filter,
                           .report_stays = shape.chunks.size() > 1});
-    const Result<BodyId> body = world.create_body(body_def, shapes);
-    if (!body.ok()) return body.error();
+    const Result<std::vector<BodyId>> bodies = make_bodies(world, {{body_def, shapes}});
+    if (!bodies.ok()) return bodies.error();
+    const BodyId body = bodies->front();
     if (at == wholes_.size()) wholes_.emplace_back();
     const std::uint32_t generation = wholes_[at].generation + 1;
     Whole& whole = wholes_[at] = {};
@@ -69,8 +71,8 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     whole.generation = generation;
     whole.material = def.bonds;
     whole.density = def.density;
-    const std::vector<ShapeId> made = world.shapes_of(*body);
-    Piece piece{.body = *body, .anchored = anchored};
+    const std::vector<ShapeId> made = world.shapes_of(body);
+    Piece piece{.body = body, .anchored = anchored};
     for (std::uint32_t k = 0; k < shape.chunks.size(); k++) {
         const FractureChunk& chunk = shape.chunks[k];
         whole.chunks.push_back({.center = chunk.center,

@@ -129,6 +129,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .chunk = at_a->chunk,
                             .own = stay.shape_a,
                             .other = stay.shape_b,
+                            .other_body = stay.body_b,
                             .point = stay.point,
                             .push = -push});
     if (at_b)
@@ -136,6 +137,7 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                             .chunk = at_b->chunk,
                             .own = stay.shape_b,
                             .other = stay.shape_a,
+                            .other_body = stay.body_a,
                             .point = stay.point,
                             .push = push});
 }

@@ -7,6 +7,7 @@
 #include "bond_network.h"
 #include "contact_motion.h"
 #include "jostle/modules/destruction.h"
+#include "make_bodies.h"
 
 namespace jostle::modules {
 
@@ -16,7 +17,7 @@ using namespace destruction_detail;
 namespace {
 
 // Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
-constexpr std::size_t few_shapes = 16;
+constexpr std::size_t few_shapes = 4;
 constexpr double knocked_time = 0.2;  // s
 
 ShapeDef def_of(const ShapeState& shape, Vec3 shift, bool bonded) {
@@ -79,7 +80,7 @@ Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<co
         }
         made.push_back(std::move(piece));
     }
-    const Result<std::vector<BodyId>> bodies = world.create_bodies(defs);
+    const Result<std::vector<BodyId>> bodies = make_bodies(world, std::move(defs));
     if (!bodies.ok()) return bodies.error();
     for (std::size_t k = 0; k < made.size(); k++) {
         Piece& piece = made[k];
@@ -230,14 +231,15 @@ void Destruction::mark_knocked() {
 
 // All but 1 / worst of the impulse was more than the bonds bear: the piece changes its velocity by
 // that share only, and what it met keeps the rest of its approach.
-void Destruction::push_through(World& world) {
+void Destruction::push_through(World& world, double dt) {
     again_.clear();
-    const Press* before = nullptr;
-    for (const Press& press : presses_) {
-        if (!press.impact || !(press.worst > 1)) continue;
-        Piece& piece = piece_of(press);
-        if (!before || &piece_of(*before) != &piece) yield(world, piece, press.worst);
-        before = &press;
+    agree();
+    for (std::size_t first = 0; first < presses_.size();) {
+        std::size_t end = first + 1;
+        while (end < presses_.size() && &piece_of(presses_[end]) == &piece_of(presses_[first]))
+            end++;
+        yield(world, std::span(presses_).subspan(first, end - first), dt);
+        first = end;
     }
     for (const Press& press : presses_)
         if (press.impact && press.worst > 1) let_through(world, press);
@@ -255,17 +257,51 @@ void Destruction::slow_down(World& world, const BodyState& before) {
             world.set_linear_velocity(before.id, body->linear_velocity * (most / speed)).ok());
 }
 
+// Of two breaking bodies the weaker one says what both bear.
+void Destruction::agree() {
+    for (Press& press : presses_) {
+        if (!press.twin || !press.impact) continue;
+        for (const Press& other : presses_)
+            if (other.own == press.other && other.other == press.own && press.worst > 1 &&
+                other.worst > press.worst)
+                press.worst = other.worst;
+    }
+}
+
 Destruction::Piece& Destruction::piece_of(const Press& press) {
     Whole& whole = wholes_[press.whole];
     return whole.pieces[whole.chunks[press.chunk].piece];
 }
 
-void Destruction::yield(World& world, const Piece& piece, double worst) {
+double Destruction::impulse_of(const Press& press) {
+    return press.impact ? (press.approach + press.parting) / press.inv : 0;
+}
+
+// One piece, with all that presses on it. What it gives back goes to those that hit it, by
+// how hard they did. Where what is static pressed, too, it is not known who gave what.
+void Destruction::yield(World& world, std::span<Press> presses, double dt) {
+    double worst = 0, impulses = 0;
+    bool free = true;
+    for (const Press& press : presses) {
+        worst = maximum(worst, press.worst);
+        impulses += impulse_of(press);
+        const Result<BodyState> other = world.body(press.other_body);
+        free = free && other.ok() && other->type == BodyType::dynamic;
+    }
+    const Piece& piece = piece_of(presses[0]);
     const Result<BodyState> body = world.body(piece.body);
-    if (!body.ok() || body->type != BodyType::dynamic) return;
-    const Vec3 linear = piece.linear + (body->linear_velocity - piece.linear) / worst;
-    const Vec3 angular = piece.angular + (body->angular_velocity - piece.angular) / worst;
-    static_cast<void>(world.set_velocity(piece.body, linear, angular).ok());
+    if (!(worst > 1) || !body.ok() || body->type != BodyType::dynamic) return;
+    const double share = 1 - 1 / worst;
+    const Vec3 linear = (body->linear_velocity - piece.linear - world.gravity() * dt) * share;
+    const Vec3 angular = (body->angular_velocity - piece.angular) * share;
+    for (Press& press : presses) {
+        press.free = free;
+        press.back = linear * (body->mass * impulse_of(press) / impulses);
+    }
+    static_cast<void>(world
+                          .set_velocity(piece.body, body->linear_velocity - linear,
+                                        body->angular_velocity - angular)
+                          .ok());
 }
 
 // The energy that the bonds took comes off the speed that is left: E = (v0^2 - v^2) / (2 inv).
@@ -275,19 +311,22 @@ void Destruction::let_through(World& world, const Press& press) {
     const double speed = left2 > 0 ? square_root(left2) : 0;
     const BodyId own = piece_of(press).body;
     const Result<BodyState> a = world.body(own), b = world.body(press.other_body);
-    if (!(speed > 0) || !a.ok() || !b.ok()) return;
+    if (!a.ok() || !b.ok()) return;
     const Vec3 n = press.normal;
     const double inv_b = give(*b, press.point, n);
-    if (inv_b > 0 && !other_yields(press)) {
-        const double now = dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n);
-        const Vec3 back = n * ((kept - now) / inv_b);
+    Vec3 back = press.free ? press.back : Vec3{};
+    if (inv_b > 0 && !press.free && kept > 0)
+        back = n * ((kept - dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n)) /
+                    inv_b);
+    if (!other_yields(press))
         static_cast<void>(world.apply_impulse(press.other_body, back, press.point).ok());
-    }
+    if (!(kept > 0)) return;
     const Vec3 paid = n * ((kept - speed) / press.inv);
     static_cast<void>(world.apply_impulse(own, paid, press.point).ok());
     static_cast<void>(world.apply_impulse(press.other_body, -paid, press.point).ok());
-    again_.push_back(
-        {press.whole, press.chunk, press.other, press.other_body, press.point, -n, speed});
+    if (speed > 0)
+        again_.push_back(
+            {press.whole, press.chunk, press.other, press.other_body, press.point, -n, speed});
 }
 
 // Whether what it met broke, too, and has its own share.
@@ -319,7 +358,7 @@ void Destruction::after_step(World& world, double dt) {
     note_gravity(world);
     gather(world, dt);
     crack_all(world);
-    push_through(world);
+    push_through(world, dt);
     split_all(world);
     derive();
     mark_knocked();

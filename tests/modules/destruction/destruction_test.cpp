@@ -85,9 +85,17 @@ TEST(Destruction, a_ball_goes_through_a_wall) {
     ASSERT_EQ(*stage.destruction->bonds_left(id), shape.bonds.size());
     const BodyId ball = stage.ball({-2, 1.2, 0}, {20, 0, 0});
     const double mass = stage.world.body(ball)->mass;
-    double fastest = 0;
+    double fastest = 0, gain = 0;
+    const auto energy = [&] {
+        const WorldSummary sum = stage.world.summary();
+        return sum.kinetic_energy + sum.potential_energy;
+    };
+    // What was anchored weighs once it is loose.
+    const double whole = 2400 * 8 * wall_half.x * wall_half.y * wall_half.z * 9.81 * wall_half.y;
+    const double start = energy(), brought = stage.world.summary().kinetic_energy;
     for (int k = 0; k < 30; k++) {
         stage.step();
+        gain = std::max(gain, (energy() - start - whole) / brought);
         fastest = std::max(fastest, length(stage.world.body(ball)->linear_velocity));
     }
     const std::size_t pieces = stage.destruction->bodies(id)->size();
@@ -95,11 +103,44 @@ TEST(Destruction, a_ball_goes_through_a_wall) {
     RecordProperty("broken_bonds",
                    static_cast<int>(shape.bonds.size() - *stage.destruction->bonds_left(id)));
     const BodyState after = *stage.world.body(ball);
+    RecordProperty("energy_gain", std::to_string(gain));
+    EXPECT_LT(gain, 0.02);
     RecordProperty("ball_speed", std::to_string(after.linear_velocity.x));
     EXPECT_GT(pieces, 3u);
     EXPECT_GT(after.pose.position.x, 0.5);
     EXPECT_LT(fastest, 21);
     EXPECT_GT(mass, 0);
+}
+
+// In free space, where nothing holds the block: it breaks, the ball goes on, and the momentum that
+// both have together stays. Of the angular momentum the property tells how much was lost or won,
+// as a share of what the ball has about the edge of the block.
+TEST(Destruction, an_impact_that_breaks_keeps_momentum) {
+    Stage stage({.gravity = {}});
+    const Vec3 half{0.5, 0.5, 0.5};
+    const DestructibleId id = stage.add(fracture_box(half, scattered_seeds(half, 30, 4)).value(),
+                                        {.bonds = {.tensile = 5e5, .shear = 1e6}});
+    stage.ball({-2, 0.1, 0.05}, {20, 0, 0});
+    const WorldSummary before = stage.world.summary();
+    double energy = 0, linear = 0, angular = 0;
+    for (int k = 0; k < 30; k++) {
+        stage.step();
+        const WorldSummary now = stage.world.summary();
+        energy = std::max(energy, now.kinetic_energy / before.kinetic_energy - 1);
+        linear = std::max(linear, length(now.linear_momentum - before.linear_momentum) /
+                                      length(before.linear_momentum));
+        angular = std::max(angular, length(now.angular_momentum - before.angular_momentum) /
+                                        (half.y * length(before.linear_momentum)));
+    }
+    RecordProperty("pieces", static_cast<int>(stage.destruction->bodies(id)->size()));
+    RecordProperty("linear", std::to_string(linear * 1e12) + "e-12");
+    RecordProperty("angular", std::to_string(angular));
+    RecordProperty("energy_gain", std::to_string(energy));
+    EXPECT_GT(stage.destruction->bodies(id)->size(), 3u);
+    // The solver's contacts compute in single precision.
+    EXPECT_LT(linear, 1e-5);
+    EXPECT_LT(angular, 0.5);
+    EXPECT_LT(energy, 1e-6);
 }
 
 TEST(Destruction, a_soft_ball_bounces_off) {

@@ -180,9 +180,11 @@ private:
         physics::Vec3 normal;                       // unit, against the chunk
         double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
         double energy = 0;                          // J
-        bool twin = false;  // bonds hold the other one, too: there is a press upon it
-        double paid = 0;    // J, for broken bonds
-        double worst = 0;   // what the worst bond had to bear, as a share of its strength
+        bool twin = false;   // bonds hold the other one, too: there is a press upon it
+        double paid = 0;     // J, for broken bonds
+        double worst = 0;    // what the worst bond had to bear, as a share of its strength
+        bool free = false;   // nothing static presses on the piece, too
+        physics::Vec3 back;  // N s: what the piece gives back of it
     };
     // What got its speed back and is still in touch: that is no new contact.
     struct Again {
@@ -239,11 +241,13 @@ private:
                          const destruction_detail::Group& staying);
     static void keep_shapes(physics::World& world, Whole& whole, Piece& piece,
                             std::span<const destruction_detail::Group> leaving);
-    void push_through(physics::World& world);
+    void push_through(physics::World& world, double dt);
+    void agree();
     void mark_knocked();
-    static void yield(physics::World& world, const Piece& piece, double worst);
+    void yield(physics::World& world, std::span<Press> presses, double dt);
     void let_through(physics::World& world, const Press& press);
     static void slow_down(physics::World& world, const physics::BodyState& before);
+    static double impulse_of(const Press& press);
     bool other_yields(const Press& press) const;
     Piece& piece_of(const Press& press);
     void drop_debris(physics::World& world, double dt);

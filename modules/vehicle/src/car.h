@@ -87,7 +87,8 @@ struct Car {
     bool active = false;
     Vec3 carry = {};  // N s of each sub-step
     double mass = 0;
-    Mat3 inverse_inertia;  // world axes
+    double other_most = 100;  // m/s^2, rad/s^2 that are learned
+    Mat3 inverse_inertia;     // world axes
     std::vector<Ground> grounds;
     std::vector<Rig> rigs;
     Lean lean;

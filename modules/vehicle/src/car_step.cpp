@@ -15,22 +15,20 @@ namespace {
 // s in which what else pushes the chassis (gravity, contacts) is learned. It must not be much
 // quicker than a sub-step: impacts would be taken for weight.
 constexpr double learns = 0.02;
-constexpr double other_most = 1e5;  // m/s^2, rad/s^2
 
-Vec3 bounded_push(Vec3 a) {
-    const Vec3 most{other_most, other_most, other_most};
-    return min(max(a, -most), most);
+Vec3 bounded_push(Vec3 a, double most) {
+    return min(max(a, Vec3{-most, -most, -most}), Vec3{most, most, most});
 }
 
 // What the chassis did since the last solve that the car did not ask for.
 void learn_other_pushes(const MovingBody& chassis, double h, Car& car) {
     if (car.follows) {
         const double share = h / (h + learns);
-        car.other_a += ((chassis.linear_velocity - car.expected_v) / h - car.other_a) * share;
-        car.other_alpha +=
-            ((chassis.angular_velocity - car.expected_w) / h - car.other_alpha) * share;
-        car.other_a = bounded_push(car.other_a);
-        car.other_alpha = bounded_push(car.other_alpha);
+        // A crash is not learned as if it lasted.
+        const Vec3 a = (chassis.linear_velocity - car.expected_v) / h,
+                   alpha = (chassis.angular_velocity - car.expected_w) / h;
+        car.other_a += (bounded_push(a, car.other_most) - car.other_a) * share;
+        car.other_alpha += (bounded_push(alpha, car.other_most) - car.other_alpha) * share;
     }
     car.follows = true;
     car.expected_v = chassis.linear_velocity;

@@ -264,8 +264,8 @@ std::string fault_of(const Car& car) {
     check.number("speed", car.speed, -1e6, 1e6);
     check.vector("expected_v", car.expected_v, 1e6);
     check.vector("expected_w", car.expected_w, 1e6);
-    check.vector("other_a", car.other_a, 1e5);
-    check.vector("other_alpha", car.other_alpha, 1e5);
+    check.vector("other_a", car.other_a, 1e6);
+    check.vector("other_alpha", car.other_alpha, 1e6);
     return check.fault();
 }
 

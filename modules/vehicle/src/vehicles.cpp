@@ -61,6 +61,7 @@ void begin_step(World& world, const Queries& queries, const BodyState& chassis, 
     if (car.driver == Driver::pilot) car.controls = pilot_controls(car, chassis);
     if (car.driver == Driver::person) car.controls = person_controls(car);
     car.mass = chassis.mass;
+    car.other_most = 100 + 10 * length(world.gravity());
     car.inverse_inertia = inverse(chassis.inertia);
     choose_gear(car, dt);
     if (car.def.balance.on) measure_lean(chassis, car);

@@ -158,6 +158,23 @@ TEST(Ride, no_spring_is_too_stiff) {
             }
 }
 
+TEST(Ride, a_crash_into_a_wall_leaves_the_car_on_its_wheels) {
+    TestCar of({}, {0, 0, -20});
+    of.world
+        .create_body({.type = BodyType::static_body, .pose = {.position = {0, 2, -12}}},
+                     {.geometry = Box{{10, 2, 1}}})
+        .value();
+    of.add(plain_saloon(of.chassis));
+    double highest = 0;
+    for (int k = 0; k < 240; k++) {
+        of.drive(step_time);
+        highest = std::max(highest, of.body().center.y);
+    }
+    EXPECT_LT(highest, 1.2);
+    EXPECT_GT(of.body().center.z, -9.05) << "not in the wall";
+    EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 0.02 * car_mass * gravity);
+}
+
 TEST(Ride, a_fall_of_three_metres_ends_on_the_wheels) {
     TestCar of;
     of.add(plain_saloon(of.chassis));

@@ -4,6 +4,8 @@
 // restore; and bytes that were tampered with are refused.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "support/random.h"
 #include "test_car.h"
 

@@ -30,23 +30,6 @@ struct Way {
     Vec3 down, axle;
 };
 
-// Friction of two materials by the rule of materials: whichever is further down the list.
-double combine(double a, Combine rule_a, double b, Combine rule_b) {
-    switch (rule_a < rule_b ? rule_b : rule_a) {
-        case Combine::average:
-            return 0.5 * (a + b);
-        case Combine::geometric_mean:
-            return square_root(a * b);
-        case Combine::minimum:
-            return minimum(a, b);
-        case Combine::multiply:
-            return a * b;
-        case Combine::maximum:
-            return maximum(a, b);
-    }
-    return a;
-}
-
 std::optional<Found> cast_ray_of(const Queries& queries, const QueryFilter& filter, const Way& way,
                                  double radius) {
     const Vec3 motion = way.motion + way.down * radius;

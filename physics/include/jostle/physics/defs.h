@@ -30,6 +30,22 @@ enum class Combine : std::uint8_t {
     maximum,
 };
 
+inline double combine(double a, Combine rule_a, double b, Combine rule_b) {
+    switch (rule_a < rule_b ? rule_b : rule_a) {
+        case Combine::average:
+            return 0.5 * (a + b);
+        case Combine::geometric_mean:
+            return square_root(a * b);
+        case Combine::minimum:
+            return minimum(a, b);
+        case Combine::multiply:
+            return a * b;
+        case Combine::maximum:
+            break;
+    }
+    return maximum(a, b);
+}
+
 struct Material {
     double friction = 0.5;  // Coulomb coefficient, 0 to 100
     // Share of the approach speed that comes back, 0 to 1. What meets at less than 0.3 m/s does not

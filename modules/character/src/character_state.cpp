@@ -17,14 +17,6 @@ namespace {
 
 constexpr double driven_speed = 5;  // m/s at full stick
 
-void visit_vector(StateVisitor& v, std::string_view name, Vec3& value, double most) {
-    v.enter(name);
-    bounded(v, "x", value.x, -most, most);
-    bounded(v, "y", value.y, -most, most);
-    bounded(v, "z", value.z, -most, most);
-    v.leave();
-}
-
 void visit_size(StateVisitor& v, Record& r) {
     using namespace character_detail;
     bounded(v, "radius", r.radius, radius_least, radius_most);
@@ -38,7 +30,7 @@ void visit_size(StateVisitor& v, Record& r) {
 }
 
 void visit_controls(StateVisitor& v, Record& r) {
-    visit_vector(v, "walk", r.controls.walk, character_detail::walk_most);
+    bounded(v, "walk", r.controls.walk, character_detail::walk_most);
     v.field("jump", r.controls.jump);
     v.field("crouch", r.controls.crouch);
     v.field("jump_armed", r.jump_armed);
@@ -51,10 +43,10 @@ void visit_ground(StateVisitor& v, Record& r) {
     v.field("ground", r.ground, GroundKind::in_air);
     v.field("ground_body", r.ground_body);
     v.field("ground_shape", r.ground_shape);
-    visit_vector(v, "ground_normal", r.ground_normal, 1.001);
-    visit_vector(v, "ground_point", r.ground_point, 1e8);
-    visit_vector(v, "ground_velocity", r.ground_velocity, 1e9);
-    visit_vector(v, "given", r.given, 1e15);
+    bounded(v, "ground_normal", r.ground_normal, 1.001);
+    bounded(v, "ground_point", r.ground_point, 1e8);
+    bounded(v, "ground_velocity", r.ground_velocity, 1e9);
+    bounded(v, "given", r.given, 1e15);
     v.field("pushed", r.pushed);
 }
 
@@ -71,8 +63,8 @@ void visit_record(StateVisitor& v, Record& r) {
     visit_size(v, r);
     visit_controls(v, r);
     bounded(v, "heading", r.heading, -4, 4);
-    visit_vector(v, "feet", r.feet, character_detail::coordinate_most);
-    visit_vector(v, "velocity", r.velocity, 1e9);
+    bounded(v, "feet", r.feet, character_detail::coordinate_most);
+    bounded(v, "velocity", r.velocity, 1e9);
     v.field("crouched", r.crouched);
     visit_ground(v, r);
 }

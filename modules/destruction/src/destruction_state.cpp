@@ -17,12 +17,6 @@ namespace {
 
 constexpr double most_load = 1e30;  // N, N m
 
-void bounded_vector(StateVisitor& v, std::string_view name, Vec3& value, double most) {
-    v.field(name, value);
-    for (int k = 0; k < 3; k++)
-        if (v.loading() && !(absolute(value[k]) <= most)) v.fail(name, "is out of its range");
-}
-
 void unit_vector(StateVisitor& v, std::string_view name, Vec3& value) {
     v.field(name, value);
     if (v.loading() && !(absolute(length_squared(value) - 1) < 1e-6))
@@ -32,7 +26,7 @@ void unit_vector(StateVisitor& v, std::string_view name, Vec3& value) {
 void visit_bond(StateVisitor& v, FractureBond& bond) {
     v.field("a", bond.a);
     v.field("b", bond.b);
-    bounded_vector(v, "center", bond.center, furthest);
+    bounded(v, "center", bond.center, furthest);
     unit_vector(v, "normal", bond.normal);
     unit_vector(v, "axis", bond.axis);
     bounded(v, "area", bond.area, least_area, most_area);
@@ -60,15 +54,15 @@ void Destruction::visit(StateVisitor& v, Whole& whole) {
     visit_material(v, whole.material);
     bounded(v, "density", whole.density, 0, 1e6);
     v.all("chunks", whole.chunks, [&](Chunk& chunk) {
-        bounded_vector(v, "center", chunk.center, furthest);
+        bounded(v, "center", chunk.center, furthest);
         bounded(v, "mass", chunk.mass, least_mass, most_mass);
-        bounded_vector(v, "inertia_x", chunk.inertia.x, most_inertia);
-        bounded_vector(v, "inertia_y", chunk.inertia.y, most_inertia);
-        bounded_vector(v, "inertia_z", chunk.inertia.z, most_inertia);
+        bounded(v, "inertia_x", chunk.inertia.x, most_inertia);
+        bounded(v, "inertia_y", chunk.inertia.y, most_inertia);
+        bounded(v, "inertia_z", chunk.inertia.z, most_inertia);
         v.field("shape", chunk.shape);
         v.field("anchored", chunk.anchored);
-        bounded_vector(v, "force", chunk.force, most_load);
-        bounded_vector(v, "torque", chunk.torque, most_load);
+        bounded(v, "force", chunk.force, most_load);
+        bounded(v, "torque", chunk.torque, most_load);
     });
     v.all("bonds", whole.bonds, [&](Bond& bond) {
         visit_bond(v, bond.face);
@@ -76,7 +70,7 @@ void Destruction::visit(StateVisitor& v, Whole& whole) {
     });
     v.all("pieces", whole.pieces, [&](Piece& piece) {
         v.field("body", piece.body);
-        bounded_vector(v, "origin", piece.origin, furthest);
+        bounded(v, "origin", piece.origin, furthest);
         v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
         v.field("anchored", piece.anchored);
         v.field("check", piece.check);
@@ -135,7 +129,7 @@ void Destruction::visit_limits(StateVisitor& v) {
 
 void Destruction::visit(StateVisitor& v) {
     visit_limits(v);
-    bounded_vector(v, "gravity", gravity_, 1e5);
+    bounded(v, "gravity", gravity_, 1e5);
     v.all("wholes", wholes_, [&](Whole& whole) { visit(v, whole); });
     v.all("again", again_, [&](Again& again) {
         v.field("whole", again.whole);
@@ -145,7 +139,7 @@ void Destruction::visit(StateVisitor& v) {
             v.fail("chunk", "is not there");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
-        bounded_vector(v, "point", again.point, 1e9);
+        bounded(v, "point", again.point, 1e9);
         unit_vector(v, "normal", again.normal);
         bounded(v, "approach", again.approach, 0, 1e9);
     });

@@ -80,4 +80,12 @@ void bounded(physics::StateVisitor& v, std::string_view name, double& value, dou
         v.fail(name, "is not from " + range(low, high));
 }
 
+void bounded(physics::StateVisitor& v, std::string_view name, physics::Vec3& value, double most) {
+    v.enter(name);
+    bounded(v, "x", value.x, -most, most);
+    bounded(v, "y", value.y, -most, most);
+    bounded(v, "z", value.z, -most, most);
+    v.leave();
+}
+
 }  // namespace jostle::modules

@@ -41,4 +41,7 @@ private:
 void bounded(physics::StateVisitor& v, std::string_view name, double& value, double low,
              double high);
 
+// ... each component within `most`.
+void bounded(physics::StateVisitor& v, std::string_view name, physics::Vec3& value, double most);
+
 }  // namespace jostle::modules

@@ -16,18 +16,6 @@ using scenes::SceneDescription;
 
 namespace {
 
-ShapeDef shape_def(const ShapeState& shape) {
-    return {.geometry = shape.geometry,
-            .pose = shape.pose,
-            .material = shape.material,
-            .density = shape.density,
-            .mass = shape.mass,
-            .filter = shape.filter,
-            .trigger = shape.trigger,
-            .report_stays = shape.report_stays,
-            .user_data = shape.user_data};
-}
-
 // `said`: what a body does not tell of itself, such as its damping.
 SceneBody body_now(const World& world, BodyId id, SceneBody said) {
     const BodyState state = *world.body(id);
@@ -43,7 +31,7 @@ SceneBody body_now(const World& world, BodyId id, SceneBody said) {
     said.body.user_data = state.user_data;
     said.shapes.clear();
     for (const ShapeId shape : world.shapes_of(id))
-        said.shapes.push_back(shape_def(*world.shape(shape)));
+        said.shapes.push_back(def_of(*world.shape(shape)));
     return said;
 }
 

@@ -15,19 +15,6 @@ double wrapped(double angle) {
     return angle - 2 * pi * std::floor((angle + pi) / (2 * pi));
 }
 
-// As it was made, so that it can be made again.
-ShapeDef def_of(const ShapeState& shape) {
-    return {.geometry = shape.geometry,
-            .pose = shape.pose,
-            .material = shape.material,
-            .density = shape.density,
-            .mass = shape.mass,
-            .filter = shape.filter,
-            .trigger = shape.trigger,
-            .report_stays = shape.report_stays,
-            .user_data = shape.user_data};
-}
-
 // The first shape becomes the capsule that goes with the height; feet stay where they are.
 void reshape(World& world, const Record& record) {
     std::vector<ShapeDef> shapes;

@@ -20,17 +20,10 @@ namespace {
 constexpr std::size_t few_shapes = 4;
 constexpr double knocked_time = 0.2;  // s
 
-ShapeDef def_of(const ShapeState& shape, Vec3 shift, bool bonded) {
-    ShapeDef def{.geometry = shape.geometry,
-                 .pose = shape.pose,
-                 .material = shape.material,
-                 .density = shape.density,
-                 .mass = shape.mass,
-                 .filter = shape.filter,
-                 .trigger = shape.trigger,
-                 .report_stays = bonded,
-                 .user_data = shape.user_data};
-    def.pose.position += shift;
+ShapeDef shifted(const ShapeState& shape, Vec3 by, bool bonded) {
+    ShapeDef def = def_of(shape);
+    def.report_stays = bonded;
+    def.pose.position += by;
     return def;
 }
 
@@ -76,7 +69,7 @@ Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<co
             if (!shape.ok()) return shape.error();
             if (shape->body != old)
                 return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
-            def.shapes.push_back(def_of(*shape, origin - piece.origin, group.chunks.size() > 1));
+            def.shapes.push_back(shifted(*shape, origin - piece.origin, group.chunks.size() > 1));
         }
         made.push_back(std::move(piece));
     }
@@ -126,7 +119,7 @@ void Destruction::keep_shapes(World& world, Whole& whole, Piece& piece,
     for (const std::uint32_t c : piece.chunks) {
         const Result<ShapeState> shape = world.shape(whole.chunks[c].shape);
         if (!shape.ok() || shape->body != piece.body) continue;
-        defs.push_back(def_of(*shape, {}, piece.chunks.size() > 1));
+        defs.push_back(shifted(*shape, {}, piece.chunks.size() > 1));
         owners.push_back(c);
     }
     const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);

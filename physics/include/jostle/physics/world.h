@@ -69,6 +69,19 @@ struct ShapeState {
     std::uint64_t user_data = 0;
 };
 
+// As it was made, so that it can be made again.
+inline ShapeDef def_of(const ShapeState& shape) {
+    return {.geometry = shape.geometry,
+            .pose = shape.pose,
+            .material = shape.material,
+            .density = shape.density,
+            .mass = shape.mass,
+            .filter = shape.filter,
+            .trigger = shape.trigger,
+            .report_stays = shape.report_stays,
+            .user_data = shape.user_data};
+}
+
 // A contact of the present moment, for debug views and tests.
 struct ContactInfo {
     ShapeId shape_a, shape_b;

@@ -421,7 +421,7 @@ export type ExplodeInput = Message<"jostle.v1.ExplodeInput"> & {
   radius: number;
 
   /**
-   * m/s given to a body at the centre, falling to zero at the radius; at most 20
+   * m/s, at most 20: what a crate of a metre and a tonne gets near the centre; what is light gets up to twice
    *
    * @generated from field: double speed = 3;
    */

@@ -96,6 +96,13 @@ try {
   await until('statistics arrive', () => page.evaluate(() => window.jostle.stats?.bodies > 200));
   expect((await page.locator('#stats .plot').count()) === 7, 'seven live plots');
 
+  // Snapshots come before pictures: on a busy machine the first picture of the tower may be a while.
+  await until('the tower is drawn', () =>
+    page.evaluate(() => {
+      const towers = window.jostle.loose().filter((id) => window.jostle.nameOf(id) === 'tower');
+      return towers.length > 0 && towers.every((id) => window.jostle.pose(id));
+    }),
+  );
   // The top box of the tower: alone against the sky, so nothing hides it.
   const box = await page.evaluate(() => {
     const towers = window.jostle.loose().filter((id) => window.jostle.nameOf(id) === 'tower');

@@ -165,6 +165,10 @@ void World::copy_bodies(std::vector<BodyState>& out) const {
         if (state_->bodies.ids.alive(i)) out.push_back(state_of_body(*state_, i));
 }
 
+std::uint32_t World::body_index_end() const {
+    return static_cast<std::uint32_t>(state_->bodies.ids.size());
+}
+
 std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> ids;
     for (std::uint32_t i = 0; i < state_->bodies.ids.size(); i++)

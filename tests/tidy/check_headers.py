@@ -50,6 +50,9 @@ def first_include(path):
 
 
 def main():
+    if len(sys.argv) != 3:
+        print(next(line for line in __doc__.splitlines() if line.startswith("Usage")), file=sys.stderr)
+        return 2
     root, build = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     compiler = os.environ.get("CXX", "c++")
     flags = flags_of(build)

@@ -19,10 +19,6 @@ constexpr double grain_share = 1e-14;
 // Of the square of the size: faces that are smaller hold nothing.
 constexpr double least_face_share = 1e-8;
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 bool before(Vec3 a, Vec3 b) {
     if (a.x != b.x) return a.x < b.x;
     if (a.y != b.y) return a.y < b.y;
@@ -31,19 +27,20 @@ bool before(Vec3 a, Vec3 b) {
 
 Status check_seeds(std::span<const Vec3> seeds) {
     if (seeds.empty() || seeds.size() > most_chunks)
-        return invalid("there are " + std::to_string(seeds.size()) + " seeds; give 1 to " +
-                       std::to_string(most_chunks));
+        return invalid_argument("there are " + std::to_string(seeds.size()) + " seeds; give 1 to " +
+                                std::to_string(most_chunks));
     for (std::size_t k = 0; k < seeds.size(); k++)
         if (!is_finite(seeds[k]) || !(length_squared(seeds[k]) < 1e8))
-            return invalid("seeds[" + std::to_string(k) + "] is not finite or beyond 10 km");
+            return invalid_argument("seeds[" + std::to_string(k) +
+                                    "] is not finite or beyond 10 km");
     std::vector<std::size_t> order(seeds.size());
     for (std::size_t k = 0; k < order.size(); k++) order[k] = k;
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return before(seeds[a], seeds[b]); });
     for (std::size_t k = 1; k < order.size(); k++)
         if (seeds[order[k]] == seeds[order[k - 1]])
-            return invalid("seeds[" + std::to_string(std::max(order[k], order[k - 1])) +
-                           "] is there twice");
+            return invalid_argument("seeds[" + std::to_string(std::max(order[k], order[k - 1])) +
+                                    "] is there twice");
     return {};
 }
 
@@ -99,8 +96,8 @@ Result<FracturedShape> fracture(const ConvexCell& whole, std::span<const Vec3> s
         if (!(mass.volume > 0)) continue;
         Result<FractureChunk> chunk = chunk_of(cell, mass);
         if (!chunk.ok())
-            return invalid("seeds[" + std::to_string(k) +
-                           "]: its chunk is too thin: " + chunk.error().message);
+            return invalid_argument("seeds[" + std::to_string(k) +
+                                    "]: its chunk is too thin: " + chunk.error().message);
         chunk_at[k] = static_cast<std::uint32_t>(shape.chunks.size());
         shape.chunks.push_back(std::move(*chunk));
         cells.push_back(std::move(cell));
@@ -119,7 +116,8 @@ Result<FracturedShape> fracture(const ConvexCell& whole, std::span<const Vec3> s
 Status check_extents(Vec3 e) {
     for (int k = 0; k < 3; k++)
         if (!(e[k] >= min_shape_size && e[k] <= max_shape_size))
-            return invalid("half_extents are not within the sizes of shapes, 1e-4 to 1e4 m");
+            return invalid_argument(
+                "half_extents are not within the sizes of shapes, 1e-4 to 1e4 m");
     return {};
 }
 
@@ -183,10 +181,11 @@ Result<FracturedShape> split_box(Vec3 e, int nx, int ny, int nz) {
     if (Status s = check_extents(e); !s.ok()) return s.error();
     const int counts[3] = {nx, ny, nz};
     for (const int count : counts)
-        if (count < 1 || count > 1000) return invalid("a number of boxes is not 1 to 1000");
+        if (count < 1 || count > 1000)
+            return invalid_argument("a number of boxes is not 1 to 1000");
     if (static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) >
         most_chunks)
-        return invalid("there are more than " + std::to_string(most_chunks) + " boxes");
+        return invalid_argument("there are more than " + std::to_string(most_chunks) + " boxes");
     const Vec3 h{e.x / nx, e.y / ny, e.z / nz};
     if (Status s = check_extents(h); !s.ok()) return s.error();
     const int stride[3] = {1, nx, nx * ny};

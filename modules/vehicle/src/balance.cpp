@@ -17,14 +17,8 @@ using namespace physics;
 
 namespace {
 
-double wheel_base(const VehicleDef& def) {
+double axle_distance(const VehicleDef& def) {
     return maximum(absolute(def.wheels.back().attachment.z - def.wheels.front().attachment.z), 0.1);
-}
-
-double full_lock(const VehicleDef& def) {
-    double most = 0.01;
-    for (const Wheel& wheel : def.wheels) most = maximum(most, wheel.steering_most);
-    return most;
 }
 
 // rad/s^2
@@ -64,7 +58,7 @@ double balance_steering(const Car& car) {
     const double aside =
         (car.lean.weight * lean.sin - car.lean.height * wanted_turn(car)) / maximum(lean.cos, 0.2);
     const double v2 = maximum(car.speed * car.speed, 1);
-    const double angle = arc_tangent(aside * wheel_base(car.def), v2);
+    const double angle = arc_tangent(aside * axle_distance(car.def), v2);
     return clamp(angle / full_lock(car.def), -1, 1);
 }
 

@@ -144,4 +144,11 @@ struct Contacts {
     Contact* end() { return all.data() + count; }
 };
 
+// rad: as far as one of its wheels turns.
+inline double full_lock(const VehicleDef& def) {
+    double most = 0.01;
+    for (const Wheel& wheel : def.wheels) most = physics::maximum(most, wheel.steering_most);
+    return most;
+}
+
 }  // namespace jostle::modules::vehicle_detail

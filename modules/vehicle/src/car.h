@@ -92,8 +92,6 @@ struct Car {
     std::vector<Ground> grounds;
     std::vector<Rig> rigs;
     Lean lean;
-    // Of the definition; made when they are first wanted.
-    std::vector<physics::Geometry> probes;  // the lower half of each wheel
 };
 
 // The chassis in a sub-step.

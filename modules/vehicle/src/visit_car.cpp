@@ -157,7 +157,6 @@ void visit_car(StateVisitor& v, Car& car) {
     v.field("other_alpha", car.other_alpha);
     if (!v.loading()) return;
     car.active = false;
-    car.probes.clear();
     const std::string fault = fault_of(car);
     if (!fault.empty()) v.fail("car", fault);
 }

@@ -111,26 +111,43 @@ void check_bars(const VehicleDef& def, Check& check) {
     check.leave();
 }
 
+// Two groups of wheels without a common one.
+bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first,
+                  const std::vector<std::uint32_t>& second, Check& check) {
+    std::array<bool, wheels_max> taken{};
+    for (const auto* group : {&first, &second}) {
+        check.number("wheels", static_cast<double>(group->size()), 1, wheels_max - 1);
+        for (const std::uint32_t wheel : *group) {
+            const bool known = wheel < def.wheels.size() && wheel < wheels_max;
+            check.that(known, "names a wheel that there is not");
+            if (!known) return false;
+            check.that(!taken[wheel], "names a wheel twice");
+            taken[wheel] = true;
+        }
+    }
+    return true;
+}
+
 void check_couplings(const VehicleDef& def, Check& check) {
     check.number("couplings", static_cast<double>(def.couplings.size()), 0, couplings_max);
     for (std::size_t k = 0; k < def.couplings.size(); k++) {
         const Coupling& coupling = def.couplings[k];
         check.enter("couplings", k);
-        std::array<bool, wheels_max> taken{};
-        for (const auto* group : {&coupling.first, &coupling.second}) {
-            check.number("wheels", static_cast<double>(group->size()), 1, wheels_max - 1);
-            for (const std::uint32_t wheel : *group) {
-                const bool known = wheel < def.wheels.size() && wheel < wheels_max;
-                check.that(known, "names a wheel that there is not");
-                if (!known) return;
-                check.that(!taken[wheel], "names a wheel twice");
-                taken[wheel] = true;
-            }
-        }
+        if (!check_groups(def, coupling.first, coupling.second, check)) return;
         check.number("kind", static_cast<double>(coupling.kind), 0, 1);
         check.number("preload", coupling.preload, 0, 1e7);
         check.number("ratio", coupling.ratio, 0, 10);
     }
+    check.leave();
+}
+
+void check_steering_drive(const VehicleDef& def, Check& check) {
+    const SteeringDrive& drive = def.steering_drive;
+    check.enter("steering_drive");
+    if (!drive.left.empty() || !drive.right.empty())
+        check_groups(def, drive.left, drive.right, check);
+    check.number("ratio", drive.ratio, 0, 100);
+    check.number("torque", drive.torque, 0, 1e8);
     check.leave();
 }
 
@@ -212,6 +229,7 @@ std::string fault_of(const VehicleDef& def) {
     check_wheels(def, check);
     check_bars(def, check);
     check_couplings(def, check);
+    check_steering_drive(def, check);
     check_engine(def.engine, check);
     check_gearbox(def.gearbox, check);
     check_air(def, check);

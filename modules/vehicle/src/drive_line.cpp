@@ -20,7 +20,7 @@ using namespace physics;
 namespace {
 
 constexpr std::size_t unknowns_max = wheels_max + 1;
-constexpr std::size_t links_max = wheels_max + 1 + couplings_max;
+constexpr std::size_t links_max = wheels_max + 1 + couplings_max + 1;
 constexpr int rounds_max = 4;
 
 // How stiff links are while they hold, against the inertia that they hold: what a link that holds
@@ -118,6 +118,22 @@ void add_couplings(const Car& car, double h, const Speeds& y, Links& links) {
         link.before = speed_of(link, y);
         link.grip = guess(link, inertia / 4, h);
     }
+}
+
+// The engine drives left and right against each other.
+void add_steering(const Car& car, double h, const Speeds& y, Links& links) {
+    const SteeringDrive& drive = car.def.steering_drive;
+    if (drive.left.empty()) return;
+    Link& link = links.of[links.count++];
+    link.size = 0;
+    const double inertia =
+        add_group(car, drive.left, 1, link) + add_group(car, drive.right, -1, link);
+    link.at[link.size] = static_cast<std::uint8_t>(car.wheels.size());
+    link.weight[link.size++] = -2 * drive.ratio * car.steering;
+    link.most = drive.torque;
+    link.stiff = coupling_stiff * inertia / h;
+    link.before = speed_of(link, y);
+    link.grip = guess(link, inertia / 4, h);
 }
 
 // Without links.
@@ -221,6 +237,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
     add_clutch(car, h, y, links);
     const bool clutched = links.count > clutch;
     add_couplings(car, h, y, links);
+    add_steering(car, h, y, links);
 
     const double throttle = throttle_now(car);
     System system;

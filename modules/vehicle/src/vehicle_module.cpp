@@ -114,11 +114,15 @@ VehicleDef tracked(const TrackedDef& def) {
                             def.middle + along * def.length};
         wheel.drive_share = 0.5 / wheels;
         wheel.steering_brake = left ? -def.steering_brake : def.steering_brake;
+        if (def.steering_ratio > 0)
+            (left ? made.steering_drive.left : made.steering_drive.right).push_back(k);
         made.wheels.push_back(wheel);
         if (k % wheels > 0)
             made.couplings.push_back(
                 {.first = {k - 1}, .second = {k}, .kind = CouplingKind::locked});
     }
+    made.steering_drive.ratio = def.steering_ratio;
+    made.steering_drive.torque = def.steering_torque;
     return made;
 }
 

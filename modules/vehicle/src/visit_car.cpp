@@ -63,6 +63,10 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
         v.field("preload", coupling.preload);
         v.field("ratio", coupling.ratio);
     });
+    visit_group(v, "steering_left", def.steering_drive.left);
+    visit_group(v, "steering_right", def.steering_drive.right);
+    v.field("steering_ratio", def.steering_drive.ratio);
+    v.field("steering_torque", def.steering_drive.torque);
     v.field("balanced", def.balance.on);
     v.field("lean_most", def.balance.lean_most);
     v.field("lean_frequency", def.balance.frequency);

@@ -96,6 +96,16 @@ struct Coupling {
     double ratio = 0.3;   // 0 to 10
 };
 
+// Of what steers by the speeds of its two sides: a shaft from the engine to their difference (the
+// double differential of Merritt and Brown). Steered to the right, the left side turns faster than
+// the right one by 2 * ratio * steering * speed of the engine, whatever the gear: in neutral the
+// vehicle turns on the spot. Steered straight it holds the sides together.
+struct SteeringDrive {
+    std::vector<std::uint32_t> left = {}, right = {};  // wheels; both empty: there is none
+    double ratio = 0.03;                               // 0 to 100
+    double torque = 20'000;                            // N m that it bears at most, 0 to 1e8
+};
+
 struct TorquePoint {
     double speed = 0;   // rad/s, 0 to 1e4, rising
     double torque = 0;  // N m at full throttle, -1e6 to 1e6
@@ -144,6 +154,7 @@ struct VehicleDef {
     std::vector<Wheel> wheels = {};
     std::vector<AntiRollBar> anti_roll_bars = {};
     std::vector<Coupling> couplings = {};
+    SteeringDrive steering_drive = {};
     Engine engine = {};
     Gearbox gearbox = {};
     Aerodynamics aerodynamics = {};
@@ -170,14 +181,17 @@ struct SaloonDef {
 };
 VehicleDef saloon(const SaloonDef& def);
 
-// Two tracks: along each the wheels turn as one. It steers by braking a side.
+// Two tracks: along each the wheels turn as one. The engine drives them against each other to
+// steer, also where it stands; with a ratio of 0 only brakes steer.
 struct TrackedDef {
     BodyId chassis = {};
-    double gauge = 2, length = 3;   // m between the tracks, and between their outermost wheels
-    std::uint32_t wheels = 5;       // of each side, 2 to 8
-    double height = 0, middle = 0;  // m, as of a saloon
-    Wheel wheel = {};               // for all
-    double steering_brake = 4000;   // N m of each wheel
+    double gauge = 2, length = 3;     // m between the tracks, and between their outermost wheels
+    std::uint32_t wheels = 5;         // of each side, 2 to 8
+    double height = 0, middle = 0;    // m, as of a saloon
+    Wheel wheel = {};                 // for all
+    double steering_ratio = 0.03;     // of the steering drive
+    double steering_torque = 20'000;  // N m
+    double steering_brake = 0;        // N m of each wheel
 };
 VehicleDef tracked(const TrackedDef& def);
 

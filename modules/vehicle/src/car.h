@@ -35,6 +35,15 @@ struct WheelRun {
     Vec3 point = {}, normal = {0, 1, 0};
 };
 
+// A wheel that is a body: saved.
+struct WheelBody {
+    BodyId body = {};
+    physics::JointId joint = {};
+    double spin = 0;     // rad/s ahead at the last sub-step
+    double pushed = 0;   // N m s that it was given then
+    double resists = 0;  // N m that ground and brakes turn it by: learned
+};
+
 // The ground under a wheel, for a step.
 struct Ground {
     bool found = false;
@@ -71,7 +80,8 @@ struct Car {
     std::uint32_t held_buttons = 0;
 
     std::vector<WheelRun> wheels;
-    double steering = 0;  // -1 to 1, follows the controls
+    std::vector<WheelBody> bodies;  // as many, or none
+    double steering = 0;            // -1 to 1, follows the controls
     double engine_speed = 0;
     double engine_torque = 0, clutch_torque = 0;
     std::int32_t gear = 0;

@@ -74,6 +74,7 @@ void check_wheel(const Wheel& wheel, Check& check) {
     check.number("radius", wheel.radius, 0.02, 10);
     check.number("width", wheel.width, 0.01, 10);
     check.number("inertia", wheel.inertia, 0.001, 1e5);
+    check.number("mass", wheel.mass, 0.01, 1e6);
     check.number("steering_most", wheel.steering_most, -1.4, 1.4);
     check.number("drive_share", wheel.drive_share, 0, 1);
     check.number("brake_torque", wheel.brake_torque, 0, 1e7);
@@ -196,8 +197,9 @@ void check_air(const VehicleDef& def, Check& check) {
     check.number("frequency", def.balance.frequency, 0.1, 5);
     check.number("feet_below", def.balance.feet_below, 0, 20);
     check.leave();
-    check.number("cast", static_cast<double>(def.cast), 0,
-                 static_cast<double>(WheelCast::cylinder));
+    check.number("cast", static_cast<double>(def.cast), 0, static_cast<double>(WheelCast::body));
+    check.that(def.cast != WheelCast::body || !def.balance.on,
+               "balance.on: the wheels of a two-wheeler are not bodies");
     check.number("steering_rate", def.steering_rate, 0.01, 1000);
     check.number("rate", def.rate, 10, 1e5);
 }
@@ -268,6 +270,13 @@ std::string fault_of(const Car& car) {
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         check.enter("wheels", k);
         check_run(car.wheels[k], check);
+    }
+    check.that(car.bodies.size() == (car.def.cast == WheelCast::body ? car.wheels.size() : 0),
+               "wheels have another number of bodies");
+    for (const WheelBody& wheel : car.bodies) {
+        check.number("spin", wheel.spin, -1e6, 1e6);
+        check.number("pushed", wheel.pushed, -1e12, 1e12);
+        check.number("resists", wheel.resists, -1e12, 1e12);
     }
     check.leave();
     check.number("held_aside", car.held_aside, -1, 1);

@@ -198,6 +198,13 @@ double throttle_now(const Car& car) {
 
 }  // namespace
 
+double brake_torque(const Car& car, std::size_t wheel) {
+    const Wheel& made = car.def.wheels[wheel];
+    const double pedal = maximum(car.controls.brake * made.brake_torque,
+                                 car.controls.hand_brake * made.hand_brake_torque);
+    return maximum(pedal, car.steering * made.steering_brake);
+}
+
 double torque_at(const Engine& engine, double speed) {
     const std::vector<TorquePoint>& curve = engine.curve;
     if (speed <= curve.front().speed) return curve.front().torque;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ground.h"
 
+#include "turn_to.h"
+
 namespace jostle::modules::vehicle_detail {
 
 using namespace physics;
@@ -47,19 +49,12 @@ std::optional<Found> cast_shape_of(const Queries& queries, const QueryFilter& fi
     return Found{(**hit).body, (**hit).shape, (**hit).fraction, (**hit).point, (**hit).normal};
 }
 
-// The shortest turn from one unit vector to another.
-Quat turn_to(Vec3 from, Vec3 to) {
-    const Vec3 axis = cross(from, to);
-    const Quat q{axis.x, axis.y, axis.z, 1 + dot(from, to)};
-    return norm_squared(q) > 1e-12 ? normalized(q) : Quat{0, 1, 0, 0};
-}
-
 std::optional<Found> cast_whole(const Queries& queries, const QueryFilter& filter, const Way& way,
                                 const Wheel& wheel, WheelCast cast) {
     if (cast == WheelCast::sphere)
         return cast_shape_of(queries, filter, way, Sphere{wheel.radius}, {});
     return cast_shape_of(queries, filter, way, Cylinder{wheel.radius, 0.5 * wheel.width},
-                         turn_to({0, 1, 0}, way.axle));
+                         turn_to({0, 1, 0}, way.axle, {1, 0, 0}));
 }
 
 bool bears(const Way& way, const std::optional<Found>& found) {

@@ -49,7 +49,7 @@ Status read(const ModuleSettings& given, SceneCars& cars) {
     settings.number("steering_most", cars.saloon.steering_most, 0, 1.4);
     settings.number("anti_roll", cars.saloon.anti_roll, 0, 1e7);
     settings.number("power_scale", cars.power, 0, 100);
-    settings.number("cast", cars.cast, 0, 2);
+    settings.number("cast", cars.cast, 0, 3);
     settings.number("throttle", cars.controls.throttle, 0, 1);
     settings.number("brake", cars.controls.brake, 0, 1);
     settings.number("steering", cars.controls.steering, -1, 1);
@@ -66,7 +66,8 @@ VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
     for (TorquePoint& point : def.engine.curve) point.torque *= cars.power;
     def.cast = cars.cast < 0.5   ? WheelCast::ray
                : cars.cast < 1.5 ? WheelCast::sphere
-                                 : WheelCast::cylinder;
+               : cars.cast < 2.5 ? WheelCast::cylinder
+                                 : WheelCast::body;
     return def;
 }
 

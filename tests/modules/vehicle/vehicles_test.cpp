@@ -53,8 +53,8 @@ TEST(Vehicles, ids_are_not_used_again_and_unknown_ones_are_refused) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     const CarId first = of.car;
-    of.vehicles->remove(first).expect();
-    EXPECT_EQ(error_of(of.vehicles->remove(first)).code, ErrorCode::not_found);
+    of.vehicles->remove(of.world, first).expect();
+    EXPECT_EQ(error_of(of.vehicles->remove(of.world, first)).code, ErrorCode::not_found);
     EXPECT_EQ(error_of(of.vehicles->state(first)).code, ErrorCode::not_found);
     EXPECT_EQ(error_of(of.vehicles->set_controls(of.world, first, {})).code, ErrorCode::not_found);
     of.add(plain_saloon(of.chassis));

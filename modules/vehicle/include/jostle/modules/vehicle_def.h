@@ -23,12 +23,17 @@ inline constexpr std::size_t bars_max = 6;        // anti-roll
 inline constexpr std::size_t curve_points_max = 16;
 inline constexpr std::size_t gears_max = 12;  // ahead
 
-// How a wheel looks for the ground: once a step, along its suspension. The plane that it finds
-// holds for the step.
+// How a wheel finds the ground: by looking for it once a step along its suspension, where the plane
+// that it finds holds for the step; or as a body that touches what it touches.
 enum class WheelCast : std::uint8_t {
     ray,       // of the wheel's middle: the cheapest, and falls into every gap
     sphere,    // of the wheel's radius
     cylinder,  // the wheel as it is: climbs kerbs
+    // Each wheel is a cylinder of `mass` on a wheel joint of the solver, which springs, steers and
+    // brakes it. It holds by Coulomb friction, has the inertia of a full cylinder, and stops at
+    // both ends of its suspension. Not for two-wheelers. It may turn by 0.3 rad in a sub-step, 45
+    // m/s for 0.33 m at 480 sub-steps a second: beyond it the solver does not keep it straight.
+    body,
 };
 
 // A brush tyre with relaxation (Pacejka, "Tire and vehicle dynamics", 3rd edition, chapters 3.2 and
@@ -62,6 +67,7 @@ struct Wheel {
     double radius = 0.33;    // m, 0.02 to 10
     double width = 0.22;     // m, 0.01 to 10
     double inertia = 1.2;    // kg m^2 about the axle, 0.001 to 1e5
+    double mass = 20;        // kg of a wheel that is a body, 0.01 to 1e6; else in the chassis
     Suspension suspension = {};
     Tyre tyre = {};
     double steering_most = 0;      // rad at full lock, -1.4 to 1.4; below 0: turns the other way

@@ -62,10 +62,14 @@ struct Rig {
 
 // Of a two-wheeler, at the start of the step.
 struct Lean {
+    bool touching = false;
     double angle = 0, rate = 0;  // rad, rad/s, to the right
     double height = 1;           // m: of a pendulum that falls as fast
-    double weight = 0;           // m/s^2 down
+    double weight = 9.81;        // m/s^2 down
     double inertia = 0;          // kg m^2 about the line that it leans over
+    double own = 1;              // kg m^2 about its centre of mass, along its way
+    double turn = 0;             // rad/s to the right
+    double course = 0;           // rad to the right: where the front wheel goes
 };
 
 enum class Grip : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling

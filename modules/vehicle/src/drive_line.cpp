@@ -11,6 +11,7 @@
 // solve is the rule. The matrix is symmetric and positive definite whatever holds.
 #include "drive_line.h"
 
+#include "balance.h"
 #include "small_solve.h"
 
 namespace jostle::modules::vehicle_detail {
@@ -190,7 +191,7 @@ double torque_of(const Link& link, const Speeds& y) {
 double throttle_now(const Car& car) {
     const Engine& engine = car.def.engine;
     const double speed = car.engine_speed;
-    const double foot = car.shift_left > 0 ? 0 : car.controls.throttle;
+    const double foot = car.shift_left > 0 ? 0 : car.controls.throttle * rider_throttle(car);
     const double governor = clamp((engine.idle - speed) / (0.1 * engine.idle), 0, 1);
     const double cut = clamp((engine.most - speed) / (0.02 * engine.most), 0, 1);
     return maximum(foot * cut, governor);
@@ -202,7 +203,7 @@ double brake_torque(const Car& car, std::size_t wheel) {
     const Wheel& made = car.def.wheels[wheel];
     const double pedal = maximum(car.controls.brake * made.brake_torque,
                                  car.controls.hand_brake * made.hand_brake_torque);
-    return maximum(pedal, car.steering * made.steering_brake);
+    return rider_brake(car, wheel, maximum(pedal, car.steering * made.steering_brake));
 }
 
 double torque_at(const Engine& engine, double speed) {

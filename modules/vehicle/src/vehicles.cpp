@@ -35,7 +35,7 @@ double angle_of(const Car& car, std::size_t wheel) {
 
 void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
-    const double wanted = car.def.balance.on ? balance_steering(car) : car.controls.steering;
+    const double wanted = car.def.balance.on ? balance_steering(car, dt) : car.controls.steering;
     car.steering += clamp(wanted - car.steering, -most, most);
     car.rigs.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {

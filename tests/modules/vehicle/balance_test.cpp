@@ -64,6 +64,7 @@ TEST(Balance, it_leans_into_a_bend_by_the_bends_own_angle) {
             const Vec3 right = normalized(cross(body.linear_velocity, Vec3{0, 1, 0}));
             const double lean = std::atan2(dot(arm, right), arm.y);
             worst = std::max(worst, std::abs(lean / std::atan(aside / gravity) - 1));
+            EXPECT_GT(lean * steering, 0);
             // No further than it was told, and not much less.
             EXPECT_LT(std::abs(lean), 0.7 * std::abs(steering) + 0.04);
             EXPECT_GT(std::abs(lean), (speed < 8 ? 0.3 : 0.85) * 0.7 * std::abs(steering));

@@ -97,7 +97,8 @@ public:
 
     std::string_view tag() const override { return kind; }
     void visit(physics::StateVisitor& v) override;
-    // Makes a saloon of each body car, car2 ... car16 that is given; all share the numbers: track,
+    // Makes a saloon of each body car, car2 ... car16 that is given, or what `make` says (0 saloon,
+    // 1 tracked, 2 motorcycle, which is always cast by rays); all share the numbers: track,
     // wheel_base, height, radius, width, shortest, longest, frequency, damping, friction,
     // front_drive, steering_most, anti_roll, power_scale, cast (0 ray, 1 sphere, 2 cylinder, 3
     // body); throttle, brake, steering; pilot_radius and pilot_speed (with pilot_radius a pilot

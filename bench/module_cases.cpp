@@ -185,8 +185,10 @@ constexpr ModuleCase cases[] = {
     {"ragdoll_kinematic", 40, figures<RagdollMode::kinematic>},
     {"vehicle_flat_ray", 100, make<Cars<false, WheelCast::ray>>},
     {"vehicle_flat_cylinder", 100, make<Cars<false, WheelCast::cylinder>>},
+    {"vehicle_flat_bodies", 100, make<Cars<false, WheelCast::body>>},
     {"vehicle_hills_ray", 100, make<Cars<true, WheelCast::ray>>},
     {"vehicle_hills_cylinder", 100, make<Cars<true, WheelCast::cylinder>>},
+    {"vehicle_hills_bodies", 100, make<Cars<true, WheelCast::body>>},
 };
 
 }  // namespace

@@ -106,7 +106,8 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
         // No point of the difference lies nearer than `along` in the direction of v: the lower
         // bound of the distance, as |v| is the upper.
         const double along = dot(v, w);
-        const bool far = along > 0 && along * along > goal.beyond * goal.beyond * v2;
+        const double stays = along - maximum(0, dot(goal.motion, v));
+        const bool far = stays > 0 && stays * stays > goal.beyond * goal.beyond * v2;
         double missing = 1e-12 * v2;
         if (goal.loose > 0)
             missing = maximum(missing, goal.loose * (v2 - goal.radii * square_root(v2)));

@@ -4,13 +4,18 @@
 #include <algorithm>
 #include <string>
 
+#include "bond_network.h"
 #include "destruction_checks.h"
+#include "destruction_impact.h"
 #include "make_bodies.h"
 
 namespace jostle::modules {
 
 using namespace physics;
 using namespace destruction_detail;
+
+Destruction::Destruction() = default;
+Destruction::~Destruction() = default;
 
 const Destruction::Whole* Destruction::find(DestructibleId id) const {
     if (id.index >= wholes_.size()) return nullptr;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bond_network.h"
+#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
 
 namespace jostle::modules {

@@ -5,6 +5,7 @@
 
 #include "bond_network.h"
 #include "destruction_checks.h"
+#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/settings.h"
 

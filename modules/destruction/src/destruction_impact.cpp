@@ -61,8 +61,8 @@ void Destruction::mark_knocked() {
     }
 }
 
-// All but 1 / worst of the impulse was more than the bonds bear: the piece changes its velocity by
-// that share only, and what it met keeps the rest of its approach.
+// All but 1 / worst of the impulse was more than the bonds bear. It is taken back from both at the
+// point where it acted, so momenta stay what they were.
 void Destruction::push_through(World& world, double dt) {
     again_.clear();
     agree();
@@ -70,33 +70,26 @@ void Destruction::push_through(World& world, double dt) {
         std::size_t end = first + 1;
         while (end < presses_.size() && &piece_of(presses_[end]) == &piece_of(presses_[first]))
             end++;
-        yield(world, std::span(presses_).subspan(first, end - first), dt);
+        settle_grounded(world, std::span(presses_).subspan(first, end - first), dt);
         first = end;
     }
     for (const Press& press : presses_)
-        if (press.impact && press.worst > 1) let_through(world, press);
-    for (const BodyState& mover : movers_) slow_down(world, mover);
+        if (press.impact && press.worst > 1) let_through(world, press, dt);
 }
 
-// What was pressed on from several sides, and got its speed back along each, is no faster than it
-// was.
-void Destruction::slow_down(World& world, const BodyState& before) {
-    const Result<BodyState> body = world.body(before.id);
-    if (!body.ok() || body->type != BodyType::dynamic) return;
-    const double speed = length(body->linear_velocity), most = length(before.linear_velocity);
-    if (speed > most)
-        static_cast<void>(
-            world.set_linear_velocity(before.id, body->linear_velocity * (most / speed)).ok());
-}
-
-// Of two breaking bodies the weaker one says what both bear.
+// Of two breaking bodies the weaker one says what both bear; both pay.
 void Destruction::agree() {
-    for (Press& press : presses_) {
-        if (!press.twin || !press.impact) continue;
-        for (const Press& other : presses_)
-            if (other.own == press.other && other.other == press.own && press.worst > 1 &&
-                other.worst > press.worst)
-                press.worst = other.worst;
+    for (std::size_t k = 0; k < presses_.size(); k++) {
+        Press& press = presses_[k];
+        if (!press.twin || !press.impact || !(press.worst > 1)) continue;
+        for (std::size_t i = 0; i < k; i++) {
+            Press& other = presses_[i];
+            if (other.own != press.other || other.other != press.own || !(other.worst > 1))
+                continue;
+            press.worst = other.worst = maximum(press.worst, other.worst);
+            press.paid = other.paid = press.paid + other.paid;
+            press.second = true;
+        }
     }
 }
 
@@ -105,67 +98,64 @@ Destruction::Piece& Destruction::piece_of(const Press& press) {
     return whole.pieces[whole.chunks[press.chunk].piece];
 }
 
-double Destruction::impulse_of(const Press& press) {
-    return press.impact ? (press.approach + press.parting) / press.inv : 0;
-}
-
-// One piece, with all that presses on it. What it gives back goes to those that hit it, by
-// how hard they did. Where what is static pressed, too, it is not known who gave what.
-void Destruction::yield(World& world, std::span<Press> presses, double dt) {
-    double worst = 0, impulses = 0;
+// A piece that something static presses, too: it is not known who gave what. It keeps of its change
+// of velocity what its bonds bear; the ground takes the rest.
+void Destruction::settle_grounded(World& world, std::span<Press> presses, double dt) {
+    double worst = 0;
     bool free = true;
     for (const Press& press : presses) {
         worst = maximum(worst, press.worst);
-        impulses += impulse_of(press);
         const Result<BodyState> other = world.body(press.other_body);
         free = free && other.ok() && other->type == BodyType::dynamic;
     }
+    if (free || !(worst > 1)) return;
+    for (Press& press : presses) press.grounded = true;
     const Piece& piece = piece_of(presses[0]);
     const Result<BodyState> body = world.body(piece.body);
-    if (!(worst > 1) || !body.ok() || body->type != BodyType::dynamic) return;
+    if (!body.ok() || body->type != BodyType::dynamic) return;
     const double share = 1 - 1 / worst;
     const Vec3 linear = (body->linear_velocity - piece.linear - world.gravity() * dt) * share;
     const Vec3 angular = (body->angular_velocity - piece.angular) * share;
-    for (Press& press : presses) {
-        press.free = free;
-        press.back = linear * (body->mass * impulse_of(press) / impulses);
-    }
     static_cast<void>(world
                           .set_velocity(piece.body, body->linear_velocity - linear,
                                         body->angular_velocity - angular)
                           .ok());
 }
 
-// The energy that the bonds took comes off the speed that is left: E = (v0^2 - v^2) / (2 inv).
-void Destruction::let_through(World& world, const Press& press) {
+// The speed against each other that is left: the energy that the bonds took comes off it,
+// E = (v0^2 - v^2) / (2 inv). Negative: they part.
+double Destruction::speed_left(const Press& press) {
     const double kept = press.approach - (press.approach + press.parting) / press.worst;
-    const double left2 = kept * absolute(kept) - 2 * press.paid * press.inv;
-    const double speed = left2 > 0 ? square_root(left2) : 0;
-    const BodyId own = piece_of(press).body;
-    const Result<BodyState> a = world.body(own), b = world.body(press.other_body);
+    if (!(kept > 0)) return kept;
+    const double left2 = kept * kept - 2 * press.paid * press.inv;
+    return left2 > 0 ? square_root(left2) : 0;
+}
+
+// Where they meet in several places the first ones give back what the others need not: none gets
+// more than the speed that it had there, and the piece gives back no more than it got.
+void Destruction::let_through(World& world, const Press& press, double dt) {
+    const Piece& piece = piece_of(press);
+    const Result<BodyState> a = world.body(piece.body), b = world.body(press.other_body);
     if (!a.ok() || !b.ok()) return;
     const Vec3 n = press.normal;
+    const double speed = speed_left(press);
+    const double inv_a = press.grounded ? 0 : give(*a, press.point, n);
     const double inv_b = give(*b, press.point, n);
-    Vec3 back = press.free ? press.back : Vec3{};
-    if (inv_b > 0 && !press.free && kept > 0)
-        back = n * ((kept - dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n)) /
-                    inv_b);
-    if (!other_yields(press))
-        static_cast<void>(world.apply_impulse(press.other_body, back, press.point).ok());
-    if (!(kept > 0)) return;
-    const Vec3 paid = n * ((kept - speed) / press.inv);
-    static_cast<void>(world.apply_impulse(own, paid, press.point).ok());
-    static_cast<void>(world.apply_impulse(press.other_body, -paid, press.point).ok());
+    const double now = dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n);
+    double impulse = inv_a + inv_b > 0 ? (speed - now) / (inv_a + inv_b) : 0;
+    if (inv_a > 0) {
+        const Vec3 got = a->linear_velocity - piece.linear - world.gravity() * dt +
+                         cross(a->angular_velocity - piece.angular, press.point - a->center);
+        impulse = minimum(impulse, dot(got, n) / inv_a);
+    }
+    if (impulse > 0 && !press.second) {
+        static_cast<void>(world.apply_impulse(press.other_body, n * impulse, press.point).ok());
+        if (inv_a > 0)
+            static_cast<void>(world.apply_impulse(piece.body, n * -impulse, press.point).ok());
+    }
     if (speed > 0)
         again_.push_back(
             {press.whole, press.chunk, press.other, press.other_body, press.point, -n, speed});
-}
-
-// Whether what it met broke, too, and has its own share.
-bool Destruction::other_yields(const Press& press) const {
-    return press.twin && std::any_of(presses_.begin(), presses_.end(), [&](const Press& other) {
-               return other.own == press.other && other.other == press.own && other.worst > 1;
-           });
 }
 
 }  // namespace jostle::modules

@@ -20,11 +20,11 @@ struct Press {
     physics::Vec3 normal;                       // unit, against the chunk
     double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
     double energy = 0;                          // J
-    bool twin = false;   // bonds hold the other one, too: there is a press upon it
-    double paid = 0;     // J, for broken bonds
-    double worst = 0;    // what the worst bond had to bear, as a share of its strength
-    bool free = false;   // nothing static presses on the piece, too
-    physics::Vec3 back;  // N s: what the piece gives back of it
+    bool twin = false;      // bonds hold the other one, too: there is a press upon it
+    double paid = 0;        // J, for broken bonds
+    double worst = 0;       // what the worst bond had to bear, as a share of its strength
+    bool second = false;    // of two twins that both broke: the first one says it all
+    bool grounded = false;  // something static presses on the piece, too
 };
 // What got its speed back and is still in touch: that is no new contact.
 struct Again {

@@ -225,11 +225,10 @@ private:
     void push_through(physics::World& world, double dt);
     void agree();
     void mark_knocked();
-    void yield(physics::World& world, std::span<destruction_detail::Press> presses, double dt);
-    void let_through(physics::World& world, const destruction_detail::Press& press);
-    static void slow_down(physics::World& world, const physics::BodyState& before);
-    static double impulse_of(const destruction_detail::Press& press);
-    bool other_yields(const destruction_detail::Press& press) const;
+    void settle_grounded(physics::World& world, std::span<destruction_detail::Press> presses,
+                         double dt);
+    static double speed_left(const destruction_detail::Press& press);
+    void let_through(physics::World& world, const destruction_detail::Press& press, double dt);
     Piece& piece_of(const destruction_detail::Press& press);
     void drop_debris(physics::World& world, double dt);
 

@@ -150,6 +150,19 @@ CellMass mass_of(const ConvexCell& cell) {
     return mass;
 }
 
+Aabb bounds_of(const ConvexCell& cell) {
+    Aabb bounds{cell.faces[0].points[0], cell.faces[0].points[0]};
+    for (const CellFace& face : cell.faces)
+        for (const Vec3 p : face.points) bounds = {min(bounds.low, p), max(bounds.high, p)};
+    return bounds;
+}
+
+bool are_near(const Aabb& a, const Aabb& b, double apart) {
+    for (int k = 0; k < 3; k++)
+        if (a.low[k] > b.high[k] + apart || b.low[k] > a.high[k] + apart) return false;
+    return true;
+}
+
 double furthest_squared(const ConvexCell& cell, Vec3 from) {
     double most = 0;
     for (const CellFace& face : cell.faces)

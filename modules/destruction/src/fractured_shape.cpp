@@ -6,6 +6,7 @@
 #include "convex_cell.h"
 #include "disjoint_cells.h"
 #include "fracture_cells.h"
+#include "random_chance.h"
 
 namespace jostle::modules {
 
@@ -60,14 +61,6 @@ double reach_of(const FractureChunk& chunk, Vec3 direction) {
         for (const Vec3 p : hull->data->vertices)
             most = maximum(most, dot(direction, apply(chunk.pose, p)));
     return most;
-}
-
-// SplitMix64 (Steele, Lea, Flood, 2014), 0 to 1.
-double next_chance(std::uint64_t& state) {
-    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
 }  // namespace

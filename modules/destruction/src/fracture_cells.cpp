@@ -17,17 +17,39 @@ namespace {
 
 // Of the square of the size: faces that are smaller hold nothing.
 constexpr double least_face_share = 1e-8;
+// Of the mean volume: what several parts leave of a cell and is less is left out.
+constexpr double splinter_share = 1e-6;
 constexpr std::size_t seeds_a_report = 50;
 
 Error invalid(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
 
-Result<FractureChunk> chunk_of(const ConvexCell& cell, const CellMass& mass) {
+// Without points that are nearer than that to one before.
+std::vector<Vec3> welded(std::span<const Vec3> points, double distance) {
+    std::vector<Vec3> kept;
+    for (const Vec3 p : points)
+        if (std::none_of(kept.begin(), kept.end(),
+                         [&](Vec3 q) { return length_squared(p - q) <= distance * distance; }))
+            kept.push_back(p);
+    return kept;
+}
+
+// Where planes meet at a grazing angle corners lie so close together that a hull's faces are not
+// known: those that are nearer to each other than a hair are one. The mass is still the cell's.
+Result<std::shared_ptr<const ConvexHull>> hull_of(const ConvexCell& cell) {
     std::vector<Vec3> points;
     for (const CellFace& face : cell.faces)
         points.insert(points.end(), face.points.begin(), face.points.end());
     auto hull = build_hull(points);
+    const double size = square_root(furthest_squared(cell, points[0]));
+    for (const double share : {1e-6, 1e-5, 1e-4, 1e-3})
+        if (!hull.ok()) hull = build_hull(welded(points, share * size));
+    return hull;
+}
+
+Result<FractureChunk> chunk_of(const ConvexCell& cell, const CellMass& mass) {
+    auto hull = hull_of(cell);
     if (!hull.ok()) return hull.error();
     return FractureChunk{.geometry = Hull{*hull},
                          .center = mass.center,
@@ -119,6 +141,11 @@ public:
         for (const ConvexCell& part : parts) part_bounds_.push_back(bounds_of(part));
     }
     double size() const { return size_; }
+    double mean_volume() const {
+        double volume = 0;
+        for (const ConvexCell& part : parts_) volume += mass_of(part).volume;
+        return volume / static_cast<double>(seeds_.size());
+    }
 
     // What of each part is the seed's.
     std::vector<Cut> cut(std::uint32_t seed) const {
@@ -167,6 +194,7 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
     const Cutter cutter(parts, seeds);
     FracturedParts made;
     std::vector<Cut> cuts;
+    const double least_volume = parts.size() == 1 ? 0 : splinter_share * cutter.mean_volume();
     for (std::uint32_t seed = 0; seed < seeds.size(); seed++) {
         if (progress && seed % seeds_a_report == 0) progress(seed, seeds.size());
         for (Cut& cut : cutter.cut(seed)) {
@@ -177,7 +205,7 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
             if (!chunk.ok() && parts.size() == 1)
                 return invalid("seeds[" + std::to_string(seed) +
                                "]: its chunk is too thin: " + chunk.error().message);
-            if (!chunk.ok()) {
+            if (!chunk.ok() || mass.volume < least_volume) {
                 made.lost += mass.volume;
                 continue;
             }

@@ -66,7 +66,8 @@ using FractureProgress = std::function<void(std::size_t seeds_done, std::size_t 
 struct FracturedParts {
     FracturedShape shape = {};
     double volume = 0;  // m^3, of the solid: what its parts hold, each place once
-    double lost = 0;    // m^3 of it in splinters that are too thin for a hull: they are left out
+    double lost = 0;  // m^3 of it in splinters, too thin for a hull or of less than a millionth of
+                      // the mean volume: they are left out
 };
 // The same of a solid of several hulls, such as those that a mesh is decomposed into. Cells end
 // where a part ends, and bonds hold them together where parts touch. Where parts overlap the first

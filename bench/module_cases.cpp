@@ -178,8 +178,8 @@ public:
         FracturedShape wall = must(fracture_box(half, scattered_seeds(half, 150, 1)));
         anchor(wall, {0, -1, 0}, half.y - 1e-6);
         for (int k = 0; k < count; k++)
-            must(destruction_.add(
-                world_, wall, {.pose = {.position = in_square(k, 6) + Vec3{0, half.y, 0}}}));
+            must(destruction_.add(world_, wall,
+                                  {.pose = {.position = in_square(k, 6) + Vec3{0, half.y, 0}}}));
         if (breaking) return;
         for (int k = 0; k < 100; k++)
             must(world_.create_body(
@@ -203,16 +203,18 @@ private:
 };
 
 // Lets go of all that many chunks at once, as the steps that are timed begin: stacks of boxes, or
-// a wall of Voronoi hulls.
-template <bool hulls>
+// a wall of Voronoi hulls, which meet or pass each other.
+template <bool hulls, bool passing = false>
 class Burst final : public ModuleScene {
 public:
     explicit Burst(int count) : destruction_(add<Destruction>(world_)) {
         add_floor(world_);
+        DestructionLimits limits;
+        limits.passing_volume = passing ? 1 : 0;
+        must(destruction_.set_limits(limits));
         const Vec3 half{0.2 * count / 80, 4, 0.1};
-        const FracturedShape wall =
-            must(hulls ? fracture_box(half, scattered_seeds(half, count, 1))
-                       : split_box(half, (count + 39) / 40, 40, 1));
+        const FracturedShape wall = must(hulls ? fracture_box(half, scattered_seeds(half, count, 1))
+                                               : split_box(half, (count + 39) / 40, 40, 1));
         id_ = must(destruction_.add(world_, wall, {.pose = {.position = {0, half.y + 0.01, 0}}}));
     }
     void step(int k) override {
@@ -242,6 +244,7 @@ constexpr ModuleCase cases[] = {
     {"destruction_breaking", 36, make<Walls<true>>},
     {"destruction_burst_boxes", 2000, make<Burst<false>>},
     {"destruction_burst_hulls", 2000, make<Burst<true>>},
+    {"destruction_burst_passing", 2000, make<Burst<true, true>>},
     {"field_turbulence", 500, make<Crates<false>>},
     {"field_waves", 500, make<Crates<true>>},
     {"ragdoll_limp", 40, figures<RagdollMode::limp>},

@@ -7,7 +7,6 @@
 #include "bond_network.h"
 #include "destruction_checks.h"
 #include "destruction_impact.h"
-#include "make_bodies.h"
 
 namespace jostle::modules {
 
@@ -66,9 +65,11 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
                           .density = def.density,
                           .filter = def.filter,
                           .report_stays = shape.chunks.size() > 1});
-    const Result<std::vector<BodyId>> bodies = make_bodies(world, {{body_def, shapes}});
-    if (!bodies.ok()) return bodies.error();
-    const BodyId body = bodies->front();
+    const Result<BodyId> made_body = world.create_body(body_def, shapes);
+    if (!made_body.ok()) return made_body.error();
+    const BodyId body = *made_body;
+    if (!anchored)  // the centre of mass moved as shapes came
+        static_cast<void>(world.set_velocity(body, def.linear_velocity, def.angular_velocity).ok());
     if (at == wholes_.size()) wholes_.emplace_back();
     const std::uint32_t generation = wholes_[at].generation + 1;
     Whole& whole = wholes_[at] = {};

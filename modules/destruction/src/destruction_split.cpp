@@ -7,7 +7,6 @@
 #include "bond_network.h"
 #include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
-#include "make_bodies.h"
 
 namespace jostle::modules {
 
@@ -18,6 +17,9 @@ namespace {
 
 // Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
 constexpr std::size_t few_shapes = 4;
+
+// Of debris that passes each other: shapes of one negative group do not meet.
+constexpr std::int32_t passing_group = -0x6a6f7374;
 
 ShapeDef shifted(const ShapeState& shape, Vec3 by, bool bonded) {
     ShapeDef def = def_of(shape);
@@ -45,6 +47,11 @@ Vec3 center_of(const Whole& whole, const Group& group) {
 
 }  // namespace
 
+bool Destruction::passes(const Whole& whole, const Group& group) const {
+    return group.chunks.size() == 1 && !is_anchored(whole, group) &&
+           whole.chunks[group.chunks[0]].mass < whole.density * limits_.passing_volume;
+}
+
 // Those that leave, as bodies; then the old body without them. All or nothing.
 Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<const Group> leaving,
                          const Group& staying) {
@@ -69,10 +76,14 @@ Status Destruction::part(World& world, Whole& whole, std::size_t p, std::span<co
             if (shape->body != old)
                 return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
             def.shapes.push_back(shifted(*shape, origin - piece.origin, group.chunks.size() > 1));
+            Filter& filter = def.shapes.back().filter;
+            if (filter.group != 0 || !passes(whole, group)) continue;
+            filter.group = passing_group;
+            def.body.continuous = false;
         }
         made.push_back(std::move(piece));
     }
-    const Result<std::vector<BodyId>> bodies = make_bodies(world, std::move(defs));
+    const Result<std::vector<BodyId>> bodies = world.create_bodies(defs);
     if (!bodies.ok()) return bodies.error();
     for (std::size_t k = 0; k < made.size(); k++) {
         Piece& piece = made[k];

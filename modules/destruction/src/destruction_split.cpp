@@ -140,6 +140,8 @@ void Destruction::keep_shapes(World& world, Whole& whole, Piece& piece,
 // The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
 // many others leave. How many did.
 int Destruction::split(World& world, Whole& whole, std::size_t p, int most) {
+    drop_lost_chunks(world, whole, whole.pieces[p]);
+    if (whole.pieces[p].chunks.empty()) return 0;
     std::vector<Group> parts;
     {
         Group all{whole.pieces[p].chunks, {}};
@@ -167,7 +169,7 @@ int Destruction::split(World& world, Whole& whole, std::size_t p, int most) {
     }
     std::sort(staying.chunks.begin(), staying.chunks.end());
     const bool all = leaving.size() + 1 == parts.size();
-    // What cannot be parted, because somebody else destroyed a part of it, stays as it is.
+    // What cannot be parted, as where the world takes no more bodies, stays as it is.
     const bool parted = leaving.empty() || part(world, whole, p, leaving, staying).ok();
     Piece& rest = whole.pieces[p];
     rest.cut = parted && !all;
@@ -188,6 +190,7 @@ void Destruction::split_all(World& world) {
         const std::size_t count = whole.pieces.size();  // those made here hang together
         for (std::size_t p = 0; p < count && most > 0; p++)
             if (whole.pieces[p].cut) most -= split(world, whole, p, most);
+        std::erase_if(whole.pieces, [](const Piece& piece) { return piece.chunks.empty(); });
     }
 }
 
@@ -209,6 +212,7 @@ void Destruction::drop_debris(World& world, double dt) {
 }
 
 void Destruction::after_step(World& world, double dt) {
+    drop_lost_bodies(world);
     derive();
     note_gravity(world);
     gather(world, dt);

@@ -219,6 +219,10 @@ private:
     static std::vector<destruction_detail::Group> parts_of(const Whole& whole,
                                                            const destruction_detail::Group& group);
 
+    // destruction_losses.cpp: what others destroyed.
+    void drop_lost_bodies(const physics::World& world);
+    void drop_lost_chunks(const physics::World& world, Whole& whole, Piece& piece);
+
     // destruction_split.cpp: pieces become bodies.
     void split_all(physics::World& world);
     int split(physics::World& world, Whole& whole, std::size_t piece, int most);

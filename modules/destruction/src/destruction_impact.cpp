@@ -17,13 +17,47 @@ using namespace destruction_detail;
 namespace {
 
 constexpr double knocked_time = 0.2;  // s
+constexpr int rounds_of_giving = 16;
+
+void push(BodyState& body, Vec3 impulse, Vec3 point) {
+    if (!(body.mass > 0)) return;
+    body.linear_velocity += impulse / body.mass;
+    body.angular_velocity += inverse(body.inertia) * cross(point - body.center, impulse);
+}
+
+// What a piece gives back to what struck it.
+struct GivenBack {
+    Vec3 point, normal;  // the normal pushes what struck on its way
+    std::size_t own = 0, other = 0;
+    double speed = 0;  // m/s, against each other, that it shall have
+    double give_own = 0, give_other = 0;
+    double impulse = 0;  // N s, so far
+
+    // The piece gives no more than it got since then.
+    void share(BodyState& piece, BodyState& struck, Vec3 linear, Vec3 angular) {
+        if (!(give_own + give_other > 0)) return;
+        const double now = dot(velocity_at(struck, point) - velocity_at(piece, point), normal);
+        double more = (speed - now) / (give_own + give_other);
+        if (give_own > 0) {
+            const Vec3 got = piece.linear_velocity - linear +
+                             cross(piece.angular_velocity - angular, point - piece.center);
+            more = minimum(more, dot(got, normal) / give_own);
+        }
+        more = maximum(more, -impulse);
+        impulse += more;
+        push(struck, normal * more, point);
+        if (give_own > 0) push(piece, normal * -more, point);
+    }
+};
 
 }  // namespace
 
 // As bodies moved before the step, for what yields(); and who was knocked out.
 void Destruction::before_step(World& world, double dt) {
+    derive();
     knocked_.clear();
     movers_.clear();
+    before_.clear();
     for (const Again& again : again_)
         if (const Result<BodyState> body = world.body(again.other_body); body.ok())
             movers_.push_back(*body);
@@ -42,12 +76,27 @@ void Destruction::before_step(World& world, double dt) {
 }
 
 void Destruction::pre_solve(PreSolve& pair) {
+    if (place_of(pair.shape_a)) note_before(pair.world, pair.body_b);
+    if (place_of(pair.shape_b)) note_before(pair.world, pair.body_a);
     for (const auto& [body, whole] : knocked_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
         for (const Piece& piece : wholes_[whole].pieces)
             if (piece.body == other) pair.enabled = false;
     }
+}
+
+// As it was before the first thing that met it in this step.
+void Destruction::note_before(const World& world, BodyId body) {
+    if (velocity_before(body)) return;
+    if (const Result<BodyState> state = world.body(body); state.ok()) before_.push_back(*state);
+}
+
+const BodyState* Destruction::velocity_before(BodyId body) const {
+    for (const std::vector<BodyState>* known : {&movers_, &before_})
+        for (const BodyState& state : *known)
+            if (state.id == body) return &state;
+    return nullptr;
 }
 
 // What was struck and parted from what it hung on.
@@ -73,8 +122,7 @@ void Destruction::push_through(World& world, double dt) {
         settle_grounded(world, std::span(presses_).subspan(first, end - first), dt);
         first = end;
     }
-    for (const Press& press : presses_)
-        if (press.impact && press.worst > 1) let_through(world, press, dt);
+    let_through(world, dt);
 }
 
 // Of two breaking bodies the weaker one says what both bear; both pay.
@@ -131,31 +179,66 @@ double Destruction::speed_left(const Press& press) {
     return left2 > 0 ? square_root(left2) : 0;
 }
 
-// Where they meet in several places the first ones give back what the others need not: none gets
-// more than the speed that it had there, and the piece gives back no more than it got.
-void Destruction::let_through(World& world, const Press& press, double dt) {
-    const Piece& piece = piece_of(press);
-    const Result<BodyState> a = world.body(piece.body), b = world.body(press.other_body);
-    if (!a.ok() || !b.ok()) return;
-    const Vec3 n = press.normal;
+// How fast they shall meet again. Deflected within the step, it met this with a speed that it did
+// not bring: what gets back no more than it brought along any normal has no more energy than that.
+double Destruction::speed_back(const World& world, const Press& press) const {
     const double speed = speed_left(press);
-    const double inv_a = press.grounded ? 0 : give(*a, press.point, n);
-    const double inv_b = give(*b, press.point, n);
-    const double now = dot(velocity_at(*b, press.point) - velocity_at(*a, press.point), n);
-    double impulse = inv_a + inv_b > 0 ? (speed - now) / (inv_a + inv_b) : 0;
-    if (inv_a > 0) {
-        const Vec3 got = a->linear_velocity - piece.linear - world.gravity() * dt +
-                         cross(a->angular_velocity - piece.angular, press.point - a->center);
-        impulse = minimum(impulse, dot(got, n) / inv_a);
+    const BodyState* before = velocity_before(press.other_body);
+    const Whole& whole = wholes_[press.whole];
+    const Piece& piece = whole.pieces[whole.chunks[press.chunk].piece];
+    const Result<BodyState> own = world.body(piece.body);
+    if (!before || !own.ok()) return speed;
+    const Vec3 brought = velocity_at(*before, press.point) - piece.linear -
+                         cross(piece.angular, press.point - own->center);
+    return minimum(speed, dot(brought, press.normal));
+}
+
+// All that go on, at once: what one gives back may be what another need not. Projected Gauss-Seidel
+// on copies of the bodies; then each impulse acts on both at its point.
+void Destruction::let_through(World& world, double dt) {
+    std::vector<BodyState> bodies;
+    std::vector<Vec3> linear, angular;  // of pieces, before the step
+    const auto add = [&](BodyId id, const Piece* piece) {
+        std::size_t at = 0;
+        while (at < bodies.size() && bodies[at].id != id) at++;
+        if (at == bodies.size()) {
+            bodies.push_back(*world.body(id));
+            linear.push_back({});
+            angular.push_back({});
+        }
+        if (piece) linear[at] = piece->linear + world.gravity() * dt, angular[at] = piece->angular;
+        return at;
+    };
+    std::vector<GivenBack> all;
+    for (const Press& press : presses_) {
+        if (!press.impact || !(press.worst > 1)) continue;
+        const Piece& piece = piece_of(press);
+        if (!world.contains(piece.body) || !world.contains(press.other_body)) continue;
+        const double speed = speed_back(world, press);
+        if (speed > 0)
+            again_.push_back({press.whole, press.chunk, press.other, press.other_body, press.point,
+                              -press.normal, speed});
+        if (press.second) continue;
+        const std::size_t own = add(piece.body, &piece), other = add(press.other_body, nullptr);
+        all.push_back(
+            {.point = press.point,
+             .normal = press.normal,
+             .own = own,
+             .other = other,
+             .speed = speed,
+             .give_own = press.grounded ? 0 : give(bodies[own], press.point, press.normal),
+             .give_other = give(bodies[other], press.point, press.normal)});
     }
-    if (impulse > 0 && !press.second) {
-        static_cast<void>(world.apply_impulse(press.other_body, n * impulse, press.point).ok());
-        if (inv_a > 0)
-            static_cast<void>(world.apply_impulse(piece.body, n * -impulse, press.point).ok());
+    for (int round = 0; round < rounds_of_giving; round++)
+        for (GivenBack& one : all)
+            one.share(bodies[one.own], bodies[one.other], linear[one.own], angular[one.own]);
+    for (const GivenBack& one : all) {
+        if (!(one.impulse > 0)) continue;
+        const Vec3 push = one.normal * one.impulse;
+        static_cast<void>(world.apply_impulse(bodies[one.other].id, push, one.point).ok());
+        if (one.give_own > 0)
+            static_cast<void>(world.apply_impulse(bodies[one.own].id, -push, one.point).ok());
     }
-    if (speed > 0)
-        again_.push_back(
-            {press.whole, press.chunk, press.other, press.other_body, press.point, -n, speed});
 }
 
 }  // namespace jostle::modules

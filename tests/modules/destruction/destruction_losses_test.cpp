@@ -15,9 +15,6 @@ namespace {
 
 using namespace physics;
 
-const bool registered =
-    register_module("destruction", [] { return std::make_unique<Destruction>(); }).ok();
-
 // Three walls in a row; balls fly at all three.
 struct Row {
     Stage stage;

@@ -235,10 +235,13 @@ private:
     void push_through(physics::World& world, double dt);
     void agree();
     void mark_knocked();
+    void note_before(const physics::World& world, physics::BodyId body);
+    const physics::BodyState* velocity_before(physics::BodyId body) const;
     void settle_grounded(physics::World& world, std::span<destruction_detail::Press> presses,
                          double dt);
     static double speed_left(const destruction_detail::Press& press);
-    void let_through(physics::World& world, const destruction_detail::Press& press, double dt);
+    double speed_back(const physics::World& world, const destruction_detail::Press& press) const;
+    void let_through(physics::World& world, double dt);
     Piece& piece_of(const destruction_detail::Press& press);
     void drop_debris(physics::World& world, double dt);
 
@@ -254,6 +257,7 @@ private:
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
     std::vector<physics::BodyState> movers_;  // what got its speed back, before the step
+    std::vector<physics::BodyState> before_;  // what met a chunk, before the step
     std::int64_t work_left_ = 0;
     double worst_ = 0;  // of the piece that was asked last, before anything broke
 };

@@ -36,12 +36,14 @@ physics::ShapeDef plain(physics::ShapeDef def) {
     return def;
 }
 
-physics::ModuleSettings settings_of(const SceneModule& module,
+// Of a module, or of a thing of it.
+template <class Given>
+physics::ModuleSettings settings_of(const Given& given,
                                     const std::vector<physics::BodyId>& bodies) {
     physics::ModuleSettings settings;
-    for (const auto& [name, number] : module.settings)
+    for (const auto& [name, number] : given.settings)
         settings.numbers.emplace_back(name, number + 0.0);
-    for (const auto& [name, body] : module.bodies)
+    for (const auto& [name, body] : given.bodies)
         settings.bodies.emplace_back(name, bodies.at(body));
     return settings;
 }
@@ -49,8 +51,19 @@ physics::ModuleSettings settings_of(const SceneModule& module,
 Status add_module(BuiltScene& built, const SceneModule& described) {
     Result<std::unique_ptr<physics::Module>> module = physics::make_module(described.tag);
     if (!module.ok()) return module.error();
-    if (Status s = (*module)->configure(built.world, settings_of(described, built.bodies)); !s.ok())
-        return s;
+    const auto configure = [&](const auto& given) {
+        return (*module)->configure(built.world, settings_of(given, built.bodies));
+    };
+    // A module that makes nothing but its things has no settings of its own to read.
+    if (described.things.empty() || !described.settings.empty() || !described.bodies.empty())
+        if (Status s = configure(described); !s.ok()) return s;
+    std::map<std::string, int> met;  // of each list
+    for (const SceneModule::Thing& thing : described.things) {
+        const int number = met[thing.list]++;
+        if (Status s = configure(thing); !s.ok())
+            return Error{s.error().code,
+                         thing.list + "[" + std::to_string(number) + "]: " + s.error().message};
+    }
     if (!described.state.empty())
         if (Status s = physics::load_module(**module, described.state); !s.ok()) return s;
     return built.world.add_module(std::move(*module));

@@ -7,6 +7,7 @@
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
+#include "module_things.h"
 
 namespace jostle::scenes {
 
@@ -50,6 +51,12 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
                       (names.empty() ? "none" : names));
 }
 
+// The field of what the module's things are in; null: there are none.
+const google::protobuf::FieldDescriptor* things_of(const v1::Module& m) {
+    const auto* choice = m.GetDescriptor()->FindOneofByName("things");
+    return m.GetReflection()->GetOneofFieldDescriptor(m, choice);
+}
+
 }  // namespace
 
 void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
@@ -57,8 +64,16 @@ void read_module(FieldReader& in, SceneDescription& scene, const std::string& pa
     if (scene.modules.size() == modules_max)
         return in.note(path, "is one too many; a scene has at most " + std::to_string(modules_max) +
                                  " modules");
-    check_tag(in, scene, path + ".tag", m.tag());
-    SceneModule module{.tag = m.tag(), .settings = {}, .bodies = {}, .state = {}};
+    const google::protobuf::FieldDescriptor* kind = things_of(m);
+    const std::string tag = kind && m.tag().empty() ? kind->name() : m.tag();
+    if (kind && tag != kind->name())
+        in.note(path + ".tag", "is \"" + tag + "\", but its things are of \"" + kind->name() +
+                                   "\"; leave the tag out");
+    check_tag(in, scene, path + ".tag", tag);
+    SceneModule module{.tag = tag, .settings = {}, .bodies = {}, .state = {}};
+    if (kind)
+        read_things(in, scene, module, path + "." + kind->name(),
+                    m.GetReflection()->GetMessage(m, kind));
     for (const auto& [name, number] : read_names(in, path + ".settings", m.settings()))
         module.settings[name] =
             in.number(path + ".settings." + name, number, -setting_max, setting_max);
@@ -74,6 +89,9 @@ void write_module(v1::Module& out, const SceneDescription& scene, const SceneMod
     for (const auto& [name, number] : module.settings) (*out.mutable_settings())[name] = number;
     for (const auto& [name, body] : module.bodies)
         (*out.mutable_bodies())[name] = name_of(scene, body);
+    const auto* kind = out.GetDescriptor()->FindFieldByName(module.tag);
+    if (kind && kind->containing_oneof() && !module.things.empty())
+        write_things(*out.GetReflection()->MutableMessage(&out, kind), scene, module);
     out.set_state(module.state.data(), module.state.size());
 }
 

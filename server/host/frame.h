@@ -10,7 +10,7 @@
 
 #include "base/clock.h"
 #include "host/command.h"
-#include "host/module_chunks.h"
+#include "host/module_channels.h"
 #include "host/tick_events.h"
 #include "jostle/physics/world.h"
 
@@ -45,9 +45,9 @@ struct Frame {
     std::shared_ptr<const EntityList> entity_list;
     // Never null; empty unless a client asked for events.
     std::shared_ptr<const RecentEvents> events;
-    // What modules tell clients, in the order of the modules; one of the same content as in the
-    // frame before has the same bytes.
-    std::vector<ModuleChunk> chunks;
+    // What modules tell clients; null: nothing. One that says the same as in the frame before has
+    // the same values.
+    std::shared_ptr<const Channels> channels;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick: the solver alone
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

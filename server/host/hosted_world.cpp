@@ -36,6 +36,9 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                    scene.bodies[i].name);
     hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
     follow_modules(hosted.state_, hosted.bodies_);
+    Result<ModuleChannels> channels = ModuleChannels::of(hosted.state_.world);
+    if (!channels.ok()) return channels.error();
+    hosted.channels_ = *std::move(channels);
     return hosted;
 }
 
@@ -60,12 +63,13 @@ InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     return result;
 }
 
-Status HostedWorld::step(double dt) {
+Status HostedWorld::step(double dt, std::uint32_t tick) {
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
     follow_modules(state_, bodies_);
     state_.entities.on_step();
-    chunks_.publish(state_.world, [this](BodyId body) { return state_.entities.living(body); });
+    channels_.publish(state_.world, tick,
+                      [this](BodyId body) { return state_.entities.living(body); });
     return {};
 }
 
@@ -95,7 +99,7 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyParts parts) {
 
 void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = state_.entities.list();
-    frame.chunks = chunks_.chunks();
+    frame.channels = channels_.channels();
     state_.world.copy_bodies(bodies_);
     frame.entities.clear();
     frame.entities.reserve(bodies_.size());

@@ -14,7 +14,7 @@
 #include "host/command.h"
 #include "host/export_scene.h"
 #include "host/frame.h"
-#include "host/module_chunks.h"
+#include "host/module_channels.h"
 #include "host/query_frame.h"
 #include "jostle/base/result.h"
 #include "jostle/scenes/scene.h"
@@ -29,8 +29,9 @@ public:
 
     // Applies an input at most once: a sequence that is not above the client's last one is refused.
     InputResult apply(const Command& command, std::uint32_t tick);
-    // Pulls what is held, then steps. `aborted`: it took too long and was told to end.
-    Status step(double dt);
+    // Pulls what is held, then steps, and asks modules what they tell of that tick, from 1.
+    // `aborted`: it took too long and was told to end.
+    Status step(double dt, std::uint32_t tick = 1);
     // Any thread: physics::World::stop_stepping().
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }
@@ -40,9 +41,11 @@ public:
     std::optional<TickEvents> events_of_step(std::uint32_t tick) const;
     // Those whose state stopped being a number in the last step and that were not told before.
     std::vector<std::shared_ptr<const EntityDescription>> newly_quarantined();
-    // Modules whose chunk of the last step was too large for clients, each told once.
-    const std::vector<ModuleChunks::TooLarge>& newly_too_large() const {
-        return chunks_.newly_too_large();
+    // What modules tell, for as long as the world is there.
+    const std::vector<physics::ChannelKind>& channel_kinds() const { return channels_.kinds(); }
+    // Kinds whose channels of the last step were too large for clients, each told once.
+    const std::vector<ModuleChannels::TooLarge>& newly_too_large() const {
+        return channels_.newly_too_large();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyParts parts);
     // As it is now; `origin` is the scene that it was created of.
@@ -62,7 +65,7 @@ private:
     HostedState state_;
     SceneIds ids_;
     double work_per_second_ = 0;
-    ModuleChunks chunks_;
+    ModuleChannels channels_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // told
     std::vector<physics::BodyState> bodies_;            // reused from tick to tick

@@ -35,6 +35,7 @@ WorldHost::WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescri
       hz_(scene_->hz),
       work_per_second_(world.work_per_second()),
       gravity_(scene_->world.gravity),
+      channel_kinds_(world.channel_kinds()),
       settings_(settings),
       world_(std::move(world)),
       commands_(static_cast<std::size_t>(settings.command_queue_max)),
@@ -199,10 +200,10 @@ bool WorldHost::step(bool allowed) {
     world_.resume_stepping();
     // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
     if (stopping_ || (paused() && !allowed)) return false;
-    if (const auto stepped = world_.step(1 / hz_); stepped.ok()) {
+    if (const auto stepped = world_.step(1 / hz_, tick_ + 1); stepped.ok()) {
         record_events();
         warn_of_quarantine();
-        warn_of_large_chunks();
+        warn_of_large_channels();
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
         log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
@@ -240,13 +241,10 @@ void WorldHost::warn_of_quarantine() {
             id(), entity->id, entity->name);
 }
 
-void WorldHost::warn_of_large_chunks() {
-    for (const auto& [tag, bytes] : world_.newly_too_large())
-        log_warn(
-            "world {}: the chunk of module \"{}\" has {} bytes; clients are sent {} at most, so it "
-            "is "
-            "left out of such ticks",
-            id(), tag, bytes, chunk_bytes_max);
+void WorldHost::warn_of_large_channels() {
+    for (const auto& [kind, entity, what] : world_.newly_too_large())
+        log_warn("world {}: what \"{}\" tells of entity {} has {}, so it is left out of such ticks",
+                 id(), kind, entity, what);
 }
 
 void WorldHost::serve_queries() {

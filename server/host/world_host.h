@@ -104,6 +104,8 @@ public:
     double hz() const { return hz_; }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
+    // What its modules tell clients: a channel's kind is a place in this list.
+    const std::vector<physics::ChannelKind>& channel_kinds() const { return channel_kinds_; }
 
 private:
     WorldHost(WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
@@ -118,13 +120,14 @@ private:
     void measure(Frame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
-    void warn_of_large_chunks();
+    void warn_of_large_channels();
     void serve_queries();
 
     const WorldLabel label_;
     const std::shared_ptr<const scenes::SceneDescription> scene_;
     const double hz_, work_per_second_;
     const physics::Vec3 gravity_;
+    const std::vector<physics::ChannelKind> channel_kinds_;
     const WorldHostSettings settings_;
 
     HostedWorld world_;  // the tick thread's own

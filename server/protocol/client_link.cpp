@@ -41,6 +41,16 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
     return static_cast<int>(std::ceil(tick_hz / wanted));
 }
 
+// A bit for each kind of the world that the client names, "*" being all of them.
+std::uint64_t kinds_named(const std::vector<physics::ChannelKind>& kinds,
+                          const std::vector<std::string>& names) {
+    std::uint64_t named = 0;
+    for (std::size_t k = 0; k < kinds.size(); k++)
+        for (const std::string& name : names)
+            if (name == "*" || name == kinds[k].name) named |= std::uint64_t{1} << k;
+    return named;
+}
+
 }  // namespace
 
 ClientLink::ClientLink(PlayContext& context, Peer peer, Clock::time_point now)
@@ -169,6 +179,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
         wants_events_ = true;
         world->add_event_listener();
     }
+    channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
     send(encode_welcome(
@@ -181,7 +192,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .ack_window = static_cast<std::uint32_t>(flow_->window()),
          .quant = feed_->snapshots().spec(),
          .server_time_us = to_us(now),
-         .gravity = world->gravity()}));
+         .gravity = world->gravity(),
+         .channels = world->channel_kinds()}));
     snapshot_due_ = true;  // the first one goes out at once
     watch_.entered({.id = client_,
                     .name = hello.name,
@@ -470,7 +482,8 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
         tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
-    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick));
+    SharedBytes shared =
+        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_);
     const Private own{.input_sequence = answered_sequence_,
                       .echo_client_time_us = client_time_us_,
                       .snapshots_skipped = flow_->skipped() + skipped_waiting_};

@@ -119,6 +119,10 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
         return invalid_argument(fmt::format("hello.name has {} bytes; at most {} are allowed",
                                             hello.name().size(), client_name_bytes_max));
     }
+    if (hello.channels_size() > hello_channels_max) {
+        return invalid_argument(fmt::format("hello.channels names {} kinds; at most {} are allowed",
+                                            hello.channels_size(), hello_channels_max));
+    }
     return ClientMessage{Hello{.protocol = hello.protocol(),
                                .world = hello.world(),
                                .ticket = hello.ticket(),
@@ -126,7 +130,8 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .snapshot_hz = hello.snapshot_hz(),
                                .spectator = hello.spectator(),
                                .events = hello.events(),
-                               .token = hello.token()}};
+                               .token = hello.token(),
+                               .channels = {hello.channels().begin(), hello.channels().end()}}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

@@ -18,6 +18,7 @@ namespace jostle::server {
 
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
+inline constexpr int hello_channels_max = 64;
 
 struct Hello {
     std::uint32_t protocol = 0;
@@ -26,6 +27,7 @@ struct Hello {
     bool spectator = false;
     bool events = false;
     std::string token;
+    std::vector<std::string> channels;  // names of kinds; "*": all
 };
 struct Ack {
     std::uint32_t frame = 0;

@@ -39,6 +39,20 @@ v1::NoticeCode to_message(NoticeKind kind) {
     return v1::NOTICE_CODE_UNSPECIFIED;
 }
 
+v1::ChannelForm to_message(physics::ChannelForm form) {
+    switch (form) {
+        case physics::ChannelForm::params:
+            return v1::CHANNEL_FORM_PARAMS;
+        case physics::ChannelForm::points:
+            return v1::CHANNEL_FORM_POINTS;
+        case physics::ChannelForm::field:
+            return v1::CHANNEL_FORM_FIELD;
+        case physics::ChannelForm::seed:
+            return v1::CHANNEL_FORM_SEED;
+    }
+    return v1::CHANNEL_FORM_UNSPECIFIED;
+}
+
 }  // namespace
 
 std::string encode_welcome(const Welcome& from) {
@@ -56,6 +70,12 @@ std::string encode_welcome(const Welcome& from) {
     quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
     welcome.set_server_time_us(from.server_time_us);
     write_vector(*welcome.mutable_gravity(), from.gravity);
+    for (const physics::ChannelKind& kind : from.channels) {
+        v1::ChannelKind& to = *welcome.add_channels();
+        to.set_name(kind.name);
+        to.set_form(to_message(kind.form));
+        to.set_divisor(static_cast<std::uint32_t>(kind.divisor));
+    }
     return message.SerializeAsString();
 }
 
@@ -120,10 +140,9 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
     snapshot.set_crc(encoded.crc);
     snapshot.set_server_time_us(to_us(encoded.due));
-    for (const ModuleChunk& chunk : encoded.chunks) {
-        v1::ModuleChunk& to = *snapshot.add_modules();
-        to.set_tag(chunk.tag);
-        if (chunk.bytes) to.set_data(chunk.bytes->data(), chunk.bytes->size());
+    if (const auto& told = encoded.channels; !told.bytes.empty()) {
+        snapshot.set_channels(told.bytes.data(), told.bytes.size());
+        snapshot.set_channels_crc(told.crc);
     }
     return snapshot.SerializeAsString();
 }

@@ -25,6 +25,7 @@ struct Welcome {
     wire::QuantSpec quant;
     std::uint64_t server_time_us = 0;
     physics::Vec3 gravity;
+    std::vector<physics::ChannelKind> channels;
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 

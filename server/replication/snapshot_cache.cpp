@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "replication/snapshot_cache.h"
 
-#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "wire/quantize.h"
 
@@ -20,24 +21,12 @@ wire::QuantizedFrame quantized(const Frame& frame, const wire::QuantSpec& spec) 
     return out;
 }
 
-const ModuleChunk* find_chunk(const std::vector<ModuleChunk>& chunks, const std::string& tag) {
-    const auto at = std::ranges::find(chunks, tag, &ModuleChunk::tag);
-    return at == chunks.end() ? nullptr : &*at;
-}
-
-// Those that are new or say something else, then those that ended. One that changed and changed
-// back has other bytes of the same content.
-std::vector<ModuleChunk> changed_chunks(const std::vector<ModuleChunk>& now,
-                                        const std::vector<ModuleChunk>& before) {
-    std::vector<ModuleChunk> changed;
-    for (const ModuleChunk& chunk : now) {
-        const ModuleChunk* old = find_chunk(before, chunk.tag);
-        if (!old || (old->bytes != chunk.bytes && *old->bytes != *chunk.bytes))
-            changed.push_back(chunk);
-    }
-    for (const ModuleChunk& old : before)
-        if (!find_chunk(now, old.tag)) changed.push_back({old.tag, nullptr});
-    return changed;
+wire::Channels channels_of(const Frame& frame) {
+    wire::Channels channels;
+    if (!frame.channels) return channels;
+    channels.reserve(frame.channels->size());
+    for (const Channel& c : *frame.channels) channels.push_back({c.kind, c.entity, c.values});
+    return channels;
 }
 
 }  // namespace
@@ -53,7 +42,7 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const Frame& frame) {
     entry.quantized = quantized(frame, spec_);
     entry.crc = wire::frame_crc(entry.quantized);
     entry.due = frame.due;
-    entry.chunks = frame.chunks;
+    entry.channels = channels_of(frame);
     // The oldest other one: a thread that was held up may ask for a frame older than the ring.
     if (entries_.size() > ring) {
         const auto oldest = entries_.begin();
@@ -62,7 +51,7 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const Frame& frame) {
     return entry;
 }
 
-SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases) {
+SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(*frame);
     // Each base makes sense only with the one before it, in falling order.
@@ -70,24 +59,35 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, BaseNumbers bases) {
     const Entry* base2 = base && bases.base2 < bases.base ? find(bases.base2) : nullptr;
     const Entry* base3 = base2 && bases.base3 < bases.base2 ? find(bases.base3) : nullptr;
     const BaseNumbers used{base ? bases.base : 0, base2 ? bases.base2 : 0, base3 ? bases.base3 : 0};
-    SharedBytes& bytes = entry.encodings[used];
-    if (!bytes) {
-        EncodedSnapshot snapshot{
-            .frame = frame->tick,
-            .bases = used,
-            .packed = {},
-            .crc = entry.crc,
-            .due = entry.due,
-            .chunks = base ? changed_chunks(entry.chunks, base->chunks) : entry.chunks};
-        snapshot.packed = wire::encode_frame(
-            entry.quantized,
-            {base ? &base->quantized : nullptr, base2 ? &base2->quantized : nullptr,
-             base3 ? &base3->quantized : nullptr},
-            spec_);
-        bytes = std::make_shared<const std::string>(serialize_(snapshot));
-        made_++;
-    }
-    return bytes;
+    if (const auto made = entry.encodings.find({used, kinds}); made != entry.encodings.end())
+        return made->second;
+    wire::PackedChannels channels;
+    if (kinds != 0)
+        channels =
+            wire::encode_channels(entry.channels, base ? base->channels : wire::Channels{}, kinds);
+    // Where nothing of them changed it is what those get who asked for none.
+    SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds}];
+    if (!bytes)
+        bytes = std::make_shared<const std::string>(serialize_({.frame = frame->tick,
+                                                                .bases = used,
+                                                                .packed = packed(entry, used),
+                                                                .crc = entry.crc,
+                                                                .due = entry.due,
+                                                                .channels = std::move(channels)}));
+    return entry.encodings[{used, kinds}] = bytes;
+}
+
+const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const BaseNumbers& bases) {
+    const auto [at, fresh] = entry.packed.try_emplace(bases);
+    if (!fresh) return at->second;
+    const auto poses = [&](std::uint32_t number) {
+        const Entry* base = number != 0 ? find(number) : nullptr;
+        return base ? &base->quantized : nullptr;
+    };
+    at->second = wire::encode_frame(
+        entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_);
+    made_++;
+    return at->second;
 }
 
 bool SnapshotCache::holds(std::uint32_t frame) const {

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "host/frame.h"
+#include "wire/channel_codec.h"
 #include "wire/frame_codec.h"
 
 namespace jostle::server {
@@ -35,7 +36,7 @@ struct EncodedSnapshot {
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     Clock::time_point due;
-    std::vector<ModuleChunk> chunks;  // that differ from the base's; null bytes: it ended
+    wire::PackedChannels channels;  // of the kinds that were asked for, against the base
 };
 
 class SnapshotCache {
@@ -47,25 +48,36 @@ public:
         : spec_(spec), serialize_(std::move(serialize)) {}
 
     // The frame against those bases; bases that fell off the ring are left out, and without a first
-    // base it is absolute. Never null.
-    SharedBytes encoding(const FramePtr& frame, BaseNumbers bases);
+    // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
+    // Never null.
+    SharedBytes encoding(const FramePtr& frame, BaseNumbers bases, std::uint64_t kinds = 0);
     // Whether the frame can still be a base.
     bool holds(std::uint32_t frame) const;
 
     const wire::QuantSpec& spec() const { return spec_; }
-    // How many encodings were made, for tests and figures: sharing keeps it far below the number
-    // sent.
+    // How many encodings of poses were made, for tests and figures: sharing keeps it far below the
+    // number sent.
     std::uint64_t encodings_made() const;
 
 private:
+    struct Asked {
+        BaseNumbers bases;
+        std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
+
+        auto operator<=>(const Asked&) const = default;
+    };
     struct Entry {
         wire::QuantizedFrame quantized;
         std::uint32_t crc = 0;
         Clock::time_point due;
-        std::vector<ModuleChunk> chunks;
-        std::map<BaseNumbers, SharedBytes> encodings;
+        wire::Channels channels;
+        std::map<BaseNumbers, std::vector<std::byte>> packed;
+        std::map<Asked, SharedBytes> encodings;
     };
 
+    // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
+    // channels with them.
+    const std::vector<std::byte>& packed(Entry& entry, const BaseNumbers& bases);
     Entry& entry_of(const Frame& frame);
     Entry* find(std::uint32_t frame);
 

@@ -8,10 +8,19 @@
 namespace jostle::client {
 namespace {
 
-using Chunks = std::vector<std::pair<std::string, std::string>>;  // tag and data
+// Of two kinds, "craft" (0) and "crane" (1), of entity 5.
+using Told = std::vector<std::pair<std::uint32_t, std::int32_t>>;  // kind and value
 
-// An empty world whose modules tell that, against the base.
-v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Chunks& chunks) {
+wire::Channels channels(const Told& told) {
+    wire::Channels made;
+    for (const auto& [kind, value] : told)
+        made.push_back({kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)});
+    return made;
+}
+
+// An empty world whose modules tell that, against what they told with the base.
+v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Told& told,
+                      const Told& base_told = {}) {
     const wire::QuantizedFrame before{.frame = base}, frame{.frame = number};
     const auto packed =
         wire::encode_frame(frame, {base != 0 ? &before : nullptr, nullptr, nullptr}, {});
@@ -20,11 +29,10 @@ v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Chunks& ch
     s.set_base_frame(base);
     s.set_packed(packed.data(), packed.size());
     s.set_crc(wire::frame_crc(frame));
-    for (const auto& [tag, data] : chunks) {
-        v1::ModuleChunk& chunk = *s.add_modules();
-        chunk.set_tag(tag);
-        chunk.set_data(data);
-    }
+    const wire::PackedChannels changed =
+        wire::encode_channels(channels(told), channels(base_told), ~std::uint64_t{0});
+    s.set_channels(changed.bytes.data(), changed.bytes.size());
+    s.set_channels_crc(changed.crc);
     return s;
 }
 
@@ -35,13 +43,15 @@ protected:
         v1::Welcome message;
         message.mutable_quant()->set_units_per_meter(512);
         message.mutable_quant()->set_rotation_component(511);
+        message.add_channels()->set_name("craft");
+        message.add_channels()->set_name("crane");
         view.begin(message);
     }
     bool take(const v1::Snapshot& message) { return view.apply(message).ok(); }
-    std::string chunk(std::string_view tag) const {
-        std::string text;
-        for (const std::byte b : view.chunk(tag)) text += static_cast<char>(b);
-        return text;
+    // Its value; nothing when there is none.
+    std::optional<std::int32_t> told(std::string_view kind) const {
+        const auto values = view.channel(kind, 5);
+        return values.empty() ? std::nullopt : std::optional(values.front());
     }
 
     WorldView view;
@@ -49,53 +59,47 @@ protected:
 
 }  // namespace
 
-TEST_F(WorldViewTest, a_chunk_stays_until_it_changes_or_ends) {
-    EXPECT_EQ(chunk("craft"), "") << "nothing was told yet";
-    ASSERT_TRUE(take(snapshot(10, 0, {{"craft", "a"}, {"crane", "b"}})));
-    EXPECT_EQ(chunk("craft"), "a");
-    EXPECT_EQ(view.chunk_tags(), (std::vector<std::string>{"craft", "crane"}));
-    ASSERT_TRUE(take(snapshot(11, 10, {{"craft", std::string("\0c", 2)}})));
-    EXPECT_EQ(chunk("craft"), std::string("\0c", 2));
-    EXPECT_EQ(chunk("crane"), "b");
-    ASSERT_TRUE(take(snapshot(12, 11, {{"crane", ""}})));
-    EXPECT_EQ(view.chunk_tags(), std::vector<std::string>{"craft"});
-    EXPECT_TRUE(view.chunk("crane").empty());
+TEST_F(WorldViewTest, a_channel_stays_until_it_changes_or_ends) {
+    EXPECT_FALSE(told("craft")) << "nothing was told yet";
+    EXPECT_EQ(view.channel_kinds().size(), 2u);
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
+    EXPECT_EQ(told("craft"), 1);
+    ASSERT_TRUE(take(snapshot(11, 10, {{0, 3}, {1, 2}}, {{0, 1}, {1, 2}})));
+    EXPECT_EQ(told("craft"), 3);
+    EXPECT_EQ(told("crane"), 2);
+    ASSERT_TRUE(take(snapshot(12, 11, {{0, 3}}, {{0, 3}, {1, 2}})));
+    EXPECT_EQ(view.channels().size(), 1u);
+    EXPECT_FALSE(told("crane"));
+    EXPECT_TRUE(view.channel("craft", 6).empty()) << "another entity";
+    EXPECT_TRUE(view.channel("boat", 5).empty()) << "no such kind";
 }
 
-TEST_F(WorldViewTest, chunks_follow_from_those_of_the_base_whichever_it_is) {
-    ASSERT_TRUE(take(snapshot(10, 0, {{"craft", "a"}})));
-    ASSERT_TRUE(take(snapshot(11, 10, {{"craft", "b"}, {"crane", "c"}})));
-    ASSERT_TRUE(take(snapshot(12, 10, {})));
-    EXPECT_EQ(chunk("craft"), "a") << "as it was in frame 10";
-    EXPECT_EQ(view.chunk_tags(), std::vector<std::string>{"craft"});
+TEST_F(WorldViewTest, channels_follow_from_those_of_the_base_whichever_it_is) {
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
+    ASSERT_TRUE(take(snapshot(11, 10, {{0, 2}, {1, 3}}, {{0, 1}})));
+    ASSERT_TRUE(take(snapshot(12, 10, {{0, 1}}, {{0, 1}})));
+    EXPECT_EQ(told("craft"), 1) << "as it was in frame 10";
+    EXPECT_EQ(view.channels().size(), 1u);
 }
 
-TEST_F(WorldViewTest, a_snapshot_that_cannot_be_read_changes_no_chunk) {
-    ASSERT_TRUE(take(snapshot(10, 0, {{"craft", "a"}})));
-    v1::Snapshot damaged = snapshot(11, 10, {{"craft", "b"}});
-    damaged.set_crc(damaged.crc() + 1);
-    EXPECT_FALSE(take(damaged));
-    EXPECT_FALSE(take(snapshot(12, 11, {{"craft", "c"}}))) << "its base was refused";
-    EXPECT_EQ(chunk("craft"), "a");
+TEST_F(WorldViewTest, a_snapshot_that_cannot_be_read_changes_no_channel) {
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
+    v1::Snapshot damaged = snapshot(11, 10, {{0, 2}}, {{0, 1}});
+    damaged.set_channels_crc(damaged.channels_crc() + 1);
+    const Status refused = view.apply(damaged);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().message, "frame 11: channels: the CRC does not match");
+    EXPECT_FALSE(take(snapshot(12, 11, {{0, 3}}, {{0, 2}}))) << "its base was refused";
+    EXPECT_EQ(told("craft"), 1);
 }
 
 TEST_F(WorldViewTest, an_absolute_snapshot_and_a_new_stream_leave_nothing_stale) {
-    ASSERT_TRUE(take(snapshot(10, 0, {{"craft", "a"}, {"crane", "b"}})));
-    ASSERT_TRUE(take(snapshot(14, 0, {{"crane", "c"}}))) << "the repair of a loss";
-    EXPECT_EQ(view.chunk_tags(), std::vector<std::string>{"crane"});
+    ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
+    ASSERT_TRUE(take(snapshot(14, 0, {{1, 3}}))) << "the repair of a loss";
+    EXPECT_FALSE(told("craft"));
+    EXPECT_EQ(told("crane"), 3);
     welcome();
-    EXPECT_TRUE(view.chunk_tags().empty());
-    EXPECT_TRUE(view.chunk("crane").empty());
-}
-
-TEST_F(WorldViewTest, tags_without_end_are_refused) {
-    Chunks chunks;
-    for (int k = 0; k < 64; k++) chunks.emplace_back("m" + std::to_string(k), "x");
-    ASSERT_TRUE(take(snapshot(10, 0, chunks)));
-    const Status more = view.apply(snapshot(11, 10, {{"another", "x"}}));
-    ASSERT_FALSE(more.ok());
-    EXPECT_EQ(more.error().message, "frame 11: more than 64 modules");
-    EXPECT_TRUE(take(snapshot(12, 10, {{"m7", ""}, {"another", "x"}})));
+    EXPECT_TRUE(view.channels().empty());
 }
 
 TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {

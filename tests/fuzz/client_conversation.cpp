@@ -86,8 +86,8 @@ private:
         static_cast<void>(conversation_.buffer().sample(now, view.spec()));
         static_cast<void>(conversation_.buffer().sample(later_ms, view.spec()));
         for (const auto& [id, entity] : view.entities()) static_cast<void>(view.pose_of(id));
-        for (const std::string& tag : view.chunk_tags())
-            expect(!view.chunk(tag).empty(), "a module that tells something has bytes");
+        for (const wire::Channel& channel : view.channels())
+            expect(channel.values != nullptr, "a channel that is there has values");
         static_cast<void>(conversation_.take_results());
         static_cast<void>(conversation_.take_events());
         static_cast<void>(conversation_.take_ages_ms());
@@ -100,7 +100,7 @@ private:
     }
 
     Clock::time_point now_ = Clock::time_point() + 1000s;
-    client::Conversation conversation_{client::ClientOptions{.events = true}};
+    client::Conversation conversation_{client::ClientOptions{.events = true, .channels = {"*"}}};
     std::deque<wire::QuantizedFrame> frames_;  // as the view keeps them
 };
 

@@ -26,6 +26,7 @@
 #include "jostle/v1/world.pb.h"
 #include "protocol/client_link.h"
 #include "support/tokens.h"
+#include "wire/channel_motion.h"
 #include "wire/golden.h"
 
 namespace jostle::fuzz {
@@ -213,6 +214,18 @@ void write_frames(const fs::path& folder) {
         }
         decode.add(out);
     }
+    Seeds channels(folder, "channel_decode");
+    wire::ChangingChannels changing(7);
+    for (int k = 0; k < 8; k++) {
+        // Against nothing, then against it: of the records of an input the first finds no base.
+        const wire::Channels first = changing.step(), second = changing.step();
+        const auto bytes = [](const wire::PackedChannels& packed) {
+            return std::string(reinterpret_cast<const char*>(packed.bytes.data()),
+                               packed.bytes.size());
+        };
+        channels.add(record(0, bytes(wire::encode_channels(first, {}, ~0ull))) +
+                     record(1, bytes(wire::encode_channels(second, first, ~0ull))));
+    }
     for (std::uint32_t seed = 1; seed <= 4; seed++) {
         wire::Random random(seed);
         std::string out(1, static_cast<char>(seed % 3));
@@ -229,9 +242,10 @@ void write_scenes(const fs::path& folder) {
     Seeds message(folder, "scene_message"), json(folder, "scene_json"),
         saved(folder, "saved_world");
     for (const char* path :
-         {"tests/scenes/data/every_field.json", "tests/scenes/data/planar.json",
-          "scenes/data/carousel.json", "scenes/data/chain.json", "scenes/data/crater.json",
-          "scenes/data/gate.json", "scenes/data/linkage.json", "scenes/data/towers.json"})
+         {"tests/scenes/data/every_field.json", "tests/scenes/data/every_module.json",
+          "tests/scenes/data/planar.json", "scenes/data/carousel.json", "scenes/data/chain.json",
+          "scenes/data/crater.json", "scenes/data/gate.json", "scenes/data/linkage.json",
+          "scenes/data/towers.json"})
         json.add(read_file(path));
     const auto add = [&](const physics::World& world) {
         const auto bytes = save(world);

@@ -66,14 +66,15 @@ TEST(Hovercraft, goes_on_with_the_same_bits_when_loaded_and_when_restored) {
     EXPECT_EQ(hash, state_hash(world));
 }
 
-// The bytes that WIRE.md names and the viewer draws.
-TEST(Hovercraft, tells_clients_in_40_bytes_where_its_thrusters_are) {
+// The numbers that WIRE.md names and the viewer draws.
+TEST(Hovercraft, tells_clients_in_20_numbers_where_its_thrusters_are) {
     BuiltScene built = built_scene();
     ride(built.world, 2);
-    ChunkWriter chunk([](BodyId) { return 7u; });
-    built.world.module("hovercraft")->publish(built.world, chunk);
-    ASSERT_EQ(chunk.bytes().size(), 40u);
-    EXPECT_EQ(chunk.bytes()[0], std::byte{7});
+    ChannelWriter told([](BodyId) { return 7u; });
+    built.world.module("hovercraft")->publish(built.world, told);
+    ASSERT_EQ(told.channels().size(), 1u);
+    EXPECT_EQ(told.channels()[0].entity, 7u);
+    EXPECT_EQ(told.channels()[0].values.size(), 20u);
 }
 
 TEST(Hovercraft, refuses_settings_and_bodies_that_it_does_not_have) {

@@ -24,6 +24,7 @@ std::string read(const std::string& path) {
 
 // Between them they give every field of jostle.v1.Scene.
 constexpr const char* every_field_files[] = {PROJECT_FOLDER "/tests/scenes/data/every_field.json",
+                                             PROJECT_FOLDER "/tests/scenes/data/every_module.json",
                                              PROJECT_FOLDER "/tests/scenes/data/planar.json"};
 
 std::string name_of(const google::protobuf::FieldDescriptor& field) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A module of tests: counts steps and tells clients of a body and the count, eight bytes. Falls
-// silent, and tells too much, when it is set to.
+// A module of tests: counts steps and tells clients of a body the count. Falls silent, and tells
+// too much or less often, when it is set to.
 #pragma once
 
 #include <memory>
@@ -29,11 +29,13 @@ public:
         return {};
     }
     void after_step(physics::World&, double) override { steps++; }
-    void publish(const physics::World&, physics::ChunkWriter& chunk) const override {
-        if (until != 0 && count() >= until) return;
-        chunk.body(watched);
-        chunk.u32(count());
-        for (std::size_t k = 0; k < padding; k++) chunk.u8(0);
+    std::vector<physics::ChannelKind> channels() const override { return kinds; }
+    void publish(const physics::World&, physics::ChannelWriter& channels) const override {
+        for (std::size_t kind = 0; kind < kinds.size(); kind++) {
+            if ((until != 0 && count() >= until) || !channels.begin(kind, watched)) continue;
+            channels.value(static_cast<std::int32_t>(count()));
+            for (std::size_t k = 0; k < padding; k++) channels.value(0);
+        }
     }
 
     std::uint32_t count() const { return steps / every; }
@@ -42,7 +44,8 @@ public:
     std::uint32_t every = 1;  // steps to a count
     std::uint32_t until = 0;  // the count at which it falls silent; 0: never
     physics::BodyId watched;
-    std::size_t padding = 0;  // bytes after the first eight
+    std::size_t padding = 0;                         // values after the count
+    std::vector<physics::ChannelKind> kinds = {{}};  // each tells the count
 
 private:
     const std::string tag_;

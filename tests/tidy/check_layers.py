@@ -69,7 +69,7 @@ MAY_INCLUDE_WORLD = ("server/host",)
 # Only scenes/src/scene_* knows the generated Scene message.
 SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp", "scenes/src/field_reader.h",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp",
-                       "scenes/src/module_message.cpp")
+                       "scenes/src/module_message.cpp", "scenes/src/module_things.cpp")
 
 SEARCH = [BASE, "physics/include", "decomposition/include", "decomposition/src", *sorted(f"{floor}/{part}" for floor in FLOORS if floor.startswith("modules/") for part in ("include", "src")), "physics/src", "physics/examples/hovercraft", "convergence/include", "linear_systems/include", "plots/include", "proto", "scenes/include", "scenes/src", "sim", "convert", "server", "clients",
           "clients/cpp/include", "clients/cpp/src", "bench"]

@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin.
+// golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin, and channels.jchn.
 #include <cstdio>
 #include <fstream>
 
+#include "wire/channel_motion.h"
 #include "wire/golden.h"
+
+namespace {
+
+bool write(const std::string& path, const std::vector<std::byte>& bytes) {
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    if (out)
+        std::printf("%s: %zu bytes\n", path.c_str(), bytes.size());
+    else
+        std::fprintf(stderr, "cannot write %s\n", path.c_str());
+    return static_cast<bool>(out);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     if (argc != 2) {
         std::fprintf(stderr, "usage: golden_frames FOLDER (usually proto/golden)\n");
         return 2;
     }
-    for (const auto& sequence : jostle::wire::golden_sequences()) {
-        const std::string path = std::string(argv[1]) + "/" + sequence.name + ".bin";
-        const auto bytes = jostle::wire::golden_file(sequence);
-        std::ofstream out(path, std::ios::binary);
-        out.write(reinterpret_cast<const char*>(bytes.data()),
-                  static_cast<std::streamsize>(bytes.size()));
-        if (!out) {
-            std::fprintf(stderr, "cannot write %s\n", path.c_str());
-            return 1;
-        }
-        std::printf("%s: %zu bytes\n", path.c_str(), bytes.size());
-    }
-    return 0;
+    const std::string folder = std::string(argv[1]) + "/";
+    bool written = write(folder + "channels.jchn", jostle::wire::golden_channels());
+    for (const auto& sequence : jostle::wire::golden_sequences())
+        written =
+            write(folder + sequence.name + ".bin", jostle::wire::golden_file(sequence)) && written;
+    return written ? 0 : 1;
 }

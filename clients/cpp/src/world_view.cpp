@@ -8,6 +8,7 @@ namespace jostle::client {
 void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    kinds_.assign(welcome.channels().begin(), welcome.channels().end());
     frames_.clear();
     entities_.clear();
     geometry_.clear();
@@ -58,7 +59,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
                                      snapshot.base3_frame()};
     wire::Bases bases;
     const wire::QuantizedFrame** slots[] = {&bases.base, &bases.base2, &bases.base3};
-    Chunks chunks;  // those of the base, until the snapshot says otherwise
+    const wire::Channels* base_channels = &no_channels_;
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
         const KnownFrame* known = find(numbers[k]);
@@ -66,7 +67,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
             return Error{ErrorCode::failed_precondition,
                          "base frame " + std::to_string(numbers[k]) + " is not known"};
         *slots[k] = &known->state;
-        if (k == 0) chunks = known->chunks;
+        if (k == 0) base_channels = &known->channels;
     }
     const std::string name = "frame " + std::to_string(snapshot.frame());
     if (snapshot.frame() <= frame().frame)
@@ -77,32 +78,26 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     if (wire::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
-    for (const v1::ModuleChunk& chunk : snapshot.modules()) {
-        if (chunk.data().empty())
-            chunks.erase(chunk.tag());
-        else
-            chunks[chunk.tag()] = std::make_shared<const std::string>(chunk.data());
-    }
-    if (chunks.size() > chunks_max)
-        return Error{ErrorCode::corrupt_data,
-                     name + ": more than " + std::to_string(chunks_max) + " modules"};
-    frames_.push_back({std::move(*decoded), std::move(chunks)});
+    const auto* told = reinterpret_cast<const std::byte*>(snapshot.channels().data());
+    Result<wire::Channels> channels = wire::decode_channels(
+        {told, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
+    if (!channels.ok()) return Error{channels.error().code, name + ": " + channels.error().message};
+    frames_.push_back({std::move(*decoded), *std::move(channels)});
     if (frames_.size() > ring) frames_.pop_front();
     return {};
 }
 
-std::span<const std::byte> WorldView::chunk(std::string_view tag) const {
-    if (frames_.empty()) return {};
-    const auto at = frames_.back().chunks.find(tag);
-    if (at == frames_.back().chunks.end()) return {};
-    return std::as_bytes(std::span(*at->second));
+const wire::Channels& WorldView::channels() const {
+    return frames_.empty() ? no_channels_ : frames_.back().channels;
 }
 
-std::vector<std::string> WorldView::chunk_tags() const {
-    std::vector<std::string> tags;
-    if (!frames_.empty())
-        for (const auto& [tag, bytes] : frames_.back().chunks) tags.push_back(tag);
-    return tags;
+std::span<const std::int32_t> WorldView::channel(std::string_view kind,
+                                                 std::uint32_t entity) const {
+    for (const wire::Channel& channel : channels())
+        if (channel.entity == entity && channel.kind < kinds_.size() &&
+            kinds_[channel.kind].name() == kind)
+            return *channel.values;
+    return {};
 }
 
 std::optional<wire::Pose> WorldView::pose_of(std::uint32_t entity) const {

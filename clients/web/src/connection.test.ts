@@ -1,6 +1,7 @@
 import { create, fromBinary, toBinary } from '@bufbuild/protobuf';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Connection, type Socket, type State } from './connection';
+import { goldenChannels } from './testing/golden_channels';
 import { ClientMessageSchema, InputCode, NoticeCode, ServerMessageSchema } from './gen/jostle/v1/play_pb';
 
 class FakeSocket implements Socket {
@@ -119,21 +120,24 @@ describe('connection', () => {
 
   it('keeps what modules tell with each frame, and nothing stale after a loss', () => {
     welcome();
-    const chunk = (tag: string, ...data: number[]) => ({ tag, data: new Uint8Array(data) });
-    const give = (frame: number, baseFrame: number, modules: ReturnType<typeof chunk>[], crc = 0) => {
+    const golden = goldenChannels();
+    const k = golden.findIndex((frame) => frame.base !== 0 && golden[frame.base - 1]!.base === 0);
+    const [first, second, empty] = [golden[golden[k]!.base - 1]!, golden[k]!, { packed: new Uint8Array(), crc: 0 }];
+    const give = (frame: number, baseFrame: number, told: { packed: Uint8Array; crc: number }) => {
       const packed = new Uint8Array(2); // a world without bodies, absolute or against another; its CRC is 0
-      sockets[0]!.give({ message: { case: 'snapshot', value: { frame, baseFrame, packed, crc, modules } } });
+      const value = { frame, baseFrame, packed, crc: 0, channels: told.packed, channelsCrc: told.crc };
+      sockets[0]!.give({ message: { case: 'snapshot', value } });
     };
-    const told = () => [...(connection.frames.newest?.chunks ?? [])].map(([tag, data]) => `${tag} ${data}`);
-    give(50, 0, [chunk('craft', 1), chunk('crane', 2)]);
-    expect(told()).toEqual(['craft 1', 'crane 2']);
-    give(51, 50, [chunk('craft', 3)]);
-    expect(told()).toEqual(['craft 3', 'crane 2']);
-    give(52, 51, [chunk('crane', 9)], 1); // damaged
-    expect(told()).toEqual(['craft 3', 'crane 2']);
-    give(54, 0, [chunk('crane', 4)]);
-    expect(told()).toEqual(['crane 4']);
-    give(55, 54, [chunk('crane')]);
+    const told = () => connection.frames.newest?.channels;
+    give(50, 0, first);
+    expect(told()).toEqual(first.channels);
+    give(51, 50, second);
+    expect(told()).toEqual(second.channels);
+    give(52, 50, { packed: second.packed, crc: second.crc + 1 }); // damaged
+    expect(connection.frames.newest?.frame).toBe(51);
+    give(53, 50, empty);
+    expect(told()).toEqual(first.channels);
+    give(54, 0, empty);
     expect(told()).toEqual([]);
     expect(connection.decodeErrors).toBe(1);
   });

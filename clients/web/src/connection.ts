@@ -6,7 +6,7 @@ import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './d
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
 import { LargeShapes } from './large_shapes';
-import { changeChunks } from './module_chunks';
+import { decodeChannels } from './channels';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -94,6 +94,7 @@ export class Connection {
     private readonly events: Events,
     private readonly open: (url: string) => Socket = openSocket,
     private readonly token = '',
+    private readonly kinds: Iterable<string> = [], // of channels that somebody here understands
   ) {}
 
   /** Leaves the present world, if any, and joins another by id or name. */
@@ -156,7 +157,7 @@ export class Connection {
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
       const { world, token, eventsWanted: events } = this;
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token };
+      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels: [...this.kinds] };
       this.sendMessage({ case: 'hello', value: hello });
     };
     socket.onmessage = (event) => this.receive(new Uint8Array(event.data));
@@ -276,8 +277,8 @@ export class Connection {
       const frame = decodeFrame(s.frame, s.packed, { base, base2, base3 }, this.spec);
       if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
       const serverUs = Number(s.serverTimeUs);
-      const chunks = changeChunks(this.frames.chunksOf(s.baseFrame), s.modules);
-      this.frames.add(frame, serverUs, this.spec, chunks);
+      const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(s.baseFrame));
+      this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
       if (this.clock.ready) {

@@ -1,7 +1,7 @@
 // Decoded frames: the newest 32 as bases for the next ones, and as poses ready to be drawn. Each keeps what modules told with it.
 
 import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
-import { NO_CHUNKS, type Chunks } from './module_chunks';
+import { NO_CHANNELS, type Channels } from './channels';
 
 export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 
@@ -11,7 +11,7 @@ export interface PoseFrame {
   readonly entities: readonly EntityState[];
   /** POSE_FLOATS for each entity. */
   readonly poses: Float64Array;
-  readonly chunks: Chunks;
+  readonly channels: Channels;
 }
 
 const RING = 32;
@@ -24,11 +24,11 @@ export class FrameBuffer {
   }
 
   /** Of a frame that is still here; none of any other. */
-  chunksOf(frame: number): Chunks {
-    return this.frames.find((f) => f.quantized.frame === frame)?.drawn.chunks ?? NO_CHUNKS;
+  channelsOf(frame: number): Channels {
+    return this.frames.find((f) => f.quantized.frame === frame)?.drawn.channels ?? NO_CHANNELS;
   }
 
-  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, chunks: Chunks = NO_CHUNKS): PoseFrame {
+  add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, channels: Channels = NO_CHANNELS): PoseFrame {
     const before = this.newest;
     const poses = new Float64Array(quantized.entities.length * POSE_FLOATS);
     let from = 0;
@@ -44,7 +44,7 @@ export class FrameBuffer {
       poses.set(pose.position, i * POSE_FLOATS);
       poses.set(pose.rotation, i * POSE_FLOATS + 3);
     });
-    const drawn: PoseFrame = { frame: quantized.frame, serverUs, entities: quantized.entities, poses, chunks };
+    const drawn: PoseFrame = { frame: quantized.frame, serverUs, entities: quantized.entities, poses, channels };
     this.frames.push({ quantized, drawn });
     if (this.frames.length > RING) this.frames.shift();
     return drawn;

@@ -8,8 +8,7 @@ import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
-import { NO_CHUNKS } from './module_chunks';
-import { ModuleView } from './module_view';
+import { DRAWN_KINDS, ModuleView } from './module_view';
 import { DebugPanel } from './panels/debug';
 import { EventsPanel } from './panels/events';
 import { StatsPanel } from './panels/stats';
@@ -67,7 +66,7 @@ const told: Events = {
   refused: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };
-const connection = new Connection(websocketUrl(), told, openSocket, token);
+const connection = new Connection(websocketUrl(), told, openSocket, token, DRAWN_KINDS);
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
@@ -200,9 +199,12 @@ if (innerWidth < 700) byId('stats').hidden = true;
 
 renderer.setAnimationLoop(() => {
   camera.controls.update();
-  if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
+  const shownUs = connection.clock.serverUs(nowUs()) - connection.delay.us;
+  if (connection.clock.ready) drawn.update(connection.frames, shownUs);
   view.update(drawn);
-  moduleView.update(drawn.source?.chunks ?? NO_CHUNKS, (entity) => view.poseOf(entity));
+  const { frame = 0, channels = [], serverUs = shownUs } = drawn.source ?? {};
+  const { channels: kinds = [], tickHz = 60 } = connection.welcome ?? {};
+  moduleView.update({ frame, channels, later: (shownUs - serverUs) / 1e6, kinds, tickHz }, (entity) => view.poseOf(entity));
   debugPanel.update();
   eventsPanel.update();
   hitMarks.update(performance.now());

@@ -186,19 +186,19 @@ void Characters::control(World&, BodyId body, const Controls& controls) {
                                                         .crouch = (controls.buttons & 2) != 0}));
 }
 
-void Characters::publish(const World& world, ChunkWriter& chunk) const {
+void Characters::publish(const World& world, ChannelWriter& channels) const {
     for (const CharacterId id : ids()) {
         const Result<CharacterState> state = this->state(world, id);
         if (!state.ok()) continue;
-        chunk.body(state->body);
+        if (!channels.begin(0, state->body)) continue;
         const unsigned bits = (state->kind == CharacterKind::rigid ? 1u : 0u) |
                               (state->crouched ? 2u : 0u) |
                               (static_cast<unsigned>(state->ground) << 2);
-        chunk.u8(static_cast<std::uint8_t>(bits));
+        channels.value(static_cast<std::int32_t>(bits));
         const Vec3 over = state->velocity - state->ground_velocity;
-        chunk.quantized(state->heading, -pi, pi, 1);
-        chunk.quantized(length(character_detail::horizontal(over)), 0, 20, 1);
-        chunk.quantized(state->velocity.y, -20, 20, 1);
+        channels.quantized(state->heading, -pi, pi, 8);
+        channels.quantized(length(character_detail::horizontal(over)), 0, 20, 8);
+        channels.quantized(state->velocity.y, -20, 20, 8);
     }
 }
 

@@ -148,18 +148,15 @@ void Destruction::visit(StateVisitor& v) {
     if (v.loading()) derived_ = false;
 }
 
-void Destruction::publish(const World&, ChunkWriter& chunk) const {
-    const auto u16 = [&](std::size_t value) {
-        chunk.u16(static_cast<std::uint16_t>(std::min<std::size_t>(value, 0xffff)));
-    };
-    if (size() == 0) return;
-    u16(size());
+void Destruction::publish(const World&, ChannelWriter& channels) const {
+    const auto count = [&](std::size_t value) { channels.value(static_cast<std::int32_t>(value)); };
+    if (size() == 0 || !channels.begin(0)) return;
     for (const Whole& whole : wholes_) {
         if (!whole.alive) continue;
-        u16(whole.pieces.size());
-        u16(static_cast<std::size_t>(std::count_if(whole.bonds.begin(), whole.bonds.end(),
-                                                   [](const Bond& b) { return !b.broken; })));
-        u16(whole.bonds.size());
+        count(whole.pieces.size());
+        count(static_cast<std::size_t>(std::count_if(whole.bonds.begin(), whole.bonds.end(),
+                                                     [](const Bond& b) { return !b.broken; })));
+        count(whole.bonds.size());
     }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Fields for scenes and for clients: settings in, chunks out.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "jostle/modules/fields.h"
@@ -108,21 +110,32 @@ double turn_of(double angle) {
     return angle - 2 * pi * std::floor(angle / (2 * pi));
 }
 
-void write_point(ChunkWriter& chunk, Vec3 p) {
-    for (const double x : {p.x, p.y, p.z}) chunk.f32(static_cast<float>(x));
+void write_point(ChannelWriter& channels, Vec3 p) {
+    for (const double x : {p.x, p.y, p.z}) channels.f32(static_cast<float>(x));
 }
 
-void write_waves(ChunkWriter& chunk, const Waves& waves, double gravity, double time) {
-    chunk.f32(static_cast<float>(waves.level));
-    chunk.f32(static_cast<float>(waves.density));
-    chunk.u8(static_cast<std::uint8_t>(waves.components.size()));
+void write_waves(ChannelWriter& channels, const Waves& waves, double gravity, double time) {
+    channels.f32(static_cast<float>(waves.level));
+    channels.f32(static_cast<float>(waves.density));
+    channels.value(static_cast<std::int32_t>(waves.components.size()));
     for (const WaveComponent& wave : waves.components) {
         const double omega = square_root(maximum(gravity, 0) * 2 * pi / wave.length);
-        chunk.f32(static_cast<float>(wave.amplitude));
-        chunk.f32(static_cast<float>(wave.length));
-        chunk.quantized(turn_of(wave.heading), 0, 2 * pi, 2);
-        chunk.quantized(turn_of(wave.phase - omega * time), 0, 2 * pi, 2);
-        chunk.f32(static_cast<float>(omega));
+        channels.f32(static_cast<float>(wave.amplitude));
+        channels.f32(static_cast<float>(wave.length));
+        channels.quantized(turn_of(wave.heading), 0, 2 * pi, 16);
+        channels.quantized(turn_of(wave.phase - omega * time), 0, 2 * pi, 16);
+        channels.f32(static_cast<float>(omega));
+    }
+}
+
+void write_field(ChannelWriter& channels, const World& world, const FieldLaw& law) {
+    channels.value(static_cast<std::int32_t>(law.index()));
+    if (const auto* central = std::get_if<Central>(&law)) {
+        const Result<BodyState> body = world.body(central->body);
+        write_point(channels, central->point + (body.ok() ? body->center : Vec3{}));
+    } else if (const auto* turbulence = std::get_if<Turbulence>(&law)) {
+        write_point(channels, turbulence->wind);
+        channels.f32(static_cast<float>(turbulence->speed));
     }
 }
 
@@ -149,30 +162,26 @@ Status Fields::configure(World& world, const ModuleSettings& settings) {
     return gives(settings, "blast_") ? add_charge(charge) : Status{};
 }
 
-void Fields::publish(const World& world, ChunkWriter& chunk) const {
-    if (entries_.empty() && blasts_.empty()) return;
-    std::uint8_t waters = 0;
-    for (const Entry& entry : entries_) waters += std::holds_alternative<Waves>(entry.field.law);
-    chunk.u8(waters);
+std::vector<ChannelKind> Fields::channels() const {
+    return {{"waves", ChannelForm::seed, waves_divisor}, {}};
+}
+
+void Fields::publish(const World& world, ChannelWriter& channels) const {
+    const auto is_water = [](const Entry& entry) {
+        return std::holds_alternative<Waves>(entry.field.law);
+    };
+    if (std::any_of(entries_.begin(), entries_.end(), is_water) && channels.begin(0))
+        for (const Entry& entry : entries_)
+            if (const auto* waves = std::get_if<Waves>(&entry.field.law))
+                write_waves(channels, *waves, -world.gravity().y, world.time());
+    const auto others = std::count_if(entries_.begin(), entries_.end(), std::not_fn(is_water));
+    if ((others == 0 && blasts_.empty()) || !channels.begin(1)) return;
+    channels.value(static_cast<std::int32_t>(others));
     for (const Entry& entry : entries_)
-        if (const auto* waves = std::get_if<Waves>(&entry.field.law))
-            write_waves(chunk, *waves, -world.gravity().y, world.time());
-    chunk.u8(static_cast<std::uint8_t>(entries_.size() - waters));
-    for (const Entry& entry : entries_) {
-        if (std::holds_alternative<Waves>(entry.field.law)) continue;
-        chunk.u8(static_cast<std::uint8_t>(entry.field.law.index()));
-        if (const auto* central = std::get_if<Central>(&entry.field.law)) {
-            const Result<BodyState> body = world.body(central->body);
-            write_point(chunk, central->point + (body.ok() ? body->center : Vec3{}));
-        } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
-            write_point(chunk, turbulence->wind);
-            chunk.f32(static_cast<float>(turbulence->speed));
-        }
-    }
-    chunk.u8(static_cast<std::uint8_t>(blasts_.size()));
+        if (!is_water(entry)) write_field(channels, world, entry.field.law);
     for (const Explosion& blast : blasts_) {
-        write_point(chunk, blast.center);
-        chunk.f32(static_cast<float>(blast.radius));
+        write_point(channels, blast.center);
+        channels.f32(static_cast<float>(blast.radius));
     }
 }
 

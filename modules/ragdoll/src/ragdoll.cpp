@@ -350,11 +350,11 @@ void Ragdolls::before_step(World& world, double dt) {
     }
 }
 
-void Ragdolls::publish(const World& world, ChunkWriter& chunk) const {
+void Ragdolls::publish(const World& world, ChannelWriter& channels) const {
     for (const Figure& figure : figures_) {
         if (!figure.alive || !world.contains(figure.bones.front().body)) continue;
-        chunk.body(figure.bones.front().body);
-        chunk.u8(static_cast<std::uint8_t>(figure.mode));
+        if (channels.begin(0, figure.bones.front().body))
+            channels.value(static_cast<std::int32_t>(figure.mode));
     }
 }
 

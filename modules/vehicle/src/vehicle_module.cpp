@@ -70,18 +70,18 @@ VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
     return def;
 }
 
-void publish_wheel(const Wheel& wheel, const WheelRun& run, double angle, ChunkWriter& chunk) {
-    chunk.quantized(wheel.radius, 0, 2, 1);
-    chunk.quantized(wheel.width, 0, 1, 1);
+void publish_wheel(const Wheel& wheel, const WheelRun& run, double angle, ChannelWriter& channels) {
+    channels.quantized(wheel.radius, 0, 2, 8);
+    channels.quantized(wheel.width, 0, 1, 8);
     const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);
-    for (const double x : {center.x, center.y, center.z}) chunk.quantized(x, -8, 8, 2);
+    for (const double x : {center.x, center.y, center.z}) channels.quantized(x, -8, 8, 16);
     const double limit = run.friction * run.load;
     const bool slides =
         run.touches && run.ahead * run.ahead + run.aside * run.aside > 0.9 * limit * limit;
-    chunk.u8(static_cast<std::uint8_t>((run.touches ? 1 : 0) + (slides ? 2 : 0)));
-    chunk.quantized(run.angle, 0, 2 * pi, 2);
-    chunk.quantized(run.spin, -400, 400, 2);
-    chunk.quantized(angle, -pi / 2, pi / 2, 2);
+    channels.value((run.touches ? 1 : 0) + (slides ? 2 : 0));
+    channels.quantized(run.angle, 0, 2 * pi, 16);
+    channels.quantized(run.spin, -400, 400, 16);
+    channels.quantized(angle, -pi / 2, pi / 2, 16);
 }
 
 }  // namespace
@@ -177,15 +177,14 @@ void Vehicles::visit(StateVisitor& v) {
     }
 }
 
-void Vehicles::publish(const World&, ChunkWriter& chunk) const {
+void Vehicles::publish(const World&, ChannelWriter& channels) const {
     for (const Car& car : cars_) {
-        chunk.body(car.def.chassis);
-        chunk.u8(static_cast<std::uint8_t>(car.gear + 1));
-        chunk.quantized(car.engine_speed / car.def.engine.most, 0, 1, 1);
-        chunk.u8(static_cast<std::uint8_t>(car.wheels.size()));
+        if (!channels.begin(0, car.def.chassis)) continue;
+        channels.value(car.gear);
+        channels.quantized(car.engine_speed / car.def.engine.most, 0, 1, 8);
         for (std::size_t k = 0; k < car.wheels.size(); k++)
             publish_wheel(car.def.wheels[k], car.wheels[k],
-                          car.steering * car.def.wheels[k].steering_most, chunk);
+                          car.steering * car.def.wheels[k].steering_most, channels);
     }
 }
 

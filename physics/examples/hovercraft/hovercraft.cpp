@@ -149,16 +149,16 @@ void Hovercraft::control(World& world, BodyId, const Controls& controls) {
     static_cast<void>(world.wake(craft_).ok());
 }
 
-void Hovercraft::publish(const World& world, ChunkWriter& chunk) const {
+void Hovercraft::publish(const World& world, ChannelWriter& channels) const {
     const Result<BodyState> craft = world.body(craft_);
     if (!craft.ok()) return;
     const double strongest = most * craft->mass / 4 * gravity;
-    chunk.body(craft_);
+    if (!channels.begin(0, craft_)) return;
     for (std::size_t k = 0; k < thrusters_.size(); k++) {
         for (const double x : {corners[k].x, corners[k].y, corners[k].z})
-            chunk.quantized(x, -2, 2, 2);
-        chunk.quantized(thrusters_[k].ray, 0, longest_ray, 2);
-        chunk.quantized(thrusters_[k].force / strongest, 0, 1, 1);
+            channels.quantized(x, -2, 2, 16);
+        channels.quantized(thrusters_[k].ray, 0, longest_ray, 16);
+        channels.quantized(thrusters_[k].force / strongest, 0, 1, 8);
     }
 }
 

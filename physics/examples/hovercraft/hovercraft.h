@@ -30,9 +30,10 @@ public:
     // The numbers height, speed and radius; the body craft, which must be given.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // The body, then for each thruster where it is in the body (-2 to 2 m), how long its ray is (0
-    // to 4 m) and how hard it pushes (0 to 1 of its most): 40 bytes.
-    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // "hovercraft", of its body: for each thruster where it is in the body (3 x 16 bits of -2 to 2
+    // m), how long its ray is (16 bits of 0 to 4 m), how hard it pushes (8 bits of 0 to its most).
+    std::vector<physics::ChannelKind> channels() const override { return {{}}; }
+    void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     // Goes round its circle while nobody holds anything.
     bool takes_controls(physics::BodyId body) const override { return body == craft_; }
     void control(physics::World& world, physics::BodyId body,

@@ -2,10 +2,8 @@
 #include "state/module_registry.h"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 
-#include "foundation/check.h"
 #include "foundation/threads.h"
 #include "jostle/physics/module.h"
 
@@ -91,22 +89,6 @@ Status Module::configure(World&, const ModuleSettings& settings) {
     return Error{
         ErrorCode::invalid_argument,
         "module \"" + std::string(tag()) + "\" takes no settings; leave out \"" + name + "\""};
-}
-
-void ChunkWriter::bits(std::uint64_t value, int bytes) {
-    for (int k = 0; k < bytes; k++)
-        bytes_.push_back(static_cast<std::byte>(value >> (8 * k) & 0xff));
-}
-
-void ChunkWriter::f32(float value) {
-    u32(std::bit_cast<std::uint32_t>(value));
-}
-
-void ChunkWriter::quantized(double value, double low, double high, int bytes) {
-    ASSERT(bytes >= 1 && bytes <= 4 && low < high);
-    const auto most = static_cast<double>((std::uint64_t{1} << (8 * bytes)) - 1);
-    const double share = clamp((value - low) / (high - low), 0, 1);  // NaN: 0
-    bits(static_cast<std::uint64_t>((share > 0 ? share : 0) * most + 0.5), bytes);
 }
 
 }  // namespace jostle::physics

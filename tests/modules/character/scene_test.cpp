@@ -115,12 +115,12 @@ TEST(Scene, clients_are_told_of_each_character_in_eight_bytes) {
     const CharacterId low = stage.add({.feet = {3, 0, 0}});
     stage.steer(low, {.walk = {0, 0, -10}, .crouch = true});
     stage.run(1);
-    ChunkWriter chunk([](BodyId body) { return body.index + 1; });
-    stage.crowd->publish(stage.world, chunk);
-    ASSERT_EQ(chunk.bytes().size(), 16u);
-    EXPECT_EQ(chunk.bytes()[4], std::byte{0});
-    EXPECT_EQ(chunk.bytes()[12], std::byte{2}) << "crouched, on the ground";
-    EXPECT_EQ(chunk.bytes()[14], std::byte{128}) << "10 of 20 m/s";
+    ChannelWriter told([](BodyId body) { return body.index + 1; });
+    stage.crowd->publish(stage.world, told);
+    ASSERT_EQ(told.channels().size(), 2u);
+    EXPECT_EQ(told.channels()[0].values[0], 0);
+    EXPECT_EQ(told.channels()[1].values[0], 2) << "crouched, on the ground";
+    EXPECT_EQ(told.channels()[1].values[2], 128) << "10 of 20 m/s";
 }
 
 }  // namespace

@@ -101,9 +101,10 @@ TEST(DestructionState, a_scene_says_what_stands_where) {
     ASSERT_EQ(third.size(), 1u);
     EXPECT_NEAR(stage.world.body(third[0])->pose.position.x, 23, 1e-12);
     EXPECT_EQ(stage.world.body(third[0])->type, BodyType::static_body);
-    ChunkWriter chunk([](BodyId) { return 0u; });
-    stage.destruction->publish(stage.world, chunk);
-    EXPECT_EQ(chunk.bytes().size(), 20u);
+    ChannelWriter told([](BodyId) { return 0u; });
+    stage.destruction->publish(stage.world, told);
+    ASSERT_EQ(told.channels().size(), 1u);
+    EXPECT_EQ(told.channels()[0].values.size(), 9u) << "three numbers for each of three walls";
     EXPECT_FALSE(stage.destruction->configure(stage.world, {.numbers = {{"chunks", 0}}}).ok());
 }
 

@@ -4,7 +4,7 @@
 // bytes and settings are checked.
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <bit>
 
 #include "jostle/physics/compound.h"
 #include "support/random.h"
@@ -196,9 +196,9 @@ TEST(FieldsState, tells_clients_of_waters_winds_and_blasts) {
     World world = test::make_world();
     Fields& fields = fields_of(world);
     const auto published = [&] {
-        ChunkWriter chunk([](BodyId) { return 1u; });
-        fields.publish(world, chunk);
-        return chunk.bytes();
+        ChannelWriter told([](BodyId) { return 1u; });
+        fields.publish(world, told);
+        return told.channels();
     };
     EXPECT_TRUE(published().empty());
     add_field(world, {.law = Waves{.level = 2, .components = {{}, {}}}});
@@ -206,12 +206,16 @@ TEST(FieldsState, tells_clients_of_waters_winds_and_blasts) {
     add_field(world, {.law = Central{}});
     test::must(fields.add_charge({.time = 0, .explosion = {.center = {1, 2, 3}}}));
     test::must(world.step(1.0 / 60));
-    const std::vector<std::byte> bytes = published();
-    // 1 + (4 + 4 + 1 + 2 * 16), 1 + (1 + 16) + (1 + 12), 1 + 16.
-    EXPECT_EQ(bytes.size(), 42u + 31u + 17u);
-    float level = 0;
-    std::memcpy(&level, bytes.data() + 1, 4);
-    EXPECT_EQ(level, 2);
+    const auto told = published();
+    ASSERT_EQ(told.size(), 2u) << "waves, which clients move on by themselves, and the rest";
+    const auto& waters = told[0].values;
+    EXPECT_EQ(told[0].kind, 0u);
+    EXPECT_EQ(waters.size(), 3u + 2 * 5u) << "two waves";
+    EXPECT_EQ(std::bit_cast<float>(waters[0]), 2) << "the level";
+    const auto& rest = told[1].values;
+    ASSERT_EQ(rest.size(), 1u + (1 + 4) + (1 + 3) + 4u) << "a wind, a centre and a blast";
+    EXPECT_EQ(rest[0], 2);
+    EXPECT_EQ(std::bit_cast<float>(rest[12]), 3) << "z of the blast";
 }
 
 }  // namespace

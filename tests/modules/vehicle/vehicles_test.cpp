@@ -165,20 +165,17 @@ TEST(Vehicles, clients_are_told_in_the_stated_layout) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.drive(3);
-    ChunkWriter chunk([](BodyId body) { return body.index + 1; });
-    of.vehicles->publish(of.world, chunk);
-    const auto& bytes = chunk.bytes();
-    ASSERT_EQ(bytes.size(), 7u + 4 * 15u);
-    const auto u16 = [&](std::size_t at) {
-        return std::to_integer<int>(bytes[at]) + 256 * std::to_integer<int>(bytes[at + 1]);
-    };
-    EXPECT_EQ(std::to_integer<std::uint32_t>(bytes[0]), of.chassis.index + 1);
-    EXPECT_EQ(std::to_integer<int>(bytes[4]), of.state().gear + 1);
-    EXPECT_EQ(std::to_integer<int>(bytes[6]), 4);
-    EXPECT_NEAR(std::to_integer<int>(bytes[7]) / 255.0 * 2, 0.33, 0.005) << "radius";
-    EXPECT_NEAR(u16(9) / 65535.0 * 16 - 8, -0.8, 1e-3) << "x of the first wheel";
-    EXPECT_NEAR(u16(11) / 65535.0 * 16 - 8, -0.3396, 1e-3) << "y";
-    EXPECT_EQ(std::to_integer<int>(bytes[15]), 1) << "it touches, and does not slide";
+    ChannelWriter told([](BodyId body) { return body.index + 1; });
+    of.vehicles->publish(of.world, told);
+    ASSERT_EQ(told.channels().size(), 1u);
+    EXPECT_EQ(told.channels()[0].entity, of.chassis.index + 1);
+    const auto& values = told.channels()[0].values;
+    ASSERT_EQ(values.size(), 2u + 4 * 9u);
+    EXPECT_EQ(values[0], of.state().gear);
+    EXPECT_NEAR(values[2] / 255.0 * 2, 0.33, 0.005) << "radius";
+    EXPECT_NEAR(values[4] / 65535.0 * 16 - 8, -0.8, 1e-3) << "x of the first wheel";
+    EXPECT_NEAR(values[5] / 65535.0 * 16 - 8, -0.3396, 1e-3) << "y";
+    EXPECT_EQ(values[7], 1) << "it touches, and does not slide";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Kinds of modules by their tags, and the bytes that a module tells clients.
+// Kinds of modules by their tags.
 #include "state/module_registry.h"
 
 #include <gmock/gmock.h>
@@ -37,29 +37,6 @@ TEST(ModuleRegistry, a_module_takes_no_settings_unless_it_says_so) {
     EXPECT_TRUE(kite.configure(world, {}).ok());
     EXPECT_THAT(kite.configure(world, {.numbers = {{"span", 2}}, .bodies = {}}).error().message,
                 HasSubstr("takes no settings; leave out \"span\""));
-}
-
-TEST(ModuleRegistry, a_chunk_is_little_endian_and_clamped) {
-    ChunkWriter chunk([](BodyId body) { return body.index + 100; });
-    chunk.u16(0x1234);
-    chunk.f32(1);
-    chunk.body({2, 1});
-    chunk.quantized(0.5, 0, 1, 1);
-    chunk.quantized(7, 0, 1, 2);
-    chunk.quantized(-7, 0, 1, 2);
-    chunk.quantized(0.0 / 0.0, 0, 1, 1);
-    std::string hex;
-    for (const std::byte b : chunk.bytes()) {
-        constexpr const char* digits = "0123456789abcdef";
-        hex += digits[std::to_integer<int>(b) >> 4];
-        hex += digits[std::to_integer<int>(b) & 15];
-    }
-    EXPECT_EQ(hex,
-              "34120000803f66000000"
-              "80"
-              "ffff"
-              "0000"
-              "00");
 }
 
 }  // namespace

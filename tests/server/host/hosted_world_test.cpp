@@ -164,15 +164,15 @@ TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
         world.copy_into(frame);
         return frame;
     };
-    EXPECT_TRUE(frame_after(0).chunks.empty()) << "modules speak after a step";
+    EXPECT_TRUE(frame_after(0).channels->empty()) << "modules speak after a step";
     const Frame two = frame_after(2), three = frame_after(1), four = frame_after(1);
-    ASSERT_EQ(two.chunks.size(), 1u);
-    EXPECT_EQ(two.chunks[0].tag, "counter");
-    const auto& bytes = *two.chunks[0].bytes;
-    EXPECT_EQ(static_cast<EntityId>(bytes[0]), two.entities[3].id);
-    EXPECT_EQ(bytes[4], std::byte{1});
-    EXPECT_EQ(three.chunks[0].bytes, two.chunks[0].bytes);
-    EXPECT_NE(four.chunks[0].bytes, two.chunks[0].bytes);
+    ASSERT_EQ(two.channels->size(), 1u);
+    EXPECT_EQ(world.channel_kinds()[0].name, "counter");
+    const Channel& told = two.channels->front();
+    EXPECT_EQ(told.entity, two.entities[3].id);
+    EXPECT_EQ(*told.values, std::vector<std::int32_t>{1});
+    EXPECT_EQ(three.channels->front().values, told.values);
+    EXPECT_NE(four.channels->front().values, told.values);
 }
 
 TEST_F(HostedWorldTest, however_many_impulses_come_a_body_gets_no_faster_than_50) {

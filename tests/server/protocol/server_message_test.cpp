@@ -37,20 +37,25 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
     }
 }
 
-TEST(ServerMessage, chunks_of_modules_are_shared_and_one_that_ended_is_empty) {
+TEST(ServerMessage, what_changed_of_channels_is_shared_with_its_crc) {
     EncodedSnapshot encoded{.frame = 300};
     const std::string without = encode_shared_snapshot(encoded);
-    const std::vector bytes{std::byte{0}, std::byte{255}};
-    encoded.chunks = {{"craft", std::make_shared<const std::vector<std::byte>>(bytes)},
-                      {"crane", nullptr}};
+    encoded.channels = {.bytes = {std::byte{0}, std::byte{255}}, .crc = 0xdeadbeef};
     const std::string shared = encode_shared_snapshot(encoded);
     EXPECT_EQ(shared.substr(0, without.size()), without) << "all else has the bytes that it had";
     const auto message = parse(encode_snapshot_head({}, shared.size()) + shared);
-    ASSERT_EQ(message.snapshot().modules_size(), 2);
-    EXPECT_EQ(message.snapshot().modules(0).tag(), "craft");
-    EXPECT_EQ(message.snapshot().modules(0).data(), std::string("\x00\xff", 2));
-    EXPECT_EQ(message.snapshot().modules(1).tag(), "crane");
-    EXPECT_EQ(message.snapshot().modules(1).data(), "");
+    EXPECT_EQ(message.snapshot().channels(), std::string("\x00\xff", 2));
+    EXPECT_EQ(message.snapshot().channels_crc(), 0xdeadbeef);
+}
+
+TEST(ServerMessage, welcome_lists_the_kinds_of_channels) {
+    const auto message = parse(encode_welcome(
+        {.channels = {{"craft"}, {"fields.waves", physics::ChannelForm::seed, 60}}}));
+    ASSERT_EQ(message.welcome().channels_size(), 2);
+    EXPECT_EQ(message.welcome().channels(0).form(), v1::CHANNEL_FORM_PARAMS);
+    EXPECT_EQ(message.welcome().channels(1).name(), "fields.waves");
+    EXPECT_EQ(message.welcome().channels(1).form(), v1::CHANNEL_FORM_SEED);
+    EXPECT_EQ(message.welcome().channels(1).divisor(), 60u);
 }
 
 TEST(ServerMessage, results_and_notices_keep_code_and_text) {

@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <cstring>
+#include <deque>
+#include <map>
 #include <random>
 #include <thread>
 
@@ -138,69 +140,82 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
     EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
 }
 
-// The chunks of the newest encoding: "tag=text", or "tag-" for one that ended.
-struct ChunkTeller {
-    std::vector<std::string> told;
+// What a client that names kinds is sent of channels, frame by frame.
+struct ChannelTeller {
+    wire::PackedChannels told;
     SnapshotCache cache{{}, [this](const EncodedSnapshot& s) {
-                            told.clear();
-                            for (const ModuleChunk& chunk : s.chunks) {
-                                told.push_back(chunk.tag + (chunk.bytes ? "=" : "-"));
-                                if (!chunk.bytes) continue;
-                                for (const std::byte b : *chunk.bytes)
-                                    told.back() += static_cast<char>(b);
-                            }
+                            told = s.channels;
                             return serialize(s);
                         }};
+    std::map<std::uint32_t, FramePtr> frames;
 
-    static ModuleChunk chunk(const std::string& tag, std::string_view text) {
-        std::vector<std::byte> bytes;
-        for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
-        return {tag, std::make_shared<const std::vector<std::byte>>(std::move(bytes))};
+    static Channel channel(std::uint32_t kind, std::int32_t value) {
+        return {kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)};
     }
-    std::vector<std::string> encode(std::uint32_t tick, std::vector<ModuleChunk> chunks,
-                                    BaseNumbers bases) {
+    SharedBytes encode(std::uint32_t tick, BaseNumbers bases, std::uint64_t kinds) {
+        told = {};
+        return cache.encoding(frames.at(tick), bases, kinds);
+    }
+    void frame(std::uint32_t tick, Channels channels) {
         auto frame = std::make_shared<Frame>();
         frame->tick = tick;
-        frame->chunks = std::move(chunks);
-        cache.encoding(frame, bases);
-        return told;
+        frame->channels = std::make_shared<const Channels>(std::move(channels));
+        frames[tick] = std::move(frame);
+    }
+    // The channels that a client has after it, that had `base` before.
+    wire::Channels decoded(const wire::Channels& base) const {
+        const auto channels = wire::decode_channels(told.bytes, told.crc, base);
+        EXPECT_TRUE(channels.ok());
+        return channels.ok() ? *channels : wire::Channels{};
     }
 };
 
-TEST(SnapshotCache, an_absolute_snapshot_has_all_chunks_and_a_delta_those_that_changed) {
-    using Told = std::vector<std::string>;
-    ChunkTeller teller;
-    const ModuleChunk still = ChunkTeller::chunk("still", "s");
-    const auto chunk = ChunkTeller::chunk;
-    EXPECT_EQ(teller.encode(1, {still, chunk("craft", "1")}, {}), (Told{"still=s", "craft=1"}));
-    EXPECT_EQ(teller.encode(2, {still, chunk("craft", "2")}, {1, 0, 0}), Told{"craft=2"});
-    EXPECT_EQ(teller.encode(3, {still, chunk("craft", "1")}, {2, 1, 0}), Told{"craft=1"});
-    EXPECT_EQ(teller.encode(4, {still, chunk("craft", "1")}, {3, 2, 1}), Told{})
-        << "other bytes of the same content";
-    EXPECT_EQ(teller.encode(5, {still, chunk("craft", "1")}, {2, 1, 0}), Told{"craft=1"})
-        << "against an older base";
-    EXPECT_EQ(teller.encode(6, {still, chunk("craft", "1")}, {}), (Told{"still=s", "craft=1"}));
+TEST(SnapshotCache, an_absolute_snapshot_has_all_channels_and_a_delta_those_that_changed) {
+    ChannelTeller teller;
+    const auto channel = ChannelTeller::channel;
+    const Channel still = channel(0, 7);
+    teller.frame(1, {still, channel(1, 1)});
+    teller.frame(2, {still, channel(1, 2)});
+    teller.frame(3, {still, channel(1, 2)});
+    teller.frame(4, {channel(0, 7)});
+    teller.encode(1, {}, 3);
+    const wire::Channels first = teller.decoded({});
+    ASSERT_EQ(first.size(), 2u);
+    teller.encode(2, {1, 0, 0}, 3);
+    EXPECT_LE(teller.told.bytes.size(), 3u) << "one number of one channel";
+    const wire::Channels second = teller.decoded(first);
+    EXPECT_EQ(*second[1].values, std::vector<std::int32_t>{2});
+    teller.encode(3, {2, 1, 0}, 3);
+    EXPECT_TRUE(teller.told.bytes.empty()) << "other lists of the same content";
+    teller.encode(4, {2, 1, 0}, 3);
+    EXPECT_EQ(teller.decoded(second).size(), 1u) << "one ended";
+    teller.encode(4, {}, 3);
+    EXPECT_EQ(teller.decoded({}).size(), 1u);
 }
 
-TEST(SnapshotCache, a_chunk_that_ended_is_told_once_and_may_begin_again) {
-    using Told = std::vector<std::string>;
-    ChunkTeller teller;
-    const auto chunk = ChunkTeller::chunk;
-    teller.encode(1, {chunk("craft", "1"), chunk("crane", "2")}, {});
-    EXPECT_EQ(teller.encode(2, {chunk("crane", "3")}, {1, 0, 0}), (Told{"crane=3", "craft-"}));
-    EXPECT_EQ(teller.encode(3, {chunk("crane", "3")}, {2, 1, 0}), Told{});
-    EXPECT_EQ(teller.encode(4, {chunk("crane", "3")}, {1, 0, 0}), (Told{"crane=3", "craft-"}))
-        << "to whom was not told yet";
-    EXPECT_EQ(teller.encode(5, {chunk("craft", "1")}, {4, 0, 0}), (Told{"craft=1", "crane-"}));
+TEST(SnapshotCache, clients_that_name_the_same_kinds_share_their_bytes) {
+    ChannelTeller teller;
+    const auto channel = ChannelTeller::channel;
+    teller.frame(1, {channel(0, 1), channel(1, 1)});
+    teller.frame(2, {channel(0, 1), channel(1, 2)});
+    const SharedBytes both = teller.encode(1, {}, 3), none = teller.encode(1, {}, 0);
+    EXPECT_NE(both, none);
+    EXPECT_EQ(teller.encode(1, {}, 3), both);
+    const SharedBytes first_only = teller.encode(2, {1, 0, 0}, 1);
+    EXPECT_EQ(first_only, teller.encode(2, {1, 0, 0}, 0)) << "nothing changed of what it named";
+    EXPECT_NE(first_only, teller.encode(2, {1, 0, 0}, 2));
+    EXPECT_EQ(teller.cache.encodings_made(), 2u) << "poses are packed once for all of them";
 }
 
-TEST(SnapshotCache, chunks_against_a_base_that_fell_off_the_ring_are_all_there) {
-    ChunkTeller teller;
-    const ModuleChunk still = ChunkTeller::chunk("still", "s");
-    teller.encode(1, {still}, {});
-    for (std::uint32_t tick = 2; tick < 2 + SnapshotCache::ring; ++tick)
-        teller.encode(tick, {still}, {});
-    EXPECT_EQ(teller.encode(60, {still}, {1, 0, 0}), std::vector<std::string>{"still=s"});
+TEST(SnapshotCache, channels_against_a_base_that_fell_off_the_ring_are_all_there) {
+    ChannelTeller teller;
+    for (std::uint32_t tick = 1; tick < 2 + SnapshotCache::ring; ++tick) {
+        teller.frame(tick, {ChannelTeller::channel(0, 7)});
+        teller.encode(tick, {}, 1);
+    }
+    teller.frame(60, {ChannelTeller::channel(0, 7)});
+    teller.encode(60, {1, 0, 0}, 1);
+    EXPECT_EQ(teller.decoded({}).size(), 1u);
 }
 
 TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_state) {

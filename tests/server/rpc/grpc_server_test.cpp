@@ -33,15 +33,9 @@ struct Told {
 std::optional<Told> told(const Client& client, std::string_view tag) {
     std::optional<Told> out;
     client.read([&](const client::WorldView& view) {
-        const std::span<const std::byte> bytes = view.chunk(tag);
-        if (bytes.size() != 8) return;
-        const auto u32 = [&](std::size_t at) {
-            std::uint32_t value = 0;
-            for (std::size_t k = 0; k < 4; k++)
-                value |= static_cast<std::uint32_t>(bytes[at + k]) << (8 * k);
-            return value;
-        };
-        out = {u32(0), u32(4)};
+        for (const wire::Channel& channel : view.channels())
+            if (view.channel_kinds()[channel.kind].name() == tag)
+                out = {channel.entity, static_cast<std::uint32_t>(channel.values->front())};
     });
     return out;
 }
@@ -90,8 +84,9 @@ protected:
         const auto world = worlds.create("", scene);
         ASSERT_TRUE(world.ok()) << world.error().message;
     }
-    std::shared_ptr<Client> join() {
-        return Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port())});
+    std::shared_ptr<Client> join(std::vector<std::string> channels = {"*"}) {
+        return Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port()),
+                                      .channels = std::move(channels)});
     }
 
     std::vector<CallMethod> methods() {
@@ -112,7 +107,7 @@ protected:
     client::Loop loop;
 };
 
-TEST_F(GrpcServerTest, a_client_sees_a_modules_chunk_change_and_a_late_one_gets_the_present) {
+TEST_F(GrpcServerTest, a_client_sees_a_channel_change_and_a_late_one_gets_the_present) {
     make_world();
     const auto early = join();
     ASSERT_TRUE(wait_until([&] { return told(*early, "counter").has_value(); }));
@@ -130,15 +125,30 @@ TEST_F(GrpcServerTest, a_client_sees_a_modules_chunk_change_and_a_late_one_gets_
     EXPECT_EQ(early->stats().decode_errors + late->stats().decode_errors, 0u);
 }
 
-TEST_F(GrpcServerTest, a_client_keeps_no_chunk_of_a_module_that_fell_silent) {
+TEST_F(GrpcServerTest, a_client_keeps_no_channel_of_a_module_that_fell_silent) {
     make_world(30);  // after two and a half seconds
     const auto client = join();
     ASSERT_TRUE(wait_until([&] { return told(*client, "counter").has_value(); }));
     ASSERT_TRUE(wait_until([&] { return !told(*client, "counter").has_value(); }));
     client->read([](const client::WorldView& view) {
-        EXPECT_EQ(view.chunk_tags(), std::vector<std::string>{"still"});
+        ASSERT_EQ(view.channels().size(), 1u);
+        EXPECT_EQ(view.channel_kinds()[view.channels()[0].kind].name(), "still");
     });
     EXPECT_EQ(client->stats().decode_errors, 0u);
+}
+
+TEST_F(GrpcServerTest, a_client_is_told_the_kinds_that_it_names_and_no_others) {
+    make_world();
+    const auto all = join(), some = join({"still", "unheard of"}), none = join({});
+    ASSERT_TRUE(wait_until([&] {
+        return told(*all, "counter").has_value() && told(*some, "still").has_value() &&
+               none->stats().snapshots > 5;
+    }));
+    EXPECT_FALSE(told(*some, "counter").has_value());
+    none->read([](const client::WorldView& view) {
+        EXPECT_TRUE(view.channels().empty());
+        EXPECT_EQ(view.channel_kinds().size(), 2u) << "but knows what there is";
+    });
 }
 
 }  // namespace

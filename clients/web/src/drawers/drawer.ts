@@ -1,5 +1,5 @@
-// What draws a chunk: given its bytes, which are foreign, and where to draw. Called once a picture; draws nothing of bytes that it
-// cannot read, and never throws.
+// What draws a channel: given its numbers, which are foreign, and where to draw. Called once a picture; draws nothing of numbers that
+// it cannot read, and never throws.
 
 import type { VertexBuffer } from '../vertex_buffer';
 
@@ -9,4 +9,18 @@ export interface Drawing {
   poseOf(entity: number): ArrayLike<number> | undefined;
 }
 
-export type Drawer = (bytes: Uint8Array, drawing: Drawing) => void;
+/** One channel of a kind. */
+export interface Told {
+  readonly entity: number; // 0: the module itself
+  readonly values: Int32Array;
+  readonly seconds: number; // since the tick in which the server told it, at the moment that is shown
+}
+
+export type Drawer = (told: Told, drawing: Drawing) => void;
+
+/** A float that came as the four bytes of a whole number. */
+export function floatOf(value: number): number {
+  bits.setInt32(0, value);
+  return bits.getFloat32(0);
+}
+const bits = new DataView(new ArrayBuffer(4));

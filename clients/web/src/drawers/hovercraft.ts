@@ -5,8 +5,7 @@ import * as THREE from 'three';
 import type { Drawer } from './drawer';
 
 const THRUSTERS = 4;
-const HEAD_BYTES = 4;
-const THRUSTER_BYTES = 9;
+const THRUSTER_VALUES = 5;
 const STEPS = 65535;
 const FARTHEST = 2; // m, of a thruster from the craft's origin, along each axis
 const LONGEST_RAY = 4; // m
@@ -20,25 +19,14 @@ export interface Thruster {
   thrust: number; // 0 to 1
 }
 
-export interface Hovercraft {
-  entity: number;
-  thrusters: Thruster[];
-}
-
-/** Nothing unless the bytes are exactly a hovercraft. */
-export function readHovercraft(bytes: Uint8Array): Hovercraft | undefined {
-  if (bytes.length !== HEAD_BYTES + THRUSTERS * THRUSTER_BYTES) return undefined;
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const thrusters = Array.from({ length: THRUSTERS }, (_, k): Thruster => {
-    const at = HEAD_BYTES + k * THRUSTER_BYTES;
-    const along = (axis: number) => (view.getUint16(at + 2 * axis, true) / STEPS) * 2 * FARTHEST - FARTHEST;
-    return {
-      position: [along(0), along(1), along(2)],
-      ray: (view.getUint16(at + 6, true) / STEPS) * LONGEST_RAY,
-      thrust: view.getUint8(at + 8) / 255,
-    };
+/** Nothing unless the numbers are exactly a hovercraft. */
+export function readThrusters(values: Int32Array): Thruster[] | undefined {
+  if (values.length !== THRUSTERS * THRUSTER_VALUES) return undefined;
+  return Array.from({ length: THRUSTERS }, (_, k): Thruster => {
+    const at = k * THRUSTER_VALUES;
+    const along = (axis: number) => (values[at + axis]! / STEPS) * 2 * FARTHEST - FARTHEST;
+    return { position: [along(0), along(1), along(2)], ray: (values[at + 3]! / STEPS) * LONGEST_RAY, thrust: values[at + 4]! / 255 };
   });
-  return { entity: view.getUint32(0, true), thrusters };
 }
 
 const from = new THREE.Vector3();
@@ -47,13 +35,13 @@ const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const color = new THREE.Color();
 
-export const drawHovercraft: Drawer = (bytes, { lines, poseOf }) => {
-  const craft = readHovercraft(bytes);
-  const pose = craft && poseOf(craft.entity);
-  if (!pose) return;
+export const drawHovercraft: Drawer = ({ entity, values }, { lines, poseOf }) => {
+  const thrusters = readThrusters(values);
+  const pose = poseOf(entity);
+  if (!thrusters || !pose) return;
   origin.set(pose[0]!, pose[1]!, pose[2]!);
   rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
-  for (const { position, ray, thrust } of craft.thrusters) {
+  for (const { position, ray, thrust } of thrusters) {
     from.set(...position);
     to.copy(from).setY(from.y - ray);
     color.lerpColors(IDLE, FULL, thrust);

@@ -20,37 +20,12 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/physics/channels.h"
 #include "jostle/physics/result.h"
 #include "jostle/physics/state_visitor.h"
 #include "jostle/physics/step_listener.h"
 
 namespace jostle::physics {
-
-// What clients are told of a module: bytes in a layout of its own, little endian, quantised as it
-// sees fit. All clients share them. Clients that do not know the tag skip them.
-class ChunkWriter {
-public:
-    // How clients name bodies.
-    using NameOf = std::function<std::uint32_t(BodyId)>;
-    explicit ChunkWriter(NameOf name_of) : name_of_(std::move(name_of)) {}
-
-    void u8(std::uint8_t value) { bits(value, 1); }
-    void u16(std::uint16_t value) { bits(value, 2); }
-    void u32(std::uint32_t value) { bits(value, 4); }
-    void f32(float value);
-    // The nearest of 2^(8 * bytes) even steps from low to high; clamped. bytes: 1 to 4.
-    void quantized(double value, double low, double high, int bytes);
-    // Four bytes; 0 for a body that clients do not know.
-    void body(BodyId body) { u32(name_of_(body)); }
-
-    std::vector<std::byte>& bytes() { return bytes_; }
-
-private:
-    void bits(std::uint64_t value, int bytes);
-
-    NameOf name_of_;
-    std::vector<std::byte> bytes_;
-};
 
 // What a scene says of a module, in its order.
 struct ModuleSettings {
@@ -94,9 +69,11 @@ public:
     virtual void control(World& world, BodyId body, const Controls& controls) {
         static_cast<void>(world), static_cast<void>(body), static_cast<void>(controls);
     }
-    // For clients, after a step. Leaves nothing: nothing is sent.
-    virtual void publish(const World& world, ChunkWriter& chunk) const {
-        static_cast<void>(world), static_cast<void>(chunk);
+    // What it tells clients, and how often: the same as long as it lives.
+    virtual std::vector<ChannelKind> channels() const { return {}; }
+    // Tells it, after a step. A channel that is not written any more has ended.
+    virtual void publish(const World& world, ChannelWriter& channels) const {
+        static_cast<void>(world), static_cast<void>(channels);
     }
 };
 

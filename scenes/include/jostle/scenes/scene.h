@@ -40,11 +40,20 @@ struct SceneModule {
     std::string tag;
     std::map<std::string, double> settings;
     std::map<std::string, std::size_t> bodies;  // of SceneDescription::bodies
+    // Things that it makes, each from settings of its own: configured one after the other, after
+    // the settings above.
+    struct Thing {
+        std::string list;  // of the module's message in scene files: "cars"
+        std::map<std::string, double> settings;
+        std::map<std::string, std::size_t> bodies;
+    };
+    std::vector<Thing> things = {};
     // Of save_module(), read after the settings; empty: as it begins. Ids in it are those of the
     // world in which it was kept.
     std::vector<std::byte> state;
 };
-inline constexpr std::size_t modules_max = 64;  // of a scene file and of a hosted world
+inline constexpr std::size_t modules_max = 64;          // of a scene file and of a hosted world
+inline constexpr std::size_t module_things_max = 4096;  // of a module in a scene file
 
 struct SceneDescription {
     std::string name;

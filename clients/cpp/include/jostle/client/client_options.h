@@ -19,6 +19,9 @@ struct ClientOptions {
     std::uint32_t snapshot_hz = 0;  // snapshots a second that it wants; 0: the world's rate
     bool spectator = false;         // the server refuses its inputs
     bool events = false;            // asks for what happens in the world: Client::take_events()
+    // Kinds of channels that it understands (WorldView::channels()); "*": all. What is not named is
+    // not sent.
+    std::vector<std::string> channels = {};
     // Connects again after a stream that ended, with pauses that grow to 5 s.
     bool reconnect = true;
 };

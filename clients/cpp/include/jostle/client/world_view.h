@@ -16,6 +16,7 @@
 
 #include "jostle/base/result.h"
 #include "jostle/v1/play.pb.h"
+#include "wire/channel_codec.h"
 #include "wire/frame_codec.h"
 #include "wire/quantize.h"
 
@@ -23,8 +24,7 @@ namespace jostle::client {
 
 class WorldView {
 public:
-    static constexpr std::size_t ring = 32;        // decoded frames kept as bases of later ones
-    static constexpr std::size_t chunks_max = 64;  // of modules in one frame
+    static constexpr std::size_t ring = 32;  // decoded frames kept as bases of later ones
     static constexpr std::size_t geometry_bytes_max = 256u << 20;  // of one large shape
 
     // A new stream: everything is forgotten.
@@ -49,23 +49,26 @@ public:
     const wire::QuantSpec& spec() const { return spec_; }
     // Nothing when the entity is not in the newest frame.
     std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
-    // What the module of that tag tells with the newest frame, in a layout of its own; foreign
-    // bytes. Empty: nothing. Valid until the next snapshot.
-    std::span<const std::byte> chunk(std::string_view tag) const;
-    std::vector<std::string> chunk_tags() const;  // of those that tell something, sorted
+    // What modules of the world can tell (Welcome.channels).
+    const std::vector<v1::ChannelKind>& channel_kinds() const { return kinds_; }
+    // What they tell with the newest frame of the kinds that Hello named; values are foreign. Valid
+    // until the next snapshot.
+    const wire::Channels& channels() const;
+    // The values of one of them; entity 0: the module itself. Empty: there is none.
+    std::span<const std::int32_t> channel(std::string_view kind, std::uint32_t entity) const;
 
 private:
-    // By tag; shared by the frames of which they are.
-    using Chunks = std::map<std::string, std::shared_ptr<const std::string>, std::less<>>;
     struct KnownFrame {
         wire::QuantizedFrame state;
-        Chunks chunks;
+        wire::Channels channels;
     };
 
     const KnownFrame* find(std::uint32_t frame) const;
 
     wire::QuantSpec spec_;
     wire::QuantizedFrame none_;
+    wire::Channels no_channels_;
+    std::vector<v1::ChannelKind> kinds_;
     std::deque<KnownFrame> frames_;
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id

@@ -144,10 +144,11 @@ public:
     // both buttons' meanings as Controls has them.
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
-    // For each character whose body clients know, 8 bytes: the body (4), kind (bit 0), crouched
-    // (bit 1) and ground (bits 2, 3) (1), heading from -pi to pi (1), speed over the ground from 0
-    // to 20 m/s (1), velocity upwards from -20 to 20 m/s (1).
-    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // "character", of each body: kind (bit 0), crouched (bit 1) and ground (bits 2, 3); in 8 bits
+    // each heading from -pi to pi, speed over the ground from 0 to 20 m/s, velocity upwards from
+    // -20 to 20 m/s.
+    std::vector<physics::ChannelKind> channels() const override { return {{}}; }
+    void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
     void before_step(physics::World& world, double dt) override;
 

@@ -103,8 +103,9 @@ public:
     // passing_volume.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // u16: how many; of each u16 pieces, u16 bonds that hold, u16 bonds that were.
-    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // "destruction": of each how many pieces, bonds that hold, bonds that were.
+    std::vector<physics::ChannelKind> channels() const override { return {{}}; }
+    void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     physics::StepHooks hooks() const override { return {.pre_solve = true}; }
     void before_step(physics::World& world, double dt) override;
     void pre_solve(physics::PreSolve& pair) override;

@@ -59,12 +59,15 @@ public:
     // blast_*, a charge that goes off at blast_time.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // u8 waters, of each: level f32; density f32; u8 components, of each: amplitude f32, length
-    // f32, heading u16 of 0..2 pi, phase now u16 of 0..2 pi, omega f32. Then u8 other fields, of
-    // each: u8 kind (0 central, 1 turbulence, 2 user), and a place: of central x y z f32, of
-    // turbulence the wind f32 x 3 and speed f32. Then u8 blasts of the last step, of each: x y z
-    // f32, radius f32. Nothing where there is none of the three.
-    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // "fields.waves", told every waves_divisor steps: for each water level and density (f32) and
+    // how many components; of each amplitude and length (f32), heading and phase at that step (16
+    // bits of 0..2 pi), omega (f32). Clients move the waves on by themselves.
+    // "fields": how many other fields, of each its kind (0 central, 1 turbulence, 2 user), then of
+    // a central one its place (3 x f32), of turbulence the wind (3 x f32) and speed (f32). Then for
+    // each blast of the last step its place (3 x f32) and radius (f32).
+    static constexpr int waves_divisor = 60;
+    std::vector<physics::ChannelKind> channels() const override;
+    void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
     physics::StepHooks hooks() const override { return {.substeps = true}; }
     void before_step(physics::World& world, double dt) override;

@@ -83,8 +83,9 @@ public:
     // square that they stand in follows; powered and kinematic (0 or 1; neither: limp).
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // For each figure: its root's body and its mode, 5 bytes.
-    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // "ragdoll", of each root's body: its mode.
+    std::vector<physics::ChannelKind> channels() const override { return {{}}; }
+    void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     void before_step(physics::World& world, double dt) override;
 
     // Stands it there, limp, with its pose at rest. All or nothing. An error names the bone.

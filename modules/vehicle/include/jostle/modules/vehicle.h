@@ -108,11 +108,12 @@ public:
     // up and down. He keeps the car until set_controls() or set_pilot().
     bool takes_controls(BodyId body) const override;
     void control(physics::World& world, BodyId body, const physics::Controls& controls) override;
-    // Per car: u32 body, u8 gear + 1, u8 engine (0 to 1 of its most), u8 wheels; per wheel: u8
-    // radius (0 to 2 m) and width (0 to 1 m), 3 x u16 where its centre is in the chassis (-8 to 8
-    // m), u8 bits (1 touches, 2 slides), u16 angle (0 to 2 pi), u16 spin (-400 to 400 rad/s), u16
-    // steering (-pi/2 to pi/2).
-    void publish(const physics::World& world, physics::ChunkWriter& chunk) const override;
+    // "vehicle", of each chassis: gear, engine (8 bits of 0 to its most); then for each wheel its
+    // radius (8 bits of 0 to 2 m) and width (8 bits of 0 to 1 m), where its centre is in the
+    // chassis (3 x 16 bits of -8 to 8 m), 1 if it touches + 2 if it slides, angle (16 bits of 0 to
+    // 2 pi), spin (16 bits of -400 to 400 rad/s), steering (16 bits of -pi/2 to pi/2).
+    std::vector<physics::ChannelKind> channels() const override { return {{}}; }
+    void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
     physics::StepHooks hooks() const override { return {.substeps = true}; }
     void before_step(physics::World& world, double dt) override;

@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UijQEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKJAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SABCBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yImAKDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMiOwoJR3JhYklucHV0Eg4KBmVudGl0eRgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNIk4KDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAEiHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUigQMKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlIukBCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMiQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3Ii1gEKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhIKCmJhc2VfZnJhbWUYAiABKA0SEwoLYmFzZTJfZnJhbWUYAyABKA0SEwoLYmFzZTNfZnJhbWUYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIWCg5zZXJ2ZXJfdGltZV91cxgHIAEoBhInCgdtb2R1bGVzGAggAygLMhYuam9zdGxlLnYxLk1vZHVsZUNodW5rEh8KA293bhgPIAEoCzISLmpvc3RsZS52MS5Qcml2YXRlIigKC01vZHVsZUNodW5rEgsKA3RhZxgBIAEoCRIMCgRkYXRhGAIgASgMIlkKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDSI3CgxJbnB1dFJlc3VsdHMSJwoHcmVzdWx0cxgBIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdCJyCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqowEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UinwEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkSEAoIY2hhbm5lbHMYCSADKAkiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKJAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SABCBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yImAKDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMiOwoJR3JhYklucHV0Eg4KBmVudGl0eRgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIiwKCURyYWdJbnB1dBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMyIOCgxSZWxlYXNlSW5wdXQiHQoLRGVsZXRlSW5wdXQSDgoGZW50aXR5GAEgASgNIk4KDEV4cGxvZGVJbnB1dBIfCgZjZW50ZXIYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAESDQoFc3BlZWQYAyABKAEiHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIisKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUigQMKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASMAoNaW5wdXRfcmVzdWx0cxgEIAEoCzIXLmpvc3RsZS52MS5JbnB1dFJlc3VsdHNIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABImCgVzdGF0cxgGIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiMKBmV2ZW50cxgIIAEoCzIRLmpvc3RsZS52MS5FdmVudHNIABIrCghnZW9tZXRyeRgJIAEoCzIXLmpvc3RsZS52MS5HZW9tZXRyeVBhcnRIAEIJCgdtZXNzYWdlIpMCCgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRISCgphY2tfd2luZG93GAcgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMSKAoIY2hhbm5lbHMYCyADKAsyFi5qb3N0bGUudjEuQ2hhbm5lbEtpbmQiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0itAEKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCEIICgZfY29sb3Ii5AEKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhIKCmJhc2VfZnJhbWUYAiABKA0SEwoLYmFzZTJfZnJhbWUYAyABKA0SEwoLYmFzZTNfZnJhbWUYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIWCg5zZXJ2ZXJfdGltZV91cxgHIAEoBhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGVKBAgIEAlSB21vZHVsZXMiWQoHUHJpdmF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNIjcKDElucHV0UmVzdWx0cxInCgdyZXN1bHRzGAEgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0InIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKrAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIWChJDSEFOTkVMX0ZPUk1fRklFTEQQAxIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -129,6 +129,13 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: string token = 8;
    */
   token: string;
+
+  /**
+   * kinds of channels that it understands, at most 64: only those are sent. "*": all that there are
+   *
+   * @generated from field: repeated string channels = 9;
+   */
+  channels: string[];
 };
 
 /**
@@ -669,6 +676,13 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
    * @generated from field: jostle.v1.Vec3 gravity = 10;
    */
   gravity?: Vec3 | undefined;
+
+  /**
+   * what modules of the world tell; Snapshot.channels names a kind by its place here
+   *
+   * @generated from field: repeated jostle.v1.ChannelKind channels = 11;
+   */
+  channels: ChannelKind[];
 };
 
 /**
@@ -677,6 +691,39 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 17);
+
+/**
+ * What a module tells of one of its entities, or of itself: a list of whole numbers (WIRE.md, "Channels").
+ *
+ * @generated from message jostle.v1.ChannelKind
+ */
+export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
+  /**
+   * the module's tag, or "tag.name"
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+
+  /**
+   * @generated from field: jostle.v1.ChannelForm form = 2;
+   */
+  form: ChannelForm;
+
+  /**
+   * told every so many ticks; between them it stays as it was
+   *
+   * @generated from field: uint32 divisor = 3;
+   */
+  divisor: number;
+};
+
+/**
+ * Describes the message jostle.v1.ChannelKind.
+ * Use `create(ChannelKindSchema)` to create a new message.
+ */
+export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 18);
 
 /**
  * How poses are made integers; WIRE.md has the formulas.
@@ -704,7 +751,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 19);
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
@@ -745,7 +792,7 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
  * Use `create(GeometryPartSchema)` to create a new message.
  */
 export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
@@ -770,7 +817,7 @@ export type Roster = Message<"jostle.v1.Roster"> & {
  * Use `create(RosterSchema)` to create a new message.
  */
 export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -830,7 +877,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * @generated from message jostle.v1.Snapshot
@@ -884,11 +931,18 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   serverTimeUs: bigint;
 
   /**
-   * what changed of what modules tell, against base_frame (WIRE.md)
+   * what changed of what modules tell, against base_frame (WIRE.md); empty: nothing
    *
-   * @generated from field: repeated jostle.v1.ModuleChunk modules = 8;
+   * @generated from field: bytes channels = 9;
    */
-  modules: ModuleChunk[];
+  channels: Uint8Array;
+
+  /**
+   * CRC-32 of what `channels` tells
+   *
+   * @generated from field: fixed32 channels_crc = 10;
+   */
+  channelsCrc: number;
 
   /**
    * what only this client gets; all the fields above are shared bytes
@@ -903,32 +957,6 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
-
-/**
- * What a module of the world (scene.proto) tells clients. Who does not know the tag leaves it alone.
- *
- * @generated from message jostle.v1.ModuleChunk
- */
-export type ModuleChunk = Message<"jostle.v1.ModuleChunk"> & {
-  /**
-   * @generated from field: string tag = 1;
-   */
-  tag: string;
-
-  /**
-   * in a layout of the module's own; empty: the module tells nothing any more
-   *
-   * @generated from field: bytes data = 2;
-   */
-  data: Uint8Array;
-};
-
-/**
- * Describes the message jostle.v1.ModuleChunk.
- * Use `create(ModuleChunkSchema)` to create a new message.
- */
-export const ModuleChunkSchema: GenMessage<ModuleChunk> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 23);
 
 /**
@@ -1333,6 +1361,52 @@ export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 33);
 
 /**
+ * What the numbers are, for those who show them without knowing the module.
+ *
+ * @generated from enum jostle.v1.ChannelForm
+ */
+export enum ChannelForm {
+  /**
+   * @generated from enum value: CHANNEL_FORM_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * in an order of the module's own
+   *
+   * @generated from enum value: CHANNEL_FORM_PARAMS = 1;
+   */
+  PARAMS = 1,
+
+  /**
+   * units a metre, then x y z of each point, in the frame of its entity, or of the world where there is none
+   *
+   * @generated from enum value: CHANNEL_FORM_POINTS = 2;
+   */
+  POINTS = 2,
+
+  /**
+   * columns, rows, units a metre, then heights row by row
+   *
+   * @generated from enum value: CHANNEL_FORM_FIELD = 3;
+   */
+  FIELD = 3,
+
+  /**
+   * what a client shows by itself from then on; in an order of the module's own
+   *
+   * @generated from enum value: CHANNEL_FORM_SEED = 4;
+   */
+  SEED = 4,
+}
+
+/**
+ * Describes the enum jostle.v1.ChannelForm.
+ */
+export const ChannelFormSchema: GenEnum<ChannelForm> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 0);
+
+/**
  * @generated from enum jostle.v1.InputCode
  */
 export enum InputCode {
@@ -1379,7 +1453,7 @@ export enum InputCode {
  * Describes the enum jostle.v1.InputCode.
  */
 export const InputCodeSchema: GenEnum<InputCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 0);
+  enumDesc(file_jostle_v1_play, 1);
 
 /**
  * @generated from enum jostle.v1.NoticeCode
@@ -1428,7 +1502,7 @@ export enum NoticeCode {
  * Describes the enum jostle.v1.NoticeCode.
  */
 export const NoticeCodeSchema: GenEnum<NoticeCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 1);
+  enumDesc(file_jostle_v1_play, 2);
 
 /**
  * @generated from service jostle.v1.PlayService

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "module_things.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <set>
+#include <vector>
+
+#include "body_name.h"
+#include "jostle/v1/modules.pb.h"
+
+namespace jostle::scenes {
+
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using Thing = SceneModule::Thing;
+
+std::string setting_of(const FieldDescriptor& field) {
+    const std::string& named = field.options().GetExtension(v1::setting);
+    return named.empty() ? field.name() : named;
+}
+
+v1::SettingRange range_of(const FieldDescriptor& field) {
+    if (field.options().HasExtension(v1::range)) return field.options().GetExtension(v1::range);
+    v1::SettingRange any;
+    any.set_low(field.cpp_type() == FieldDescriptor::CPPTYPE_UINT32 ? 0 : -1e300);
+    any.set_high(field.cpp_type() == FieldDescriptor::CPPTYPE_UINT32 ? 4294967295.0 : 1e300);
+    return any;
+}
+
+bool is_vector(const FieldDescriptor& field) {
+    return field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE &&
+           field.message_type() == v1::Vec3::descriptor();
+}
+
+double number_of(const Message& m, const FieldDescriptor& field) {
+    const auto& get = *m.GetReflection();
+    switch (field.cpp_type()) {
+        case FieldDescriptor::CPPTYPE_BOOL:
+            return get.GetBool(m, &field) ? 1 : 0;
+        case FieldDescriptor::CPPTYPE_UINT32:
+            return get.GetUInt32(m, &field);
+        case FieldDescriptor::CPPTYPE_ENUM:
+            return get.GetEnumValue(m, &field);
+        default:
+            return get.GetDouble(m, &field);
+    }
+}
+
+void set_number(Message& m, const FieldDescriptor& field, double value) {
+    const auto& set = *m.GetReflection();
+    switch (field.cpp_type()) {
+        case FieldDescriptor::CPPTYPE_BOOL:
+            return set.SetBool(&m, &field, value != 0);
+        case FieldDescriptor::CPPTYPE_UINT32:
+            return set.SetUInt32(&m, &field, static_cast<std::uint32_t>(value));
+        case FieldDescriptor::CPPTYPE_ENUM:
+            return set.SetEnumValue(&m, &field, static_cast<int>(value));
+        default:
+            return set.SetDouble(&m, &field, value);
+    }
+}
+
+void check_size(FieldReader& in, const std::string& path, int size, const FieldDescriptor& list) {
+    const v1::SettingRange range = range_of(list);
+    if (size >= range.low() && size <= range.high()) return;
+    const auto text = [](double count) { return std::to_string(static_cast<int>(count)); };
+    in.note(path, "has " + std::to_string(size) + " items; give " + text(range.low()) + " to " +
+                      text(range.high()));
+}
+
+// Reads one thing, field by field; parts of it have their own prefix.
+class ThingReader {
+public:
+    ThingReader(FieldReader& in, const SceneDescription& scene, Thing& thing)
+        : in_(in), scene_(scene), thing_(thing) {}
+
+    void read(const Message& m, const std::string& path, const std::string& prefix) {
+        std::vector<const FieldDescriptor*> given;
+        m.GetReflection()->ListFields(m, &given);
+        for (const FieldDescriptor* field : given)
+            read_field(m, *field, path + "." + field->name(), prefix + setting_of(*field));
+    }
+
+private:
+    void read_field(const Message& m, const FieldDescriptor& field, const std::string& path,
+                    const std::string& name) {
+        const auto& get = *m.GetReflection();
+        if (field.is_repeated()) return read_list(m, field, path, name);
+        if (is_vector(field))
+            return read_vector(static_cast<const v1::Vec3&>(get.GetMessage(m, &field)), field, path,
+                               name);
+        if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE)
+            return read(get.GetMessage(m, &field), path, name + "_");
+        if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+            thing_.bodies[name] = find_body(in_, scene_, path, get.GetString(m, &field));
+            return;
+        }
+        const v1::SettingRange range = range_of(field);
+        double value = number_of(m, field);
+        if (const auto* known = field.enum_type();
+            known && !known->FindValueByNumber(static_cast<int>(value)))
+            in_.note(path, "is " + std::to_string(static_cast<int>(value)) +
+                               ", which is none of its values");
+        thing_.settings[name] = in_.number(path, value, range.low(), range.high());
+    }
+    void read_vector(const v1::Vec3& v, const FieldDescriptor& field, const std::string& path,
+                     const std::string& name) {
+        const v1::SettingRange range = range_of(field);
+        thing_.settings[name + "_x"] = in_.number(path + ".x", v.x(), range.low(), range.high());
+        thing_.settings[name + "_y"] = in_.number(path + ".y", v.y(), range.low(), range.high());
+        thing_.settings[name + "_z"] = in_.number(path + ".z", v.z(), range.low(), range.high());
+    }
+    void read_list(const Message& m, const FieldDescriptor& field, const std::string& path,
+                   const std::string& name) {
+        const auto& get = *m.GetReflection();
+        const int size = get.FieldSize(m, &field);
+        check_size(in_, path, size, field);
+        for (int k = 0; k < size && !in_.failed(); k++)
+            read(get.GetRepeatedMessage(m, &field, k), path + "[" + std::to_string(k) + "]",
+                 name + std::to_string(k + 1) + "_");
+    }
+
+    FieldReader& in_;
+    const SceneDescription& scene_;
+    Thing& thing_;
+};
+
+// Writes one thing; counts the settings that found their field.
+class ThingWriter {
+public:
+    ThingWriter(const SceneDescription& scene, const Thing& thing) : scene_(scene), thing_(thing) {}
+
+    // Whether there was anything to write.
+    bool write(Message& m, const std::string& prefix) {
+        const std::size_t before = written_.size();
+        const auto& type = *m.GetDescriptor();
+        for (int k = 0; k < type.field_count(); k++)
+            write_field(m, *type.field(k), prefix + setting_of(*type.field(k)));
+        return written_.size() > before;
+    }
+    bool all_written() const {
+        return written_.size() == thing_.settings.size() + thing_.bodies.size();
+    }
+
+private:
+    void write_field(Message& m, const FieldDescriptor& field, const std::string& name) {
+        const auto& set = *m.GetReflection();
+        if (field.is_repeated()) {
+            for (int k = 1;; k++) {
+                Message* item = set.AddMessage(&m, &field);
+                if (write(*item, name + std::to_string(k) + "_")) continue;
+                set.RemoveLast(&m, &field);
+                return;
+            }
+        }
+        if (is_vector(field) || field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+            if (!write(*set.MutableMessage(&m, &field), name + "_")) set.ClearField(&m, &field);
+        } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+            const auto body = thing_.bodies.find(name);
+            if (body == thing_.bodies.end()) return;
+            set.SetString(&m, &field, name_of(scene_, body->second));
+            written_.insert("body " + name);
+        } else if (const auto number = thing_.settings.find(name);
+                   number != thing_.settings.end()) {
+            set_number(m, field, number->second);
+            written_.insert(name);
+        }
+    }
+
+    const SceneDescription& scene_;
+    const Thing& thing_;
+    std::set<std::string> written_;
+};
+
+}  // namespace
+
+void read_things(FieldReader& in, const SceneDescription& scene, SceneModule& module,
+                 const std::string& path, const Message& message) {
+    const auto& type = *message.GetDescriptor();
+    const auto& get = *message.GetReflection();
+    for (int f = 0; f < type.field_count(); f++) {
+        const FieldDescriptor& list = *type.field(f);
+        const int size = get.FieldSize(message, &list);
+        check_size(in, path + "." + list.name(), size, list);
+        for (int k = 0; k < size && !in.failed(); k++) {
+            Thing& thing = module.things.emplace_back(Thing{.list = list.name()});
+            ThingReader(in, scene, thing)
+                .read(get.GetRepeatedMessage(message, &list, k),
+                      path + "." + list.name() + "[" + std::to_string(k) + "]", "");
+        }
+    }
+}
+
+bool write_things(Message& message, const SceneDescription& scene, const SceneModule& module) {
+    bool all = true;
+    for (const Thing& thing : module.things) {
+        const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(thing.list);
+        if (!list || !list->is_repeated()) {
+            all = false;
+            continue;
+        }
+        ThingWriter writer(scene, thing);
+        writer.write(*message.GetReflection()->AddMessage(&message, list), "");
+        all = all && writer.all_written();
+    }
+    return all;
+}
+
+}  // namespace jostle::scenes

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Packed channels from a stranger, each against those before them that could be read. What could be
+// read says the same when it is packed and read again. The CRC of most is put right, or nothing
+// would come past it.
+#include <deque>
+
+#include "fuzz/reader.h"
+#include "fuzz/target.h"
+#include "wire/channel_codec.h"
+#include "wire/channel_motion.h"
+
+namespace jostle::fuzz {
+
+void run(Bytes input) {
+    Reader in(input);
+    std::deque<wire::Channels> ring{{}};
+    while (!in.done()) {
+        const Record record = take_record(in);
+        const wire::Channels& base = ring[record.kind % ring.size()];
+        const auto bytes = bytes_of(record.bytes);
+        const auto told = wire::read_channels(bytes, base);
+        if (!told.ok()) {
+            expect(!told.error().message.empty(), "a refusal has a reason");
+            continue;
+        }
+        const auto checked = wire::decode_channels(bytes, told->crc, base);
+        expect(checked.ok(), "what can be read is taken with its CRC");
+        const auto packed = wire::encode_channels(told->channels, base, ~std::uint64_t{0});
+        const auto again = wire::decode_channels(packed.bytes, packed.crc, base);
+        expect(again.ok() && wire::same_channels(*again, told->channels),
+               "channels are the same when they were sent on");
+        ring.push_back(told->channels);
+        if (ring.size() > 8) ring.pop_front();
+    }
+}
+
+}  // namespace jostle::fuzz

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+//
+// The modules that come with Jostle, as scene files say them: lists of things with ranges, found by
+// line and field when something is wrong with them.
+#include "module_things.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "jostle/modules/destruction.h"
+#include "jostle/modules/fields.h"
+#include "jostle/modules/vehicle.h"
+#include "jostle/scenes/catalog.h"
+#include "jostle/scenes/scene_file.h"
+#include "jostle/v1/scene.pb.h"
+#include "module_message.h"
+
+namespace jostle::scenes {
+namespace {
+
+using testing::HasSubstr;
+
+std::string with_modules(const std::string& modules) {
+    return R"({
+  "name": "test",
+  "bodies": [
+    {"name": "floor", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]},
+    {"name": "car", "type": "BODY_TYPE_DYNAMIC", "position": {"y": 1},
+     "shapes": [{"box": {"half_extents": {"x": 0.8, "y": 0.3, "z": 2}}}]},
+    {"name": "car", "type": "BODY_TYPE_DYNAMIC", "position": {"x": 9, "y": 1},
+     "shapes": [{"box": {"half_extents": {"x": 0.8, "y": 0.3, "z": 2}}}]}
+  ],
+  "modules": [
+)" + modules +
+           "\n  ]\n}\n";
+}
+
+std::string fault_of(const std::string& modules) {
+    const auto scene = read_scene_json(with_modules(modules));
+    if (!scene.ok()) return scene.error().message;
+    const auto built = build_scene(*scene);
+    return built.ok() ? "" : built.error().message;
+}
+
+TEST(ModuleThings, two_cars_have_each_their_own_wheels) {
+    const auto scene = read_scene_json(with_modules(R"({"vehicle": {"cars": [
+      {"body": "car", "radius": 0.3, "cast": "WHEEL_CAST_RAY"},
+      {"body": "car[1]", "radius": 0.5}
+    ]}})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->modules[0].tag, "vehicle") << "it need not be said twice";
+    const auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* cars = dynamic_cast<const modules::Vehicles*>(built->world.module("vehicle"));
+    ASSERT_EQ(cars->cars().size(), 2u);
+    const auto wheel = [&](std::size_t car) { return cars->def(cars->cars()[car])->wheels[0]; };
+    EXPECT_EQ(wheel(0).radius, 0.3);
+    EXPECT_EQ(wheel(1).radius, 0.5);
+    const auto cast = [&](std::size_t car) { return cars->def(cars->cars()[car])->cast; };
+    EXPECT_NE(cast(0), cast(1));
+}
+
+TEST(ModuleThings, several_winds_and_waters_in_volumes_of_their_own) {
+    const auto scene = read_scene_json(with_modules(R"({"fields": {
+      "turbulences": [{"wind": {"x": 5}}, {"speed": 2, "volume": {"center": {"y": 9}, "half_y": 4}}],
+      "waters": [{"level": -3, "waves": [{"amplitude": 0.2, "length": 8}, {"amplitude": 0.1}]}],
+      "blasts": [{"time": 1, "center": {"y": 2}}]
+    }})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* fields = dynamic_cast<const modules::Fields*>(built->world.module("fields"));
+    EXPECT_EQ(fields->charges().size(), 1u);
+    EXPECT_EQ(scene->modules[0].things.size(), 4u);
+    EXPECT_EQ(scene->modules[0].things[2].settings.at("wave2_amplitude"), 0.1);
+    EXPECT_EQ(scene->modules[0].things[1].settings.at("turbulence_half_y"), 4);
+}
+
+TEST(ModuleThings, errors_name_line_and_field) {
+    EXPECT_EQ(fault_of(R"({"vehicle": {"cars": [{"body": "car"},
+        {"body": "car[1]", "radius": 99}]}})"),
+              "line 12: modules[0].vehicle.cars[1].radius: 99 is out of range; it must be from "
+              "0.02 to 10");
+    EXPECT_EQ(fault_of(R"({"vehicle": {"cars": [{"body": "cart"}]}})"),
+              "line 11: modules[0].vehicle.cars[0].body: is \"cart\"; no body has the name "
+              "\"cart\"");
+    EXPECT_EQ(fault_of(R"({"vehicle": {"cars": []}})"),
+              "line 11: modules[0].vehicle.cars: has 0 items; give 1 to 1000");
+    EXPECT_THAT(fault_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
+                HasSubstr("line 11: modules[0].vehicle.cars[0]"));
+    EXPECT_EQ(fault_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
+              "line 11: modules[0].tag: is \"fields\", but its things are of \"vehicle\"; leave "
+              "the tag out");
+    EXPECT_THAT(fault_of(R"({"vehicle": {"cars": [{"body": "car"}, {"body": "car"}]}})"),
+                HasSubstr("modules[0] 'vehicle': cars[1]: "))
+        << "what only the module knows: a body is one car";
+    EXPECT_THAT(fault_of(R"({"vehicle": {"cars": [{"body": "car", "cast": 7}]}})"),
+                HasSubstr("modules[0].vehicle.cars[0].cast"));
+}
+
+TEST(ModuleThings, what_was_read_is_written_as_it_was) {
+    const auto scene = read_scene_json(with_modules(R"({"fields": {
+      "turbulences": [{"wind": {"x": 5, "z": -1}, "octaves": 3}],
+      "waters": [{"level": -3, "waves": [{"amplitude": 0.2, "length": 8}], "volume": {"half_x": 3}}],
+      "centers": [{"body": "car[1]", "perMass": true}]
+    }}, {"destruction": {"walls": [{"count": 2, "chunks": 20, "x": -20}, {"chunks": 10, "z": 30}]}})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const auto again = read_scene_json(write_scene_json(*scene));
+    ASSERT_TRUE(again.ok()) << again.error().message;
+    for (std::size_t m = 0; m < 2; m++) {
+        const auto &a = scene->modules[m].things, &b = again->modules[m].things;
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t k = 0; k < a.size(); k++) {
+            EXPECT_EQ(a[k].list, b[k].list);
+            EXPECT_EQ(a[k].settings, b[k].settings);
+            EXPECT_EQ(a[k].bodies, b[k].bodies);
+        }
+    }
+    const auto built = build_scene(*again);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* walls =
+        dynamic_cast<const modules::Destruction*>(built->world.module("destruction"));
+    EXPECT_EQ(walls->size(), 3u);
+}
+
+// Every number of every message: the module knows the setting, and takes both ends of its range
+// where it is given alone, or says what else it needs.
+TEST(ModuleThings, every_field_is_a_setting_that_its_module_knows) {
+    register_catalog_modules();
+    const auto& choice = *v1::Module::descriptor()->FindOneofByName("things");
+    int settings = 0;
+    for (int m = 0; m < choice.field_count(); m++) {
+        const auto& kind = *choice.field(m);
+        for (int l = 0; l < kind.message_type()->field_count(); l++) {
+            const auto& list = *kind.message_type()->field(l);
+            for (int f = 0; f < list.message_type()->field_count(); f++) {
+                const auto& field = *list.message_type()->field(f);
+                if (field.cpp_type() == google::protobuf::FieldDescriptor::CPPTYPE_MESSAGE ||
+                    field.cpp_type() == google::protobuf::FieldDescriptor::CPPTYPE_STRING)
+                    continue;
+                for (const bool high : {false, true}) {
+                    const auto& range = field.options().GetExtension(v1::range);
+                    const bool is_flag =
+                        field.cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_DOUBLE &&
+                        !field.options().HasExtension(v1::range);
+                    const double value =
+                        is_flag ? (high ? 1 : 0) : (high ? range.high() : range.low());
+                    const std::string named = field.options().GetExtension(v1::setting);
+                    const std::string name = named.empty() ? field.name() : named;
+                    physics::World world;
+                    auto module = physics::make_module(kind.name()).value();
+                    physics::ModuleSettings given;
+                    given.numbers.emplace_back(name, value);
+                    const auto status = module->configure(world, given);
+                    const std::string what = status.ok() ? "" : status.error().message;
+                    EXPECT_EQ(what.find("there is no setting"), std::string::npos)
+                        << kind.name() << ": " << what;
+                    EXPECT_EQ(what.find(name + " is "), std::string::npos)
+                        << kind.name() << " refuses an end of the range: " << what;
+                    settings++;
+                }
+            }
+        }
+    }
+    RecordProperty("settings", settings / 2);
+    EXPECT_GT(settings, 120);
+}
+
+}  // namespace
+}  // namespace jostle::scenes

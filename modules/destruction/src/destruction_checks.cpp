@@ -53,7 +53,8 @@ Status check_limits(const DestructionLimits& limits) {
                    {"pieces_per_step", static_cast<double>(limits.pieces_per_step), 1, 1e6},
                    {"work_per_step", static_cast<double>(limits.work_per_step), 1, 1e12},
                    {"debris_life", limits.debris_life, 0, 1e6},
-                   {"debris_volume", limits.debris_volume, 0, 1e12}});
+                   {"debris_volume", limits.debris_volume, 0, 1e12},
+                   {"passing_volume", limits.passing_volume, 0, 1e12}});
 }
 
 Status check_shape(const FracturedShape& shape) {

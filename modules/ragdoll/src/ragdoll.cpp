@@ -76,15 +76,18 @@ Ragdolls::Link Ragdolls::link_of(const JointKind& kind) {
 // With what pulls it to a target as strongly as told.
 JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
     const Link& link = bone.link;
-    const bool pulls = strength > 0 && bone.muscle.hertz > 0;
+    const double most = bone.muscle.max_torque * strength;
+    const bool pulls = most > 0 && bone.muscle.hertz > 0;
     // Stiffness goes with the square of the frequency.
     const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) : 0,
                              bone.muscle.damping_ratio};
-    const RotationDrive drive{spring, pulls ? target : Quat{}, bone.muscle.max_torque * strength};
+    const RotationDrive drive{spring, pulls ? target : Quat{}, most};
     const JointLimit limit{link.limited, link.lower, link.upper};
     if (link.kind == LinkKind::hinge)
-        return HingeJoint{
-            .limit = limit, .spring = spring, .spring_angle = pulls ? turn_about_z(target) : 0};
+        return HingeJoint{.limit = limit,
+                          .spring = spring,
+                          .spring_angle = pulls ? turn_about_z(target) : 0,
+                          .spring_max_torque = pulls ? most : 0};
     if (link.kind == LinkKind::cone_twist)
         return ConeTwistJoint{link.swing, limit, link.friction, drive};
     return BallJoint{drive, link.friction};

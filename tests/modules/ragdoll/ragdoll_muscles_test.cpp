@@ -34,18 +34,18 @@ TEST(RagdollMuscles, a_held_arm_sags_by_its_weight_over_the_stiffness) {
 
 // No more than its greatest torque: an arm that is too heavy falls.
 TEST(RagdollMuscles, a_muscle_gives_way_to_more_than_its_greatest_torque) {
-    for (const double share : {0.9, 1.1}) {
-        Stage stage;
-        const double weight = 8 * 9.81 * 0.2;
-        const RagdollId id =
-            stage.add(arm(BallJoint{}, {.hertz = 20, .max_torque = share * weight}));
-        stage.ragdolls->set_mode(stage.world, id, RagdollMode::powered).expect();
-        for (int k = 0; k < 60; k++) stage.step();
-        if (share < 1)
-            EXPECT_LT(stage.angle(id, 1), -0.5);
-        else
-            EXPECT_GT(stage.angle(id, 1), -0.05);
-    }
+    for (const JointKind& joint : {JointKind(BallJoint{}), JointKind(HingeJoint{})})
+        for (const double share : {0.9, 1.1}) {
+            Stage stage;
+            const double weight = 8 * 9.81 * 0.2;
+            const RagdollId id = stage.add(arm(joint, {.hertz = 20, .max_torque = share * weight}));
+            stage.ragdolls->set_mode(stage.world, id, RagdollMode::powered).expect();
+            for (int k = 0; k < 60; k++) stage.step();
+            if (share < 1)
+                EXPECT_LT(stage.angle(id, 1), -0.5) << kind_name(joint);
+            else
+                EXPECT_GT(stage.angle(id, 1), -0.05) << kind_name(joint);
+        }
 }
 
 // A pose that swings by 0.5 rad once a second is followed in amplitude and phase: by hinges, which

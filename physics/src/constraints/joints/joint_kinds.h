@@ -117,7 +117,7 @@ struct JointKernel<HingeJoint> {
             // The weakest first: what must hold has the last word.
             if ((uses & uses_spring) != 0)
                 spring_row(pair, row, spring_of<kRelax>(t.spring_soft), angle - load(t.spring_at),
-                           t.spring);
+                           load(t.drive_most), t.spring);
             if ((uses & uses_motor) != 0)
                 motor_row(pair, row, load(t.motor_speed), load(t.motor_most), t.motor);
             if ((uses & uses_limit) != 0) {
@@ -255,7 +255,7 @@ struct JointKernel<DistanceJoint> {
         // A rod is a spring as stiff as the sub-step can carry, a row that pulls and pushes.
         if ((uses & uses_spring) != 0)
             spring_row(pair, row, soft_or_rigid<kRelax>(step, t.spring_soft),
-                       now - load(t.spring_at), t.spring);
+                       now - load(t.spring_at), splat(1e30f), t.spring);
         if ((uses & uses_limit) != 0) {
             limit_row<kRelax>(pair, step, row, 1, now - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - now, t.upper);

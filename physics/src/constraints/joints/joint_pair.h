@@ -287,17 +287,19 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideR
     store(kept, now);
 }
 
-// Pulls the row's value `error` to zero.
+// Pulls the row's value `error` to zero with at most `strongest` per sub-step.
 template <bool kAngular>
 JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
-                              Wide error, float* kept) {
+                              Wide error, Wide strongest, float* kept) {
     const Wide before = load(kept);
     const Wide most = kAngular ? s.push_spin : s.push_speed, push = error * s.position_rate;
     const WideMask over = absolute(push) > most_push(s, most);
     const Wide want = row.speed(pair) * select(over, splat(1), s.velocity_scale) +
                       select(over, max(min(push, most), -most), push);
-    const Wide d = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
-    store(kept, before + d);
+    const Wide wished = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
+    const Wide now = max(min(before + wished, strongest), -strongest);
+    const Wide d = select(absolute(before + wished) > strongest, now - before, wished);
+    store(kept, now);
     row.apply(pair, d);
 }
 

@@ -83,10 +83,8 @@ TEST(Drive, a_spring_about_an_axis_has_no_more_than_its_torque) {
         const BodyId body = ball_body(world);
         const double inertia = state_of(world, body).inertia.z.z;
         SixDofJoint six;
-        six.axes->turn_z = {
-            .free = true, .spring = {5, 1}, .spring_at = 3, .spring_most = inertia};
-        const HingeJoint about{
-            .spring = {5, 1}, .spring_angle = 3, .spring_max_torque = inertia};
+        six.axes->turn_z = {.free = true, .spring = {5, 1}, .spring_at = 3, .spring_most = inertia};
+        const HingeJoint about{.spring = {5, 1}, .spring_angle = 3, .spring_max_torque = inertia};
         const JointId joint = join(world, body, hinge ? JointKind(about) : JointKind(six));
         run(world, 1);
         EXPECT_NEAR(state_of(world, body).angular_velocity.z, 1, 0.01);
@@ -101,9 +99,8 @@ TEST(Drive, a_spring_along_a_slider_has_no_more_than_its_force) {
         const BodyId body = ball_body(world);
         const double mass = state_of(world, body).mass;
         join(world, body,
-             SliderJoint{.spring = {5, 1},
-                         .spring_travel = 2,
-                         .spring_max_force = bounded ? mass : 0});
+             SliderJoint{
+                 .spring = {5, 1}, .spring_travel = 2, .spring_max_force = bounded ? mass : 0});
         run(world, 1);
         if (bounded)
             EXPECT_NEAR(state_of(world, body).linear_velocity.z, 1, 0.01);

@@ -33,6 +33,22 @@ JOSTLE_INLINE WideSymmetric operator+(const WideSymmetric& a, const WideSymmetri
 JOSTLE_INLINE Wide3 operator*(const WideSymmetric& m, Wide3 v) {
     return {dot({m.xx, m.xy, m.xz}, v), dot({m.xy, m.yy, m.yz}, v), dot({m.xz, m.yz, m.zz}, v)};
 }
+// q m q^T.
+JOSTLE_INLINE WideSymmetric turned_by(WideQuat q, const WideSymmetric& m) {
+    const Wide3 x = x_axis(q), y = y_axis(q), z = z_axis(q);
+    const Wide3 u = x * m.xx + y * m.xy + z * m.xz, v = x * m.xy + y * m.yy + z * m.yz,
+                w = x * m.xz + y * m.yz + z * m.zz;
+    return {u.x * x.x + v.x * y.x + w.x * z.x, u.y * x.y + v.y * y.y + w.y * z.y,
+            u.z * x.z + v.z * y.z + w.z * z.z, u.x * x.y + v.x * y.y + w.x * z.y,
+            u.x * x.z + v.x * y.z + w.x * z.z, u.y * x.z + v.y * y.z + w.y * z.z};
+}
+// How the axes in which a body's spin is kept have turned since the start of the step.
+JOSTLE_INLINE WideQuat turned_axes(Wide spins_along, WideQuat rotation) {
+    const WideMask along = spins_along > splat(0);
+    const Wide none = splat(0);
+    return {select(along, rotation.x, none), select(along, rotation.y, none),
+            select(along, rotation.z, none), select(along, rotation.w, splat(1))};
+}
 // [r]x m [r]x^T: what an impulse at arm r does to the velocity there, by way of the spin.
 JOSTLE_INLINE WideSymmetric across(const WideSymmetric& m, Wide3 r) {
     const Wide3 x = m * Wide3{splat(0), r.z, -r.y};  // m (r x e_x)
@@ -70,6 +86,8 @@ struct JointSide {
     Wide3 turned;       // the same as a rotation vector
     Wide3 arm;          // of the anchor, now
     Wide3 swept;        // how the anchor moved by that turn
+    bool any_along;     // some keep their spin in axes that turn with them
+    WideQuat along;     // how those have turned
 
     JOSTLE_INLINE void load_from(const HotBody* bodies, const std::int32_t* index,
                                  const float (*start_arm)[8]) {
@@ -85,13 +103,20 @@ struct JointSide {
         inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
         turned = {motion[3], motion[4], motion[5]};
         rotation = from_rotation_vector(turned);
+        any_along = lane_bits(motion[7] > splat(0)) != 0;
+        if (any_along) {
+            along = turned_axes(motion[7], rotation);
+            w = rotate(along, w);
+            inverse_inertia = turned_by(along, inverse_inertia);
+        }
         const Wide3 start = load3(start_arm);
         swept = rotated_by(rotation, start);
         arm = start + swept;
     }
     JOSTLE_INLINE void store_to() {
         state[0] = v.x, state[1] = v.y, state[2] = v.z;
-        state[3] = w.x, state[4] = w.y, state[5] = w.z;
+        const Wide3 spin = any_along ? rotate(conjugate(along), w) : w;
+        state[3] = spin.x, state[4] = spin.y, state[5] = spin.z;
         // What joints cannot push may be in several blocks at once: nothing is written to it.
         alignas(32) float nobody[8];
         float* to[8];

@@ -34,9 +34,10 @@ Vec3 rate_of(Quat before, Quat wanted, double dt) {
 }
 
 // A damped spring lags behind what moves by 2 zeta / omega, and holds a target for a whole step,
-// whose middle is half a step before the pose at its end.
-double lead_of(const Muscle& muscle, double dt) {
-    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt;
+// whose middle is half a step before the pose at its end. The solver's springs are implicit, and
+// are solved before and after a sub-step's motion: that damps like two sub-steps more.
+double lead_of(const Muscle& muscle, double dt, int substeps) {
+    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + 2 * dt / substeps;
 }
 
 BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& place) {
@@ -323,15 +324,16 @@ void Ragdolls::lead(World& world, Figure& figure, double dt) {
 void Ragdolls::pull(World& world, Figure& figure, double dt) {
     const bool blends = figure.blended < figure.blend;
     const double part = blends ? figure.blended / figure.blend : 1;
+    const int substeps = world.substeps();
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
         const double strength = figure.mode == RagdollMode::powered ? bone.strength * part : 0;
         const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
         Quat target = turn;
         if (bone.muscle.hertz > 0)
-            target =
-                from_rotation_vector(rate_of(bone.before, turn, dt) * lead_of(bone.muscle, dt)) *
-                turn;
+            target = from_rotation_vector(rate_of(bone.before, turn, dt) *
+                                          lead_of(bone.muscle, dt, substeps)) *
+                     turn;
         bone.before = turn;
         const JointKind kind = kind_of(bone, strength, normalized(target));
         static_cast<void>(world.set_joint(bone.joint, kind).ok());

@@ -44,13 +44,20 @@ Component component() {
 }
 Component component_of(std::size_t type) {
     switch (type) {
-        case 5120: return component<std::int8_t>();
-        case 5121: return component<std::uint8_t>();
-        case 5122: return component<std::int16_t>();
-        case 5123: return component<std::uint16_t>();
-        case 5125: return component<std::uint32_t>();
-        case 5126: return component<float>();
-        default: return {};
+        case 5120:
+            return component<std::int8_t>();
+        case 5121:
+            return component<std::uint8_t>();
+        case 5122:
+            return component<std::int16_t>();
+        case 5123:
+            return component<std::uint16_t>();
+        case 5125:
+            return component<std::uint32_t>();
+        case 5126:
+            return component<float>();
+        default:
+            return {};
     }
 }
 
@@ -203,8 +210,7 @@ Result<std::size_t> File::index(const Place& place, std::size_t count, const cha
 }
 
 Result<std::vector<double>> File::numbers(const Place& place, std::size_t count) {
-    if (place.size() != count)
-        return place.wrong("must be " + std::to_string(count) + " numbers");
+    if (place.size() != count) return place.wrong("must be " + std::to_string(count) + " numbers");
     std::vector<double> values;
     for (std::size_t k = 0; k < count; k++) {
         const Place number = place.at(k);
@@ -226,12 +232,12 @@ Result<Numbers> File::accessor(const Place& which, const std::string& type) cons
     const Place kind = a.at("type");
     if (!kind.there() || *kind.value != type) return kind.wrong("is not \"" + type + "\"");
     const Result<std::size_t> component_type = whole(a.at("componentType"), 0),
-                              count = whole(a.at("count"), 0), offset = whole(a.at("byteOffset"), 0);
+                              count = whole(a.at("count"), 0),
+                              offset = whole(a.at("byteOffset"), 0);
     for (const auto* value : {&component_type, &count, &offset})
         if (!value->ok()) return value->error();
     if (*count > numbers_max / width_of(type))
-        return a.at("count").wrong("is more than " +
-                                   std::to_string(numbers_max / width_of(type)));
+        return a.at("count").wrong("is more than " + std::to_string(numbers_max / width_of(type)));
     const Component component = component_of(*component_type);
     if (component.read == nullptr) return a.at("componentType").wrong("is none of glTF's");
 
@@ -260,8 +266,8 @@ Result<Numbers> File::accessor(const Place& which, const std::string& type) cons
     numbers.values.reserve(*count * numbers.width);
     for (std::size_t k = 0; k < *count; k++)
         for (std::size_t i = 0; i < numbers.width; i++) {
-            const double value = component.read(bytes.data() + *begin + *offset + k * *stride +
-                                                i * component.bytes);
+            const double value =
+                component.read(bytes.data() + *begin + *offset + k * *stride + i * component.bytes);
             if (!is_finite(value)) return a.wrong("has a number that is not finite");
             numbers.values.push_back(shares ? value / component.largest : value);
         }

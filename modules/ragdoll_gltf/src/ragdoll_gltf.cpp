@@ -44,8 +44,7 @@ Status check_bone(const GltfBone& bone, const std::string& where) {
     return {};
 }
 Status check(const GltfFigureOptions& options) {
-    if (!is_within(options.scale, 1e-4, 1e4))
-        return invalid("scale must be from 1e-4 to 1e4 m");
+    if (!is_within(options.scale, 1e-4, 1e4)) return invalid("scale must be from 1e-4 to 1e4 m");
     if (!is_within(options.density, 1e-6, 1e6))
         return invalid("density must be from 1e-6 to 1e6 kg/m^3");
     if (!is_within(options.least_radius, 1e-4, 100))
@@ -91,14 +90,15 @@ private:
 
     void add(std::size_t k, bool bears) {
         const GltfBone& wanted = wanted_of(options_, joints_[k].name);
-        const int above = joints_[k].parent < 0
-                              ? -1
-                              : static_cast<int>(of_joint_[static_cast<std::size_t>(
-                                    joints_[k].parent)]);
+        const int above =
+            joints_[k].parent < 0
+                ? -1
+                : static_cast<int>(of_joint_[static_cast<std::size_t>(joints_[k].parent)]);
         const bool kept = above < 0 || (bears && wanted.kind != GltfBoneKind::welded);
         of_joint_[k] = kept ? pieces.size() : static_cast<std::size_t>(above);
         if (kept) {
-            if (above >= 0) pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
+            if (above >= 0)
+                pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
             pieces.push_back({.joint = k, .parent = above, .wanted = wanted, .start = place_of(k)});
         } else {
             tips_.push_back({of_joint_[k], place_of(k)});
@@ -123,9 +123,8 @@ private:
             if (owner == k && length(tip - piece.start) > length(piece.end - piece.start))
                 piece.end = tip;
         if (length(piece.end - piece.start) >= options_.least_radius) return;
-        const Vec3 from = piece.parent < 0
-                              ? piece.start
-                              : pieces[static_cast<std::size_t>(piece.parent)].start;
+        const Vec3 from =
+            piece.parent < 0 ? piece.start : pieces[static_cast<std::size_t>(piece.parent)].start;
         const Vec3 way = piece.start - from;
         const Vec3 along = length(way) > 1e-9 ? way * (1 / length(way)) : Vec3{0, 1, 0};
         double far = piece.points.empty() ? 0.5 * length(way) : 0;
@@ -135,7 +134,7 @@ private:
 
     const std::vector<SkeletonJoint>& joints_;
     const GltfFigureOptions& options_;
-    std::vector<std::size_t> of_joint_;                   // its piece, or whose it is welded to
+    std::vector<std::size_t> of_joint_;  // its piece, or whose it is welded to
     std::vector<std::pair<std::size_t, Vec3>> tips_;
 };
 
@@ -165,8 +164,8 @@ double radius_of(const Piece& piece, Vec3 along, double size, double least) {
         const Vec3 arm = point - piece.start;
         sum += length(arm - along * clamp(dot(arm, along), 0, size));
     }
-    const double mean = piece.points.empty() ? 0.15 * size
-                                             : sum / static_cast<double>(piece.points.size());
+    const double mean =
+        piece.points.empty() ? 0.15 * size : sum / static_cast<double>(piece.points.size());
     return maximum(least, minimum(mean, maximum(0.5 * size, least)));
 }
 
@@ -181,7 +180,7 @@ RagdollBone bone_of(const Piece& piece, const SkeletonJoint& joint,
     // A capsule lies along y.
     bone.rest = {piece.start + way * 0.5, rotation_of({side, along, cross(side, along)})};
     bone.shapes.push_back(
-        {.geometry = Capsule{radius, maximum(0.5 * size - radius, 1e-3 * radius)},
+        {.geometry = Capsule{radius, maximum(0.5 * size - radius, 2e-4 + 1e-3 * radius)},
          .density = options.density});
     if (piece.parent < 0) return bone;
     const GltfBone& wanted = piece.wanted;
@@ -208,7 +207,8 @@ Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path) {
     if (size > gltf::file_bytes_max) return invalid(path.string() + " has more than 64 MB");
     std::ifstream in(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in.good() && !in.eof()) return Error{ErrorCode::not_found, path.string() + " cannot be read"};
+    if (!in.good() && !in.eof())
+        return Error{ErrorCode::not_found, path.string() + " cannot be read"};
     const auto* from = reinterpret_cast<const std::byte*>(text.data());
     return std::vector<std::byte>(from, from + text.size());
 }

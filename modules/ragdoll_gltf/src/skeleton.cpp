@@ -38,9 +38,8 @@ Result<Affine> local_of(const Place& node) {
         return affine_of(m->data());
     }
     std::vector<double> shift{0, 0, 0}, turn{0, 0, 0, 1}, scale{1, 1, 1};
-    for (const auto& [name, values] : {std::pair{"translation", &shift},
-                                       {"rotation", &turn},
-                                       {"scale", &scale}}) {
+    for (const auto& [name, values] :
+         {std::pair{"translation", &shift}, {"rotation", &turn}, {"scale", &scale}}) {
         const Place place = node.at(name);
         if (!place.there()) continue;
         Result<std::vector<double>> read = File::numbers(place, values->size());
@@ -82,8 +81,7 @@ Result<std::vector<Node>> read_nodes(const File& file) {
         }
         for (; !way.empty(); way.pop_back()) {
             Node& node = nodes[way.back()];
-            node.world = node.parent == nobody ? node.local
-                                               : nodes[node.parent].world * node.local;
+            node.world = node.parent == nobody ? node.local : nodes[node.parent].world * node.local;
             if (!is_near(node.world))
                 return list->at(way.back()).wrong("stands further away than 1e9");
             node.placed = true;
@@ -143,12 +141,11 @@ struct SkinReader {
         for (const std::size_t k : order) {
             place_of[k] = joints.size();
             const std::size_t node = joint_nodes[k];
-            joints.push_back({.node = node,
-                              .name = name_of(file.root().at("nodes").at(node), node),
-                              .parent = parents[k] == nobody
-                                            ? -1
-                                            : static_cast<int>(place_of[parents[k]]),
-                              .world = nodes[node].world});
+            joints.push_back(
+                {.node = node,
+                 .name = name_of(file.root().at("nodes").at(node), node),
+                 .parent = parents[k] == nobody ? -1 : static_cast<int>(place_of[parents[k]]),
+                 .world = nodes[node].world});
         }
         return {};
     }

@@ -25,9 +25,9 @@ Affine operator*(const Affine& a, const Affine& b);
 
 struct SkeletonJoint {
     std::size_t node = 0;
-    std::string name = {};   // "node 7" if the file gives none
-    int parent = -1;         // an earlier joint; -1: the root, which is first
-    Affine world = {};       // as it stands in the file
+    std::string name = {};                   // "node 7" if the file gives none
+    int parent = -1;                         // an earlier joint; -1: the root, which is first
+    Affine world = {};                       // as it stands in the file
     std::vector<physics::Vec3> points = {};  // likewise, of which it bears most
 };
 

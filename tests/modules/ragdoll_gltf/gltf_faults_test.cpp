@@ -63,11 +63,17 @@ TEST(GltfFaults, numbers_are_named) {
                   s.buffer.replace(120, 4, reinterpret_cast<const char*>(&bad), 4);
               }),
               "accessors[0] has a number that is not finite");
-    EXPECT_EQ(complaint([](GltfSkeleton& s) { s.json["nodes"][2]["rotation"] = {0, 0, 0, 0}; }),
+    EXPECT_EQ(complaint([](GltfSkeleton& s) {
+                  s.json["nodes"][2]["rotation"] = {0, 0, 0, 0};
+              }),
               "nodes[2].rotation is no unit quaternion");
-    EXPECT_EQ(complaint([](GltfSkeleton& s) { s.json["nodes"][2]["translation"] = {1, "x", 0}; }),
+    EXPECT_EQ(complaint([](GltfSkeleton& s) {
+                  s.json["nodes"][2]["translation"] = {1, "x", 0};
+              }),
               "nodes[2].translation[1] is no number");
-    EXPECT_EQ(complaint([](GltfSkeleton& s) { s.json["nodes"][2]["scale"] = {1e300, 1, 1}; }),
+    EXPECT_EQ(complaint([](GltfSkeleton& s) {
+                  s.json["nodes"][2]["scale"] = {1e300, 1, 1};
+              }),
               "nodes[2] stands further away than 1e9");
     EXPECT_EQ(complaint([](GltfSkeleton& s) { s.json["accessors"][1]["componentType"] = 9; }),
               "accessors[1].componentType is none of glTF's");
@@ -95,7 +101,7 @@ TEST(GltfFaults, files_that_are_none_are_named) {
 TEST(GltfFaults, forged_bytes_are_refused_or_harmless) {
     const std::vector<std::byte> whole = GltfSkeleton().glb();
     int refused = 0;
-    for (std::size_t at = 0; at < whole.size(); at += 11)
+    for (std::size_t at = 0; at < whole.size(); at += 41)
         for (const unsigned flip : {0x01u, 0x10u, 0xffu}) {
             std::vector<std::byte> bytes = whole;
             bytes[at] ^= static_cast<std::byte>(flip);

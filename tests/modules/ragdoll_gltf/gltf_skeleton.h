@@ -88,7 +88,7 @@ private:
         physics::Vec3 from, way;
         double radius;
     };
-    std::vector<Tube> tubes_;           // by joint, in the mesh's space: centimetres, z up
+    std::vector<Tube> tubes_;            // by joint, in the mesh's space: centimetres, z up
     std::vector<physics::Vec3> places_;  // of joints there
 
     template <class T>
@@ -141,8 +141,8 @@ private:
         accessor(begin, 5126, count, "VEC3");
         begin = buffer.size();
         for (std::size_t k = 0; k < count; k++)
-            for (const std::size_t j : {k / (rings * sides), std::size_t{0}, std::size_t{0},
-                                        std::size_t{0}})
+            for (const std::size_t j :
+                 {k / (rings * sides), std::size_t{0}, std::size_t{0}, std::size_t{0}})
                 append(buffer, static_cast<std::uint8_t>(j));
         accessor(begin, 5121, count, "VEC4");
         begin = buffer.size();
@@ -154,15 +154,15 @@ private:
         begin = buffer.size();
         for (const physics::Vec3 place : places_)
             for (int k = 0; k < 16; k++)
-                append(buffer, static_cast<float>(k % 5 == 0  ? 1
-                                                  : k == 12 ? -place.x
-                                                  : k == 13 ? -place.y
-                                                  : k == 14 ? -place.z
-                                                            : 0));
+                append(buffer, static_cast<float>(k % 5 == 0 ? 1
+                                                  : k == 12  ? -place.x
+                                                  : k == 13  ? -place.y
+                                                  : k == 14  ? -place.z
+                                                             : 0));
         accessor(begin, 5126, places_.size(), "MAT4");
-        json["meshes"] = {{{"primitives",
-                            {{{"attributes",
-                               {{"POSITION", 0}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}}}}}}}};
+        json["meshes"] = {
+            {{"primitives",
+              {{{"attributes", {{"POSITION", 0}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}}}}}}}};
         json["skins"] = {{{"joints", {1, 2, 3, 4, 5, 6, 7}}, {"inverseBindMatrices", 3}}};
     }
 };

@@ -38,8 +38,8 @@ TEST(RagdollGltf, bones_go_from_joint_to_joint) {
     EXPECT_EQ(bones[0].name, "hips");
     EXPECT_EQ(figure.nodes[0], 1u);
     // Level by level: the hips, what hangs on them, then what hangs on that.
-    const char* names[] = {"hips", "spine", "left thigh", "right thigh", "head", "left shin",
-                           "right shin"};
+    const char* names[] = {"hips", "spine",     "left thigh", "right thigh",
+                           "head", "left shin", "right shin"};
     const int parents[] = {-1, 0, 0, 0, 1, 2, 3};
     for (std::size_t k = 0; k < 7; k++) {
         EXPECT_EQ(bones[k].name, names[k]);

@@ -190,6 +190,10 @@ struct JointPair {
     JOSTLE_INLINE WideSymmetric turn_matrix() const {
         return a.inverse_inertia + b.inverse_inertia;
     }
+    // How a turn parts the anchors.
+    JOSTLE_INLINE Wide3 parted_by(Wide3 turn) const {
+        return cross(b.inverse_inertia * turn, b.arm) + cross(a.inverse_inertia * turn, a.arm);
+    }
 };
 
 // A spring, or what the sub-step can carry, in eight lanes (constraints/softness.h).
@@ -274,6 +278,7 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
 // One degree of freedom: an angle about an axis, or a length along a line.
 template <bool kAngular>
 struct WideRow {
+    static constexpr bool angular = kAngular;
     Wide3 direction;
     Wide response;  // one over what an impulse does to the speed; 0 where it does nothing
 
@@ -292,15 +297,41 @@ struct WideRow {
     }
 };
 
+// An angle about an axis of bodies that a point holds together: the point answers at once. What
+// takes turns with it would have to push as often as the bodies' inertia about the point is larger
+// than their own.
+struct HeldRow {
+    static constexpr bool angular = true;
+    Wide3 direction, back;  // of the turn; of the point's answer
+    Wide response;
+    Wide own;  // what an impulse would do to the speed without the point
+    Wide3& point;
+
+    JOSTLE_INLINE HeldRow(const JointPair& pair, Wide3 axis, Wide3& impulse)
+        : direction(axis), point(impulse) {
+        const Wide3 parts = pair.parted_by(axis);
+        back = solve3(pair.point_matrix(), parts);
+        own = dot(axis, pair.turn_matrix() * axis);
+        response = inverse_above(own - dot(parts, back), own * splat(1e-4f));
+    }
+    JOSTLE_INLINE Wide speed(const JointPair& pair) const { return dot(direction, pair.spin()); }
+    JOSTLE_INLINE void apply(JointPair& pair, Wide impulse) const {
+        const Wide3 answer = -(back * impulse);
+        pair.apply_angular(direction * impulse);
+        pair.push(answer);
+        point = point + answer;
+    }
+};
+
 // `left`: how much there is before the limit; negative: beyond it. `sign` times the row's
 // direction is that in which the impulse, which is kept, may push (>= 0).
-template <bool kRelax, bool kAngular>
-JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideRow<kAngular>& row,
-                             float sign, Wide left, float* kept) {
+template <bool kRelax, class Row>
+JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& row, float sign,
+                             Wide left, float* kept) {
     const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
-    const Wide most = kAngular ? s.push_spin : s.push_speed, push = left * s.position_rate;
+    const Wide most = Row::angular ? s.push_spin : s.push_speed, push = left * s.position_rate;
     const WideMask over = push < -most_push(s, most), soft = ~free & ~over;
     const Wide before = load(kept);
     const Wide toward = row.speed(pair) * splat(sign);
@@ -328,10 +359,22 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
     row.apply(pair, d);
 }
 
+// The same of a row whose point answers: as stiff as it would be without.
+JOSTLE_INLINE void spring_row(JointPair& pair, const HeldRow& row, const WideSoft& s, Wide error,
+                              Wide strongest, float* kept) {
+    const Wide before = load(kept);
+    const Wide soft = row.own * s.impulse_scale;
+    const Wide want = row.speed(pair) * s.velocity_scale + error * s.position_rate + soft * before;
+    const Wide held = inverse_above(row.response, splat(0));
+    const Wide wished = before - want * inverse_above(held * s.velocity_scale + soft, splat(0));
+    const Wide now = max(min(wished, strongest), -strongest);
+    store(kept, now);
+    row.apply(pair, now - before);
+}
+
 // Drives the row's speed to the target with at most `most` per sub-step.
-template <bool kAngular>
-JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<kAngular>& row, Wide speed, Wide most,
-                             float* kept) {
+template <class Row>
+JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most, float* kept) {
     const Wide before = load(kept);
     const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);
     row.apply(pair, now - before);

@@ -35,18 +35,18 @@ enum class GltfBoneKind : std::uint8_t {
 struct GltfBone {
     std::string name = {};
     GltfBoneKind kind = GltfBoneKind::cone_twist;
-    physics::Vec3 axis = {1, 0, 0};     // of a hinge, in the joint's own axes
-    double swing = 0.7;                 // rad, 0 to pi
-    double lower = -0.4, upper = 0.4;   // rad, -pi to pi, from how it stands in the file
+    physics::Vec3 axis = {1, 0, 0};    // of a hinge, in the joint's own axes
+    double swing = 0.7;                // rad, 0 to pi
+    double lower = -0.4, upper = 0.4;  // rad, -pi to pi, from how it stands in the file
     Muscle muscle = {};
 };
 
 struct GltfFigureOptions {
-    std::size_t skin = 0;               // which of the file's
-    double scale = 1;                   // m of a unit of the file, 1e-4 to 1e4
-    double density = 1000;              // kg/m^3
-    double least_radius = 0.02;         // m, of a bone's capsule, after scaling
-    GltfBone otherwise = {};            // joints that are not named below
+    std::size_t skin = 0;        // which of the file's
+    double scale = 1;            // m of a unit of the file, 1e-4 to 1e4
+    double density = 1000;       // kg/m^3
+    double least_radius = 0.02;  // m, of a bone's capsule, after scaling
+    GltfBone otherwise = {};     // joints that are not named below
     std::vector<GltfBone> bones = {};
 };
 

@@ -291,14 +291,31 @@ Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
 }
 
 // A figure that lost a bone or a joint is no figure any more: what is left falls as it may.
-void Ragdolls::drop_if_broken(const World& world, Figure& figure) {
+void Ragdolls::drop_if_broken(World& world, Figure& figure) {
     const bool whole = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
         const bool joined = b.parent >= 0 && figure.mode != RagdollMode::kinematic;
         return world.contains(b.body) && (!joined || world.contains(b.joint));
     });
-    if (whole) return;
+    if (!whole) let_go(world, figure);
+}
+
+// What is left of it stays, limp.
+void Ragdolls::let_go(World& world, Figure& figure) {
+    for (const Bone& bone : figure.bones)
+        if (world.contains(bone.joint))
+            static_cast<void>(world.set_joint(bone.joint, kind_of(bone, 0, {})).ok());
     figure.alive = false;
     figure.bones.clear();
+}
+
+void Ragdolls::after_step(World& world, double) {
+    const std::span<const BodyId> lost = world.events().quarantined;
+    if (lost.empty()) return;
+    for (Figure& figure : figures_)
+        if (std::any_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& bone) {
+                return std::find(lost.begin(), lost.end(), bone.body) != lost.end();
+            }))
+            let_go(world, figure);
 }
 
 // Kinematic: to where the pose puts each bone at the end of the step.

@@ -61,15 +61,6 @@ JOSTLE_INLINE Wide3 implicit_turn(const BatchBody& body) {
 JOSTLE_INLINE WideQuat axes_of(const BatchBody& body) {
     return turned_axes(load(body.spins_along), load4(body.rotation));
 }
-// How fast the ends part for being turned half a sub-step long: arms point elsewhere then.
-JOSTLE_INLINE Wide3 parting(const BatchBody& a, const BatchBody& b, const BatchJoint& joint,
-                            const JointStep& step) {
-    const Wide3 w_a = load3(a.w), w_b = load3(b.w);
-    return (cross(w_b, cross(w_b, load3(joint.lever_b))) -
-            cross(w_a, cross(w_a, load3(joint.lever_a)))) *
-           splat(0.5f * step.h);
-}
-
 // Velocities to what the points allow. Soft passes: and take away what they are apart.
 template <BatchPass kPass>
 void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step) {
@@ -102,7 +93,6 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
             const Wide size2 = dot(push, push);
             const WideMask over = size2 > most * most;
             want = want + push * select(over, most / root(max(size2, splat(1e-30f))), splat(1));
-            want = want + parting(a, b, joint, step);
         }
         store3(joint.unknown, -want);
     }

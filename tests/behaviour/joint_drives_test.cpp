@@ -85,7 +85,7 @@ TEST(Drive, a_spring_about_an_axis_has_no_more_than_its_torque) {
         SixDofJoint six;
         six.axes->turn_z = {.free = true, .spring = {5, 1}, .spring_at = 3, .spring_most = inertia};
         const HingeJoint about{.spring = {5, 1}, .spring_angle = 3, .spring_max_torque = inertia};
-        const JointId joint = join(world, body, hinge ? JointKind(about) : JointKind(six));
+        const JointId joint = join_to_world(world, body, hinge ? JointKind(about) : JointKind(six));
         run(world, 1);
         EXPECT_NEAR(state_of(world, body).angular_velocity.z, 1, 0.01);
         EXPECT_NEAR(must(world.joint(joint)).torque.z, inertia, 0.01 * inertia);
@@ -98,9 +98,10 @@ TEST(Drive, a_spring_along_a_slider_has_no_more_than_its_force) {
         World world = make_world({.gravity = {}});
         const BodyId body = ball_body(world);
         const double mass = state_of(world, body).mass;
-        join(world, body,
-             SliderJoint{
-                 .spring = {5, 1}, .spring_travel = 2, .spring_max_force = bounded ? mass : 0});
+        join_to_world(
+            world, body,
+            SliderJoint{
+                .spring = {5, 1}, .spring_travel = 2, .spring_max_force = bounded ? mass : 0});
         run(world, 1);
         if (bounded)
             EXPECT_NEAR(state_of(world, body).linear_velocity.z, 1, 0.01);
@@ -135,8 +136,8 @@ TEST(BallFriction, takes_away_spin_by_its_torque) {
 
 TEST(Drive, the_bound_of_a_spring_is_saved) {
     World world = make_world();
-    const JointId joint =
-        join(world, ball_body(world), HingeJoint{.spring = {1, 1}, .spring_max_torque = 7});
+    const JointId joint = join_to_world(world, ball_body(world),
+                                        HingeJoint{.spring = {1, 1}, .spring_max_torque = 7});
     World loaded = must(load(save(world)));
     EXPECT_EQ(std::get<HingeJoint>(must(loaded.joint(joint)).def.kind).spring_max_torque, 7);
     EXPECT_EQ(state_hash(loaded), state_hash(world));

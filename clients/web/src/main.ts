@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
+import type { Entity } from './gen/jostle/v1/play_pb';
 import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
@@ -11,6 +12,7 @@ import { HitMarks } from './hit_marks';
 import { NO_CHUNKS } from './module_chunks';
 import { ModuleView } from './module_view';
 import { DebugPanel } from './panels/debug';
+import { drawArrows, DriverPanel, offerWords } from './panels/driver';
 import { EventsPanel } from './panels/events';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
@@ -60,6 +62,8 @@ const told: Events = {
   },
   entityList: (entities) => {
     view.setEntities(entities, connection.welcome?.clientId ?? 0);
+    drivable = [...entities.values()].filter((entity) => entity.drivable);
+    entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.forget();
   },
   stats: (stats) => statsPanel.update(stats),
@@ -72,6 +76,9 @@ const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
+let drivable: Entity[] = [];
+let entitiesChanged = false;
+let framedWorld: string | undefined; // whose whole the camera was turned to
 const tools = new Tools(
   canvas,
   camera,
@@ -84,10 +91,11 @@ const tools = new Tools(
   },
   (entity) => {
     if (!connection.entities.get(entity)?.drivable) return toasts.say('nobody can drive that');
-    driving.take(entity);
-    toasts.say('W A S D or arrows, space, shift, Q and E, or a gamepad; Esc lets go');
+    takeWheel(entity);
   },
+  (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
 );
+const driverPanel = new DriverPanel(byId('driver'), takeWheel, () => driving.letGo());
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
@@ -175,17 +183,62 @@ function headingOf(pose: ArrayLike<number>): number {
   return Math.atan2(2 * (x * z + w * y), 1 - 2 * (x * x + y * y));
 }
 
+function takeWheel(entity: number): void {
+  driving.take(entity);
+  camera.settle(moduleView.steeringOf(entity)?.distance ?? 8);
+}
+
 let pictureAt = performance.now();
 function drive(): void {
   const now = performance.now();
-  const seconds = Math.min(0.1, (now - pictureAt) / 1000);
+  const seconds = Math.min(0.5, (now - pictureAt) / 1000);
   pictureAt = now;
   if (driving.entity === 0) return;
   const pad: Pad | undefined = navigator.getGamepads().find((one) => one !== null && one.mapping === 'standard') ?? undefined;
   driving.update(pad, lookOf(camera.camera.getWorldDirection(new THREE.Vector3())), now);
   const pose = view.poseOf(driving.entity);
-  // What has no wheels looks where the camera looks: then the camera is the pointer's.
-  if (pose) camera.follow(pose, connection.entities.get(driving.entity)?.mass ? headingOf(pose) : undefined, seconds);
+  if (!pose) return;
+  // Who goes where the camera looks leaves the camera to the pointer.
+  const behind = moduleView.steeringOf(driving.entity)?.camera !== 'free';
+  camera.follow(pose, behind ? headingOf(pose) : undefined, seconds);
+}
+
+/** A world that is new to us is seen as a whole at first. */
+function frameWorld(): void {
+  const world = connection.welcome?.worldId;
+  if (connection.state !== 'playing' || world === framedWorld || drawn.count === 0) return;
+  framedWorld = world;
+  camera.frame(view.outline());
+}
+
+function drawModules(): void {
+  moduleView.debug = debugPanel.on.fields;
+  moduleView.update(drawn.source?.chunks ?? NO_CHUNKS, {
+    seconds: drawn.seconds,
+    nowMs: performance.now(),
+    around: camera.controls.target,
+    poseOf: (entity) => view.poseOf(entity),
+    entityOf: (entity) => connection.entities.get(entity),
+    decorate: (solids) => {
+      if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, drivable, (entity) => view.poseOf(entity), performance.now());
+    },
+  });
+  const colors = moduleView.dress(entitiesChanged, connection.entities);
+  entitiesChanged = false;
+  if (colors) view.dress(colors);
+}
+
+function tellDriver(): void {
+  driverPanel.update(
+    {
+      choosing: tools.tool === 'drive',
+      driven: connection.entities.get(driving.entity),
+      keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
+      words: moduleView.drivenWords(driving.entity),
+      general: moduleView.words() || offerWords(drivable),
+    },
+    drivable,
+  );
 }
 
 function resize(): void {
@@ -202,7 +255,9 @@ renderer.setAnimationLoop(() => {
   camera.controls.update();
   if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
   view.update(drawn);
-  moduleView.update(drawn.source?.chunks ?? NO_CHUNKS, (entity) => view.poseOf(entity));
+  frameWorld();
+  drawModules();
+  tellDriver();
   debugPanel.update();
   eventsPanel.update();
   hitMarks.update(performance.now());
@@ -241,6 +296,14 @@ Object.defineProperty(window, 'jostle', {
     parts: () => view.partCounts(),
     /** How many lines modules have drawn in this picture. */
     moduleLines: () => moduleView.lines.count / 2,
+    /** How many solid things modules have drawn. */
+    moduleSolids: () => moduleView.solids.count,
+    waters: () => moduleView.water.drawn.length,
+    drivable: () => drivable.map(({ id }) => id),
+    /** Whom this page drives; 0: nobody. */
+    get driven() {
+      return driving.entity;
+    },
     nameOf: (id: number) => connection.entities.get(id)?.name,
     pose: (id: number) => {
       const pose = view.poseOf(id);

@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { VertexBuffer } from '../vertex_buffer';
-import { drawHovercraft, readHovercraft } from './hovercraft';
+import { hovercraft, readHovercraft } from './hovercraft';
+import { testDrawing } from './test_drawing';
 
 // Written by hand: entity 258; thrusters at the corners of 2 by 2 m, half a metre below the origin. The first has a ray of 4 m and full
 // thrust, the last none of either.
@@ -17,10 +17,10 @@ const CHUNK = new Uint8Array([
 ]);
 
 const drawn = (bytes: Uint8Array, pose: number[] | undefined) => {
-  const lines = VertexBuffer.lines(1);
-  lines.begin();
   let asked = 0;
-  drawHovercraft(bytes, { lines, poseOf: (entity) => ((asked = entity), pose) });
+  const drawing = testDrawing((entity) => ((asked = entity), pose));
+  const { lines } = drawing;
+  hovercraft.draw!(bytes, drawing);
   lines.end();
   const points = lines.object.geometry.getAttribute('position');
   const colors = lines.object.geometry.getAttribute('color');

@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { Drawer } from './drawer';
+import type { Drawer, Drawing } from './drawer';
 
 const THRUSTERS = 4;
 const HEAD_BYTES = 4;
@@ -47,7 +47,7 @@ const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const color = new THREE.Color();
 
-export const drawHovercraft: Drawer = (bytes, { lines, poseOf }) => {
+function drawHovercraft(bytes: Uint8Array, { lines, poseOf }: Pick<Drawing, 'lines' | 'poseOf'>): void {
   const craft = readHovercraft(bytes);
   const pose = craft && poseOf(craft.entity);
   if (!pose) return;
@@ -62,4 +62,17 @@ export const drawHovercraft: Drawer = (bytes, { lines, poseOf }) => {
       lines.vertex(end.x, end.y, end.z, color);
     }
   }
+}
+
+export const hovercraft: Drawer = {
+  draw: drawHovercraft,
+  steering: {
+    entities: (bytes) => {
+      const craft = readHovercraft(bytes);
+      return craft ? [craft.entity] : [];
+    },
+    keys: 'W S ahead and back · A D turn',
+    camera: 'behind',
+    distance: 9,
+  },
 };

@@ -1,6 +1,7 @@
+import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { VertexBuffer } from '../vertex_buffer';
-import { drawVehicles, readCars } from './vehicle';
+import { testDrawing } from './test_drawing';
+import { readCars, vehicles } from './vehicle';
 
 // Written by hand: entity 7 in second gear with one wheel of half a metre, a quarter of a metre wide, at the origin of the chassis but
 // a metre ahead; it touches, slides, has turned by a quarter and steers by nothing.
@@ -25,16 +26,31 @@ describe('vehicle', () => {
     for (let end = 1; end < CAR.length; end++) expect(readCars(CAR.subarray(0, end))).toBeUndefined();
     expect(readCars(new Uint8Array())).toEqual([]);
   });
-  it('is drawn as two rims with spokes, where the chassis is', () => {
-    const lines = VertexBuffer.lines(1);
-    lines.begin();
-    drawVehicles(CAR, { lines, poseOf: (entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined) });
-    lines.end();
-    expect(lines.count).toBe(2 * (16 + 4) * 2);
-    const points = lines.object.geometry.getAttribute('position');
-    for (let k = 0; k < lines.count; k++) {
-      expect(Math.abs(points.getX(k) - 10)).toBeCloseTo(0.125, 2);
-      expect(Math.hypot(points.getY(k), points.getZ(k) + 1)).toBeLessThan(0.52);
-    }
+  it('is drawn as wheels that have turned and steer, where the chassis is', () => {
+    const drawing = testDrawing((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
+    vehicles.draw!(CAR, drawing);
+    const { solids } = drawing;
+    expect(solids.countOf('cylinder')).toBe(2); // tyre and rim
+    const tyre = solids.matrixOf('cylinder', 0);
+    const at = new THREE.Vector3().setFromMatrixPosition(tyre);
+    expect(at.distanceTo(new THREE.Vector3(10, 0, -1))).toBeLessThan(0.01);
+    // Its axis is the chassis's x, and what was its top looks ahead, after a quarter of a turn.
+    const axis = new THREE.Vector3(0, 1, 0).transformDirection(tyre);
+    expect(Math.abs(axis.x)).toBeCloseTo(1, 3);
+    const spoke = solids.matrixOf('box', 0);
+    expect(new THREE.Vector3(0, 1, 0).transformDirection(spoke).z).toBeCloseTo(-1, 3);
+  });
+  it('rolls on between ticks', () => {
+    const spun = CAR.slice();
+    new DataView(spun.buffer).setUint16(7 + 11, 36044, true); // 40 rad/s
+    const drawing = testDrawing(undefined, undefined, { seconds: Math.PI / 80 });
+    vehicles.draw!(spun, drawing);
+    // A quarter more: the top is behind the hub's height again, upside down.
+    expect(new THREE.Vector3(0, 1, 0).transformDirection(drawing.solids.matrixOf('box', 0)).y).toBeCloseTo(-1, 2);
+  });
+  it('says how fast and in which gear', () => {
+    expect(vehicles.steering!.entities(CAR)).toEqual([7]);
+    expect(vehicles.steering!.words!(CAR, 7)).toBe('0 km/h · gear 2');
+    expect(vehicles.steering!.words!(CAR, 8)).toBe('');
   });
 });

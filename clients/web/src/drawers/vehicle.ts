@@ -1,17 +1,15 @@
-// The module "vehicle": each wheel as two rims and its spokes, redder where the tyre slides. vehicle.h has the layout.
+// The module "vehicle": wheels, which are no bodies, and redder where the tyre slides. vehicle.h has the layout.
 
 import * as THREE from 'three';
-import type { Drawer } from './drawer';
+import { ByteReader } from './byte_reader';
+import type { Drawer, Drawing } from './drawer';
 
-const HEAD_BYTES = 7;
-const WHEEL_BYTES = 15;
-const STEPS = 65535;
 const FARTHEST = 8; // m, of a wheel from the chassis's origin, along each axis
-const SIDES = 16;
-const SPOKES = 4;
 
-const RUBBER = new THREE.Color(0x2b2d42);
-const SLIDING = new THREE.Color(0xef476f);
+const RUBBER = new THREE.Color(0x15161a);
+const SLIDING = new THREE.Color(0x7a1f2e);
+const RIM = new THREE.Color(0xc9ced6);
+const SPOKE = new THREE.Color(0x3a3f4a);
 
 export interface Wheel {
   radius: number; // m
@@ -20,75 +18,94 @@ export interface Wheel {
   touches: boolean;
   slides: boolean;
   angle: number; // rad that it has turned
+  spin: number; // rad/s
   steering: number; // rad, to the right
 }
 export interface Car {
   entity: number;
-  gear: number;
+  gear: number; // -1 reverse, 0 neutral
+  engine: number; // 0 to 1 of its most
   wheels: Wheel[];
+}
+
+function readWheel(reader: ByteReader): Wheel {
+  const radius = reader.quantized(0, 2, 1);
+  const width = reader.quantized(0, 1, 1);
+  const along = () => reader.quantized(-FARTHEST, FARTHEST, 2);
+  const center: Wheel['center'] = [along(), along(), along()];
+  const bits = reader.u8();
+  return {
+    radius,
+    width,
+    center,
+    touches: (bits & 1) !== 0,
+    slides: (bits & 2) !== 0,
+    angle: reader.quantized(0, 2 * Math.PI, 2),
+    spin: reader.quantized(-400, 400, 2),
+    steering: reader.quantized(-Math.PI / 2, Math.PI / 2, 2),
+  };
 }
 
 /** Nothing unless the bytes are exactly so many cars. */
 export function readCars(bytes: Uint8Array): Car[] | undefined {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const reader = new ByteReader(bytes);
   const cars: Car[] = [];
-  let at = 0;
-  while (at < bytes.length) {
-    if (at + HEAD_BYTES > bytes.length) return undefined;
-    const count = view.getUint8(at + 6);
-    if (at + HEAD_BYTES + count * WHEEL_BYTES > bytes.length) return undefined;
-    const car: Car = { entity: view.getUint32(at, true), gear: view.getUint8(at + 4) - 1, wheels: [] };
-    at += HEAD_BYTES;
-    for (let k = 0; k < count; k++, at += WHEEL_BYTES) {
-      const part = (offset: number) => view.getUint16(at + offset, true) / STEPS;
-      const along = (axis: number) => (2 * part(2 + 2 * axis) - 1) * FARTHEST;
-      const bits = view.getUint8(at + 8);
-      car.wheels.push({
-        radius: (view.getUint8(at) / 255) * 2,
-        width: view.getUint8(at + 1) / 255,
-        center: [along(0), along(1), along(2)],
-        touches: (bits & 1) !== 0,
-        slides: (bits & 2) !== 0,
-        angle: part(9) * 2 * Math.PI,
-        steering: (part(13) - 0.5) * Math.PI,
-      });
-    }
+  while (reader.left > 0 && !reader.failed) {
+    const car: Car = { entity: reader.u32(), gear: reader.u8() - 1, engine: reader.quantized(0, 1, 1), wheels: [] };
+    for (let left = reader.u8(); left > 0 && !reader.failed; left--) car.wheels.push(readWheel(reader));
     cars.push(car);
   }
-  return cars;
+  return reader.failed ? undefined : cars;
 }
 
 const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
-const point = new THREE.Vector3();
-const UP = new THREE.Vector3(0, 1, 0);
+const center = new THREE.Vector3();
+const turn = new THREE.Quaternion();
+const part = new THREE.Quaternion();
+const size = new THREE.Vector3();
+const X = new THREE.Vector3(1, 0, 0);
+const Y = new THREE.Vector3(0, 1, 0);
+const LYING = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), -Math.PI / 2); // a cylinder's axis from y to x
 
-export const drawVehicles: Drawer = (bytes, { lines, poseOf }) => {
-  for (const car of readCars(bytes) ?? []) {
-    const pose = poseOf(car.entity);
-    if (!pose) continue;
-    origin.set(pose[0]!, pose[1]!, pose[2]!);
-    rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
-    for (const wheel of car.wheels) {
-      const color = wheel.slides ? SLIDING : RUBBER;
-      const center = new THREE.Vector3(...wheel.center);
-      const vertex = (side: number, part: number, reach: number) => {
-        // Ahead is -z: a wheel that rolls ahead turns from the top towards -z.
-        const turn = 2 * Math.PI * part + wheel.angle;
-        point.set(side * 0.5 * wheel.width, reach * Math.cos(turn), -reach * Math.sin(turn));
-        point.applyAxisAngle(UP, -wheel.steering).add(center).applyQuaternion(rotation).add(origin);
-        lines.vertex(point.x, point.y, point.z, color);
-      };
-      for (const side of [-1, 1]) {
-        for (let k = 0; k < SIDES; k++) {
-          vertex(side, k / SIDES, wheel.radius);
-          vertex(side, (k + 1) / SIDES, wheel.radius);
-        }
-        for (let k = 0; k < SPOKES; k++) {
-          vertex(side, k / SPOKES, 0);
-          vertex(side, k / SPOKES, wheel.radius);
-        }
-      }
+function drawWheel(wheel: Wheel, { solids, seconds }: Drawing): void {
+  center.set(...wheel.center).applyQuaternion(rotation).add(origin);
+  // Ahead is -z: a wheel that rolls ahead turns from the top towards -z.
+  turn.copy(rotation);
+  turn.multiply(part.setFromAxisAngle(Y, -wheel.steering));
+  turn.multiply(part.setFromAxisAngle(X, -(wheel.angle + wheel.spin * seconds)));
+  const half = 0.5 * wheel.width;
+  const across = part.copy(turn).multiply(LYING);
+  solids.add('cylinder', center, across, size.set(wheel.radius, half, wheel.radius), wheel.slides ? SLIDING : RUBBER);
+  solids.add('cylinder', center, across, size.set(0.64 * wheel.radius, 1.03 * half, 0.64 * wheel.radius), RIM);
+  solids.add('box', center, turn, size.set(1.08 * half, 0.6 * wheel.radius, 0.09 * wheel.radius), SPOKE);
+  solids.add('box', center, turn, size.set(1.08 * half, 0.09 * wheel.radius, 0.6 * wheel.radius), SPOKE);
+}
+
+function speedOf({ wheels }: Car): number {
+  return wheels.length === 0 ? 0 : wheels.reduce((sum, { spin, radius }) => sum + spin * radius, 0) / wheels.length;
+}
+
+export const vehicles: Drawer = {
+  draw(bytes, drawing) {
+    for (const car of readCars(bytes) ?? []) {
+      const pose = drawing.poseOf(car.entity);
+      if (!pose) continue;
+      origin.set(pose[0]!, pose[1]!, pose[2]!);
+      rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
+      for (const wheel of car.wheels) drawWheel(wheel, drawing);
     }
-  }
+  },
+  steering: {
+    entities: (bytes) => readCars(bytes)?.map(({ entity }) => entity) ?? [],
+    keys: 'W throttle · S brake, then reverse · A D steer · space hand brake · E Q gears of a manual gearbox',
+    camera: 'behind',
+    distance: 8,
+    words(bytes, entity) {
+      const car = readCars(bytes)?.find((one) => one.entity === entity);
+      if (!car) return '';
+      const gear = car.gear < 0 ? 'reverse' : car.gear === 0 ? 'neutral' : `gear ${car.gear}`;
+      return `${Math.abs(3.6 * speedOf(car)).toFixed(0)} km/h · ${gear}`;
+    },
+  },
 };

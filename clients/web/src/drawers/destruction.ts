@@ -1,0 +1,46 @@
+// The module "destruction": stone and brick for what may break, each piece in a shade of its own, and how much of it still holds.
+// destruction.h has the layout.
+
+import * as THREE from 'three';
+import { ByteReader } from './byte_reader';
+import { isOfModule, type Drawer } from './drawer';
+
+export interface Whole {
+  pieces: number;
+  bonds: number; // that hold
+  bondsAtFirst: number;
+}
+
+/** Nothing unless the bytes are exactly what destructibles tell. */
+export function readWholes(bytes: Uint8Array): Whole[] | undefined {
+  const reader = new ByteReader(bytes);
+  const wholes: Whole[] = [];
+  for (let left = reader.u16(); left > 0 && !reader.failed; left--)
+    wholes.push({ pieces: reader.u16(), bonds: reader.u16(), bondsAtFirst: reader.u16() });
+  return reader.failed || reader.left > 0 ? undefined : wholes;
+}
+
+const GOLDEN = 0.618034; // neighbours in number are far apart in shade
+const shade = new THREE.Color();
+
+function stone(id: number): number {
+  const turn = (id * GOLDEN) % 1;
+  return shade.setHSL(0.045 + 0.035 * turn, 0.3 + 0.16 * ((id * GOLDEN * 7) % 1), 0.48 + 0.16 * turn).getHex();
+}
+
+export const destructibles: Drawer = {
+  dress(_bytes, entities) {
+    const colors = new Map<number, number>();
+    for (const entity of entities.values())
+      if (isOfModule(entity) && entity.shapes.length > 0 && entity.shapes.every(({ kind }) => kind.case === 'hull'))
+        colors.set(entity.id, stone(entity.id));
+    return colors;
+  },
+  words(bytes) {
+    const wholes = readWholes(bytes) ?? [];
+    if (wholes.length === 0) return '';
+    const sum = (of: keyof Whole) => wholes.reduce((total, whole) => total + whole[of], 0);
+    const held = sum('bondsAtFirst') > 0 ? (100 * sum('bonds')) / sum('bondsAtFirst') : 100;
+    return `${wholes.length} ${wholes.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(held)} % of the bonds hold`;
+  },
+};

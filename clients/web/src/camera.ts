@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 const FOLLOW_RATE = 3; // 1/s
+const FOLLOW_UP = 0.3; // m over what is driven: it stays clear of the panels below
 const SETTLE_RATE = 4; // 1/s
 const SETTLE_S = 2; // after taking a wheel the camera comes near; then its distance is the pointer's again
 const SETTLE_SLOPE = 0.32; // rad above what is driven
@@ -33,7 +34,7 @@ export class Camera {
     const middle = box.getCenter(new THREE.Vector3());
     const radius = 0.5 * box.getSize(new THREE.Vector3()).length();
     const half = 0.5 * this.camera.fov * (Math.PI / 180) * Math.min(1, this.camera.aspect);
-    const distance = Math.min(FURTHEST, Math.max(NEAREST, (0.82 * radius) / Math.tan(half)));
+    const distance = Math.min(FURTHEST, Math.max(NEAREST, (0.92 * radius) / Math.tan(half)));
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).addScaledVector(FROM, distance);
   }
@@ -46,7 +47,7 @@ export class Camera {
   /** Keeps behind and above something that is driven: `heading`, rad about y from -z, to the left. */
   follow(position: ArrayLike<number>, heading: number | undefined, seconds: number): void {
     const target = this.controls.target;
-    const moved = new THREE.Vector3(position[0], position[1]! + 1, position[2]).sub(target);
+    const moved = new THREE.Vector3(position[0], position[1]! + FOLLOW_UP, position[2]).sub(target);
     target.add(moved);
     this.camera.position.add(moved);
     if (this.settling.left > 0) this.comeNear(seconds);

@@ -2,6 +2,7 @@
 
 import type * as THREE from 'three';
 import { BlastMarks } from './blast_marks';
+import { boats } from './drawers/boat';
 import { characters } from './drawers/character';
 import { destructibles } from './drawers/destruction';
 import type { Drawer, Drawing, Steering } from './drawers/drawer';
@@ -17,6 +18,7 @@ import { Water } from './water';
 
 /** By tag: a new kind is a file in drawers/ and a line here. */
 const DRAWERS: ReadonlyMap<string, Drawer> = new Map([
+  ['boat', boats],
   ['character', characters],
   ['destruction', destructibles],
   ['fields', fields],

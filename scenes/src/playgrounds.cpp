@@ -83,7 +83,7 @@ SceneDescription demolition() {
              DistanceJoint{.min_length = 0, .max_length = rope});
         scene.joints.back().joint.frame_b = {};
     }
-    SceneBody digger = loose("digger", {7, 1.2, 7}, Box{{1.1, 0.35, 2.2}});
+    SceneBody digger = loose("digger", {7, 1.2, 3}, Box{{1.1, 0.35, 2.2}});
     digger.shapes[0].mass = 5000;
     digger.shapes.push_back(
         {.geometry = Box{{0.8, 0.55, 0.8}}, .pose = {{0, 0.9, 0.7}, {}}, .mass = 300});

@@ -50,7 +50,7 @@ export class BlastMarks {
       if (burns) this.lit++;
       const size = burns ? radius * (0.12 + 0.5 * Math.sqrt(age)) : 0;
       this.ball.setMatrixAt(k, matrix.makeScale(size, size, size).setPosition(at));
-      this.ball.setColorAt(k, color.copy(FLAME).multiplyScalar(burns ? 0.9 * (1 - age) ** 1.5 : 0));
+      this.ball.setColorAt(k, color.copy(FLAME).multiplyScalar(burns ? 0.5 * (1 - age) ** 1.5 : 0));
     });
     this.ball.visible = this.lit > 0;
     if (this.lit === 0 && before === 0) return;

@@ -10,6 +10,7 @@ const SETTLE_S = 2; // after taking a wheel the camera comes near; then its dist
 const SETTLE_SLOPE = 0.32; // rad above what is driven
 const NEAREST = 9; // m, of a whole scene
 const FURTHEST = 78;
+const TOOLS_SHARE = 0.06;
 const FROM = new THREE.Vector3(13, 9, 18).normalize();
 
 export class Camera {
@@ -35,6 +36,7 @@ export class Camera {
     const radius = 0.5 * box.getSize(new THREE.Vector3()).length();
     const half = 0.5 * this.camera.fov * (Math.PI / 180) * Math.min(1, this.camera.aspect);
     const distance = Math.min(FURTHEST, Math.max(NEAREST, (0.92 * radius) / Math.tan(half)));
+    middle.y -= TOOLS_SHARE * distance; // the tools hide what is lowest
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).addScaledVector(FROM, distance);
   }
@@ -67,6 +69,17 @@ export class Camera {
     arm.radius += share * (this.settling.distance - arm.radius);
     arm.phi += share * (Math.PI / 2 - SETTLE_SLOPE - arm.phi);
     this.camera.position.copy(this.controls.target).add(new THREE.Vector3().setFromSpherical(arm));
+  }
+
+  /** Draws from no further away than that: so what stands between does not hide what is looked at. */
+  within(distance: number, draw: () => void): void {
+    const { position } = this.camera;
+    const { target } = this.controls;
+    const own = position.clone();
+    const arm = own.distanceTo(target);
+    if (distance < arm) position.lerpVectors(target, own, distance / arm);
+    draw();
+    position.copy(own);
   }
 
   resize(width: number, height: number): void {

@@ -9,6 +9,7 @@ import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
+import { clearWay } from './pick';
 import { NO_CHUNKS } from './module_chunks';
 import { ModuleView } from './module_view';
 import { DebugPanel } from './panels/debug';
@@ -203,6 +204,12 @@ function drive(): void {
   camera.follow(pose, behind ? headingOf(pose) : undefined, seconds);
 }
 
+/** Of who walks, who goes near walls. */
+function clearDistance(): number {
+  if (driving.entity === 0 || moduleView.steeringOf(driving.entity)?.camera !== 'free') return Infinity;
+  return clearWay(view, camera.controls.target, camera.camera.position, driving.entity);
+}
+
 /** A world that is new to us is seen as a whole at first. */
 function frameWorld(): void {
   const world = connection.welcome?.worldId;
@@ -263,7 +270,7 @@ renderer.setAnimationLoop(() => {
   hitMarks.update(performance.now());
   drive();
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
-  renderer.render(view.scene, camera.camera);
+  camera.within(clearDistance(), () => renderer.render(view.scene, camera.camera));
   statsPanel.pictureDrawn();
 });
 

@@ -18,6 +18,7 @@ namespace {
 constexpr double rudder_rate = 2.5;   // 1/s of full rudder
 constexpr double astern_share = 0.5;  // of the thrust
 constexpr double screw_reach = 8;     // m
+constexpr double keel_half = 0.7;     // of how far astern the screw is: where its two ends push
 
 struct Range {
     const char* name;
@@ -58,12 +59,13 @@ Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, doub
     return rotate(hull.pose.rotation, {-turn.sin, 0, -turn.cos}) * (force * h);
 }
 
-// What runs along the hull is turned by it, as by a wing: at most until nothing goes aside.
-Vec3 keel_of(const BoatDef& def, const MovingBody& hull, double h) {
+// N s at a point of the keel, which turns what runs along the hull as a wing does: at most until
+// nothing goes aside.
+Vec3 keel_of(const BoatDef& def, const MovingBody& hull, Vec3 velocity, double h) {
     const Vec3 right = rotate(hull.pose.rotation, {1, 0, 0});
-    const double aside = dot(hull.linear_velocity, right);
-    const double wanted = def.keel * length(hull.linear_velocity) * absolute(aside) * h;
-    const double most = 0.5 * hull.mass * absolute(aside);
+    const double aside = dot(velocity, right);
+    const double wanted = 0.5 * def.keel * length(velocity) * absolute(aside) * h;
+    const double most = 0.1 * hull.mass * absolute(aside);
     return right * (minimum(wanted, most) * (aside < 0 ? 1 : -1));
 }
 
@@ -150,7 +152,6 @@ void Boats::before_step(World& world, double dt) {
                 field.ok() && std::holds_alternative<Waves>(field->law))
                 waters_.push_back(*field);
     for (Boat& boat : boats_) {
-        boat.wet = false;
         boat.rudder += clamp(boat.rudder_held - boat.rudder, -rudder_rate * dt, rudder_rate * dt);
         if (boat.throttle != 0) static_cast<void>(world.wake(boat.def.hull));
     }
@@ -168,11 +169,18 @@ bool Boats::in_water(const SubstepContext& substep, Vec3 point) const {
 void Boats::before_substep(SubstepContext& substep) {
     for (Boat& boat : boats_) {
         if (!substep.contains(boat.def.hull)) continue;
+        if (substep.index() == 0) boat.wet = false;
         const MovingBody hull = substep.body(boat.def.hull);
         const Vec3 screw = apply(hull.pose, boat.def.screw);
         if (!in_water(substep, screw)) continue;
         boat.wet = true;
-        substep.add_impulse(hull.id, keel_of(boat.def, hull, substep.h()), hull.center);
+        for (const double end : {-keel_half, keel_half}) {
+            const Vec3 at =
+                hull.center + rotate(hull.pose.rotation, {0, 0, end * boat.def.screw.z});
+            substep.add_impulse(
+                hull.id, keel_of(boat.def, hull, substep.velocity_at(hull.id, at), substep.h()),
+                at);
+        }
         if (boat.throttle != 0)
             substep.add_impulse(
                 hull.id, thrust_of(boat.def, hull, boat.throttle, boat.rudder, substep.h()), screw);

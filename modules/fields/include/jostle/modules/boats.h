@@ -24,9 +24,9 @@ struct BoatDef {
     physics::Vec3 screw = {0, -0.4, 2.4};  // m, in the hull; within 8
     double thrust = 7000;                  // N at standstill, 0 to 1e7; astern half of it
     double top_speed = 12;     // m/s through still water that the screw gives up at, 0.1 to 100
-    double rudder_most = 0.5;  // rad that the thrust turns by, 0 to 1.2
+    double rudder_most = 0.4;  // rad that the thrust turns by, 0 to 1.2
     // N per (m/s)^2: of the speed times that aside, 0 to 1e6.
-    double keel = 500;
+    double keel = 1500;
 };
 
 class Boats final : public physics::Module {

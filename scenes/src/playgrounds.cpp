@@ -60,6 +60,9 @@ SceneDescription demolition() {
                                           {"height", 4},
                                           {"thickness", 0.4},
                                           {"chunks", 120},
+                                          {"tensile", 2e5},  // Pa: of bricks in weak mortar
+                                          {"shear", 4e5},
+                                          {"fracture_energy", 5},
                                           {"x", -7},
                                           {"z", -6}},
                              .bodies = {},
@@ -83,12 +86,12 @@ SceneDescription demolition() {
              DistanceJoint{.min_length = 0, .max_length = rope});
         scene.joints.back().joint.frame_b = {};
     }
-    SceneBody digger = loose("digger", {7, 1.2, 3}, Box{{1.1, 0.35, 2.2}});
-    digger.shapes[0].mass = 5000;
+    SceneBody digger = loose("digger", {7, 1.2, 10}, Box{{1.1, 0.35, 2.2}});
+    digger.shapes[0].mass = 4000;
     digger.shapes.push_back(
         {.geometry = Box{{0.8, 0.55, 0.8}}, .pose = {{0, 0.9, 0.7}, {}}, .mass = 300});
     digger.shapes.push_back(
-        {.geometry = Box{{1.5, 0.55, 0.12}}, .pose = {{0, -0.15, -2.6}, {}}, .mass = 400});
+        {.geometry = Box{{0.2, 0.2, 0.9}}, .pose = {{0, 0.55, -2.9}, {}}, .mass = 400});
     digger.body.sleep_allowed = false;
     scene.modules.push_back({.tag = "vehicle",
                              .settings = {{"track", 2.3},
@@ -96,7 +99,8 @@ SceneDescription demolition() {
                                           {"radius", 0.5},
                                           {"width", 0.5},
                                           {"front_drive", 0.5},
-                                          {"power_scale", 2.5}},
+                                          {"friction", 1.6},
+                                          {"power_scale", 2}},
                              .bodies = {{"car", scene.bodies.size()}},
                              .state = {}});
     scene.bodies.push_back(colored(digger, 0xf2b705));

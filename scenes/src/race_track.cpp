@@ -155,6 +155,8 @@ SceneBody car(const std::string& name, Vec3 at, double turn) {
 SceneDescription race_track() {
     SceneDescription scene;
     scene.bodies.push_back(land());
+    // Around it: who leaves the land does not leave the world at once.
+    scene.bodies.push_back(colored(fixed_box("plain", {0, -1.06, 0}, {400, 1, 400}), 0x5f7d4a));
     add_road(scene);
     add_surroundings(scene);
     SceneModule cars{.tag = "vehicle",

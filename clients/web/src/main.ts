@@ -230,7 +230,10 @@ function drawModules(): void {
       if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, drivable, (entity) => view.poseOf(entity), performance.now());
     },
   });
-  const colors = moduleView.dress(entitiesChanged, connection.entities);
+}
+
+function dressBodies(): void {
+  const colors = moduleView.dress(drawn.source?.chunks ?? NO_CHUNKS, entitiesChanged, connection.entities);
   entitiesChanged = false;
   if (colors) view.dress(colors);
 }
@@ -261,6 +264,7 @@ if (innerWidth < 700) byId('stats').hidden = true;
 renderer.setAnimationLoop(() => {
   camera.controls.update();
   if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
+  dressBodies();
   view.update(drawn);
   frameWorld();
   drawModules();

@@ -69,14 +69,11 @@ describe('what modules tell', () => {
 
   it('dresses bodies anew only when the bytes or the bodies are others', () => {
     const view = new ModuleView(new THREE.Scene(), new Map([['bytes', drawBytes]]));
-    const bytes = new Uint8Array([7]);
-    const tell = (chunk: Uint8Array) => view.update(new Map([['bytes', chunk]]), moment(() => undefined));
-    tell(bytes);
-    expect(view.dress(false, new Map())).toEqual(new Map([[7, 0x100007]]));
-    tell(bytes);
-    expect(view.dress(false, new Map())).toBeUndefined();
-    expect(view.dress(true, new Map())).toBeDefined();
-    tell(new Uint8Array([9]));
-    expect(view.dress(false, new Map())).toEqual(new Map([[9, 0x100009]]));
+    const told = (...bytes: number[]) => new Map([['bytes', new Uint8Array(bytes)]]);
+    const chunks = told(7);
+    expect(view.dress(chunks, false, new Map())).toEqual(new Map([[7, 0x100007]]));
+    expect(view.dress(chunks, false, new Map())).toBeUndefined();
+    expect(view.dress(chunks, true, new Map())).toBeDefined();
+    expect(view.dress(told(9), false, new Map())).toEqual(new Map([[9, 0x100009]]));
   });
 });

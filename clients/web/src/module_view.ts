@@ -65,13 +65,13 @@ export class ModuleView {
   }
 
   /** Colours for bodies that have none; nothing when they are as they were. `changed`: other bodies are there than before. */
-  dress(changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
+  dress(chunks: Chunks, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
     const before = this.dressed;
-    const same = [...this.chunks].every(([tag, bytes]) => !this.drawers.get(tag)?.dress || before.get(tag) === bytes);
+    const same = [...chunks].every(([tag, bytes]) => !this.drawers.get(tag)?.dress || before.get(tag) === bytes);
     if (same && !changed) return undefined;
-    this.dressed = this.chunks;
+    this.dressed = chunks;
     const colors = new Map<number, number>();
-    for (const [tag, bytes] of this.chunks)
+    for (const [tag, bytes] of chunks)
       for (const [entity, color] of this.drawers.get(tag)?.dress?.(bytes, entities) ?? []) colors.set(entity, color);
     return colors;
   }

@@ -19,6 +19,7 @@ import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
 import { postToServer, Queries } from './queries';
+import type { UnitKind } from './shape_parts';
 import { takeToken } from './token';
 import { SceneView } from './scene_view';
 import { readoutWords, thingName } from './thing_names';
@@ -309,6 +310,8 @@ Object.defineProperty(window, 'jostle', {
     moduleLines: () => moduleView.lines.count / 2,
     /** How many solid things modules have drawn. */
     moduleSolids: () => moduleView.solids.count,
+    /** Where one of them is: 16 numbers, by columns. */
+    solid: (kind: UnitKind, number: number) => [...moduleView.solids.matrixOf(kind, number).elements],
     waters: () => moduleView.water.drawn.length,
     drivable: () => drivable.map(({ id }) => id),
     /** Whom this page drives; 0: nobody. */

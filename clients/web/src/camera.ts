@@ -1,6 +1,7 @@
 // Where the viewer looks from: orbit with the mouse, pan with the right button, zoom with the wheel; touch works alike.
 
 import * as THREE from 'three';
+import { frameOf } from './framing';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 const FOLLOW_RATE = 3; // 1/s
@@ -9,8 +10,7 @@ const SETTLE_RATE = 4; // 1/s
 const SETTLE_S = 2; // after taking a wheel the camera comes near; then its distance is the pointer's again
 const SETTLE_SLOPE = 0.32; // rad above what is driven
 const NEAREST = 9; // m, of a whole scene
-const FURTHEST = 78;
-const TOOLS_SHARE = 0.06;
+const FURTHEST = 95;
 const FROM = new THREE.Vector3(13, 9, 18).normalize();
 
 export class Camera {
@@ -32,13 +32,9 @@ export class Camera {
   /** So that all of that box is seen, unless it is huge. */
   frame(box: THREE.Box3): void {
     if (box.isEmpty()) return;
-    const middle = box.getCenter(new THREE.Vector3());
-    const radius = 0.5 * box.getSize(new THREE.Vector3()).length();
-    const half = 0.5 * this.camera.fov * (Math.PI / 180) * Math.min(1, this.camera.aspect);
-    const distance = Math.min(FURTHEST, Math.max(NEAREST, (0.92 * radius) / Math.tan(half)));
-    middle.y -= TOOLS_SHARE * distance; // the tools hide what is lowest
-    this.controls.target.copy(middle);
-    this.camera.position.copy(middle).addScaledVector(FROM, distance);
+    const { position, target } = frameOf(box, FROM, this.camera.fov, this.camera.aspect, NEAREST, FURTHEST);
+    this.camera.position.copy(position);
+    this.controls.target.copy(target);
   }
 
   /** Follow something that is driven from about so far, from now on. */

@@ -9,7 +9,7 @@ import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
-import { clearWay } from './pick';
+import { clearWay, topAt } from './pick';
 import { NO_CHUNKS } from './module_chunks';
 import { ModuleView } from './module_view';
 import { DebugPanel } from './panels/debug';
@@ -217,6 +217,10 @@ function frameWorld(): void {
   if (connection.state !== 'playing' || world === framedWorld || drawn.count === 0) return;
   framedWorld = world;
   camera.frame(view.outline());
+  // Not under a hill.
+  const { position } = camera.camera;
+  const ground = topAt(view, position.x, position.z);
+  if (ground !== undefined) position.y = Math.max(position.y, ground + 3);
 }
 
 function drawModules(): void {

@@ -45,6 +45,12 @@ export function clearWay(view: SceneView, from: THREE.Vector3, to: THREE.Vector3
   return Infinity;
 }
 
+/** How high what is drawn reaches at a place; undefined: nothing is there. */
+export function topAt(view: SceneView, x: number, z: number): number | undefined {
+  const down = new THREE.Raycaster(new THREE.Vector3(x, REACH, z), new THREE.Vector3(0, -1, 0), 0, 2 * REACH);
+  return pickDrawn(view, down)?.point.y;
+}
+
 /** In the server's world; undefined when the server does not say. */
 export async function pickAsked(
   queries: Queries,

@@ -62,7 +62,7 @@ void add_quay(SceneDescription& scene) {
 
 void add_flotsam(SceneDescription& scene) {
     Random random(11);
-    for (int k = 0; k < 24; k++) {
+    for (int k = 0; k < 18; k++) {
         const Vec3 at{random.in(-20, 15), random.in(1, 4), random.in(-3, 14)};
         const bool crate = k % 2 == 0;
         SceneBody body = crate ? loose("crate", at, Box{{0.5, 0.4, 0.6}})
@@ -106,8 +106,8 @@ SceneDescription harbour() {
                                           {"wave1_amplitude", 0.25},
                                           {"wave1_length", 16},
                                           {"wave1_heading", 0.4},
-                                          {"wave2_amplitude", 0.09},
-                                          {"wave2_length", 6},
+                                          {"wave2_amplitude", 0.13},
+                                          {"wave2_length", 10},
                                           {"wave2_heading", -0.5},
                                           {"wave2_phase", 1},
                                           {"turbulence_wind_x", 2},

@@ -18,7 +18,7 @@ export interface WaterLook {
 
 const WAVES_MAX = 8;
 const REACH = 260; // m from the middle
-const CELLS = 140;
+const CELLS = 112;
 const DENSE = 0.22; // how much finer its middle is than its rim
 
 /** Height of the surface over a place; what the shader does. */

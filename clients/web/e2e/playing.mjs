@@ -74,5 +74,12 @@ export async function playing({ page, url, until, expect, shoot }) {
   });
   await page.keyboard.up('w');
   if (shoot) await shoot('harbour');
-  expect((await page.evaluate(() => window.jostle.waters())) === 1, `the boat went ${out.toFixed(1)} m through water that is drawn`);
+  const waters = () => page.evaluate(() => window.jostle.waters(0, 0));
+  const [height, ...others] = await waters();
+  expect(height !== undefined && others.length === 0, `the boat went ${out.toFixed(1)} m through water that is drawn`);
+  const rose = await until('the waves move', async () => {
+    const now = (await waters())[0] - height;
+    return Math.abs(now) > 0.05 && now;
+  });
+  expect(true, `the waves rose or fell by ${Math.abs(rose).toFixed(2)} m`);
 }

@@ -24,6 +24,7 @@ import { takeToken } from './token';
 import { SceneView } from './scene_view';
 import { readoutWords, thingName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
+import { heightAt } from './water';
 import './style.css';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
@@ -323,7 +324,8 @@ Object.defineProperty(window, 'jostle', {
     moduleSolids: () => moduleView.solids.count,
     /** Where one of them is: 16 numbers, by columns. */
     solid: (kind: UnitKind, number: number) => [...moduleView.solids.matrixOf(kind, number).elements],
-    waters: () => moduleView.water.drawn.length,
+    /** How high each water that is drawn stands over a place, in m. */
+    waters: (x: number, z: number) => moduleView.water.drawn.map((look) => heightAt(look, x, z)),
     drivable: () => drivable.map(({ id }) => id),
     /** Whom this page drives; 0: nobody. */
     get driven() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jostle/modules/character.h"
+#include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/vehicle.h"
@@ -166,6 +167,67 @@ private:
     Fields& fields_;
 };
 
+// Walls of concrete, 4 m x 3 m, of 150 chunks: whole, beside a hundred crates that roll about; or a
+// heavy ball goes through each in its turn, one every 20 steps.
+template <bool breaking>
+class Walls final : public ModuleScene {
+public:
+    explicit Walls(int count) : destruction_(add<Destruction>(world_)) {
+        add_floor(world_);
+        const Vec3 half{2, 1.5, 0.15};
+        FracturedShape wall = must(fracture_box(half, scattered_seeds(half, 150, 1)));
+        anchor(wall, {0, -1, 0}, half.y - 1e-6);
+        for (int k = 0; k < count; k++)
+            must(destruction_.add(world_, wall,
+                                  {.pose = {.position = in_square(k, 6) + Vec3{0, half.y, 0}}}));
+        if (breaking) return;
+        for (int k = 0; k < 100; k++)
+            must(world_.create_body(
+                {.pose = {.position = in_square(k, 6) + Vec3{0, 0.5, 2}}, .sleep_allowed = false},
+                {.geometry = Box{{0.4, 0.4, 0.4}}}));
+    }
+    void step(int k) override {
+        if (breaking && k % 20 == 0) throw_at(in_square(k / 20, 6));
+        must(world_.step(1.0 / 60));
+    }
+
+private:
+    void throw_at(Vec3 foot) {
+        must(world_.create_body(
+            {.pose = {.position = foot + Vec3{0, 1.8, -3}}, .linear_velocity = {0, 1, 25}},
+            {.geometry = Sphere{0.3}, .density = 7800}));
+    }
+
+    World world_;
+    Destruction& destruction_;
+};
+
+// Lets go of all that many chunks at once, as the steps that are timed begin: stacks of boxes, or
+// a wall of Voronoi hulls, which meet or pass each other.
+template <bool hulls, bool passing = false>
+class Burst final : public ModuleScene {
+public:
+    explicit Burst(int count) : destruction_(add<Destruction>(world_)) {
+        add_floor(world_);
+        DestructionLimits limits;
+        limits.passing_volume = passing ? 1 : 0;
+        must(destruction_.set_limits(limits));
+        const Vec3 half{0.2 * count / 80, 4, 0.1};
+        const FracturedShape wall = must(hulls ? fracture_box(half, scattered_seeds(half, count, 1))
+                                               : split_box(half, (count + 39) / 40, 40, 1));
+        id_ = must(destruction_.add(world_, wall, {.pose = {.position = {0, half.y + 0.01, 0}}}));
+    }
+    void step(int k) override {
+        if (k == 120) must(destruction_.break_near(world_, id_, {}, 1e6));
+        must(world_.step(1.0 / 60));
+    }
+
+private:
+    World world_;
+    Destruction& destruction_;
+    DestructibleId id_;
+};
+
 template <class Scene>
 std::unique_ptr<ModuleScene> make(int count) {
     return std::make_unique<Scene>(count);
@@ -178,6 +240,11 @@ std::unique_ptr<ModuleScene> figures(int count) {
 
 constexpr ModuleCase cases[] = {
     {"character_hills", 100, make<Walkers>},
+    {"destruction_whole", 20, make<Walls<false>>},
+    {"destruction_breaking", 36, make<Walls<true>>},
+    {"destruction_burst_boxes", 2000, make<Burst<false>>},
+    {"destruction_burst_hulls", 2000, make<Burst<true>>},
+    {"destruction_burst_passing", 2000, make<Burst<true, true>>},
     {"field_turbulence", 500, make<Crates<false>>},
     {"field_waves", 500, make<Crates<true>>},
     {"ragdoll_limp", 40, figures<RagdollMode::limp>},
@@ -185,8 +252,10 @@ constexpr ModuleCase cases[] = {
     {"ragdoll_kinematic", 40, figures<RagdollMode::kinematic>},
     {"vehicle_flat_ray", 100, make<Cars<false, WheelCast::ray>>},
     {"vehicle_flat_cylinder", 100, make<Cars<false, WheelCast::cylinder>>},
+    {"vehicle_flat_bodies", 100, make<Cars<false, WheelCast::body>>},
     {"vehicle_hills_ray", 100, make<Cars<true, WheelCast::ray>>},
     {"vehicle_hills_cylinder", 100, make<Cars<true, WheelCast::cylinder>>},
+    {"vehicle_hills_bodies", 100, make<Cars<true, WheelCast::body>>},
 };
 
 }  // namespace

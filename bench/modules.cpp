@@ -17,7 +17,8 @@ constexpr const char* footer = R"(
 A case is a world with that many objects of one module. After a run-in of two simulated seconds each step is timed, in
 processor time of its thread; worlds have one thread. All that a step does counts, the solver's part, too.
 
-Columns: objects; milliseconds of a step: mean, 99th percentile, worst; microseconds of the mean for each object.
+Columns: objects; milliseconds of a step: mean, 99th percentile, worst; microseconds of the mean for each object; steps
+that took longer than 1/60 s.
 
 Examples:
   jostle-bench modules
@@ -55,10 +56,15 @@ double worst_of(const Row& row) {
     return *std::max_element(row.step_ms.begin(), row.step_ms.end());
 }
 
+long late_of(const Row& row) {
+    return std::count_if(row.step_ms.begin(), row.step_ms.end(),
+                         [](double ms) { return ms > 1e3 / 60; });
+}
+
 void print(const Row& row) {
     const double ms = mean(row.step_ms);
-    std::printf("%-24s %8d %9.3f %9.3f %9.3f %12.2f\n", row.name.c_str(), row.objects, ms,
-                percentile_99(row.step_ms), worst_of(row), 1e3 * ms / row.objects);
+    std::printf("%-24s %8d %9.3f %9.3f %9.3f %12.2f %6ld\n", row.name.c_str(), row.objects, ms,
+                percentile_99(row.step_ms), worst_of(row), 1e3 * ms / row.objects, late_of(row));
 }
 
 nlohmann::ordered_json to_json(const Row& row) {
@@ -68,13 +74,14 @@ nlohmann::ordered_json to_json(const Row& row) {
             {"ms_mean", ms},
             {"ms_p99", percentile_99(row.step_ms)},
             {"ms_worst", worst_of(row)},
-            {"us_per_object", 1e3 * ms / row.objects}};
+            {"us_per_object", 1e3 * ms / row.objects},
+            {"late", late_of(row)}};
 }
 
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
-    std::printf("%-24s %8s %9s %9s %9s %12s\n", "case", "objects", "ms mean", "p99", "worst",
-                "us an object");
+    std::printf("%-24s %8s %9s %9s %9s %12s %6s\n", "case", "objects", "ms mean", "p99", "worst",
+                "us an object", "late");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ModuleCase& one : module_cases()) {
         const auto& names = flags.cases;

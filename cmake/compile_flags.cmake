@@ -41,10 +41,11 @@ if(NOT CMAKE_SYSTEM_NAME STREQUAL WASI)  # has no threads
     target_compile_options(jostle_flags INTERFACE -pthread)
 endif()
 
-# Builds that are made once and thrown away take less time when the sources of a library, and of tests that say so, are compiled eight
-# together. One source's constant is then another's shadow.
+# Builds that are made once and thrown away take less time when the sources of a target are compiled eight together: most of what the
+# compiler reads is headers. So no two sources of a target use one name for different things; where they must, the target says APART.
+# One source's constant is then another's shadow, and what is in an unnamed namespace looks as if it were in a header's.
 if(JOSTLE_TOGETHER)
-    target_compile_options(jostle_flags INTERFACE -Wno-shadow)
+    target_compile_options(jostle_flags INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 function(jostle_together target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOSTLE_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)
@@ -76,23 +77,25 @@ function(jostle_library name)
     jostle_together(${name})
 endfunction()
 
-# A program of ours: jostle_program(NAME SOURCES main.cpp ... LINK libs...)
+# A program of ours: jostle_program(NAME [APART] SOURCES main.cpp ... LINK libs...)
 function(jostle_program name)
-    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(arg "APART" "" "SOURCES;LINK" ${ARGN})
     add_executable(${name} ${arg_SOURCES})
     target_link_libraries(${name} PRIVATE ${arg_LINK} jostle_flags)
-endfunction()
-
-# A GoogleTest program that ctest runs whole: jostle_test(NAME [TOGETHER] SOURCES a_test.cpp ... LINK libs... [LABELS l...] [TIMEOUT s])
-# TOGETHER: no two of its sources use one name for different things.
-function(jostle_test name)
-    cmake_parse_arguments(arg "TOGETHER" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
-    jostle_program(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main GTest::gmock)
-    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    jostle_precompiled(${name} tests)
-    if(arg_TOGETHER)
+    if(NOT arg_APART)
         jostle_together(${name})
     endif()
+endfunction()
+
+# A GoogleTest program that ctest runs whole: jostle_test(NAME [APART] SOURCES a_test.cpp ... LINK libs... [LABELS l...] [TIMEOUT s])
+function(jostle_test name)
+    cmake_parse_arguments(arg "APART" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+    if(arg_APART)
+        set(apart APART)
+    endif()
+    jostle_program(${name} ${apart} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main GTest::gmock)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    jostle_precompiled(${name} tests)
     add_test(NAME ${name} COMMAND ${name})
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 120)

@@ -191,7 +191,7 @@ std::string as_a_list(const std::vector<InspectedGroup>& groups) {
 
 using json = nlohmann::ordered_json;
 
-json number(double value) {
+json finite_or_null(double value) {
     return std::abs(value) < 1e200 ? json(value) : json(nullptr);
 }
 
@@ -208,8 +208,8 @@ json rows_json(const InspectedGroup& group) {
         }
         rows.push_back({{"name", group.problem.names[k]},
                         {"jacobian", parts},
-                        {"lower", number(row.lower)},
-                        {"upper", number(row.upper)},
+                        {"lower", finite_or_null(row.lower)},
+                        {"upper", finite_or_null(row.upper)},
                         {"normal_row", row.normal_row},
                         {"friction", row.friction},
                         {"softness", row.softness},
@@ -237,7 +237,7 @@ json group_json(const InspectedGroup& group) {
         if (!solution.failed.empty()) {
             line["failed"] = solution.failed;
         } else {
-            line["residual"] = number(solution.residual);
+            line["residual"] = finite_or_null(solution.residual);
             line["converged"] = solution.converged;
             line["milliseconds"] = solution.milliseconds;
             line["out_of_bounds"] = solution.out_of_bounds;
@@ -249,12 +249,12 @@ json group_json(const InspectedGroup& group) {
     for (const Treatment& t : group.treatments)
         treatments.push_back({{"scaled", t.scaled},
                               {"epsilon", t.epsilon},
-                              {"condition", number(t.condition)},
+                              {"condition", finite_or_null(t.condition)},
                               {"gradient_iterations", t.gradient_iterations},
                               {"gradients_converged", t.gradients_converged},
                               {"sweeps", t.sweeps},
                               {"sweeps_converged", t.sweeps_converged},
-                              {"error", number(t.error)}});
+                              {"error", finite_or_null(t.error)}});
     const auto free = group.free_motions();
     return {{"bodies", group.bodies},
             {"h", group.system.h},

@@ -11,7 +11,7 @@ using namespace physics;
 namespace {
 
 // 80 m square: waves 20 m long and 0.8 m high, and a rim that keeps what is loose.
-double height_at(double x, double z) {
+double wave_height(double x, double z) {
     const double r = square_root(x * x + z * z);
     const double rim = r > 22 ? 0.15 * (r - 22) * (r - 22) : 0;
     return 0.4 * sin_cos(0.314 * x + 0.1 * z).sin + rim;
@@ -22,7 +22,7 @@ Geometry waves() {
     HeightGrid grid{.columns = samples, .rows = samples};
     for (std::uint32_t r = 0; r < samples; r++)
         for (std::uint32_t c = 0; c < samples; c++)
-            grid.heights.push_back(height_at(c - 40.0, r - 40.0));
+            grid.heights.push_back(wave_height(c - 40.0, r - 40.0));
     return HeightField{*build_height_field(std::move(grid))};
 }
 
@@ -45,7 +45,7 @@ SceneDescription hovercraft() {
         const SinCos at = sin_cos(turn);
         const double x = r * at.cos, z = r * at.sin;
         const Geometry kinds[] = {Sphere{0.35}, Cylinder{0.3, 0.3}, Box{{0.3, 0.25, 0.35}}};
-        SceneBody buoy = colored(loose("buoy", {x, height_at(x, z) + 0.6, z}, kinds[i % 3]),
+        SceneBody buoy = colored(loose("buoy", {x, wave_height(x, z) + 0.6, z}, kinds[i % 3]),
                                  i % 2 == 0 ? 0xe9c46a : 0xf4f1de);
         buoy.shapes[0].density = 60;
         buoy.shapes[0].material = {.friction = 0.5, .restitution = 0.3, .rolling_friction = 0.01};

@@ -5,29 +5,17 @@
 
 #include <cmath>
 
+#include "support/joined.h"
 #include "support/near.h"
-#include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
 // What stands still and touches nothing.
-BodyId anchor(World& world) {
+BodyId bare_anchor(World& world) {
     return must(world.create_body({.type = BodyType::static_body},
                                   {.geometry = Sphere{0.05}, .filter = {.mask = 0}}));
-}
-
-BodyId block(World& world, const Part& part) {
-    Part awake = part;
-    awake.sleep_allowed = false;
-    return add(world, awake);
-}
-
-JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform frame_a = {},
-             Transform frame_b = {}) {
-    return must(world.create_joint(
-        {.body_a = a, .body_b = b, .frame_a = frame_a, .frame_b = frame_b, .kind = kind}));
 }
 
 // Turns z to the direction of the world's x.
@@ -56,7 +44,7 @@ double period_of(World& world, double seconds, Value value, double hz = 60) {
 TEST(Slider, swings_on_its_spring_with_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId cart = block(world, {.position = {0.4, 0, 0}});
-    join(world, anchor(world), cart, SliderJoint{.spring = {1.5, 0}, .spring_travel = 0.1},
+    join(world, bare_anchor(world), cart, SliderJoint{.spring = {1.5, 0}, .spring_travel = 0.1},
          {{}, along_x}, {{}, along_x});
     const double period = period_of(world, 10, [&] { return position_of(world, cart).x - 0.1; });
     EXPECT_NEAR(period, 1 / 1.5, 0.01 / 1.5);
@@ -68,8 +56,8 @@ TEST(Slider, falls_along_its_axis_and_stops_at_its_limit) {
     World world = make_world();
     const Quat slope = from_axis_angle({0, 0, 1}, -pi / 6) * along_x;
     const BodyId cart = block(world, {});
-    const JointId slider = join(world, anchor(world), cart, SliderJoint{.limit = {true, -1, 1.5}},
-                                {{}, slope}, {{}, slope});
+    const JointId slider = join(world, bare_anchor(world), cart,
+                                SliderJoint{.limit = {true, -1, 1.5}}, {{}, slope}, {{}, slope});
     run(world, 0.5);
     JointState j = must(world.joint(slider));
     EXPECT_NEAR(j.travel, 9.81 / 2 * 0.125, 0.02);
@@ -87,8 +75,8 @@ TEST(Slider, motor_and_friction_have_the_forces_that_were_given) {
     World world = make_world({.gravity = {}});
     const BodyId cart = block(world, {});
     must(world.set_mass(cart, 2));
-    const JointId slider = join(world, anchor(world), cart, SliderJoint{.motor = {true, 3, 10}},
-                                {{}, along_x}, {{}, along_x});
+    const JointId slider = join(world, bare_anchor(world), cart,
+                                SliderJoint{.motor = {true, 3, 10}}, {{}, along_x}, {{}, along_x});
     run(world, 0.3);
     EXPECT_NEAR(velocity_of(world, cart).x, 1.5, 1e-3);
     EXPECT_NEAR(must(world.joint(slider)).force.x, 10, 1e-3);
@@ -105,8 +93,9 @@ TEST(Slider, motor_and_friction_have_the_forces_that_were_given) {
 TEST(Slider, does_not_turn_under_a_lever) {
     World world = make_world();
     const BodyId drawer = block(world, {.geometry = Box{{1, 0.1, 0.3}}, .position = {1, 0, 0}});
-    const JointId slider = join(world, anchor(world), drawer, SliderJoint{.limit = {true, 0, 0}},
-                                {{}, along_x}, {{-1, 0, 0}, along_x});
+    const JointId slider =
+        join(world, bare_anchor(world), drawer, SliderJoint{.limit = {true, 0, 0}}, {{}, along_x},
+             {{-1, 0, 0}, along_x});
     run(world, 5);
     const Vec3 x = rotate(state_of(world, drawer).pose.rotation, {1, 0, 0});
     EXPECT_GT(x.x, std::cos(1e-3));
@@ -117,7 +106,7 @@ TEST(Slider, breaks_at_its_force_and_says_so) {
     World world = make_world();
     const BodyId cart = block(world, {});
     const double weight = 9.81 * state_of(world, cart).mass;
-    must(world.create_joint({.body_a = anchor(world),
+    must(world.create_joint({.body_a = bare_anchor(world),
                              .body_b = cart,
                              .frame_a = {{}, along_x},
                              .frame_b = {{}, along_x},
@@ -153,7 +142,7 @@ TEST(SixDof, locked_is_as_good_as_fixed) {
     const JointKind kinds[2] = {FixedJoint{}, SixDofJoint{}};
     for (int k = 0; k < 2; k++) {
         boards[k] = block(worlds[k], {.geometry = Box{{0.5, 0.05, 0.2}}, .position = {0.5, 0, 0}});
-        join(worlds[k], anchor(worlds[k]), boards[k], kinds[k], {}, {{-0.5, 0, 0}, {}});
+        join(worlds[k], bare_anchor(worlds[k]), boards[k], kinds[k], {}, {{-0.5, 0, 0}, {}});
         run(worlds[k], 2);
     }
     EXPECT_TRUE(near(position_of(worlds[0], boards[0]), position_of(worlds[1], boards[1]), 1e-5));
@@ -178,7 +167,7 @@ TEST(SixDof, each_turn_alone_is_a_hinge) {
         SixDofAxes axes;
         JointAxis& turn = axis == 0 ? axes.turn_x : (axis == 1 ? axes.turn_y : axes.turn_z);
         turn = {.free = true, .motor = {true, 2, 1e6}};
-        const JointId joint = join(world, anchor(world), rotor, SixDofJoint{axes});
+        const JointId joint = join(world, bare_anchor(world), rotor, SixDofJoint{axes});
         run(world, 1);
         const JointState j = must(world.joint(joint));
         const double angles[] = {j.angles.x, j.angles.y, j.angles.z};
@@ -204,9 +193,9 @@ TEST(SixDof, two_free_turns_are_a_universal_joint) {
     const BodyId out = block(world, {.geometry = Box{{0.5, 0.1, 0.1}},
                                      .position = rotate(lean, {0.5, 0, 0}),
                                      .rotation = lean});
-    join(world, anchor(world), in, HingeJoint{.motor = {true, 2, 1e6}}, {{-0.5, 0, 0}, along_x},
-         {{}, along_x});
-    join(world, anchor(world), out, HingeJoint{}, {rotate(lean, {0.5, 0, 0}), lean * along_x},
+    join(world, bare_anchor(world), in, HingeJoint{.motor = {true, 2, 1e6}},
+         {{-0.5, 0, 0}, along_x}, {{}, along_x});
+    join(world, bare_anchor(world), out, HingeJoint{}, {rotate(lean, {0.5, 0, 0}), lean * along_x},
          {{}, along_x});
     const JointAxis free{.free = true};
     join(world, in, out, SixDofJoint{SixDofAxes{.turn_y = free, .turn_z = free}}, {{0.5, 0, 0}, {}},
@@ -231,10 +220,10 @@ TEST(SixDof, axes_do_not_disturb_each_other) {
     axes.x = {.free = true, .spring = {1, 0}};
     axes.y = {.free = true, .spring = {2, 0}};
     axes.z = {.free = true, .limit = {true, -0.1, 0.1}, .motor = {true, 1, 1e6}};
-    join(world, anchor(world), bob, SixDofJoint{axes});
+    join(world, bare_anchor(world), bob, SixDofJoint{axes});
     World copy = make_world({.gravity = {}});
     const BodyId twin = block(copy, {.position = {0.2, -0.3, 0}});
-    join(copy, anchor(copy), twin, SixDofJoint{axes});
+    join(copy, bare_anchor(copy), twin, SixDofJoint{axes});
     EXPECT_NEAR(period_of(world, 10, [&] { return position_of(world, bob).x; }), 1, 0.01);
     EXPECT_NEAR(period_of(copy, 10, [&] { return position_of(copy, twin).y; }), 0.5, 0.005);
     EXPECT_NEAR(position_of(world, bob).z, 0.1, 2e-3);
@@ -245,7 +234,7 @@ TEST(Wheel, suspension_swings_with_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId wheel =
         block(world, {.geometry = Cylinder{0.3, 0.1}, .position = {0, 0.1, 0}, .spin = {0, 0, 30}});
-    join(world, anchor(world), wheel, WheelJoint{.suspension = {2, 0}, .ride = -0.05});
+    join(world, bare_anchor(world), wheel, WheelJoint{.suspension = {2, 0}, .ride = -0.05});
     EXPECT_NEAR(period_of(world, 8, [&] { return position_of(world, wheel).y + 0.05; }), 0.5,
                 0.005);
     EXPECT_NEAR(state_of(world, wheel).angular_velocity.z, 30, 0.01);
@@ -257,7 +246,7 @@ TEST(Wheel, steers_to_its_angle_and_spins_by_its_torque) {
     const BodyId wheel = block(world, {.geometry = Sphere{0.3}});
     const double inertia = state_of(world, wheel).inertia.z.z;
     const JointId joint =
-        join(world, anchor(world), wheel,
+        join(world, bare_anchor(world), wheel,
              WheelJoint{.travel = {true, 0, 0}, .motor = {true, 10, 4 * inertia}});
     run(world, 1);
     EXPECT_NEAR(state_of(world, wheel).angular_velocity.z, 4, 0.01);
@@ -301,7 +290,7 @@ TEST(Wheel, a_castor_stays_within_its_limits) {
     World world = make_world({.gravity = {}});
     const BodyId wheel = block(world, {.geometry = Sphere{0.3}, .spin = {0, 3, 0}});
     const JointId joint = join(
-        world, anchor(world), wheel,
+        world, bare_anchor(world), wheel,
         WheelJoint{
             .travel = {true, 0, 0}, .free_steering = true, .steering_limit = {true, -1, 0.75}});
     double most = 0;

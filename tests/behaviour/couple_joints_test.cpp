@@ -6,24 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/joined.h"
 #include "support/near.h"
-#include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-BodyId block(World& world, const Part& part) {
-    Part awake = part;
-    awake.sleep_allowed = false;
-    return add(world, awake);
-}
-
-JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform frame_a = {},
-             Transform frame_b = {}) {
-    return must(world.create_joint(
-        {.body_a = a, .body_b = b, .frame_a = frame_a, .frame_b = frame_b, .kind = kind}));
-}
 
 // A wheel on a hinge about the world's z.
 BodyId wheel_at(World& world, Vec3 at, const HingeJoint& hinge = {}) {

@@ -15,7 +15,7 @@ using namespace physics;
 BodyId ball_body(World& world, Vec3 spin = {}) {
     return add(world, {.geometry = Sphere{0.5}, .spin = spin, .sleep_allowed = false});
 }
-JointId join(World& world, BodyId body, const JointKind& kind) {
+JointId join_to_world(World& world, BodyId body, const JointKind& kind) {
     return must(world.create_joint({.body_b = body, .kind = kind}));
 }
 double turn_between(Quat a, Quat b) {
@@ -28,7 +28,7 @@ TEST(Drive, a_ball_goes_to_its_target_and_stays) {
         World world = make_world({.gravity = {}});
         const BodyId body = ball_body(world);
         const Quat target = from_axis_angle(normalized(Vec3{1, 2, -1}), angle);
-        join(world, body, BallJoint{.drive = {.spring = {2, 1}, .target = target}});
+        join_to_world(world, body, BallJoint{.drive = {.spring = {2, 1}, .target = target}});
         run(world, 3);
         EXPECT_LT(turn_between(state_of(world, body).pose.rotation, target), 1e-3) << angle;
         EXPECT_LT(length(state_of(world, body).angular_velocity), 1e-3);
@@ -40,7 +40,7 @@ TEST(Drive, swings_with_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId body = ball_body(world);
     const Quat target = from_axis_angle({0, 0, 1}, 0.5);
-    join(world, body, BallJoint{.drive = {.spring = {1, 0}, .target = target}});
+    join_to_world(world, body, BallJoint{.drive = {.spring = {1, 0}, .target = target}});
     double last = 0, first = -1, latest = 0;
     int times = 0;
     for (int i = 1; i <= 600; i++) {
@@ -66,7 +66,7 @@ TEST(Drive, has_no_more_than_its_torque) {
         const double inertia = state_of(world, body).inertia.z.z;
         const RotationDrive drive{
             .spring = {5, 1}, .target = from_axis_angle({0, 0, 1}, 3), .max_torque = inertia};
-        const JointId joint = join(
+        const JointId joint = join_to_world(
             world, body,
             cone ? JointKind(ConeTwistJoint{.swing = pi, .twist = {false, 0, 0}, .drive = drive})
                  : JointKind(BallJoint{.drive = drive}));
@@ -80,10 +80,10 @@ TEST(Drive, has_no_more_than_its_torque) {
 TEST(Drive, stays_within_the_cone) {
     World world = make_world({.gravity = {}});
     const BodyId body = ball_body(world);
-    const JointId joint =
-        join(world, body,
-             ConeTwistJoint{.swing = 0.4,
-                            .drive = {.spring = {3, 1}, .target = from_axis_angle({0, 0, 1}, 1)}});
+    const JointId joint = join_to_world(
+        world, body,
+        ConeTwistJoint{.swing = 0.4,
+                       .drive = {.spring = {3, 1}, .target = from_axis_angle({0, 0, 1}, 1)}});
     run(world, 3);
     EXPECT_NEAR(must(world.joint(joint)).swing, 0.4, 0.01);
 }
@@ -93,7 +93,7 @@ TEST(BallFriction, takes_away_spin_by_its_torque) {
     World world = make_world({.gravity = {}});
     const BodyId body = ball_body(world, {0, 3, 4});
     const double inertia = state_of(world, body).inertia.z.z;
-    join(world, body, BallJoint{.friction_torque = 2 * inertia});
+    join_to_world(world, body, BallJoint{.friction_torque = 2 * inertia});
     run(world, 1);
     EXPECT_TRUE(near(state_of(world, body).angular_velocity, Vec3{0, 1.8, 2.4}, 0.01));
     run(world, 2);
@@ -103,9 +103,9 @@ TEST(BallFriction, takes_away_spin_by_its_torque) {
 TEST(Drive, goes_on_after_a_load) {
     World world = make_world();
     const BodyId body = ball_body(world, {1, 2, 3});
-    join(world, body,
-         BallJoint{.drive = {.spring = {1, 0.2}, .target = from_axis_angle({0, 0, 1}, 1)},
-                   .friction_torque = 5});
+    join_to_world(world, body,
+                  BallJoint{.drive = {.spring = {1, 0.2}, .target = from_axis_angle({0, 0, 1}, 1)},
+                            .friction_torque = 5});
     run(world, 1);
     World loaded = must(load(save(world)));
     EXPECT_EQ(state_hash(loaded), state_hash(world));

@@ -14,14 +14,15 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-struct Chain {
+struct CapsuleChain {
     std::vector<BodyId> links;
     std::vector<JointId> joints;
 };
 
 // Capsules of 0.2 m in a row along x from `from` on, a pivot of the world at its beginning.
-Chain hang_chain(World& world, Vec3 from, int count, const JointKind& kind, double end_density) {
-    Chain chain;
+CapsuleChain hang_chain(World& world, Vec3 from, int count, const JointKind& kind,
+                        double end_density) {
+    CapsuleChain chain;
     for (int k = 0; k < count; k++) {
         chain.links.push_back(add(world, {.geometry = Capsule{0.03, 0.05},
                                           .position = from + Vec3{0.2 * k + 0.1, 0, 0},
@@ -88,12 +89,12 @@ TEST(JointSolvers, direct_keeps_the_energy_of_a_chain_of_cones) {
 TEST(JointSolvers, of_one_joint_is_that_of_its_group) {
     World world = make_world();
     const JointKind cone = ConeTwistJoint{.swing = 3, .twist = {}};
-    const Chain exact = hang_chain(world, {0, 5, 0}, 8, cone, 1e5);
-    const Chain other = hang_chain(world, {0, 5, 5}, 8, cone, 1e5);
-    const Chain soft = hang_chain(world, {0, 5, 10}, 8, BallJoint{}, 1e5);
+    const CapsuleChain exact = hang_chain(world, {0, 5, 0}, 8, cone, 1e5);
+    const CapsuleChain other = hang_chain(world, {0, 5, 5}, 8, cone, 1e5);
+    const CapsuleChain soft = hang_chain(world, {0, 5, 10}, 8, BallJoint{}, 1e5);
     must(world.set_joint_solver(exact.joints[3], JointSolver::direct));
     must(world.set_joint_solver(soft.joints[5], JointSolver::iterative));
-    const auto gap = [&](const Chain& chain) {
+    const auto gap = [&](const CapsuleChain& chain) {
         double most = 0;
         for (const JointId joint : chain.joints)
             most = std::max(most, must(world.joint(joint)).separation);

@@ -5,22 +5,12 @@
 
 #include <cmath>
 
+#include "support/joined.h"
 #include "support/near.h"
-#include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-BodyId anchor(World& world, Vec3 at = {}) {
-    return add(world, {.geometry = Sphere{0.05}, .position = at, .type = BodyType::static_body});
-}
-
-JointId join(World& world, BodyId a, BodyId b, const JointKind& kind, Transform frame_a,
-             Transform frame_b) {
-    return must(world.create_joint(
-        {.body_a = a, .body_b = b, .frame_a = frame_a, .frame_b = frame_b, .kind = kind}));
-}
 
 // A rod of 1 m on a hinge, released level: the period of a physical pendulum at 90 degrees is
 // 1.935750 s (4 K(k) / w0).

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
+#include <thread>
 
 #include "support/near.h"
 #include "support/world_builder.h"
@@ -157,6 +159,59 @@ TEST(Listeners, do_not_change_the_bits_by_the_number_of_threads) {
         return state_hash(world);
     };
     EXPECT_EQ(hash(1), hash(4));
+}
+
+TEST(Listeners, that_may_be_called_at_once_see_each_body_in_one_group_whatever_the_threads) {
+    constexpr StepHooks at_once{.substeps = true, .concurrent = true};
+    const auto hash = [&](int threads) {
+        World world = make_world({.threads = threads});
+        add_floor(world);
+        for (int k = 0; k < 800; k++)
+            add(world, {.position = {2.2 * (k % 20), 0.6 + 1.1 * (k / 400), 2.2 * (k / 20 % 20)}});
+        for (int k = 0; k < 600; k++)
+            add(world, {.geometry = Sphere{}, .position = {3.0 * k, 50, 100}});
+        std::atomic<int> seen = 0, groups = 0;
+        Listener twist;
+        twist.wanted = at_once;
+        twist.before_sub = [&](SubstepContext& s) {
+            if (s.index() == 0) seen += static_cast<int>(s.bodies().size()), groups++;
+            // What a group sees goes into the bits.
+            double sum = 0;
+            for (const BodyId id : s.bodies()) {
+                sum += s.velocity_at(id, {}).y;
+                s.add_angular_impulse(id, {0, 1e-3 * sum, 0});
+                EXPECT_TRUE(s.contains(id));
+            }
+        };
+        must(world.add_listener(twist));
+        run(world, 0.5);
+        EXPECT_EQ(seen, 1400 * 30) << "each body once a step";
+        EXPECT_GE(groups, 5 * 30) << "three of balls, at least two of crates";
+        return state_hash(world);
+    };
+    const std::uint64_t one = hash(1);
+    EXPECT_EQ(one, hash(2));
+    EXPECT_EQ(one, hash(4));
+}
+
+TEST(Listeners, one_that_may_not_be_called_at_once_speaks_for_all) {
+    constexpr StepHooks at_once{.substeps = true, .concurrent = true};
+    World world = make_world({.threads = 4});
+    add_floor(world);
+    for (int k = 0; k < 400; k++) add(world, {.position = {2.2 * (k % 20), 0.6, 2.2 * (k / 20)}});
+    const std::thread::id here = std::this_thread::get_id();
+    int calls = 0;
+    Listener first, second;
+    first.wanted = at_once;
+    second.wanted = substeps;
+    second.before_sub = [&](SubstepContext&) {
+        EXPECT_EQ(std::this_thread::get_id(), here);
+        calls++;
+    };
+    must(world.add_listener(first));
+    must(world.add_listener(second));
+    run(world, 0.2);
+    EXPECT_GT(calls, 0);
 }
 
 // ---- answers about new contacts ----

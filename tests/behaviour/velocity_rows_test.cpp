@@ -5,16 +5,12 @@
 
 #include <cmath>
 
+#include "support/joined.h"
 #include "support/near.h"
-#include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-BodyId anchor(World& world, Vec3 at = {}) {
-    return add(world, {.geometry = Sphere{0.05}, .position = at, .type = BodyType::static_body});
-}
 
 JointId row(World& world, BodyId a, BodyId b, const VelocityRow& kind) {
     return must(

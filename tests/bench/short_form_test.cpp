@@ -9,12 +9,12 @@ namespace {
 
 using namespace jostle::bench::lab;
 
-Row row_of(const char* scene, double error, double second = 0, double rate_hz = 60) {
+Row short_row(const char* scene, double error, double second = 0, double rate_hz = 60) {
     return {.scene = scene, .rate_hz = rate_hz, .error = error, .second_error = second};
 }
 
 Row blown_row(const char* scene) {
-    Row row = row_of(scene, 0);
+    Row row = short_row(scene, 0);
     row.blown = "a body is lost";
     return row;
 }
@@ -26,7 +26,7 @@ int faults_in(const std::vector<Change>& changes) {
 }
 
 TEST(ShortForm, a_figure_worse_by_more_than_a_third_is_a_fault_with_both_figures) {
-    const auto changes = changes_between({row_of("j1", 0.001)}, {row_of("j1", 0.002)}, true);
+    const auto changes = changes_between({short_row("j1", 0.001)}, {short_row("j1", 0.002)}, true);
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_TRUE(changes[0].fault);
     EXPECT_EQ(changes[0].scene, "j1");
@@ -35,38 +35,42 @@ TEST(ShortForm, a_figure_worse_by_more_than_a_third_is_a_fault_with_both_figures
 }
 
 TEST(ShortForm, within_a_third_nothing_is_said) {
-    EXPECT_TRUE(changes_between({row_of("j1", 3, 3)}, {row_of("j1", 3.9, 2.4)}, true).empty());
+    EXPECT_TRUE(
+        changes_between({short_row("j1", 3, 3)}, {short_row("j1", 3.9, 2.4)}, true).empty());
 }
 
 TEST(ShortForm, what_is_better_is_told_and_no_fault) {
-    const auto changes = changes_between({row_of("j1", 0.01)}, {row_of("j1", 0.001)}, true);
+    const auto changes = changes_between({short_row("j1", 0.01)}, {short_row("j1", 0.001)}, true);
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_FALSE(changes[0].fault);
 }
 
 TEST(ShortForm, rounding_is_no_fault) {
-    EXPECT_TRUE(changes_between({row_of("f1", 2e-14)}, {row_of("f1", 9e-13)}, true).empty());
-    EXPECT_EQ(faults_in(changes_between({row_of("f1", 2e-14)}, {row_of("f1", 1e-6)}, true)), 1);
+    EXPECT_TRUE(changes_between({short_row("f1", 2e-14)}, {short_row("f1", 9e-13)}, true).empty());
+    EXPECT_EQ(faults_in(changes_between({short_row("f1", 2e-14)}, {short_row("f1", 1e-6)}, true)),
+              1);
 }
 
 TEST(ShortForm, second_errors_count_but_not_of_what_must_fall) {
-    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1, 1)}, {row_of("j1", 1, 2)}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({short_row("j1", 1, 1)}, {short_row("j1", 1, 2)}, true)),
+              1);
     EXPECT_TRUE(
-        changes_between({row_of("c10-mu0.17", 0, 1)}, {row_of("c10-mu0.17", 0, 2)}, true).empty());
+        changes_between({short_row("c10-mu0.17", 0, 1)}, {short_row("c10-mu0.17", 0, 2)}, true)
+            .empty());
 }
 
 TEST(ShortForm, blown_where_it_was_not_is_a_fault) {
-    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1)}, {blown_row("j1")}, true)), 1);
-    EXPECT_EQ(faults_in(changes_between({blown_row("j1")}, {row_of("j1", 1)}, true)), 0);
+    EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {blown_row("j1")}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({blown_row("j1")}, {short_row("j1", 1)}, true)), 0);
     EXPECT_TRUE(changes_between({blown_row("j1")}, {blown_row("j1")}, true).empty());
 }
 
 TEST(ShortForm, rows_on_one_side_alone_are_faults) {
-    EXPECT_EQ(faults_in(changes_between({}, {row_of("j1", 1)}, true)), 1);
-    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1)}, {}, true)), 1);
-    EXPECT_EQ(faults_in(changes_between({row_of("j1", 1)}, {}, false)), 0);
-    const std::vector<Row> two = {row_of("j1", 1), row_of("j1", 1, 0, 120)};
-    EXPECT_EQ(faults_in(changes_between(two, {row_of("j1", 1)}, false)), 1);
+    EXPECT_EQ(faults_in(changes_between({}, {short_row("j1", 1)}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {}, false)), 0);
+    const std::vector<Row> two = {short_row("j1", 1), short_row("j1", 1, 0, 120)};
+    EXPECT_EQ(faults_in(changes_between(two, {short_row("j1", 1)}, false)), 1);
 }
 
 TEST(ShortForm, leaves_out_what_takes_minutes) {

@@ -16,7 +16,7 @@
 namespace jostle::client {
 namespace {
 
-using Stream = grpc::ServerReaderWriter<v1::ServerMessage, v1::ClientMessage>;
+using PlayCall = grpc::ServerReaderWriter<v1::ServerMessage, v1::ClientMessage>;
 
 // Welcomes, sends one snapshot of an empty world, then reads until the client leaves. The first
 // `streams_to_end` streams end right after the welcome.
@@ -24,7 +24,7 @@ class Service final : public v1::PlayService::Service {
 public:
     std::atomic<int> streams{0}, streams_to_end{0}, inputs{0}, acks{0}, leaves{0};
 
-    grpc::Status Play(grpc::ServerContext*, Stream* stream) override {
+    grpc::Status Play(grpc::ServerContext*, PlayCall* stream) override {
         const int number = ++streams;
         v1::ClientMessage message;
         if (!stream->Read(&message) || !message.has_hello()) return grpc::Status::CANCELLED;
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    static void send_empty_world(Stream& stream) {
+    static void send_empty_world(PlayCall& stream) {
         const wire::QuantizedFrame empty{.frame = 5, .entities = {}};
         const auto packed = wire::encode_frame(empty, {}, {});
         v1::ServerMessage message;

@@ -16,6 +16,7 @@
 #include "fuzz/seed_scenes.h"
 #include "fuzz/seed_words.h"
 #include "fuzz/small_server.h"
+#include "jostle/modules/fracture_file.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
@@ -280,6 +281,17 @@ void write_geometry(const fs::path& folder) {
         for (int axis = 0; axis < 3; axis++) put(box, (k >> axis & 1) != 0 ? 0.5 : -0.5);
     hull.add(cloud);
     hull.add(box);
+    // The target makes the head: tests/fuzz/fracture_file.cpp.
+    Seeds fracture(folder, "fracture_file");
+    const physics::Vec3 half{1, 0.5, 0.25};
+    modules::FracturedShape boxes = modules::split_box(half, 3, 1, 1).value();
+    modules::anchor(boxes, {-1, 0, 0}, 0.99);
+    for (const auto& shape :
+         {boxes, modules::fracture_box(half, modules::scattered_seeds(half, 4, 1)).value()}) {
+        const auto bytes = modules::write_fracture(shape).value();
+        fracture.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())
+                         .substr(modules::fracture_head_bytes));
+    }
     // Four vertices on the grid and two triangles; then a height field of 4 x 4.
     terrain.add(std::string("\0\0\4\0\0\0\20\0\0\20\0\20\0\1\20\0\1\2\0\2\3", 21));
     std::string field("\1\4\4\1\20\20", 6);

@@ -52,7 +52,7 @@ inline double slab_gap(const physics::Geometry& a, const physics::Transform& pos
     return -support(b, pose_b, -n) - support(a, pose_a, n);
 }
 
-struct Separation {
+struct OracleGap {
     double distance = 0;   // m, signed
     physics::Vec3 normal;  // unit, from a to b
 };
@@ -77,7 +77,7 @@ inline const std::vector<physics::Vec3>& directions() {
 // Climbs s from n: a ring of trial directions that shrinks when none is better and turns each time,
 // so that a ridge cannot hide between them.
 template <class Gap>
-Separation climb(const Gap& gap, physics::Vec3 n) {
+OracleGap climb(const Gap& gap, physics::Vec3 n) {
     double best = gap(n), step = 0.06, turn = 0;
     while (step > 1e-9) {
         const physics::Vec3 t1 = normalized(
@@ -105,12 +105,12 @@ Separation climb(const Gap& gap, physics::Vec3 n) {
 
 // The largest gap(n) over all n. Good to about 1e-6 of the sizes.
 template <class Gap>
-Separation widest(const Gap& gap) {
+OracleGap widest(const Gap& gap) {
     using physics::Vec3;
     // The best few of all directions, each climbed: hills of s are as wide as the faces that make
     // them.
     constexpr int starts = 10;
-    std::array<Separation, starts> best;
+    std::array<OracleGap, starts> best;
     best.fill({-1e300, {}});
     for (const Vec3 n : detail::directions()) {
         const double s = gap(n);
@@ -120,18 +120,18 @@ Separation widest(const Gap& gap) {
             best[static_cast<std::size_t>(place)] = best[static_cast<std::size_t>(place - 1)];
         best[static_cast<std::size_t>(place)] = {s, n};
     }
-    Separation result{-1e300, {}};
-    for (const Separation& start : best) {
+    OracleGap result{-1e300, {}};
+    for (const OracleGap& start : best) {
         if (start.distance < -1e299) continue;
-        const Separation top = detail::climb(gap, start.normal);
+        const OracleGap top = detail::climb(gap, start.normal);
         if (top.distance > result.distance) result = top;
     }
     return result;
 }
 
 // a is no plane.
-inline Separation separation(const physics::Geometry& a, const physics::Transform& pose_a,
-                             const physics::Geometry& b, const physics::Transform& pose_b) {
+inline OracleGap separation(const physics::Geometry& a, const physics::Transform& pose_a,
+                            const physics::Geometry& b, const physics::Transform& pose_b) {
     using namespace physics;
     if (const auto* plane = std::get_if<Plane>(&b)) {
         const Vec3 up = rotate(pose_b.rotation, plane->normal);

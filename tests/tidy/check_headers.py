@@ -2,8 +2,8 @@
 """Each header of ours compiles alone, with the flags of the build.
 
 Usage: check_headers.py ROOT BUILD_FOLDER
-Takes include paths and definitions from compile_commands.json of the build. A header that its own .cpp includes first is not
-compiled once more where a build of CI compiles that .cpp without precompiled headers (the solver: scripts/determinism-check;
+Takes include paths and definitions from compile_commands.json of the build. A header that its own .cpp, or any .cpp of the solver,
+includes first is not compiled once more where a build of CI compiles that .cpp without precompiled headers (the solver: scripts/determinism-check;
 the server below gRPC: the preset tsan), nor where gRPC or Boost take seconds (there the .cpp must include it first).
 """
 
@@ -50,10 +50,14 @@ def first_include(path):
 
 
 def main():
+    if len(sys.argv) != 3:
+        print(next(line for line in __doc__.splitlines() if line.startswith("Usage")), file=sys.stderr)
+        return 2
     root, build = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     compiler = os.environ.get("CXX", "c++")
     flags = flags_of(build)
     headers, sources, bad = [], 0, 0
+    firsts = {first_include(source) for source in (root / "physics/src").rglob("*.cpp")}
     for folder in ("base", "physics", "proto/wire", "proto/status", "scenes", "sim", "server", "clients"):
         for path in sorted((root / folder).rglob("*.h")):
             name = str(path.relative_to(root))
@@ -68,7 +72,8 @@ def main():
                     bad += 1
                 continue
             source = path.with_suffix(".cpp")
-            if name.startswith(COMPILED) and source.exists() and first_include(source).endswith(path.name):
+            own_first = name.startswith(COMPILED) and source.exists() and first_include(source).endswith(path.name)
+            if own_first or name.removeprefix("physics/src/").removeprefix("physics/include/") in firsts:
                 sources += 1
                 continue
             headers.append(path)

@@ -42,7 +42,7 @@ FLOORS = {
     "linear_systems": [PUBLIC, "convergence"],
     "plots": [],
     "sim": [PUBLIC, "convergence", "linear_systems", "plots", "scenes/include"],
-    "convert": [PUBLIC, "decomposition", "scenes/include"],
+    "convert": [PUBLIC, "decomposition", "modules/destruction", "scenes/include"],
     "server/base": [],
     "server/config": ["server/base"],
     "server/telemetry": ["server/base"],

@@ -36,6 +36,9 @@ def sources(root):
 
 
 def main():
+    if len(sys.argv) != 3:
+        print(next(line for line in __doc__.splitlines() if line.startswith("Usage")), file=sys.stderr)
+        return 2
     root, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     includes = [f"-I{root / folder}" for folder in ("physics/include", "base/include", "physics/examples", "physics/examples/hovercraft")]
     count, faults = 0, 0

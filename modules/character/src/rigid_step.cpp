@@ -9,20 +9,20 @@ namespace {
 
 using namespace physics;
 
-constexpr double touch = 0.01;         // m within which it stands
-constexpr double look_around = 0.03;   // m
-constexpr double leaving_speed = 0.5;  // m/s: a lift may brake by so much in a step
-constexpr double least_change = 1e-9;  // m/s: less does not keep it awake
+constexpr double standing_gap = 0.01;   // m within which it stands
+constexpr double footing_reach = 0.03;  // m
+constexpr double lift_off_speed = 0.5;  // m/s: a lift may brake by so much in a step
+constexpr double least_change = 1e-9;   // m/s: less does not keep it awake
 
 Footing stand(const World& world, Record& self, const BodyState& body) {
     const Surroundings near = surroundings_of(world, self);
     const Vec3 center = self.feet + up * (0.5 * current_height(self));
     const auto contacts =
-        near.contacts(capsule_of(self, current_height(self)), center, look_around);
-    Footing footing = footing_of(near, self, self.feet, contacts, touch);
+        near.contacts(capsule_of(self, current_height(self)), center, footing_reach);
+    Footing footing = footing_of(near, self, self.feet, contacts, standing_gap);
     if (footing.kind == GroundKind::in_air) return footing;
     const Vec3 ground = surface_velocity(world, footing.body, footing.shape, footing.point);
-    if (dot(footing.normal, body.linear_velocity - ground) > leaving_speed) return {};
+    if (dot(footing.normal, body.linear_velocity - ground) > lift_off_speed) return {};
     return footing;
 }
 

@@ -14,10 +14,10 @@ namespace {
 
 using namespace physics;
 
-constexpr double touch = 0.002;         // m beyond the skin within which it stands
-constexpr double look_around = 0.02;    // m beyond the skin: contacts of the next moment
+constexpr double touching_gap = 0.002;  // m beyond the skin within which it stands
+constexpr double contact_reach = 0.02;  // m beyond the skin: contacts of the next moment
 constexpr double recovery_speed = 3;    // m/s at which it leaves what came closer than the skin
-constexpr double leaving_speed = 0.05;  // m/s: who rises faster from a floor does not stand on it
+constexpr double rising_speed = 0.05;   // m/s: who rises faster from a floor does not stand on it
 constexpr double furthest = 9e6;        // m from the origin, along each axis
 constexpr double skins_ahead = 2;
 constexpr int slides_most = 6;
@@ -227,7 +227,7 @@ private:
             const double pace = dot(contact.normal, relative(contact));
             if (contact.dynamic && contact.pushed)
                 add(set, contact, minimum(pace, 0));
-            else if (!contact.dynamic && contact.gap - self_.skin < 0.5 * touch)
+            else if (!contact.dynamic && contact.gap - self_.skin < 0.5 * touching_gap)
                 add(set, contact, pace);
         }
         return set;
@@ -239,7 +239,7 @@ private:
         bool any = false;
         for (const Contact& contact : contacts) {
             const Vec3 n = contact.normal;
-            if (n.y < walkable_ || contact.gap > self_.skin + touch) continue;
+            if (n.y < walkable_ || contact.gap > self_.skin + touching_gap) continue;
             const double along = -dot(horizontal(n), now_) / n.y;
             rise = any ? maximum(rise, along) : along;
             any = true;
@@ -253,7 +253,7 @@ private:
         for (Contact& contact : contacts) {
             if (!contact.dynamic) continue;
             const double closing = dot(contact.normal, contact.velocity - last_ - carried_);
-            if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touch)) continue;
+            if (contact.gap - self_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
             before_push_.remember(world_, contact.body);
             Push push{before_ + carried_,
                       last_ + carried_,
@@ -300,14 +300,14 @@ private:
     // The contacts where it is now. Asked again only if it moved, or pushed somebody.
     const std::vector<Contact>& look() {
         if (!looked_ || looked_at_ != center_)
-            contacts_ = near_.contacts(core_, center_, self_.skin + look_around);
+            contacts_ = near_.contacts(core_, center_, self_.skin + contact_reach);
         looked_ = is_null(pushed_);
         looked_at_ = center_;
         return contacts_;
     }
     Footing look_down() {
         return footing_of(near_, self_, center_ - up * (0.5 * current_height(self_)), look(),
-                          self_.skin + touch);
+                          self_.skin + touching_gap);
     }
     void find_ground() {
         Footing footing = look_down();
@@ -328,7 +328,7 @@ private:
         const Result<BodyState> body = before_push_.of(world_, footing.body);
         if (!body.ok()) return false;
         const Vec3 ground = carried_velocity(world_, *body, footing.shape, footing.point, dt_);
-        return dot(footing.normal, last_ - ground) > leaving_speed;
+        return dot(footing.normal, last_ - ground) > rising_speed;
     }
     // Takes off what rounding and bent floors leave between the skin and the floor.
     void settle(const Footing& footing) {

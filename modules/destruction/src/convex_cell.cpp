@@ -66,7 +66,49 @@ void sort_about(std::vector<Vec3>& points, Vec3 normal) {
 
 }  // namespace
 
+namespace {
+
+// Of the size: how far corners of a flat face may lie off its plane, by rounding.
+constexpr double flat_share = 1e-13;
+// Of the size, and of the cosine: planes that differ by less are one.
+constexpr double same_plane_share = 1e-9, same_direction = 1 - 1e-9;
+
+bool is_flat(const ConvexHull& hull, const HullFace& face, double size) {
+    const auto corners = hull.vertices_of(face);
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint16_t v) {
+        return face.offset - dot(face.normal, hull.vertices[v]) <= flat_share * size;
+    });
+}
+
+// Flat faces, no two in one plane.
+bool has_clean_faces(const ConvexHull& hull) {
+    const double size = length(hull.bounds.high - hull.bounds.low);
+    return std::all_of(hull.faces.begin(), hull.faces.end(),
+                       [&](const HullFace& face) { return is_flat(hull, face, size); }) &&
+           std::all_of(hull.edges.begin(), hull.edges.end(), [&](const HullEdge& edge) {
+               return dot(hull.faces[edge.left].normal, hull.faces[edge.right].normal) <
+                      same_direction;
+           });
+}
+
+// All that lies below the planes of its faces, each plane once.
+ConvexCell below_faces(const ConvexHull& hull) {
+    const Vec3 middle = (hull.bounds.low + hull.bounds.high) * 0.5;
+    const Vec3 half = hull.bounds.high - hull.bounds.low;
+    ConvexCell cell = cell_of_box(half);
+    for (CellFace& face : cell.faces)
+        for (Vec3& p : face.points) p += middle;
+    for (const HullFace& face : hull.faces)
+        cell = clipped(cell, face.normal, face.offset, outer_face, same_plane_share * length(half));
+    return cell;
+}
+
+}  // namespace
+
+// A hull's faces may be bent by a millionth of its size, or lie in one plane as triangles: pieces
+// would have corners that no hull of their size could tell apart.
 ConvexCell cell_of(const ConvexHull& hull) {
+    if (!has_clean_faces(hull)) return below_faces(hull);
     ConvexCell cell;
     for (const HullFace& face : hull.faces) {
         CellFace& made = cell.faces.emplace_back();
@@ -148,6 +190,19 @@ CellMass mass_of(const ConvexCell& cell) {
     const double trace = second.x.x + second.y.y + second.z.z;
     mass.inertia = diagonal({trace, trace, trace}) - second;
     return mass;
+}
+
+Aabb bounds_of(const ConvexCell& cell) {
+    Aabb bounds{cell.faces[0].points[0], cell.faces[0].points[0]};
+    for (const CellFace& face : cell.faces)
+        for (const Vec3 p : face.points) bounds = {min(bounds.low, p), max(bounds.high, p)};
+    return bounds;
+}
+
+bool are_near(const Aabb& a, const Aabb& b, double apart) {
+    for (int k = 0; k < 3; k++)
+        if (a.low[k] > b.high[k] + apart || b.low[k] > a.high[k] + apart) return false;
+    return true;
 }
 
 double furthest_squared(const ConvexCell& cell, Vec3 from) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "jostle/physics/aabb.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mat3.h"
 
@@ -38,6 +39,9 @@ ConvexCell cell_of_box(physics::Vec3 half_extents);
 ConvexCell clipped(const ConvexCell& cell, physics::Vec3 normal, double offset,
                    std::uint32_t neighbour, double grain);
 CellMass mass_of(const ConvexCell& cell);
+physics::Aabb bounds_of(const ConvexCell& cell);  // of one that is not empty
+// Whether boxes overlap, or are no further apart than that along each axis.
+bool are_near(const physics::Aabb& a, const physics::Aabb& b, double apart);
 // Squared distance of the corner that is furthest from a point.
 double furthest_squared(const ConvexCell& cell, physics::Vec3 from);
 

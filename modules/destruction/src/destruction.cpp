@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <string>
 
+#include "bond_network.h"
 #include "destruction_checks.h"
-#include "make_bodies.h"
+#include "destruction_impact.h"
 
 namespace jostle::modules {
 
 using namespace physics;
 using namespace destruction_detail;
+
+Destruction::Destruction() = default;
+Destruction::~Destruction() = default;
 
 const Destruction::Whole* Destruction::find(DestructibleId id) const {
     if (id.index >= wholes_.size()) return nullptr;
@@ -61,9 +65,11 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
                           .density = def.density,
                           .filter = def.filter,
                           .report_stays = shape.chunks.size() > 1});
-    const Result<std::vector<BodyId>> bodies = make_bodies(world, {{body_def, shapes}});
-    if (!bodies.ok()) return bodies.error();
-    const BodyId body = bodies->front();
+    const Result<BodyId> made_body = world.create_body(body_def, shapes);
+    if (!made_body.ok()) return made_body.error();
+    const BodyId body = *made_body;
+    if (!anchored)  // the centre of mass moved as shapes came
+        static_cast<void>(world.set_velocity(body, def.linear_velocity, def.angular_velocity).ok());
     if (at == wholes_.size()) wholes_.emplace_back();
     const std::uint32_t generation = wholes_[at].generation + 1;
     Whole& whole = wholes_[at] = {};

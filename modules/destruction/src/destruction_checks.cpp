@@ -9,10 +9,6 @@ using namespace physics;
 
 namespace {
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 struct Range {
     const char* name;
     double value, low, high;
@@ -22,8 +18,8 @@ template <std::size_t n>
 Status within(const Range (&ranges)[n]) {
     for (const Range& r : ranges)
         if (!(r.value >= r.low && r.value <= r.high))
-            return invalid(std::string(r.name) + " is " + std::to_string(r.value) +
-                           "; it is out of its range");
+            return invalid_argument(std::string(r.name) + " is " + std::to_string(r.value) +
+                                    "; it is out of its range");
     return {};
 }
 
@@ -37,10 +33,10 @@ bool is_unit(Vec3 v) {
 
 Status check_bond(const FractureBond& bond, std::size_t chunks) {
     if (!(bond.a < bond.b && bond.b < chunks))
-        return invalid("names no two chunks, the lower one first");
+        return invalid_argument("names no two chunks, the lower one first");
     if (!is_near(bond.center) || !is_unit(bond.normal) || !is_unit(bond.axis) ||
         absolute(dot(bond.normal, bond.axis)) > 1e-6)
-        return invalid(
+        return invalid_argument(
             "has no place, or its normal and axis are not two unit vectors at a right "
             "angle");
     return within({{"area", bond.area, least_area, most_area},
@@ -57,25 +53,26 @@ Status check_limits(const DestructionLimits& limits) {
                    {"pieces_per_step", static_cast<double>(limits.pieces_per_step), 1, 1e6},
                    {"work_per_step", static_cast<double>(limits.work_per_step), 1, 1e12},
                    {"debris_life", limits.debris_life, 0, 1e6},
-                   {"debris_volume", limits.debris_volume, 0, 1e12}});
+                   {"debris_volume", limits.debris_volume, 0, 1e12},
+                   {"passing_volume", limits.passing_volume, 0, 1e12}});
 }
 
 Status check_shape(const FracturedShape& shape) {
     if (shape.chunks.empty() || shape.chunks.size() > most_chunks)
-        return invalid("there are " + std::to_string(shape.chunks.size()) + " chunks; give 1 to " +
-                       std::to_string(most_chunks));
+        return invalid_argument("there are " + std::to_string(shape.chunks.size()) +
+                                " chunks; give 1 to " + std::to_string(most_chunks));
     if (shape.bonds.size() > most_bonds)
-        return invalid("there are more than " + std::to_string(most_bonds) + " bonds");
+        return invalid_argument("there are more than " + std::to_string(most_bonds) + " bonds");
     for (std::size_t k = 0; k < shape.chunks.size(); k++) {
         const FractureChunk& chunk = shape.chunks[k];
         if (!is_convex(kind_of(chunk.geometry)) || !is_near(chunk.center) ||
             !(chunk.volume > 0 && chunk.volume < 1e12))
-            return invalid("chunks[" + std::to_string(k) +
-                           "] is not a convex solid with a place and a volume");
+            return invalid_argument("chunks[" + std::to_string(k) +
+                                    "] is not a convex solid with a place and a volume");
     }
     for (std::size_t k = 0; k < shape.bonds.size(); k++)
         if (Status s = check_bond(shape.bonds[k], shape.chunks.size()); !s.ok())
-            return invalid("bonds[" + std::to_string(k) + "]: " + s.error().message);
+            return invalid_argument("bonds[" + std::to_string(k) + "]: " + s.error().message);
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bond_network.h"
+#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
 
 namespace jostle::modules {
@@ -20,6 +21,7 @@ constexpr double same_round = 0.5;
 // Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
 constexpr double noticeable_share = 0.05, noticeable_weight = 0.05;
 constexpr double standard_gravity = 9.81;
+constexpr double most_push = 1e29;      // N, J, m: less than what a load takes
 constexpr double shortest_beam = 1e-6;  // m
 constexpr std::uint32_t nowhere = 0xffffffff;
 
@@ -226,14 +228,17 @@ void Destruction::crack_if_loaded(const World& world, std::uint32_t w, std::uint
     if (pushes_.size() < whole.chunks.size()) pushes_.resize(whole.chunks.size());
     const std::span<Push> pushes(pushes_.data(), whole.chunks.size());
     for (const std::uint32_t c : piece.chunks) pushes[c] = {};
-    double energy = 0, mass = 0, change = 0, before = 0;
+    double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
     for (const Press& press : presses) {
         const Vec3 force = rotate(back, press.push);
         const Vec3 at = apply_inverse(body->pose, press.point) + piece.origin;
         pushes[press.chunk].force += force;
         pushes[press.chunk].torque += cross(at - whole.chunks[press.chunk].center, force);
         energy += press.energy;
+        sum += length(press.push) + length(press.point) + press.energy;
     }
+    // What ran away is in quarantine after this step: what it pressed means nothing.
+    if (!(sum < most_push)) return;
     for (const std::uint32_t c : piece.chunks) {
         const Chunk& chunk = whole.chunks[c];
         mass += chunk.mass;

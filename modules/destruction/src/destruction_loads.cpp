@@ -6,6 +6,7 @@
 
 #include "bond_network.h"
 #include "contact_motion.h"
+#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
 
 namespace jostle::modules {

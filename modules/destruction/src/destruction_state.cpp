@@ -5,6 +5,7 @@
 
 #include "bond_network.h"
 #include "destruction_checks.h"
+#include "destruction_impact.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/settings.h"
 
@@ -121,6 +122,7 @@ void Destruction::visit_limits(StateVisitor& v) {
     v.field("work_per_step", limits_.work_per_step);
     v.field("debris_life", limits_.debris_life);
     v.field("debris_volume", limits_.debris_volume);
+    v.field("passing_volume", limits_.passing_volume);
     if (!v.loading()) return;
     limits_.rounds = rounds;
     limits_.pieces_per_step = pieces;
@@ -180,6 +182,7 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     settings.number("fracture_energy", def.bonds.fracture_energy, 0, 1e9);
     settings.number("debris_life", limits.debris_life, 0, 1e6);
     settings.number("debris_volume", limits.debris_volume, 0, 1e12);
+    settings.number("passing_volume", limits.passing_volume, 0, 1e12);
     if (Status s = settings.finish(); !s.ok()) return s;
     if (Status s = set_limits(limits); !s.ok()) return s;
     const Vec3 half{0.5 * width, 0.5 * height, 0.5 * thickness};

@@ -108,7 +108,7 @@ double shown_area(const BodyRecord& record, Vec3 direction) {
 
 void BodyRecords::refresh(const World& world, std::span<const BodyId> bodies) {
     for (const BodyId id : bodies) {
-        if (id.index >= records_.size()) records_.resize(id.index + 1);
+        if (id.index >= records_.size()) continue;
         BodyRecord& record = records_[id.index];
         std::vector<ShapeId> shapes = world.shapes_of(id);
         const bool same = record.body == id && record.shapes == shapes;

@@ -47,7 +47,12 @@ public:
     // Panels no longer than that, for bodies that are met from now on. 0: none are needed.
     void set_longest_panel(double longest) { longest_panel_ = longest; }
 
-    // Before the first sub-step of a group, with the world as it was when the step began.
+    // For bodies below that index. Only then may several threads refresh bodies at once.
+    void make_room(std::uint32_t index_end) {
+        if (records_.size() < index_end) records_.resize(index_end);
+    }
+    // Before the first sub-step of a group, with the world as it was when the step began. Bodies
+    // that there is no room for have none in this step: they came after before_step().
     void refresh(const physics::World& world, std::span<const physics::BodyId> bodies);
     bool has(physics::BodyId body) const {
         return body.index < records_.size() && records_[body.index].body == body;

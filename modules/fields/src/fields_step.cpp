@@ -124,6 +124,7 @@ void Fields::before_step(World& world, double) {
     if (world.step_count() != memory_->step + 1) memory_->records.clear();
     memory_->step = world.step_count();
     memory_->records.set_longest_panel(longest_panel(entries_));
+    memory_->records.make_room(world.body_index_end());
     follow_targets(world);
     explode_due(world);
 }
@@ -133,43 +134,46 @@ void Fields::before_substep(SubstepContext& substep) {
     if (substep.index() == 0) memory_->records.refresh(substep.world(), substep.bodies());
     const double middle = substep.time() + 0.5 * substep.h();
     const Vec3 gravity = substep.world().gravity();
-    prepare(substep, middle, gravity);
+    fields_detail::GroupMoment moment = moment_of(substep, middle, gravity);
     for (const BodyId id : substep.bodies()) {
+        if (!memory_->records.has(id)) continue;
         Load load{substep.body(id), memory_->records.of(id), gravity, middle, substep.h()};
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
             if ((load.record.categories & field.mask) != 0 && holds(field.volume, load.body.center))
-                act(k, load);
+                act(k, moment, load);
         }
         if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
         if (load.angular_impulse != Vec3{}) substep.add_angular_impulse(id, load.angular_impulse);
     }
 }
 
-// What all bodies of a sub-step have in common.
-void Fields::prepare(const SubstepContext& substep, double middle, Vec3 gravity) {
-    memory_->targets.resize(entries_.size());
-    memory_->trains.resize(entries_.size());
+fields_detail::GroupMoment Fields::moment_of(const SubstepContext& substep, double middle,
+                                             Vec3 gravity) const {
+    fields_detail::GroupMoment moment;
+    moment.targets.resize(entries_.size());
+    moment.trains.resize(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); k++) {
         const FieldLaw& law = entries_[k].field.law;
         if (const auto* central = std::get_if<Central>(&law))
-            memory_->targets[k] = target_of(*central, substep, middle);
+            moment.targets[k] = target_of(*central, substep, middle);
         if (const auto* waves = std::get_if<Waves>(&law))
-            memory_->trains[k] = fields_detail::WaveTrain(*waves, -gravity.y, middle);
+            moment.trains[k] = fields_detail::WaveTrain(*waves, -gravity.y, middle);
     }
+    return moment;
 }
 
-void Fields::act(std::size_t at, Load& load) {
+void Fields::act(std::size_t at, fields_detail::GroupMoment& moment, Load& load) const {
     const Entry& entry = entries_[at];
     if (const auto* central = std::get_if<Central>(&entry.field.law)) {
-        if (memory_->targets[at]) pull(*central, *memory_->targets[at], load);
+        if (moment.targets[at]) pull(*central, *moment.targets[at], load);
     } else if (const auto* turbulence = std::get_if<Turbulence>(&entry.field.law)) {
         blow(*turbulence, load);
     } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
         push(*user, *entry.force, load);
     } else {
-        fields_detail::push_by_water(std::get<Waves>(entry.field.law), memory_->trains[at], load,
-                                     memory_->water);
+        fields_detail::push_by_water(std::get<Waves>(entry.field.law), moment.trains[at], load,
+                                     moment.water);
     }
 }
 

@@ -12,13 +12,17 @@
 
 namespace jostle::modules::fields_detail {
 
-struct StepMemory {
-    BodyRecords records;
-    std::uint64_t step = 0;  // World::step_count() when they were last used
-    // Of one sub-step, for each field: where Central pulls to, if anywhere; the moment of Waves.
+// What all bodies of a group's sub-step have in common, for each field: where Central pulls to, if
+// anywhere; the moment of Waves.
+struct GroupMoment {
     std::vector<std::optional<physics::Vec3>> targets;
     std::vector<WaveTrain> trains;
     WaterScratch water;
+};
+
+struct StepMemory {
+    BodyRecords records;
+    std::uint64_t step = 0;  // World::step_count() when they were last used
 };
 
 }  // namespace jostle::modules::fields_detail

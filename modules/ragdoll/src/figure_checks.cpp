@@ -8,10 +8,6 @@ using namespace physics;
 
 constexpr std::size_t most_bones = 256;
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 bool is_within(double x, double low, double high) {
     return x >= low && x <= high;  // NaN is not
 }
@@ -28,22 +24,23 @@ std::string name_of(const RagdollDef& def, std::size_t k) {
 Status check_bone(const RagdollDef& def, std::size_t k) {
     const RagdollBone& bone = def.bones[k];
     const std::string where = name_of(def, k);
-    if (k == 0 && bone.parent != -1) return invalid(where + " is the first: its parent must be -1");
+    if (k == 0 && bone.parent != -1)
+        return invalid_argument(where + " is the first: its parent must be -1");
     if (k > 0 && (bone.parent < 0 || bone.parent >= static_cast<int>(k)))
-        return invalid(where + ": its parent is " + std::to_string(bone.parent) +
-                       "; it must be an earlier bone");
-    if (bone.shapes.empty()) return invalid(where + " has no shape; give one at least");
+        return invalid_argument(where + ": its parent is " + std::to_string(bone.parent) +
+                                "; it must be an earlier bone");
+    if (bone.shapes.empty()) return invalid_argument(where + " has no shape; give one at least");
     if (!is_finite(bone.rest) || !is_rotation(bone.rest.rotation))
-        return invalid(where + ": its rest is not a finite place and a unit quaternion");
+        return invalid_argument(where + ": its rest is not a finite place and a unit quaternion");
     if (k == 0) return {};
     if (!is_finite(bone.frame) || !is_rotation(bone.frame.rotation))
-        return invalid(where + ": its frame is not a finite place and a unit quaternion");
+        return invalid_argument(where + ": its frame is not a finite place and a unit quaternion");
     const bool known = std::holds_alternative<BallJoint>(bone.joint) ||
                        std::holds_alternative<HingeJoint>(bone.joint) ||
                        std::holds_alternative<ConeTwistJoint>(bone.joint);
     if (!known)
-        return invalid(where + ": its joint is a " + kind_name(bone.joint) +
-                       "; it must be a ball, a hinge or a cone-twist");
+        return invalid_argument(where + ": its joint is a " + kind_name(bone.joint) +
+                                "; it must be a ball, a hinge or a cone-twist");
     return check_muscle(bone.muscle, where);
 }
 
@@ -51,18 +48,18 @@ Status check_bone(const RagdollDef& def, std::size_t k) {
 
 Status check_muscle(const Muscle& muscle, const std::string& where) {
     if (!is_within(muscle.hertz, 0, 1000))
-        return invalid(where + ": muscle.hertz must be from 0 to 1000");
+        return invalid_argument(where + ": muscle.hertz must be from 0 to 1000");
     if (!is_within(muscle.damping_ratio, 0, 10))
-        return invalid(where + ": muscle.damping_ratio must be from 0 to 10");
+        return invalid_argument(where + ": muscle.damping_ratio must be from 0 to 10");
     if (!is_within(muscle.max_torque, 0, 1e9))
-        return invalid(where + ": muscle.max_torque must be from 0 to 1e9 N m");
+        return invalid_argument(where + ": muscle.max_torque must be from 0 to 1e9 N m");
     return {};
 }
 
 Status check_figure(const RagdollDef& def) {
     if (def.bones.empty() || def.bones.size() > most_bones)
-        return invalid("a figure has " + std::to_string(def.bones.size()) +
-                       " bones; it must have 1 to " + std::to_string(most_bones));
+        return invalid_argument("a figure has " + std::to_string(def.bones.size()) +
+                                " bones; it must have 1 to " + std::to_string(most_bones));
     for (std::size_t k = 0; k < def.bones.size(); k++)
         if (Status s = check_bone(def, k); !s.ok()) return s;
     return {};

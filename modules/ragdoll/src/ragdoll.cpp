@@ -17,10 +17,6 @@ namespace {
 constexpr std::size_t most_figures = 10000;
 constexpr double longest_blend = 60;  // s
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalid_argument, std::move(message)};
-}
-
 // Where a bone is whose parent is there, with its joint turned so far.
 Transform placed(const Transform& parent, const Transform& parent_rest, const Transform& frame,
                  const Transform& rest, Quat turn) {
@@ -127,7 +123,7 @@ std::size_t Ragdolls::size() const {
 Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Transform& place) {
     if (Status s = check_figure(def); !s.ok()) return s.error();
     if (!is_finite(place) || std::abs(norm_squared(place.rotation) - 1) > 0.01)
-        return invalid("place is not a finite position and a unit quaternion");
+        return invalid_argument("place is not a finite position and a unit quaternion");
     std::size_t at = 0;
     while (at < figures_.size() && figures_[at].alive) at++;
     if (at >= most_figures)
@@ -173,14 +169,15 @@ Status Ragdolls::set_pose(RagdollId id, const RagdollPose& pose) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
     if (pose.turns.size() != figure->bones.size())
-        return invalid("the pose has " + std::to_string(pose.turns.size()) +
-                       " turns; the figure has " + std::to_string(figure->bones.size()) + " bones");
+        return invalid_argument("the pose has " + std::to_string(pose.turns.size()) +
+                                " turns; the figure has " + std::to_string(figure->bones.size()) +
+                                " bones");
     const auto is_turn = [](Quat q) { return std::abs(norm_squared(q) - 1) <= 0.01; };
     for (std::size_t k = 0; k < pose.turns.size(); k++)
         if (!is_turn(pose.turns[k]))
-            return invalid("turns[" + std::to_string(k) + "] is not a unit quaternion");
+            return invalid_argument("turns[" + std::to_string(k) + "] is not a unit quaternion");
     if (!is_finite(pose.root) || !is_turn(pose.root.rotation))
-        return invalid("root is not a finite position and a unit quaternion");
+        return invalid_argument("root is not a finite position and a unit quaternion");
     for (std::size_t k = 0; k < pose.turns.size(); k++)
         figure->bones[k].wanted = normalized(pose.turns[k]);
     figure->root = {pose.root.position, normalized(pose.root.rotation)};
@@ -209,8 +206,9 @@ Status Ragdolls::set_types(World& world, const Figure& figure, RagdollMode mode)
 Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double blend) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
-    if (!(blend >= 0 && blend <= longest_blend)) return invalid("blend must be from 0 to 60 s");
-    if (mode > RagdollMode::kinematic) return invalid("there is no such mode");
+    if (!(blend >= 0 && blend <= longest_blend))
+        return invalid_argument("blend must be from 0 to 60 s");
+    if (mode > RagdollMode::kinematic) return invalid_argument("there is no such mode");
     const Result<RagdollPose> now = pose(world, id);
     if (!now.ok()) return now.error();
     // Bodies that nothing pushes have no joints between them.
@@ -233,9 +231,9 @@ Status Ragdolls::set_strength(RagdollId id, std::size_t bone, double strength) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
     if (bone >= figure->bones.size())
-        return invalid("there is no bone " + std::to_string(bone) + "; there are " +
-                       std::to_string(figure->bones.size()));
-    if (!(strength >= 0 && strength <= 1)) return invalid("strength must be from 0 to 1");
+        return invalid_argument("there is no bone " + std::to_string(bone) + "; there are " +
+                                std::to_string(figure->bones.size()));
+    if (!(strength >= 0 && strength <= 1)) return invalid_argument("strength must be from 0 to 1");
     figure->bones[bone].strength = strength;
     figure->moved = true;
     return {};

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
 // Seen along its way a two-wheeler is a pendulum upside down whose foot the steering moves (Getz,
-// Marsden, "Control for an autonomous bicycle", 1995, without the trail): with the lean phi, the
-// speed v, the wheel base L, the front wheel's angle delta, all to the right, and the height l of a
-// pendulum of the same fall,
+// Marsden, "Control for an autonomous bicycle", 1995, without the trail): with the angle phi of the
+// line from where it touches to its centre of mass, the speed v, the wheel base L, the front
+// wheel's angle delta, all to the right, and the height l of a pendulum of the same fall,
 //
-//     l phi'' = g sin phi - a cos phi,   a = v^2 tan(delta) / L
+//     l phi'' = g sin phi - a cos phi
 //
-// The lean shall follow as phi'' = w^2 (wanted - phi) - 2 w phi'. That gives a, and so delta: to
-// lean to the right it is first turned to the left.
+// The lean shall follow as phi'' = w^2 (wanted - phi) - 2 w phi'; that gives a. With the centre of
+// mass b before the rear wheel, and tyres that bear c m g per rad of slip, a follows the steering
+// as (Pacejka, "Tire and vehicle dynamics", 3rd edition, 1.3.2)
+//
+//     a + t a' = v^2 / L tan(delta) + b v / L delta',   t = v / (c g) + relaxation length / v
+//
+// which is solved for delta, with a' from how the wanted a changes as it falls now: slowly it moves
+// its foot by b v delta' / L. Fast, t is longer than a fall takes: then the front wheel is turned
+// to the slip at which its tyre bears its share of a at once, and the rear follows. To lean to the
+// right it is first turned to the left.
 #include "balance.h"
 
 namespace jostle::modules::vehicle_detail {
@@ -17,21 +25,84 @@ using namespace physics;
 
 namespace {
 
-double wheel_base(const VehicleDef& def) {
+constexpr double slowest = 0.5;         // m/s that the steering counts with
+constexpr double slow = 15, fast = 30;  // m/s between which the two ways to steer are mixed
+constexpr double damps_swing = 0.025;   // s
+constexpr double held = 0.85;           // of friction that a rider uses
+
+double axle_distance(const VehicleDef& def) {
     return maximum(absolute(def.wheels.back().attachment.z - def.wheels.front().attachment.z), 0.1);
 }
 
-double full_lock(const VehicleDef& def) {
-    double most = 0.01;
-    for (const Wheel& wheel : def.wheels) most = maximum(most, wheel.steering_most);
-    return most;
+// How much the feet do; all when it stands or rolls back.
+double feet_share(const Car& car) {
+    const double below = car.def.balance.feet_below;
+    return below > 0 ? clamp(2 - 2 * car.speed / below, 0, 1) : 0;
 }
 
-// rad/s^2
-double wanted_turn(const Car& car) {
-    const double w = 2 * pi * car.def.balance.frequency;
-    const double wanted = car.controls.steering * car.def.balance.lean_most;
-    return w * w * (wanted - car.lean.angle) - 2 * w * car.lean.rate;
+double least_friction(const Car& car) {
+    double least = 10;
+    for (const WheelRun& run : car.wheels)
+        if (run.touches) least = minimum(least, run.friction);
+    return least;
+}
+
+// rad: no further than friction and full lock bear at this speed.
+double wanted_lean(const Car& car) {
+    const double v = maximum(car.speed, slowest);
+    const double locked = v * v * full_lock(car.def) / axle_distance(car.def) / car.lean.weight;
+    const double most = arc_tangent(held * minimum(least_friction(car), locked), 1);
+    return clamp(car.controls.steering * car.def.balance.lean_most, -most, most);
+}
+
+// The a that is wanted, and how it changes.
+struct Aside {
+    double wanted, change;  // m/s^2, m/s^3
+};
+Aside wanted_aside(const Car& car) {
+    const Lean& lean = car.lean;
+    const double w = 2 * pi * car.def.balance.frequency, g = lean.weight, l = lean.height;
+    const SinCos angle = sin_cos(lean.angle);
+    const double cos = maximum(angle.cos, 0.2);
+    // No faster than a part of its weight moves it.
+    const double most = 0.3 * g / l;
+    const double turn =
+        clamp(w * w * (wanted_lean(car) - lean.angle), -most, most) - 2 * w * lean.rate;
+    double pushed = 0;
+    for (const WheelRun& run : car.wheels) pushed += run.aside;
+    const double falls = (g * angle.sin - pushed / car.mass * cos) / l;
+    return {(g * angle.sin - l * turn) / cos, (g + l * w * w) * lean.rate + 2 * l * w * falls};
+}
+
+// rad that the front wheel slips while the tyre, as a brush (tyre.h), bears a share of friction:
+// share = 1 - (1 - c / (3 mu) slip)^3.
+double slip_for(double share, double friction, double stiffness) {
+    const double left = 1 - minimum(absolute(share), held);
+    double root = 1 - (1 - left) / 3;
+    for (int round = 0; round < 4; round++) root -= (root * root * root - left) / (3 * root * root);
+    const double slip = 3 * friction / stiffness * (1 - root);
+    return share < 0 ? -slip : slip;
+}
+
+// rad of steering while the way that it rolls decides.
+double angle_by_way(const Car& car, const Aside& aside, double dt) {
+    const double v = maximum(car.speed, slowest), base = axle_distance(car.def);
+    const Tyre& tyre = car.def.wheels.front().tyre;
+    const double lags =
+        v / (tyre.cornering_stiffness * car.lean.weight) + tyre.relaxation_length / maximum(v, 2);
+    const double target = (aside.wanted + lags * aside.change) * base / (v * v);
+    const double foot = 0.5 * base / (v * dt);
+    return (target + foot * car.steering * full_lock(car.def)) / (1 + foot);
+}
+
+// ... and while what its tyre bears decides: from where the wheel goes by the slip for its share.
+double angle_by_slip(const Car& car, const Aside& aside) {
+    const double friction = maximum(least_friction(car), 0.01);
+    const double share = aside.wanted / (friction * car.lean.weight);
+    // Its swing about the upright axis is damped: only what turns it along the way shall be left.
+    const double swings = car.lean.turn - aside.wanted / maximum(car.speed, slow);
+    return car.lean.course - damps_swing * swings +
+           slip_for(share, friction, car.def.wheels.front().tyre.cornering_stiffness);
 }
 
 }  // namespace
@@ -45,38 +116,80 @@ void measure_lean(const BodyState& chassis, Car& car) {
         point += run.point;
         touching += 1;
     }
+    car.lean.touching = touching > 0;
     if (touching == 0) return;
-    normal = normalized(normal);
-    const Vec3 right = rotate(chassis.pose.rotation, {1, 0, 0});
-    const Vec3 up = rotate(chassis.pose.rotation, {0, 1, 0});
+    normal = normalized(normal, {0, 1, 0});
     const Vec3 ahead = rotate(chassis.pose.rotation, {0, 0, -1});
-    const double height = maximum(dot(chassis.center - point / touching, up), 0.05);
+    const Vec3 right = normalized(cross(ahead, normal), {1, 0, 0});
+    // Across the way that it goes: where it touches is known from a moment ago.
+    const Vec3 v = chassis.linear_velocity, along = v - normal * dot(v, normal);
+    const Vec3 course = length_squared(along) > 9 ? normalized(along) : ahead;
+    const Vec3 across = normalized(cross(course, normal), {1, 0, 0});
+    const Vec3 up = cross(across, course), arm = chassis.center - point / touching;
+    const double aside = dot(arm, across), above = dot(arm, up);
+    const double height = maximum(square_root(aside * aside + above * above), 0.05);
     const double inertia = dot(ahead, chassis.inertia * ahead);
-    car.lean.angle = arc_tangent(-dot(right, normal), dot(up, normal));
+    car.lean.angle = arc_tangent(aside, above);
     car.lean.rate = dot(chassis.angular_velocity, ahead);
     car.lean.height = height + inertia / (chassis.mass * height);
     car.lean.weight = maximum(-dot(car.other_a, normal), 0.1);
+    car.lean.own = inertia;
+    car.lean.turn = -dot(chassis.angular_velocity, normal);
     car.lean.inertia = inertia + chassis.mass * height * height;
+    const Vec3 hub = apply(chassis.pose, car.def.wheels.front().attachment);
+    const Vec3 front = v + cross(chassis.angular_velocity, hub - chassis.center);
+    car.lean.course = arc_tangent(dot(front, right), maximum(dot(front, ahead), slowest));
 }
 
-double balance_steering(const Car& car) {
-    const SinCos lean = sin_cos(car.lean.angle);
-    const double aside =
-        (car.lean.weight * lean.sin - car.lean.height * wanted_turn(car)) / maximum(lean.cos, 0.2);
-    const double v2 = maximum(car.speed * car.speed, 1);
-    const double angle = arc_tangent(aside * wheel_base(car.def), v2);
-    return clamp(angle / full_lock(car.def), -1, 1);
+double balance_steering(const Car& car, double dt) {
+    if (!car.lean.touching) return car.steering;
+    const double share = feet_share(car), lock = full_lock(car.def);
+    const Aside aside = wanted_aside(car);
+    const double by_slip = clamp((car.speed - slow) / (fast - slow), 0, 1);
+    double angle = 0;
+    if (by_slip < 1) angle += (1 - by_slip) * angle_by_way(car, aside, dt);
+    if (by_slip > 0) angle += by_slip * angle_by_slip(car, aside);
+    return clamp((1 - share) * angle / lock + share * car.controls.steering, -1, 1);
 }
 
-// As a pendulum without a foot that moves; fades to nothing with the speed.
+// As a pendulum without a foot that moves; fades to nothing with the speed. Feet push with the
+// weight half a metre aside, reach the ground, and lift nothing that lies on its side.
 Vec3 balance_by_feet(const Frame& frame, const Car& car) {
     const Balance& balance = car.def.balance;
-    const double share = 1 - absolute(car.speed) / maximum(balance.feet_below, 1e-9);
-    if (!balance.on || share <= 0) return {};
+    const Lean& lean = car.lean;
+    const double share = feet_share(car);
+    if (!balance.on || share <= 0 || !lean.touching) return {};
+    const double lies = clamp((1.1 - absolute(lean.angle)) / 0.4, 0, 1);
     const double w = 2 * pi * balance.frequency;
-    const double upright = -w * w * car.lean.angle - 2 * w * car.lean.rate -
-                           car.lean.weight / car.lean.height * car.lean.angle;
-    return frame.axes.z * (-upright * share * car.lean.inertia * frame.h);
+    const double rate = -dot(frame.w, frame.axes.z), damps = 2 * w * lean.inertia;
+    const double stands = (w * w + lean.weight / lean.height) * lean.inertia;
+    // Implicit in what the chassis alone answers: its tyres give way aside.
+    const double upright = -stands * lean.angle - damps * rate / (1 + frame.h * damps / lean.own);
+    const double most = 0.5 * car.mass * lean.weight;
+    return frame.axes.z * (-clamp(upright, -most, most) * share * lies * frame.h);
+}
+
+// N m that a rider brakes by: what the tyre bears besides what it bears aside, and less when the
+// rear wheel is about to lift.
+double rider_brake(const Car& car, std::size_t wheel, double asked) {
+    if (!car.def.balance.on || absolute(car.speed) < slowest) return asked;
+    const WheelRun& run = car.wheels[wheel];
+    const double grip = held * run.friction * run.load;
+    const double ahead = square_root(maximum(grip * grip - run.aside * run.aside, 0));
+    const double weight = car.mass * car.lean.weight;
+    const double stays = clamp(car.wheels.back().load / weight / 0.15, 0, 1);
+    return minimum(asked, ahead * stays * car.def.wheels[wheel].radius);
+}
+
+// Share of the throttle: less when the front wheel is about to lift, or the rear one to spin.
+double rider_throttle(const Car& car) {
+    if (!car.def.balance.on) return 1;
+    const double weight = car.mass * car.lean.weight;
+    const double stays = clamp(car.wheels.front().load / weight / 0.15, 0, 1);
+    const WheelRun& rear = car.wheels.back();
+    const double slip = car.def.wheels.back().radius * rear.spin - car.speed;
+    const double grips = clamp(2 - slip / maximum(0.05 * absolute(car.speed), 0.3), 0, 1);
+    return minimum(stays, grips);
 }
 
 }  // namespace jostle::modules::vehicle_detail

@@ -11,9 +11,13 @@ namespace jostle::modules::vehicle_detail {
 void measure_lean(const physics::BodyState& chassis, Car& car);
 
 // -1 to 1, right: what makes the lean follow the controls.
-double balance_steering(const Car& car);
+double balance_steering(const Car& car, double dt);
 
 // N m s of a solve, where it is slow.
 Vec3 balance_by_feet(const Frame& frame, const Car& car);
+
+// What the rider makes of brakes, N m, and of the throttle: a share. Nothing of a car's.
+double rider_brake(const Car& car, std::size_t wheel, double asked);
+double rider_throttle(const Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -35,6 +35,15 @@ struct WheelRun {
     Vec3 point = {}, normal = {0, 1, 0};
 };
 
+// A wheel that is a body: saved.
+struct WheelBody {
+    BodyId body = {};
+    physics::JointId joint = {};
+    double spin = 0;     // rad/s ahead at the last sub-step
+    double pushed = 0;   // N m s that it was given then
+    double resists = 0;  // N m that ground and brakes turn it by: learned
+};
+
 // The ground under a wheel, for a step.
 struct Ground {
     bool found = false;
@@ -53,10 +62,14 @@ struct Rig {
 
 // Of a two-wheeler, at the start of the step.
 struct Lean {
+    bool touching = false;
     double angle = 0, rate = 0;  // rad, rad/s, to the right
     double height = 1;           // m: of a pendulum that falls as fast
-    double weight = 0;           // m/s^2 down
+    double weight = 9.81;        // m/s^2 down
     double inertia = 0;          // kg m^2 about the line that it leans over
+    double own = 1;              // kg m^2 about its centre of mass, along its way
+    double turn = 0;             // rad/s to the right
+    double course = 0;           // rad to the right: where the front wheel goes
 };
 
 enum class Grip : std::uint8_t { holds, slips_ahead, slips_back };  // of a brake, clutch, coupling
@@ -71,7 +84,8 @@ struct Car {
     std::uint32_t held_buttons = 0;
 
     std::vector<WheelRun> wheels;
-    double steering = 0;  // -1 to 1, follows the controls
+    std::vector<WheelBody> bodies;  // as many, or none
+    double steering = 0;            // -1 to 1, follows the controls
     double engine_speed = 0;
     double engine_torque = 0, clutch_torque = 0;
     std::int32_t gear = 0;
@@ -92,8 +106,6 @@ struct Car {
     std::vector<Ground> grounds;
     std::vector<Rig> rigs;
     Lean lean;
-    // Of the definition; made when they are first wanted.
-    std::vector<physics::Geometry> probes;  // the lower half of each wheel
 };
 
 // The chassis in a sub-step.
@@ -143,5 +155,12 @@ struct Contacts {
     Contact* begin() { return all.data(); }
     Contact* end() { return all.data() + count; }
 };
+
+// rad: as far as one of its wheels turns.
+inline double full_lock(const VehicleDef& def) {
+    double most = 0.01;
+    for (const Wheel& wheel : def.wheels) most = physics::maximum(most, wheel.steering_most);
+    return most;
+}
 
 }  // namespace jostle::modules::vehicle_detail

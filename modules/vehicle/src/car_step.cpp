@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "car_step.h"
 
+#include "air.h"
 #include "balance.h"
 #include "drive_line.h"
 #include "suspension.h"
@@ -134,17 +135,13 @@ void find_contacts(const SubstepContext& substep, const Frame& frame, Car& car,
 // ---- how they turn and hold ----
 
 void prepare_spin(const Car& car, SpunWheels& wheels) {
-    const CarControls& controls = car.controls;
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& made = car.def.wheels[k];
-        const double pedal = maximum(controls.brake * made.brake_torque,
-                                     controls.hand_brake * made.hand_brake_torque);
-        const double brake = maximum(pedal, car.steering * made.steering_brake);
         SpunWheel& wheel = wheels[k];
         wheel.radius = made.radius;
         wheel.inertia = made.inertia;
         wheel.share = made.drive_share;
-        wheel.brake = brake;
+        wheel.brake = brake_torque(car, k);
         wheel.force = wheel.slope = 0;
         wheel.spin = car.wheels[k].spin;
     }
@@ -241,12 +238,7 @@ void turn_wheels(const Frame& frame, const SpunWheels& wheels, Car& car, Push& p
 }
 
 void push_by_air(const Frame& frame, const Car& car, Push& push) {
-    const Aerodynamics& air = car.def.aerodynamics;
-    const double speed = length(frame.v), flow = 0.5 * air.density * speed * frame.h;
-    const double drag = flow * air.drag_area;
-    push.impulse += frame.v * (-drag / (1 + drag / car.mass));
-    const double press = flow * speed * air.downforce_area;
-    push.impulse += frame.axes.y * -minimum(press, 100 * car.mass * frame.h);
+    push.impulse += air_push(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ void check_wheel(const Wheel& wheel, Check& check) {
     check.number("radius", wheel.radius, 0.02, 10);
     check.number("width", wheel.width, 0.01, 10);
     check.number("inertia", wheel.inertia, 0.001, 1e5);
+    check.number("mass", wheel.mass, 0.01, 1e6);
     check.number("steering_most", wheel.steering_most, -1.4, 1.4);
     check.number("drive_share", wheel.drive_share, 0, 1);
     check.number("brake_torque", wheel.brake_torque, 0, 1e7);
@@ -111,26 +112,43 @@ void check_bars(const VehicleDef& def, Check& check) {
     check.leave();
 }
 
+// Two groups of wheels without a common one.
+bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first,
+                  const std::vector<std::uint32_t>& second, Check& check) {
+    std::array<bool, wheels_max> taken{};
+    for (const auto* group : {&first, &second}) {
+        check.number("wheels", static_cast<double>(group->size()), 1, wheels_max - 1);
+        for (const std::uint32_t wheel : *group) {
+            const bool known = wheel < def.wheels.size() && wheel < wheels_max;
+            check.that(known, "names a wheel that there is not");
+            if (!known) return false;
+            check.that(!taken[wheel], "names a wheel twice");
+            taken[wheel] = true;
+        }
+    }
+    return true;
+}
+
 void check_couplings(const VehicleDef& def, Check& check) {
     check.number("couplings", static_cast<double>(def.couplings.size()), 0, couplings_max);
     for (std::size_t k = 0; k < def.couplings.size(); k++) {
         const Coupling& coupling = def.couplings[k];
         check.enter("couplings", k);
-        std::array<bool, wheels_max> taken{};
-        for (const auto* group : {&coupling.first, &coupling.second}) {
-            check.number("wheels", static_cast<double>(group->size()), 1, wheels_max - 1);
-            for (const std::uint32_t wheel : *group) {
-                const bool known = wheel < def.wheels.size() && wheel < wheels_max;
-                check.that(known, "names a wheel that there is not");
-                if (!known) return;
-                check.that(!taken[wheel], "names a wheel twice");
-                taken[wheel] = true;
-            }
-        }
+        if (!check_groups(def, coupling.first, coupling.second, check)) return;
         check.number("kind", static_cast<double>(coupling.kind), 0, 1);
         check.number("preload", coupling.preload, 0, 1e7);
         check.number("ratio", coupling.ratio, 0, 10);
     }
+    check.leave();
+}
+
+void check_steering_drive(const VehicleDef& def, Check& check) {
+    const SteeringDrive& drive = def.steering_drive;
+    check.enter("steering_drive");
+    if (!drive.left.empty() || !drive.right.empty())
+        check_groups(def, drive.left, drive.right, check);
+    check.number("ratio", drive.ratio, 0, 100);
+    check.number("torque", drive.torque, 0, 1e8);
     check.leave();
 }
 
@@ -179,8 +197,9 @@ void check_air(const VehicleDef& def, Check& check) {
     check.number("frequency", def.balance.frequency, 0.1, 5);
     check.number("feet_below", def.balance.feet_below, 0, 20);
     check.leave();
-    check.number("cast", static_cast<double>(def.cast), 0,
-                 static_cast<double>(WheelCast::cylinder));
+    check.number("cast", static_cast<double>(def.cast), 0, static_cast<double>(WheelCast::body));
+    check.that(def.cast != WheelCast::body || !def.balance.on,
+               "balance.on: the wheels of a two-wheeler are not bodies");
     check.number("steering_rate", def.steering_rate, 0.01, 1000);
     check.number("rate", def.rate, 10, 1e5);
 }
@@ -212,6 +231,7 @@ std::string fault_of(const VehicleDef& def) {
     check_wheels(def, check);
     check_bars(def, check);
     check_couplings(def, check);
+    check_steering_drive(def, check);
     check_engine(def.engine, check);
     check_gearbox(def.gearbox, check);
     check_air(def, check);
@@ -250,6 +270,13 @@ std::string fault_of(const Car& car) {
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         check.enter("wheels", k);
         check_run(car.wheels[k], check);
+    }
+    check.that(car.bodies.size() == (car.def.cast == WheelCast::body ? car.wheels.size() : 0),
+               "wheels have another number of bodies");
+    for (const WheelBody& wheel : car.bodies) {
+        check.number("spin", wheel.spin, -1e6, 1e6);
+        check.number("pushed", wheel.pushed, -1e12, 1e12);
+        check.number("resists", wheel.resists, -1e12, 1e12);
     }
     check.leave();
     check.number("held_aside", car.held_aside, -1, 1);

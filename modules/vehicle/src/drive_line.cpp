@@ -11,6 +11,7 @@
 // solve is the rule. The matrix is symmetric and positive definite whatever holds.
 #include "drive_line.h"
 
+#include "balance.h"
 #include "small_solve.h"
 
 namespace jostle::modules::vehicle_detail {
@@ -20,7 +21,7 @@ using namespace physics;
 namespace {
 
 constexpr std::size_t unknowns_max = wheels_max + 1;
-constexpr std::size_t links_max = wheels_max + 1 + couplings_max;
+constexpr std::size_t links_max = wheels_max + 1 + couplings_max + 1;
 constexpr int rounds_max = 4;
 
 // How stiff links are while they hold, against the inertia that they hold: what a link that holds
@@ -120,6 +121,22 @@ void add_couplings(const Car& car, double h, const Speeds& y, Links& links) {
     }
 }
 
+// The engine drives left and right against each other.
+void add_steering(const Car& car, double h, const Speeds& y, Links& links) {
+    const SteeringDrive& drive = car.def.steering_drive;
+    if (drive.left.empty()) return;
+    Link& link = links.of[links.count++];
+    link.size = 0;
+    const double inertia =
+        add_group(car, drive.left, 1, link) + add_group(car, drive.right, -1, link);
+    link.at[link.size] = static_cast<std::uint8_t>(car.wheels.size());
+    link.weight[link.size++] = -2 * drive.ratio * car.steering;
+    link.most = drive.torque;
+    link.stiff = coupling_stiff * inertia / h;
+    link.before = speed_of(link, y);
+    link.grip = guess(link, inertia / 4, h);
+}
+
 // Without links.
 void assemble(const Car& car, double h, const SpunWheels& wheels, double throttle, System& system) {
     const std::size_t engine = car.wheels.size();
@@ -174,13 +191,20 @@ double torque_of(const Link& link, const Speeds& y) {
 double throttle_now(const Car& car) {
     const Engine& engine = car.def.engine;
     const double speed = car.engine_speed;
-    const double foot = car.shift_left > 0 ? 0 : car.controls.throttle;
+    const double foot = car.shift_left > 0 ? 0 : car.controls.throttle * rider_throttle(car);
     const double governor = clamp((engine.idle - speed) / (0.1 * engine.idle), 0, 1);
     const double cut = clamp((engine.most - speed) / (0.02 * engine.most), 0, 1);
     return maximum(foot * cut, governor);
 }
 
 }  // namespace
+
+double brake_torque(const Car& car, std::size_t wheel) {
+    const Wheel& made = car.def.wheels[wheel];
+    const double pedal = maximum(car.controls.brake * made.brake_torque,
+                                 car.controls.hand_brake * made.hand_brake_torque);
+    return rider_brake(car, wheel, maximum(pedal, car.steering * made.steering_brake));
+}
 
 double torque_at(const Engine& engine, double speed) {
     const std::vector<TorquePoint>& curve = engine.curve;
@@ -221,6 +245,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels) {
     add_clutch(car, h, y, links);
     const bool clutched = links.count > clutch;
     add_couplings(car, h, y, links);
+    add_steering(car, h, y, links);
 
     const double throttle = throttle_now(car);
     System system;

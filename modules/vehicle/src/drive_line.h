@@ -25,6 +25,7 @@ void solve_drive_line(Car& car, double h, SpunWheels& wheels);
 // Engine speed per wheel speed; 0: neutral or between two gears.
 double ratio_now(const Car& car);
 double mean_driven_spin(const Car& car);
+double brake_torque(const Car& car, std::size_t wheel);  // N m of its brakes, as they are pressed
 double torque_at(const Engine& engine, double speed);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ground.h"
 
-#include "jostle/physics/hull.h"
+#include "turn_to.h"
 
 namespace jostle::modules::vehicle_detail {
 
@@ -49,48 +49,12 @@ std::optional<Found> cast_shape_of(const Queries& queries, const QueryFilter& fi
     return Found{(**hit).body, (**hit).shape, (**hit).fraction, (**hit).point, (**hit).normal};
 }
 
-// The shortest turn from one unit vector to another.
-Quat turn_to(Vec3 from, Vec3 to) {
-    const Vec3 axis = cross(from, to);
-    const Quat q{axis.x, axis.y, axis.z, 1 + dot(from, to)};
-    return norm_squared(q) > 1e-12 ? normalized(q) : Quat{0, 1, 0, 0};
-}
-
-// How far a wheel's centre is from a plane that it touches.
-double reach_of(WheelCast cast, const Wheel& wheel, double lean) {
-    if (cast == WheelCast::sphere) return wheel.radius;
-    return wheel.radius * square_root(maximum(1 - lean * lean, 0)) + 0.5 * wheel.width * lean;
-}
-
-// Whether a wheel meets nothing but the plane that a ray found below its middle; then that is what
-// it stands on, and `found` says how far down. Asked of a probe that holds the wheel's lower half,
-// a hundredth of a radius above the plane: what sticks out by less is not seen. That costs a fifth
-// of a cast.
-bool stands_on(const Queries& queries, const QueryFilter& filter, const Way& way,
-               const Wheel& wheel, WheelCast cast, const Geometry& probe, Found& found) {
-    const Vec3 normal = found.normal;
-    const double along = dot(way.axle, normal);
-    const double reach = reach_of(cast, wheel, absolute(along));
-    const double facing = -dot(way.down, normal);
-    const double down = (dot(way.from - found.point, normal) - reach) / facing;
-    if (down <= 0) return false;
-    const Vec3 center = way.from + way.down * down;
-    const Quat level = turn_to({1, 0, 0}, way.axle);
-    const Vec3 up = normalized(normal - way.axle * along, -way.down);
-    const Transform pose{center + normal * (0.01 * wheel.radius),
-                         turn_to(rotate(level, {0, 1, 0}), up) * level};
-    const auto met = queries.overlap_shape(probe, pose, filter);
-    if (!met.ok() || !met->empty()) return false;
-    found.fraction = down / length(way.motion);
-    return true;
-}
-
 std::optional<Found> cast_whole(const Queries& queries, const QueryFilter& filter, const Way& way,
                                 const Wheel& wheel, WheelCast cast) {
     if (cast == WheelCast::sphere)
         return cast_shape_of(queries, filter, way, Sphere{wheel.radius}, {});
     return cast_shape_of(queries, filter, way, Cylinder{wheel.radius, 0.5 * wheel.width},
-                         turn_to({0, 1, 0}, way.axle));
+                         turn_to({0, 1, 0}, way.axle, {1, 0, 0}));
 }
 
 bool bears(const Way& way, const std::optional<Found>& found) {
@@ -98,16 +62,15 @@ bool bears(const Way& way, const std::optional<Found>& found) {
 }
 
 std::optional<Found> cast_wheel(const Queries& queries, const Car& car, const Wheel& wheel,
-                                const Geometry& probe, const Way& way) {
+                                const Way& way) {
     const QueryFilter filter{.categories = car.def.ground, .ignore = car.def.chassis};
-    std::optional<Found> below = cast_ray_of(queries, filter, way, wheel.radius);
-    if (!bears(way, below)) below.reset();
-    if (car.def.cast == WheelCast::ray) return below;
-    if (below && stands_on(queries, filter, way, wheel, car.def.cast, probe, *below)) return below;
-    const std::optional<Found> found = cast_whole(queries, filter, way, wheel, car.def.cast);
-    if (bears(way, found)) return found;
-    // It starts inside of something, or leans on a wall.
-    return below;
+    if (car.def.cast != WheelCast::ray) {
+        const std::optional<Found> found = cast_whole(queries, filter, way, wheel, car.def.cast);
+        if (bears(way, found)) return found;
+        // It starts inside of something, leans on a wall, or is in the air.
+    }
+    const std::optional<Found> below = cast_ray_of(queries, filter, way, wheel.radius);
+    return bears(way, below) ? below : std::nullopt;
 }
 
 // Where the chassis is in the middle of the step, and how it moves.
@@ -148,8 +111,7 @@ void take_motion(const World& world, const Found& found, Ground& ground) {
 void look(const World& world, const Queries& queries, const Way& way, std::size_t index, Car& car) {
     WheelRun& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
-    const std::optional<Found> found =
-        cast_wheel(queries, car, car.def.wheels[index], car.probes[index], way);
+    const std::optional<Found> found = cast_wheel(queries, car, car.def.wheels[index], way);
     if (!found) return;
     ground.found = true;
     ground.point = found->point;
@@ -168,30 +130,6 @@ void look(const World& world, const Queries& queries, const Way& way, std::size_
     run.shape = found->shape;
 }
 
-// The lower half of a wheel: a prism along x that touches its circle every 30 degrees from outside.
-Geometry lower_half(const Wheel& wheel) {
-    constexpr double cos_15 = 0.96592582628906829, sin_15 = 0.25881904510252076;
-    constexpr double cos_45 = 0.70710678118654752;
-    const double r = wheel.radius, corner = r / cos_15, half = 0.5 * wheel.width;
-    std::vector<Vec3> points;
-    for (const double x : {-half, half})
-        for (const double side : {-1.0, 1.0}) {
-            points.push_back({x, 0, side * r});
-            points.push_back({x, -corner * sin_15, side * r});
-            points.push_back({x, -corner * cos_45, side * corner * cos_45});
-            points.push_back({x, -r, side * corner * sin_15});
-        }
-    auto hull = build_hull(points);
-    if (hull.ok()) return Hull{*hull};
-    return Box{{half, r, r}};
-}
-
-void make_probes(Car& car) {
-    for (const Wheel& wheel : car.def.wheels)
-        car.probes.push_back(car.def.cast == WheelCast::cylinder ? lower_half(wheel)
-                                                                 : Sphere{wheel.radius});
-}
-
 }  // namespace
 
 void look_for_ground(const World& world, const Queries& queries, const BodyState& body, double dt,
@@ -200,7 +138,6 @@ void look_for_ground(const World& world, const Queries& queries, const BodyState
     Chassis chassis{body.pose, body.center + ahead, body.linear_velocity, body.angular_velocity,
                     dt};
     chassis.pose.position += ahead;
-    if (car.probes.empty()) make_probes(car);
     car.grounds.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++)
         look(world, queries, way_of(chassis, car.def.wheels[k], car.rigs[k].axle), k, car);

@@ -16,12 +16,6 @@ double wheel_base(const VehicleDef& def) {
     return rear - front;
 }
 
-double full_lock(const VehicleDef& def) {
-    double most = 0.01;
-    for (const Wheel& wheel : def.wheels) most = maximum(most, wheel.steering_most);
-    return most;
-}
-
 }  // namespace
 
 // Towards the circle's tangent, and to it where the car is off it.

@@ -26,7 +26,7 @@ std::string name_of(std::size_t car) {
 // What a scene says of all its cars.
 struct SceneCars {
     SaloonDef saloon;
-    double power = 1, cast = 2;
+    double make = 0, power = 1, cast = 2;
     CarControls controls;
     Pilot pilot{.center = {}, .radius = 0, .speed = 10};
     std::array<BodyId, scene_cars> bodies;
@@ -35,6 +35,7 @@ struct SceneCars {
 Status read(const ModuleSettings& given, SceneCars& cars) {
     SettingsReader settings(given);
     Wheel& wheel = cars.saloon.wheel;
+    settings.number("make", cars.make, 0, 2);
     settings.number("track", cars.saloon.track, 0.1, 20);
     settings.number("wheel_base", cars.saloon.wheel_base, 0.1, 50);
     settings.number("height", cars.saloon.height, -10, 10);
@@ -49,7 +50,7 @@ Status read(const ModuleSettings& given, SceneCars& cars) {
     settings.number("steering_most", cars.saloon.steering_most, 0, 1.4);
     settings.number("anti_roll", cars.saloon.anti_roll, 0, 1e7);
     settings.number("power_scale", cars.power, 0, 100);
-    settings.number("cast", cars.cast, 0, 2);
+    settings.number("cast", cars.cast, 0, 3);
     settings.number("throttle", cars.controls.throttle, 0, 1);
     settings.number("brake", cars.controls.brake, 0, 1);
     settings.number("steering", cars.controls.steering, -1, 1);
@@ -59,14 +60,36 @@ Status read(const ModuleSettings& given, SceneCars& cars) {
     return settings.finish();
 }
 
-VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
+// A saloon, or what takes of its numbers what it has.
+VehicleDef make_of(const SceneCars& cars, BodyId chassis) {
     SaloonDef of = cars.saloon;
     of.chassis = chassis;
-    VehicleDef def = saloon(of);
+    if (cars.make < 0.5) return saloon(of);
+    if (cars.make < 1.5) {
+        VehicleDef tank = tracked({.chassis = chassis,
+                                   .gauge = of.track,
+                                   .length = of.wheel_base,
+                                   .height = of.height,
+                                   .wheel = of.wheel});
+        tank.gearbox.ahead = {16, 8, 4};
+        tank.gearbox.reverse = 16;
+        return tank;
+    }
+    return motorcycle({.chassis = chassis,
+                       .wheel_base = of.wheel_base,
+                       .height = of.height,
+                       .wheel = of.wheel,
+                       .steering_most = of.steering_most});
+}
+
+VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
+    VehicleDef def = make_of(cars, chassis);
     for (TorquePoint& point : def.engine.curve) point.torque *= cars.power;
+    if (def.balance.on) return def;
     def.cast = cars.cast < 0.5   ? WheelCast::ray
                : cars.cast < 1.5 ? WheelCast::sphere
-                                 : WheelCast::cylinder;
+               : cars.cast < 2.5 ? WheelCast::cylinder
+                                 : WheelCast::body;
     return def;
 }
 
@@ -114,11 +137,15 @@ VehicleDef tracked(const TrackedDef& def) {
                             def.middle + along * def.length};
         wheel.drive_share = 0.5 / wheels;
         wheel.steering_brake = left ? -def.steering_brake : def.steering_brake;
+        if (def.steering_ratio > 0)
+            (left ? made.steering_drive.left : made.steering_drive.right).push_back(k);
         made.wheels.push_back(wheel);
         if (k % wheels > 0)
             made.couplings.push_back(
                 {.first = {k - 1}, .second = {k}, .kind = CouplingKind::locked});
     }
+    made.steering_drive.ratio = def.steering_ratio;
+    made.steering_drive.torque = def.steering_torque;
     return made;
 }
 

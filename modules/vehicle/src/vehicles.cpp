@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "balance.h"
+#include "body_wheels.h"
 #include "car_step.h"
 #include "check_def.h"
 #include "gearbox.h"
@@ -34,7 +35,7 @@ double angle_of(const Car& car, std::size_t wheel) {
 
 void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
-    const double wanted = car.def.balance.on ? balance_steering(car) : car.controls.steering;
+    const double wanted = car.def.balance.on ? balance_steering(car, dt) : car.controls.steering;
     car.steering += clamp(wanted - car.steering, -most, most);
     car.rigs.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -66,7 +67,10 @@ void begin_step(World& world, const Queries& queries, const BodyState& chassis, 
     choose_gear(car, dt);
     if (car.def.balance.on) measure_lean(chassis, car);
     steer(car, dt);
-    look_for_ground(world, queries, chassis, dt, car);
+    if (car.bodies.empty())
+        look_for_ground(world, queries, chassis, dt, car);
+    else
+        steer_and_brake(world, car);
 }
 
 WheelState state_of(const Car& car, std::size_t k) {
@@ -99,7 +103,7 @@ const Car* Vehicles::find(CarId car) const {
     return at != cars_.end() && at->id == car ? &*at : nullptr;
 }
 
-Result<CarId> Vehicles::add(const World& world, const VehicleDef& def) {
+Result<CarId> Vehicles::add(World& world, const VehicleDef& def) {
     const std::string fault = fault_of(def);
     if (!fault.empty()) return invalid_argument(fault);
     const Result<BodyState> chassis = world.body(def.chassis);
@@ -112,14 +116,17 @@ Result<CarId> Vehicles::add(const World& world, const VehicleDef& def) {
                          "the chassis is that of car " + std::to_string(car.id)};
     if (next_ == 0xffffffff)
         return Error{ErrorCode::resource_exhausted, "there have been too many cars"};
-    Car& car = cars_.emplace_back(make_car(def, *chassis, world.gravity()));
+    Car car = make_car(def, *chassis, world.gravity());
+    if (def.cast == WheelCast::body)
+        if (Status made = make_body_wheels(world, car); !made.ok()) return made.error();
     car.id = next_++;
-    return car.id;
+    return cars_.emplace_back(std::move(car)).id;
 }
 
-Status Vehicles::remove(CarId car) {
-    const Car* found = find(car);
+Status Vehicles::remove(World& world, CarId car) {
+    Car* found = find(car);
     if (found == nullptr) return unknown_car(car);
+    destroy_body_wheels(world, *found);
     cars_.erase(cars_.begin() + (found - cars_.data()));
     return {};
 }
@@ -181,11 +188,14 @@ void Vehicles::before_step(World& world, double dt) {
     for (std::size_t k = 0; k < cars_.size(); k++) {
         const Result<BodyState> chassis = world.body(cars_[k].def.chassis);
         // A car whose chassis is gone, or no longer moves by forces, ends.
-        if (!chassis.ok() || chassis->type != BodyType::dynamic) continue;
+        if (!chassis.ok() || chassis->type != BodyType::dynamic) {
+            destroy_body_wheels(world, cars_[k]);
+            continue;
+        }
         if (kept != k) cars_[kept] = std::move(cars_[k]);
         Car& car = cars_[kept++];
         car.active = chassis->awake;
-        if (!chassis->awake && lost_its_ground(world, car))
+        if (!chassis->awake && car.bodies.empty() && lost_its_ground(world, car))
             car.active = world.wake(car.def.chassis).ok();
         if (car.active)
             begin_step(world, queries, *chassis, dt, car);
@@ -196,8 +206,13 @@ void Vehicles::before_step(World& world, double dt) {
 }
 
 void Vehicles::before_substep(SubstepContext& substep) {
-    for (Car& car : cars_)
-        if (car.active && substep.contains(car.def.chassis)) step_car(substep, car);
+    for (Car& car : cars_) {
+        if (!car.active || !substep.contains(car.def.chassis)) continue;
+        if (car.bodies.empty())
+            step_car(substep, car);
+        else
+            turn_body_wheels(substep, car);
+    }
 }
 
 // Pays what the ground in another group is owed, over the next step: an impulse now would move it
@@ -205,6 +220,10 @@ void Vehicles::before_substep(SubstepContext& substep) {
 void Vehicles::after_step(World& world, double dt) {
     for (Car& car : cars_) {
         if (!car.active) continue;
+        if (!car.bodies.empty()) {
+            read_body_wheels(world, dt, car);
+            continue;
+        }
         for (std::size_t k = 0; k < car.grounds.size(); k++) {
             const Ground& ground = car.grounds[k];
             if (!ground.dynamic || ground.pushed == Vec3{}) continue;

@@ -34,6 +34,7 @@ void visit_wheel(StateVisitor& v, Wheel& wheel) {
     v.field("radius", wheel.radius);
     v.field("width", wheel.width);
     v.field("inertia", wheel.inertia);
+    v.field("mass", wheel.mass);
     visit_suspension(v, wheel.suspension);
     visit_tyre(v, wheel.tyre);
     v.field("steering_most", wheel.steering_most);
@@ -63,11 +64,15 @@ void visit_def(StateVisitor& v, VehicleDef& def) {
         v.field("preload", coupling.preload);
         v.field("ratio", coupling.ratio);
     });
+    visit_group(v, "steering_left", def.steering_drive.left);
+    visit_group(v, "steering_right", def.steering_drive.right);
+    v.field("steering_ratio", def.steering_drive.ratio);
+    v.field("steering_torque", def.steering_drive.torque);
     v.field("balanced", def.balance.on);
     v.field("lean_most", def.balance.lean_most);
     v.field("lean_frequency", def.balance.frequency);
     v.field("feet_below", def.balance.feet_below);
-    v.field("cast", def.cast, WheelCast::cylinder);
+    v.field("cast", def.cast, WheelCast::body);
     v.field("ground", def.ground);
     v.field("steering_rate", def.steering_rate);
     v.field("rate", def.rate);
@@ -141,6 +146,13 @@ void visit_car(StateVisitor& v, Car& car) {
     visit_drive(v, car.def);
     visit_controls(v, car);
     v.all("runs", car.wheels, [&](WheelRun& run) { visit_run(v, run); });
+    v.all("bodies", car.bodies, [&](WheelBody& wheel) {
+        v.field("body", wheel.body);
+        v.field("joint", wheel.joint);
+        v.field("last_spin", wheel.spin);
+        v.field("pushed", wheel.pushed);
+        v.field("resists", wheel.resists);
+    });
     v.field("turned", car.steering);
     v.field("engine_speed", car.engine_speed);
     v.field("engine_torque", car.engine_torque);
@@ -157,7 +169,6 @@ void visit_car(StateVisitor& v, Car& car) {
     v.field("other_alpha", car.other_alpha);
     if (!v.loading()) return;
     car.active = false;
-    car.probes.clear();
     const std::string fault = fault_of(car);
     if (!fault.empty()) v.fail("car", fault);
 }

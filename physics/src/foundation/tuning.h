@@ -309,7 +309,10 @@ inline constexpr int pair_grain = 64;    // shapes that ask for new pairs
 inline constexpr int bound_grain = 512;  // separation bounds
 inline constexpr int look_grain = 32;    // pairs in the narrow phase
 inline constexpr int body_grain = 256;   // bodies
-inline constexpr int joint_grain = 8;    // blocks of joints
+// Free bodies that listeners are shown together where they may be called at once. It decides what
+// they see, so it is the same for any number of threads.
+inline constexpr int listened_chunk = 256;
+inline constexpr int joint_grain = 8;  // blocks of joints
 // With fewer blocks in a run of joints, waking another thread costs more than they do.
 inline constexpr int shared_joint_blocks = 32;
 inline constexpr int contact_grain = 8;  // blocks of contacts

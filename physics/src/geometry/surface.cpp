@@ -4,12 +4,6 @@
 namespace jostle::physics {
 namespace {
 
-Vec3 sample(const HeightGrid& grid, std::uint32_t column, std::uint32_t row) {
-    return {(column - 0.5 * (grid.columns - 1)) * grid.spacing_x,
-            grid.heights[std::size_t{row} * grid.columns + column],
-            (row - 0.5 * (grid.rows - 1)) * grid.spacing_z};
-}
-
 // The triangle across edge k of a height field's triangle. Half 0 has corners 00, 11, 10 (column,
 // row): edges are the diagonal, the side to the next column and the side to the row before. Half 1
 // has 00, 01, 11: the side to the column before, the side to the next row, the diagonal.

@@ -57,6 +57,12 @@ void for_each_triangle(const TriangleMesh& mesh, const Aabb& box, Visit&& visit)
     });
 }
 
+inline Vec3 sample(const HeightGrid& grid, std::uint32_t column, std::uint32_t row) {
+    return {(column - 0.5 * (grid.columns - 1)) * grid.spacing_x,
+            grid.heights[std::size_t{row} * grid.columns + column],
+            (row - 0.5 * (grid.rows - 1)) * grid.spacing_z};
+}
+
 struct CellRange {
     std::uint32_t column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;
 };
@@ -65,17 +71,25 @@ CellRange cells_under(const HeightGrid& grid, const Aabb& box);
 template <class Visit>
 void for_each_triangle(const HeightGrid& grid, const Aabb& box, Visit&& visit) {
     const CellRange cells = cells_under(grid, box);
-    for (std::uint32_t r = cells.row_begin; r < cells.row_end; r++)
+    const auto visit_half = [&](const SurfaceTriangle& t) {
+        const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
+                       max(t.corner[0], max(t.corner[1], t.corner[2]))};
+        if (overlap(own, box)) visit(t);
+    };
+    for (std::uint32_t r = cells.row_begin; r < cells.row_end; r++) {
+        Vec3 near = sample(grid, cells.column_begin, r),
+             beside = sample(grid, cells.column_begin, r + 1);
         for (std::uint32_t c = cells.column_begin; c < cells.column_end; c++) {
             const std::uint32_t cell = r * (grid.columns - 1) + c;
-            if (is_hole(grid, cell)) continue;
-            for (std::uint32_t half = 0; half < 2; half++) {
-                const SurfaceTriangle t = triangle_of(grid, cell * 2 + half);
-                const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
-                               max(t.corner[0], max(t.corner[1], t.corner[2]))};
-                if (overlap(own, box)) visit(t);
+            const Vec3 next = sample(grid, c + 1, r), far = sample(grid, c + 1, r + 1);
+            if (!is_hole(grid, cell)) {
+                visit_half({{near, far, next}, cell * 2});
+                visit_half({{near, beside, far}, cell * 2 + 1});
             }
+            near = next;
+            beside = far;
         }
+    }
 }
 
 template <class Visit>

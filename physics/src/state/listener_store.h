@@ -22,8 +22,8 @@ struct ListenerStore {
     };
     std::vector<Entry> order;                      // modules among them
     std::vector<std::unique_ptr<Module>> modules;  // in their order
-    StepHooks wanted;                              // by any of them; derived
-    World* stepping = nullptr;                     // set within World::step()
+    StepHooks wanted;  // by any of them, but concurrent: by all who want sub-steps; derived
+    World* stepping = nullptr;  // set within World::step()
 
     bool empty() const { return order.empty(); }
 
@@ -74,6 +74,9 @@ private:
     void derive_wanted() {
         wanted = {};
         for (const Entry& entry : order) {
+            if (entry.hooks.substeps)
+                wanted.concurrent =
+                    entry.hooks.concurrent && (wanted.concurrent || !wanted.substeps);
             wanted.substeps |= entry.hooks.substeps;
             wanted.pre_solve |= entry.hooks.pre_solve;
         }

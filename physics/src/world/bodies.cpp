@@ -102,8 +102,9 @@ Result<BodyId> World::create_body(const BodyDef& def, std::span<const ShapeDef> 
     if (Status s = check_body_in(*state_, def); !s.ok()) return s.error();
     if (Status s = check_shapes_in(*state_, shapes, def.type); !s.ok()) return s.error();
     const Result<BodyId> body = create_body(def);
-    for (const ShapeDef& shape : shapes)
-        if (Result<ShapeId> made = create_shape(*body, shape); !made.ok()) return made.error();
+    if (shapes.empty()) return body;
+    // All at once: mass and bounds are of all shapes, and are made anew by each that comes later.
+    if (const auto made = set_shapes(*body, shapes); !made.ok()) return made.error();
     return body;
 }
 
@@ -163,6 +164,10 @@ void World::copy_bodies(std::vector<BodyState>& out) const {
     out.clear();
     for (std::uint32_t i = 0; i < state_->bodies.ids.size(); i++)
         if (state_->bodies.ids.alive(i)) out.push_back(state_of_body(*state_, i));
+}
+
+std::uint32_t World::body_index_end() const {
+    return static_cast<std::uint32_t>(state_->bodies.ids.size());
 }
 
 std::vector<BodyId> World::bodies() const {

@@ -7,6 +7,7 @@
 #include "collision/narrowphase/collide_composite.h"
 #include "collision/narrowphase/nearest_point.h"
 #include "collision/narrowphase/shape_distance.h"
+#include "collision/narrowphase/sweep_surface.h"
 #include "collision/narrowphase/time_of_impact.h"
 #include "geometry/bounds.h"
 #include "geometry/ray.h"
@@ -108,65 +109,108 @@ Status check_cast(const ShapeCast& cast) {
     return check_vector("cast.motion", cast.motion, limits::max_coordinate);
 }
 
-// When the moving shape first touches this one.
-std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const QueryShape& shape) {
-    const Placed probe = placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
-    const double size = radius_of(cast.geometry), gap = 1e-6 * size;
+// Where the surfaces meet when a moving shape has come to `there`.
+void find_contact(const Placed& there, const Placed& still, Vec3 motion, double gap,
+                  ShapeCastHit& hit) {
+    if (!is_composite(kind_of(*still.geometry))) {
+        PairCache cache;
+        const SignedDistance d = signed_distance(there, still, cache);
+        hit.point = d.on_b;
+        hit.normal = -d.normal;
+        return;
+    }
+    std::vector<PartManifold> parts;
+    collide_composite(there, still, 10 * gap, parts);
+    const Manifold* best = nullptr;
+    for (const PartManifold& part : parts)
+        if (best == nullptr || part.manifold.distance < best->distance) best = &part.manifold;
+    hit.normal = best != nullptr ? -best->normal : normalized(-motion);
+    hit.point = best != nullptr ? best->point[0] : there.position;
+}
+
+// When the moving shape touches a plane: its deepest point does.
+std::optional<ShapeCastHit> touch_of_plane(const Placed& probe, Vec3 motion, double gap,
+                                           const Placed& plane) {
+    const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
+    const Convex shape = convex_of(probe, plane.position);
+    const Vec3 deepest = support(shape, -n) - n * shape.radius;
+    const double apart = dot(deepest, n), speed = -dot(motion, n);
     double fraction = 0;
-    if (!shapes_overlap(probe, shape.placed)) {
-        const SweptShape moving{
-            .geometry = &cast.geometry,
-            .offset = {},
-            .axes = {},
-            .radius = size,
-            .sweep = {0, cast.pose.position, unit(cast.pose.rotation), cast.motion, {}}};
-        const SweptShape still{.geometry = shape.placed.geometry,
-                               .offset = {},
-                               .axes = shape.placed.axes,
-                               .radius = kind_of(*shape.placed.geometry) == ShapeKind::plane
-                                             ? 0
-                                             : radius_of(*shape.placed.geometry),
-                               .sweep = {0, shape.placed.position, {}, {}, {}}};
-        const Impact impact = time_of_impact(moving, still, 0, gap);
-        if (!impact.at_start && impact.fraction > 1) return std::nullopt;
-        fraction = impact.at_start ? 0 : impact.fraction;
+    if (apart > 2 * gap) {
+        if (apart - gap > speed) return std::nullopt;
+        fraction = (apart - gap) / speed;
+    }
+    const Vec3 there = deepest + motion * fraction;
+    return ShapeCastHit{
+        .fraction = fraction, .point = plane.position + there - n * dot(there, n), .normal = n};
+}
+
+// When the moving shape first touches something else; 0 if it does at the start.
+std::optional<double> touches_at(const ShapeCast& cast, const Placed& probe, const Placed& still,
+                                 double size, double gap) {
+    if (shapes_overlap(probe, still)) return 0;
+    const SweptShape moving{
+        .geometry = &cast.geometry,
+        .offset = {},
+        .axes = {},
+        .radius = size,
+        .sweep = {0, cast.pose.position, unit(cast.pose.rotation), cast.motion, {}}};
+    const SweptShape resting{.geometry = still.geometry,
+                             .offset = {},
+                             .axes = still.axes,
+                             .radius = radius_of(*still.geometry),
+                             .sweep = {0, still.position, {}, {}, {}}};
+    const Impact impact = time_of_impact(moving, resting, 0, gap);
+    if (impact.at_start) return 0;
+    if (impact.fraction > 1) return std::nullopt;
+    return impact.fraction;
+}
+
+// When the moving shape first touches this one.
+std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const Placed& probe,
+                                     const QueryShape& shape) {
+    const double size = radius_of(cast.geometry), gap = 1e-6 * size;
+    const ShapeKind kind = kind_of(*shape.placed.geometry);
+    ShapeCastHit hit{.shape = shape.shape, .body = shape.body};
+    if (kind == ShapeKind::plane) {
+        auto touch = touch_of_plane(probe, cast.motion, gap, shape.placed);
+        if (!touch) return std::nullopt;
+        touch->shape = shape.shape;
+        touch->body = shape.body;
+        return touch;
+    }
+    if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) {
+        const auto touch = sweep_to_surface(shape.placed, probe, cast.motion, gap);
+        if (!touch) return std::nullopt;
+        hit.fraction = touch->fraction;
+        hit.point = touch->point;
+        hit.normal = touch->normal;
+        if (touch->settled) return hit;
+    } else {
+        const auto fraction = touches_at(cast, probe, shape.placed, size, gap);
+        if (!fraction) return std::nullopt;
+        hit.fraction = *fraction;
     }
     Placed there = probe;
-    there.position += cast.motion * fraction;
-    ShapeCastHit hit{.shape = shape.shape, .body = shape.body, .fraction = fraction};
-    if (is_composite(kind_of(*shape.placed.geometry))) {
-        std::vector<PartManifold> parts;
-        collide_composite(there, shape.placed, 10 * gap, parts);
-        const Manifold* best = nullptr;
-        for (const PartManifold& part : parts)
-            if (best == nullptr || part.manifold.distance < best->distance) best = &part.manifold;
-        if (best != nullptr) {
-            hit.point = best->point[0];
-            hit.normal = -best->normal;
-        } else {
-            hit.normal = normalized(-cast.motion);
-            hit.point = there.position;
-        }
-        return hit;
-    }
-    PairCache cache;
-    const SignedDistance d = signed_distance(there, shape.placed, cache);
-    hit.point = d.on_b;
-    hit.normal = -d.normal;
+    there.position += cast.motion * hit.fraction;
+    find_contact(there, shape.placed, cast.motion, gap, hit);
     return hit;
 }
 
-Aabb sweep_of_body(const ShapeCast& cast) {
-    const Aabb box =
-        bounds_of(placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)}));
-    return grow({box.low + min(cast.motion, Vec3{}), box.high + max(cast.motion, Vec3{})}, 1e-6);
+Placed probe_of(const ShapeCast& cast) {
+    return placed(cast.geometry, {cast.pose.position, unit(cast.pose.rotation)});
+}
+Aabb sweep_of(const Placed& probe, Vec3 motion) {
+    const Aabb box = bounds_of(probe);
+    return grow({box.low + min(motion, Vec3{}), box.high + max(motion, Vec3{})}, 1e-6);
 }
 
 std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast& cast,
                                       const QueryFilter& filter) {
+    const Placed probe = probe_of(cast);
     std::vector<ShapeCastHit> hits;
-    for (const QueryShape& shape : shapes_near(source, sweep_of_body(cast), filter))
-        if (const auto hit = touch_of(cast, shape)) hits.push_back(*hit);
+    for (const QueryShape& shape : shapes_near(source, sweep_of(probe, cast.motion), filter))
+        if (const auto hit = touch_of(cast, probe, shape)) hits.push_back(*hit);
     std::sort(hits.begin(), hits.end(), [](const ShapeCastHit& x, const ShapeCastHit& y) {
         return x.fraction < y.fraction || (x.fraction == y.fraction && x.shape < y.shape);
     });
@@ -175,9 +219,10 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
 
 std::optional<ShapeCastHit> first_touch(const QuerySource& source, const ShapeCast& cast,
                                         const QueryFilter& filter) {
+    const Placed probe = probe_of(cast);
     std::optional<ShapeCastHit> best;
-    for (const QueryShape& shape : shapes_near(source, sweep_of_body(cast), filter)) {
-        const auto hit = touch_of(cast, shape);
+    for (const QueryShape& shape : shapes_near(source, sweep_of(probe, cast.motion), filter)) {
+        const auto hit = touch_of(cast, probe, shape);
         if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
     }
     return best;

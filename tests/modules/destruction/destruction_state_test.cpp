@@ -12,9 +12,6 @@ namespace {
 
 using namespace physics;
 
-const bool registered =
-    register_module("destruction", [] { return std::make_unique<Destruction>(); }).ok();
-
 // A ball breaks a wall; another wall stands beside, a block falls on the ground.
 struct Show {
     Stage stage;

@@ -9,6 +9,10 @@
 
 namespace jostle::modules {
 
+// So that worlds with the module can be loaded.
+inline const bool registered =
+    physics::register_module("destruction", [] { return std::make_unique<Destruction>(); }).ok();
+
 struct Stage {
     physics::World world;
     Destruction* destruction = nullptr;

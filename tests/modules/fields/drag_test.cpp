@@ -47,6 +47,7 @@ double shown(const Geometry& geometry, Vec3 direction) {
     const BodyId body = test::add(world, {.geometry = geometry});
     fields_detail::BodyRecords records;
     const BodyId bodies[] = {body};
+    records.make_room(world.body_index_end());
     records.refresh(world, bodies);
     return fields_detail::shown_area(records.of(body), normalized(direction));
 }

@@ -33,6 +33,7 @@ Pressed press(const Waves& waves, const Geometry& geometry, const Transform& pos
     BodyRecords records;
     records.set_longest_panel(longest);
     const BodyId bodies[] = {body};
+    records.make_room(world.body_index_end());
     records.refresh(world, bodies);
     const BodyState state = test::state_of(world, body);
     constexpr double h = 1e-6;

@@ -11,7 +11,7 @@ namespace jostle::test {
 namespace {
 
 struct Motorcycle : TestCar {
-    explicit Motorcycle(double speed) : TestCar({}, {0, 0, -speed}) {
+    explicit Motorcycle(double speed, double drag = 0) : TestCar({}, {0, 0, -speed}) {
         world.destroy_body(chassis).expect();
         chassis = world
                       .create_body(
@@ -24,7 +24,7 @@ struct Motorcycle : TestCar {
         of.wheel.inertia = 0.6;
         of.wheel.tyre.rolling_resistance = 0;
         VehicleDef def = modules::motorcycle(of);
-        def.aerodynamics.drag_area = 0;
+        def.aerodynamics.drag_area = drag;
         add(def);
     }
     double lean() const {
@@ -49,20 +49,115 @@ TEST(Balance, it_rides_straight_and_rights_itself_after_a_push) {
     EXPECT_LT(std::abs(of.lean()), 0.01);
 }
 
+// Of the line from where it touches to its centre of mass: atan(v^2 / (g r)).
 TEST(Balance, it_leans_into_a_bend_by_the_bends_own_angle) {
-    for (const double steering : {-0.6, 0.3, 0.8}) {
-        Motorcycle of(15);
-        of.set({.steering = steering, .gear = 0});
-        of.drive(5);
-        const double lean = of.lean();
-        EXPECT_NEAR(lean, steering * 0.7, 0.07);
-        const double aside = -of.body().angular_velocity.y * of.speed();
-        // A round tread of 0.07 m touches to the side: the centre of mass leans over that.
-        const double height = of.body().center.y;
-        const double expected = gravity * std::tan(lean) * (height - 0.07) / height;
-        RecordProperty("bend_off_percent_at_" + std::to_string(steering),
-                       std::to_string(100 * (aside / expected - 1)));
-        EXPECT_NEAR(aside, expected, 0.02 * std::abs(expected));
+    double worst = 0;
+    for (const double speed : {6.0, 8.0, 15.0, 25.0, 40.0, 60.0})
+        for (const double steering : {-0.9, -0.6, 0.3, 0.8}) {
+            Motorcycle of(speed);
+            of.set({.steering = steering, .gear = 0});
+            of.drive(5);
+            const BodyState body = of.body();
+            const double aside = -body.angular_velocity.y * of.speed();
+            const auto wheels = of.state().wheels;
+            const Vec3 arm = body.center - (wheels[0].point + wheels[1].point) * 0.5;
+            const Vec3 right = normalized(cross(body.linear_velocity, Vec3{0, 1, 0}));
+            const double lean = std::atan2(dot(arm, right), arm.y);
+            worst = std::max(worst, std::abs(lean / std::atan(aside / gravity) - 1));
+            EXPECT_GT(lean * steering, 0);
+            // No further than it was told, and not much less.
+            EXPECT_LT(std::abs(lean), 0.7 * std::abs(steering) + 0.04);
+            EXPECT_GT(std::abs(lean), (speed < 8 ? 0.3 : 0.85) * 0.7 * std::abs(steering));
+        }
+    RecordProperty("lean_off_percent", std::to_string(100 * worst));
+    EXPECT_LT(worst, 0.02);
+}
+
+TEST(Balance, it_stays_up_after_a_push_at_any_speed) {
+    double furthest = 0, left = 0;
+    for (const double speed : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 60.0, 70.0}) {
+        Motorcycle of(speed);
+        of.set({.gear = 0});
+        of.drive(3);
+        of.world.apply_angular_impulse(of.chassis, {0, 0, 25}).expect();
+        for (int k = 0; k < 300; k++) {
+            of.drive(step_time);
+            furthest = std::max(furthest, std::abs(of.lean()));
+        }
+        left = std::max(left, std::abs(of.lean()));
+    }
+    RecordProperty("furthest_rad", std::to_string(furthest));
+    RecordProperty("left_rad", std::to_string(left));
+    EXPECT_LT(furthest, 0.1);
+    EXPECT_LT(left, 0.01);
+}
+
+TEST(Balance, from_standstill_to_top_speed_it_stays_up_and_on_both_wheels) {
+    Motorcycle of(0, 0.4);
+    of.set({.throttle = 1});
+    double lean = 0, pitch = 0, before = 0;
+    for (int k = 0; k < 60 * 60; k++) {
+        of.drive(step_time);
+        lean = std::max(lean, std::abs(of.lean()));
+        pitch = std::max(pitch, std::abs(rotate(of.body().pose.rotation, {0, 0, 1}).y));
+        if (k == 60 * 50) before = of.speed();
+    }
+    RecordProperty("top_speed", std::to_string(of.speed()));
+    EXPECT_GT(of.speed(), 55);
+    EXPECT_NEAR(of.speed(), before, 0.01);
+    EXPECT_LT(lean, 0.001);
+    EXPECT_LT(pitch, 0.2) << "no more than its springs give";
+}
+
+TEST(Balance, full_brake_neither_throws_it_over_nor_lets_it_fall_in_a_bend) {
+    for (const double speed : {5.0, 10.0, 20.0, 40.0})
+        for (const double steering : {0.0, 0.4}) {
+            Motorcycle of(speed);
+            of.set({.steering = steering, .gear = 0});
+            of.drive(4);
+            const double v = of.speed();
+            of.set({.brake = 1, .steering = steering, .gear = 0});
+            double lean = 0, pitch = 0, stopped = 0;
+            for (int k = 0; k < 600; k++) {
+                of.drive(step_time);
+                lean = std::max(lean, std::abs(of.lean()));
+                pitch = std::max(pitch, std::abs(rotate(of.body().pose.rotation, {0, 0, 1}).y));
+                if (of.speed() > 0.1) stopped = k * step_time;
+            }
+            EXPECT_LT(lean, 0.7 * steering + 0.2);
+            EXPECT_LT(pitch, 0.2);
+            EXPECT_LT(of.speed(), 1e-3);
+            EXPECT_LT(std::abs(of.lean()), 0.01);
+            EXPECT_LT(stopped, v / (0.55 * gravity) + 1) << "and it brakes with two thirds of g";
+        }
+}
+
+TEST(Balance, parked_it_stands_for_a_minute_and_takes_a_push) {
+    Motorcycle of(0);
+    of.set({.brake = 1, .gear = 0});
+    of.drive(60);
+    EXPECT_LT(std::abs(of.lean()), 1e-3);
+    EXPECT_LT(of.speed(), 1e-6);
+    of.world.apply_angular_impulse(of.chassis, {0, 0, 50}).expect();
+    of.drive(5);
+    EXPECT_LT(std::abs(of.lean()), 0.01);
+}
+
+// Feet lift nothing that lies on its side, and reach nothing in the air.
+TEST(Balance, one_that_was_knocked_over_lies_where_it_fell) {
+    for (const double speed : {0.0, 2.0, 10.0}) {
+        Motorcycle of(speed);
+        of.set({.gear = 0});
+        of.drive(1);
+        of.world.apply_angular_impulse(of.chassis, {0, 0, 900}).expect();
+        double fastest = 0;
+        for (int k = 0; k < 1200; k++) {
+            of.drive(step_time);
+            fastest = std::max(fastest, of.speed());
+        }
+        EXPECT_GT(std::abs(of.lean()), 1) << "it lies";
+        EXPECT_LT(of.speed(), 0.1);
+        EXPECT_LT(fastest, speed + 8);
     }
 }
 

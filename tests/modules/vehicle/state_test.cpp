@@ -46,7 +46,7 @@ World lively(int threads) {
         modules::SaloonDef saloon{.chassis = chassis};
         saloon.front_drive = 0.5 * (k % 3);
         VehicleDef def = modules::saloon(saloon);
-        def.cast = static_cast<modules::WheelCast>(k % 3);
+        def.cast = static_cast<modules::WheelCast>(k % 4);
         const CarId car = vehicles_of(world).add(world, def).value();
         if (k % 2 == 0)
             vehicles_of(world)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tracks: the wheels of a side turn as one, and braking a side turns the vehicle.
+// Tracks: the wheels of a side turn as one; the engine drives the sides against each other, or
+// brakes hold one.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -11,8 +12,8 @@ namespace jostle::test {
 namespace {
 
 struct Tank : TestCar {
-    explicit Tank(std::uint32_t wheels = 5) {
-        modules::TrackedDef of{.chassis = chassis, .wheels = wheels};
+    explicit Tank(modules::TrackedDef of = {}) {
+        of.chassis = chassis;
         of.wheel.suspension.frequency = 2;
         VehicleDef def = modules::tracked(of);
         def.gearbox.ahead = {16, 8, 4};
@@ -34,7 +35,7 @@ TEST(Tracks, all_wheels_of_a_side_turn_as_one) {
 }
 
 TEST(Tracks, a_braked_side_turns_it_about_itself) {
-    Tank of;
+    Tank of({.steering_ratio = 0, .steering_brake = 4000});
     of.set({.throttle = 1, .steering = 1});
     of.drive(3);
     const BodyState body = of.body();
@@ -48,8 +49,95 @@ TEST(Tracks, a_braked_side_turns_it_about_itself) {
     EXPECT_LT(length(body.linear_velocity + turn), 0.5 * length(body.linear_velocity - turn));
 }
 
+// Turning on the spot at w rad/s, every wheel slides on a rigid plane: ahead by u, the same for all
+// of a side, and aside by w z, z m before the middle. Coulomb friction pushes against that with the
+// same load everywhere. The moments about the middle balance, with b the gauge:
+//     sum of (u b / 2 - w z^2) / sqrt(u^2 + w^2 z^2) = 0     (Steeds, "Tracked vehicles", 1950)
+// which makes s = u / w a length of the vehicle, and w = R spin / (b / 2 + s). The steering drive
+// says spin = ratio * steering * speed of the engine.
+double slide_of(const modules::TrackedDef& of) {
+    double low = 0, high = of.length * of.length;
+    for (int round = 0; round < 60; round++) {
+        const double s = 0.5 * (low + high);
+        double sum = 0;
+        for (std::uint32_t k = 0; k < of.wheels; k++) {
+            const double z = of.length * (static_cast<double>(k) / (of.wheels - 1) - 0.5);
+            sum += (0.5 * s * of.gauge - z * z) / std::hypot(s, z);
+        }
+        (sum > 0 ? high : low) = s;
+    }
+    return 0.5 * (low + high);
+}
+
+struct Turning {
+    double yaw = 0, engine = 0, moved = 0;  // rad/s to the right, rad/s, m
+};
+Turning turn_on_the_spot(Tank& of, const CarControls& controls) {
+    of.set(controls);
+    of.drive(4);
+    const Vec3 start = of.body().center;
+    Turning mean;
+    for (int k = 0; k < 120; k++) {
+        of.drive(step_time);
+        mean.yaw -= of.body().angular_velocity.y / 120;
+        mean.engine += of.state().engine_speed / 120;
+    }
+    mean.moved = length(of.body().center - start);
+    return mean;
+}
+
+TEST(Tracks, without_throttle_it_turns_on_the_spot_as_fast_as_sliding_tracks_do) {
+    double worst = 0;
+    for (const double length : {1.5, 2.5, 3.5})
+        for (const double steering : {1.0, -1.0}) {
+            const modules::TrackedDef def{.length = length};
+            Tank of(def);
+            const Turning turning = turn_on_the_spot(of, {.steering = steering});
+            // Idling: the governor's droop is a tenth of it.
+            EXPECT_NEAR(turning.engine, 90, 9);
+            const double spin = def.steering_ratio * steering * turning.engine;
+            const double expected = 0.33 * spin / (0.5 * def.gauge + slide_of(def));
+            worst = std::max(worst, std::abs(turning.yaw / expected - 1));
+            EXPECT_LT(turning.moved, 0.02);
+        }
+    RecordProperty("worst_yaw_percent", std::to_string(100 * worst));
+    EXPECT_LT(worst, 0.005);
+}
+
+// Tracks so short that they hardly slide: yaw is the difference of their speeds over the gauge.
+TEST(Tracks, short_tracks_turn_by_the_difference_of_their_speeds) {
+    Tank of({.length = 0.2, .wheels = 2});
+    const Turning turning = turn_on_the_spot(of, {.steering = 0.5, .gear = 0});
+    const double expected = 2 * 0.33 * (0.03 * 0.5 * turning.engine) / 2;
+    RecordProperty("yaw_percent", std::to_string(100 * (turning.yaw / expected - 1)));
+    EXPECT_NEAR(turning.yaw, expected, 0.02 * expected);
+}
+
+TEST(Tracks, a_person_turns_it_on_the_spot_with_the_stick_aside) {
+    Tank of;
+    of.vehicles->control(of.world, of.chassis, {.axes = {1, 0, 0, 0}});
+    of.drive(4);
+    EXPECT_LT(of.body().angular_velocity.y, -0.25);
+    EXPECT_LT(of.speed(), 0.02);
+}
+
+// In a gear the engine's speed drives both ways: the circle is that of the gear.
+TEST(Tracks, in_gear_it_drives_a_circle_of_the_gears_radius) {
+    const modules::TrackedDef def{.length = 0.2, .wheels = 2};
+    Tank of(def);
+    of.set({.throttle = 0.3, .steering = 0.1});
+    of.drive(8);
+    const CarState state = of.state();
+    ASSERT_EQ(state.shifting, false);
+    const double radius = state.speed / -of.body().angular_velocity.y;
+    const double ratio = std::array<double, 3>{16, 8, 4}[static_cast<std::size_t>(state.gear) - 1];
+    const double expected = 0.5 * def.gauge / (0.03 * 0.1 * ratio * 3.7);
+    RecordProperty("radius_percent", std::to_string(100 * (radius / expected - 1)));
+    EXPECT_NEAR(radius, expected, 0.02 * expected);
+}
+
 TEST(Tracks, the_most_wheels_that_there_may_be) {
-    Tank of(8);
+    Tank of({.wheels = 8});
     of.set({.throttle = 0.5});
     of.drive(3);
     EXPECT_EQ(of.state().wheels.size(), 16u);

@@ -29,6 +29,12 @@ TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
     EXPECT_EQ(complaint([](VehicleDef& def) { def.couplings = {{.first = {2}, .second = {7}}}; }),
               "couplings[0].names a wheel that there is not");
     EXPECT_EQ(complaint([](VehicleDef& def) {
+                  def.steering_drive = {.left = {0, 1}, .right = {1}};
+              }),
+              "steering_drive.names a wheel twice");
+    EXPECT_EQ(complaint([](VehicleDef& def) { def.steering_drive.left = {0}; }),
+              "steering_drive.wheels is 0; it must be from 1 to 15");
+    EXPECT_EQ(complaint([](VehicleDef& def) {
                   def.wheels[0].axle = {0, 1, 0};
               }),
               "wheels[0].axle is not square to down");
@@ -53,8 +59,8 @@ TEST(Vehicles, ids_are_not_used_again_and_unknown_ones_are_refused) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     const CarId first = of.car;
-    of.vehicles->remove(first).expect();
-    EXPECT_EQ(error_of(of.vehicles->remove(first)).code, ErrorCode::not_found);
+    of.vehicles->remove(of.world, first).expect();
+    EXPECT_EQ(error_of(of.vehicles->remove(of.world, first)).code, ErrorCode::not_found);
     EXPECT_EQ(error_of(of.vehicles->state(first)).code, ErrorCode::not_found);
     EXPECT_EQ(error_of(of.vehicles->set_controls(of.world, first, {})).code, ErrorCode::not_found);
     of.add(plain_saloon(of.chassis));
@@ -139,6 +145,25 @@ TEST(Vehicles, a_scene_makes_saloons_of_bodies) {
                   .message,
               "car: wheels[0].suspension.longest is less than a millimetre above "
               "suspension.shortest");
+}
+
+TEST(Vehicles, a_scene_makes_tanks_and_motorcycles_too) {
+    TestCar of;
+    const auto made = [&](double make, double cast) {
+        Vehicles vehicles;
+        const Status done = vehicles.configure(
+            of.world,
+            {.numbers = {{"make", make}, {"cast", cast}}, .bodies = {{"car", of.chassis}}});
+        EXPECT_TRUE(done.ok());
+        return vehicles.def(1).value();
+    };
+    const VehicleDef tank = made(1, 2);
+    EXPECT_EQ(tank.wheels.size(), 10u);
+    EXPECT_EQ(tank.steering_drive.left.size(), 5u);
+    EXPECT_EQ(tank.wheels[0].attachment, (Vec3{-0.8, 0, -1.35}));
+    EXPECT_EQ(made(2, 3).cast, modules::WheelCast::ray) << "wheels of two-wheelers are no bodies";
+    EXPECT_TRUE(made(2, 3).balance.on);
+    EXPECT_EQ(made(0, 3).cast, modules::WheelCast::body);
 }
 
 TEST(Vehicles, a_pilot_keeps_its_circle) {

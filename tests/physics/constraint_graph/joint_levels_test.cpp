@@ -13,12 +13,12 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-const auto ball = static_cast<std::uint32_t>(JointKind(BallJoint{}).index());
-const auto hinge = static_cast<std::uint32_t>(JointKind(HingeJoint{}).index());
+const auto ball_kind = static_cast<std::uint32_t>(JointKind(BallJoint{}).index());
+const auto hinge_kind = static_cast<std::uint32_t>(JointKind(HingeJoint{}).index());
 
 struct Link {
     std::int32_t a, b;
-    std::uint32_t kind = ball;
+    std::uint32_t kind = ball_kind;
 };
 
 JointLevels levels_of(const std::vector<Link>& links, std::size_t bodies) {
@@ -90,16 +90,16 @@ TEST(JointLevels, eight_chains_side_by_side_fill_the_blocks_of_one) {
 // Each kind has a kernel of its own, so it has a run of its own in each level; ball joints have no
 // angular rows.
 TEST(JointLevels, kinds_of_a_level_are_solved_one_after_the_other) {
-    const JointLevels levels =
-        levels_of({{1, 2, hinge}, {3, 4, ball}, {5, 6, hinge}, {2, 3, hinge}}, 7);
+    const JointLevels levels = levels_of(
+        {{1, 2, hinge_kind}, {3, 4, ball_kind}, {5, 6, hinge_kind}, {2, 3, hinge_kind}}, 7);
     ASSERT_EQ(levels.runs.size(), 3u);
-    EXPECT_EQ(levels.runs[0].kind, ball);
+    EXPECT_EQ(levels.runs[0].kind, ball_kind);
     EXPECT_EQ(levels.runs[0].angular, -1);
     EXPECT_EQ(levels.metas[0].angular, -1);
-    EXPECT_EQ(levels.runs[1].kind, hinge);
+    EXPECT_EQ(levels.runs[1].kind, hinge_kind);
     EXPECT_EQ(levels.runs[1].angular, 0);
     EXPECT_EQ(levels.metas[1].count, 2);
-    EXPECT_EQ(levels.runs[2].kind, hinge);
+    EXPECT_EQ(levels.runs[2].kind, hinge_kind);
     EXPECT_EQ(levels.runs[2].angular, 1);
     EXPECT_EQ(levels.metas[2].joint[0], 3u) << "after both of its neighbours";
     EXPECT_EQ(levels.angular.size(), 2u);

@@ -14,7 +14,7 @@ using namespace physics;
 constexpr ColourSetKey low{SolverTier::low, 0}, low_next{SolverTier::low, 1};
 
 // Contacts whose lanes name bodies 1 and 2.
-void add(ConstraintGraph& graph, ColourSetKey key, int colour, int contacts) {
+void add_contacts(ConstraintGraph& graph, ColourSetKey key, int colour, int contacts) {
     for (int k = 0; k < contacts; k++) {
         const auto slot = add_contact(graph, key, colour, static_cast<std::uint32_t>(k));
         const ContactPlace place = place_at(graph, key, colour, slot);
@@ -26,11 +26,11 @@ void add(ConstraintGraph& graph, ColourSetKey key, int colour, int contacts) {
 TEST(ContactPasses, runs_stand_in_the_order_of_the_solve_with_their_singles) {
     const auto graph = std::make_unique<ConstraintGraph>();
     const int dynamic_overflow = overflow_colours, on_wall = dynamic_colours + kinematic_colours;
-    add(*graph, low, on_wall, 17);
-    add(*graph, low, 3, 1);
-    add(*graph, low, single_colours + 3, 9);
-    add(*graph, low, single_colours + 5, 1);
-    add(*graph, low, dynamic_overflow, 2);
+    add_contacts(*graph, low, on_wall, 17);
+    add_contacts(*graph, low, 3, 1);
+    add_contacts(*graph, low, single_colours + 3, 9);
+    add_contacts(*graph, low, single_colours + 5, 1);
+    add_contacts(*graph, low, dynamic_overflow, 2);
     std::vector<ColourRun> runs;
     list_runs(*graph, index_of(low), index_of(low) + 1, runs);
     ASSERT_EQ(runs.size(), 4u);
@@ -49,9 +49,9 @@ TEST(ContactPasses, runs_stand_in_the_order_of_the_solve_with_their_singles) {
 // to one.
 TEST(ContactPasses, empty_lanes_name_the_spare_bodies_of_their_task) {
     const auto graph = std::make_unique<ConstraintGraph>();
-    add(*graph, low, 0, 3);
-    add(*graph, low_next, single_colours, 7);
-    add(*graph, low_next, overflow_colours, 2);
+    add_contacts(*graph, low, 0, 3);
+    add_contacts(*graph, low_next, single_colours, 7);
+    add_contacts(*graph, low_next, overflow_colours, 2);
     std::vector<ColourRun> runs;
     const std::size_t first = index_of(low);
     list_runs(*graph, first, first + 2, runs);
@@ -68,8 +68,8 @@ TEST(ContactPasses, empty_lanes_name_the_spare_bodies_of_their_task) {
 
 TEST(ContactPasses, two_thousand_contacts_are_shared_but_for_their_overflow) {
     const auto graph = std::make_unique<ConstraintGraph>();
-    add(*graph, low, 0, 1999);
-    add(*graph, low, overflow_colours, 1);
+    add_contacts(*graph, low, 0, 1999);
+    add_contacts(*graph, low, overflow_colours, 1);
     std::vector<ColourRun> runs;
     list_runs(*graph, index_of(low), index_of(low) + 1, runs);
     ASSERT_EQ(runs.size(), 2u);
@@ -80,7 +80,7 @@ TEST(ContactPasses, two_thousand_contacts_are_shared_but_for_their_overflow) {
 // Nothing bounces unless a lane says so; then none of the passes need be called.
 TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
     const auto graph = std::make_unique<ConstraintGraph>();
-    add(*graph, low, single_colours, 1);
+    add_contacts(*graph, low, single_colours, 1);
     const ContactPlace place = place_at(*graph, low, single_colours, 0);
     std::vector<ColourRun> runs;
     list_runs(*graph, index_of(low), index_of(low) + 1, runs);

@@ -6,12 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "constraints/softness.h"
+#include "support/step_time.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-constexpr double dt = 1.0 / 60;
 
 TEST(ContactSettings, substeps_fill_the_step) {
     for (const SolverTier tier : all_tiers) {

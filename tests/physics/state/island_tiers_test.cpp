@@ -25,13 +25,13 @@ constexpr ColourSetKey tall{SolverTier::tall, 0}, low{SolverTier::low, 0};
 
 // Three boxes upon each other, and one box beside them: a gap of 1 cm is near enough for a
 // manifold, 1 m is not.
-struct Stack {
+struct StackAndNeighbour {
     World world = make_world({.sleeping = false});
     WorldState& state = state_of(world);
     BodyId lowest, beside;
     std::uint32_t island = 0, other = 0;
 
-    explicit Stack(double gap) {
+    explicit StackAndNeighbour(double gap) {
         add_floor(world);
         for (int k = 0; k < 3; k++) {
             const BodyId box = add(world, {.position = {0, 0.5 + k, 0}});
@@ -60,7 +60,7 @@ struct Stack {
 };
 
 TEST(IslandTiers, manifolds_tie_islands_that_do_not_touch) {
-    const Stack near(0.01), far(1);
+    const StackAndNeighbour near(0.01), far(1);
     ASSERT_NE(near.island, near.other);
     EXPECT_EQ(tied_islands(near.state, near.island),
               (std::vector<std::uint32_t>{near.island, near.other}));
@@ -94,7 +94,7 @@ TEST(IslandTiers, ties_of_all_are_those_of_each) {
 
 // From 4 or 8 sub-steps to 16: each bears its part of the same 29430 N.
 TEST(IslandTiers, impulses_follow_the_length_of_a_substep) {
-    Stack stack(1);
+    StackAndNeighbour stack(1);
     const ColourSetKey before = stack.state.islands.islands[stack.island].colour_set;
     const int substeps = substeps_of(before.tier, stack.state.def);
     const Vec3 load = load_of(stack.state, stack.on_floor(stack.lowest));
@@ -111,7 +111,7 @@ TEST(IslandTiers, impulses_follow_the_length_of_a_substep) {
 }
 
 TEST(IslandTiers, a_lost_load_is_not_pushed_up) {
-    Stack stack(1);
+    StackAndNeighbour stack(1);
     const double stack_bears = stack.impulse(stack.lowest), alone = stack.impulse(stack.beside);
     scale_warm_start(stack.state, stack.state.islands.islands[stack.island], 0.25f);
     EXPECT_NEAR(stack.impulse(stack.lowest), 0.25 * stack_bears, 1e-6 * stack_bears);
@@ -121,14 +121,14 @@ TEST(IslandTiers, a_lost_load_is_not_pushed_up) {
 // Of two that will be one the greater tier counts; of two that ask for much the same the larger
 // island's.
 TEST(IslandTiers, the_lesser_takes_the_set_of_the_greater) {
-    Stack stack(1);
+    StackAndNeighbour stack(1);
     move_to_set(stack.state, std::array{stack.island}, low);
     move_to_set(stack.state, std::array{stack.other}, tall);
     match_sets(stack.state, stack.island, stack.other);
     EXPECT_EQ(stack.state.islands.islands[stack.island].colour_set, tall);
     EXPECT_EQ(find_fault(stack.state), std::nullopt);
 
-    Stack usual(1);
+    StackAndNeighbour usual(1);
     const ColourSetKey slender{SolverTier::slender, 0};
     move_to_set(usual.state, std::array{usual.island}, low);
     move_to_set(usual.state, std::array{usual.other}, slender);
@@ -139,7 +139,7 @@ TEST(IslandTiers, the_lesser_takes_the_set_of_the_greater) {
 // A ball that left a tall heap was content with less at the last look: it does not make the next
 // heap tall.
 TEST(IslandTiers, what_is_calm_asks_for_no_more_than_slender) {
-    Stack stack(1);
+    StackAndNeighbour stack(1);
     move_to_set(stack.state, std::array{stack.island}, low);
     move_to_set(stack.state, std::array{stack.other}, tall);
     stack.state.islands.islands[stack.other].calm = 1;

@@ -14,12 +14,12 @@ namespace {
 using namespace physics;
 
 // Boxes in a row in empty space, 3 m apart.
-struct Row {
+struct TiedRow {
     World world = make_world({.gravity = {}});
     WorldState& state = state_of(world);
     std::vector<BodyId> boxes;
 
-    explicit Row(int count) {
+    explicit TiedRow(int count) {
         for (int k = 0; k < count; k++) boxes.push_back(add(world, {.position = {3.0 * k, 0, 0}}));
     }
     JointId tie(BodyId a, BodyId b, bool collide = false) {
@@ -41,7 +41,7 @@ struct Row {
 using Bodies = std::vector<std::uint32_t>;
 
 TEST(JointGraph, a_chain_is_found_from_any_of_its_links_in_order) {
-    Row row(5);
+    TiedRow row(5);
     row.tie(row.boxes[3], row.boxes[2]);
     row.tie(row.boxes[1], row.boxes[2]);
     for (const std::uint32_t k : {1u, 2u, 3u}) EXPECT_EQ(row.jointed(k), (Bodies{1, 2, 3}));
@@ -53,7 +53,7 @@ TEST(JointGraph, a_chain_is_found_from_any_of_its_links_in_order) {
 
 // Two pendulums on one wall do not hang together; two carts behind one engine are led by it.
 TEST(JointGraph, walls_part_and_kinematic_bodies_lead) {
-    Row row(2);
+    TiedRow row(2);
     const BodyId wall = add_static(row.world, {.position = {0, 5, 0}});
     row.tie(wall, row.boxes[0]);
     row.tie(wall, row.boxes[1]);
@@ -68,7 +68,7 @@ TEST(JointGraph, walls_part_and_kinematic_bodies_lead) {
 }
 
 TEST(JointGraph, groups_are_visited_once_each) {
-    Row row(6);
+    TiedRow row(6);
     row.tie(row.boxes[0], row.boxes[4]);
     row.tie(row.boxes[2], row.boxes[3]);
     std::vector<Bodies> groups;
@@ -79,7 +79,7 @@ TEST(JointGraph, groups_are_visited_once_each) {
 }
 
 TEST(JointGraph, joined_bodies_meet_only_if_a_joint_says_so) {
-    Row row(3);
+    TiedRow row(3);
     row.tie(row.boxes[0], row.boxes[1]);
     row.tie(row.boxes[1], row.boxes[2], true);
     EXPECT_TRUE(joined_without_contact(row.state, 0, 1));
@@ -89,7 +89,7 @@ TEST(JointGraph, joined_bodies_meet_only_if_a_joint_says_so) {
 }
 
 TEST(JointGraph, a_destroyed_joint_leaves_the_lists_and_lets_the_shapes_meet) {
-    Row row(3);
+    TiedRow row(3);
     const JointId first = row.tie(row.boxes[0], row.boxes[1]);
     row.tie(row.boxes[1], row.boxes[2]);
     const JointId third = row.tie(row.boxes[0], row.boxes[1]);
@@ -107,7 +107,7 @@ TEST(JointGraph, a_destroyed_joint_leaves_the_lists_and_lets_the_shapes_meet) {
 }
 
 TEST(JointGraph, a_body_lists_its_joints_and_a_visit_may_destroy_one) {
-    Row row(4);
+    TiedRow row(4);
     for (const std::size_t k : {1u, 2u, 3u}) row.tie(row.boxes[0], row.boxes[k]);
     Bodies met;
     for_each_joint(row.state.joints, row.state.bodies.cold[0], [&](std::uint32_t joint) {

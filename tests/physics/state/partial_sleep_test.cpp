@@ -17,13 +17,13 @@ namespace {
 using namespace physics;
 
 // Five boxes of a tonne upon each other, at rest.
-struct Stack {
+struct HeavyStack {
     World world = make_world({.sleeping = false});
     WorldState& state = state_of(world);
     std::vector<std::uint32_t> boxes;
     std::vector<BodyId> woke;
 
-    Stack() {
+    HeavyStack() {
         add_floor(world);
         for (int k = 0; k < 5; k++)
             boxes.push_back(add(world, {.position = {0, 0.5 + k, 0}}).index);
@@ -50,7 +50,7 @@ struct Stack {
 };
 
 TEST(PartialSleep, contacts_between_sleepers_leave_the_solver) {
-    Stack stack;
+    HeavyStack stack;
     warm_of(stack.state, stack.boxes[0]).v = {0.01, 0, 0};
     sleep_in_place(stack.state, std::vector{stack.boxes[0], stack.boxes[1], stack.boxes[2]});
     EXPECT_EQ(stack.state.bodies.asleep_in_place, 3u);
@@ -64,7 +64,7 @@ TEST(PartialSleep, contacts_between_sleepers_leave_the_solver) {
 
 // For its neighbour that moves it is as good as static: half the mobility at their contact is gone.
 TEST(PartialSleep, a_sleeper_is_as_heavy_as_a_wall) {
-    Stack stack;
+    HeavyStack stack;
     const std::uint32_t between = stack.below(3);
     const float both = stack.inverse_mass(between);
     sleep_in_place(stack.state, std::vector{stack.boxes[2]});
@@ -76,14 +76,14 @@ TEST(PartialSleep, a_sleeper_is_as_heavy_as_a_wall) {
 
 // What it bore is kept, to compare with: four boxes on the lowest.
 TEST(PartialSleep, keeps_the_forces_at_its_contacts) {
-    Stack stack;
+    HeavyStack stack;
     sleep_in_place(stack.state, std::vector{stack.boxes[0]});
     EXPECT_NEAR(mass_borne_by(stack.state, stack.contact(stack.below(1))), 4000, 40);
     EXPECT_NEAR(mass_borne_by(stack.state, stack.contact(stack.below(0))), 5000, 50);
 }
 
 TEST(PartialSleep, waking_alone_keeps_the_time_at_rest) {
-    Stack stack;
+    HeavyStack stack;
     sleep_in_place(stack.state, stack.boxes);
     warm_of(stack.state, stack.boxes[4]).sleep_time = 9;
     wake_in_place(stack.state, stack.boxes[4]);
@@ -97,7 +97,7 @@ TEST(PartialSleep, waking_alone_keeps_the_time_at_rest) {
 }
 
 TEST(PartialSleep, what_joints_tie_together_wakes_as_one) {
-    Stack stack;
+    HeavyStack stack;
     must(stack.world.create_joint({.body_a = body_id(stack.state, stack.boxes[1]),
                                    .body_b = body_id(stack.state, stack.boxes[3])}));
     sleep_in_place(stack.state, stack.boxes);
@@ -113,7 +113,7 @@ TEST(PartialSleep, what_joints_tie_together_wakes_as_one) {
 
 // Half a second of rest is what it takes; 8 steps before that it goes on counting.
 TEST(PartialSleep, who_wakes_briefly_may_soon_sleep_again) {
-    Stack stack;
+    HeavyStack stack;
     sleep_in_place(stack.state, stack.boxes);
     for (const std::uint32_t box : stack.boxes) warm_of(stack.state, box).sleep_time = 9;
     wake_briefly(stack.state, stack.boxes[2], stack.woke);
@@ -124,7 +124,7 @@ TEST(PartialSleep, who_wakes_briefly_may_soon_sleep_again) {
 // An impact that stirs two and a half tonnes wakes the box that was hit and its neighbours on both
 // sides, no more.
 TEST(PartialSleep, as_much_wakes_around_as_is_stirred) {
-    Stack stack;
+    HeavyStack stack;
     sleep_in_place(stack.state, stack.boxes);
     for (const std::uint32_t box : stack.boxes) warm_of(stack.state, box).sleep_time = 9;
     wake_around(stack.state, stack.boxes[2], 2500, stack.woke);

@@ -9,6 +9,7 @@
 #include "state/shape_proxy.h"
 #include "state/world_access.h"
 #include "support/near.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
@@ -116,8 +117,6 @@ TEST(SeparationBound, of_a_dormant_pair_goes_on_where_it_was) {
     EXPECT_FALSE(contact.dormant);
     EXPECT_TRUE(contact.has_bound);
 }
-
-constexpr double dt = 1.0 / 60;
 
 // Two balls of 0.5 m, `gap` between them along x, without gravity.
 struct InFlight {

@@ -10,13 +10,14 @@
 #include "state/validate.h"
 #include "state/world_access.h"
 #include "support/near.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
-constexpr double dt = 1.0 / 60, radius = 0.5;
+constexpr double radius = 0.5;
 
 // A ball of 0.5 m at the origin that flies along x.
 struct Ball {

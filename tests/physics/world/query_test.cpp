@@ -342,6 +342,29 @@ TEST(Queries, cast_shapes_stop_at_the_first_touch) {
     }
 }
 
+// A wheel with its axle level falls on a slope: it touches when its middle is a radius above it.
+TEST(Queries, a_wheel_touches_a_plane_a_radius_below_its_middle) {
+    World world = make_world({.gravity = {}});
+    const Vec3 n = normalized(Vec3{0.3, 1, 0.1});
+    const BodyId ground = must(world.create_body({.type = BodyType::static_body}));
+    must(world.create_shape(ground, {.geometry = Plane{n}}));
+    const Vec3 axle = normalized(cross(n, Vec3{0, 0, 1}));
+    const Quat turn = normalized(Quat{axle.z, 0, -axle.x, 1 + axle.y});
+    const Cylinder wheel{0.33, 0.11};
+    ShapeCast cast{wheel, {{0, 2, 0}, turn}, {0, -4, 0}};
+    const double leans = absolute(dot(rotate(turn, {0, 1, 0}), n));
+    const double reach = 0.33 * square_root(1 - leans * leans) + 0.11 * leans;
+    const auto hit = must(world.queries().cast_shape(cast));
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->fraction * 4, (2 * n.y - reach) / n.y, 1e-6);
+    EXPECT_TRUE(near(hit->normal, n, 1e-12));
+    EXPECT_NEAR(dot(hit->point, n), 0, 1e-12);
+    cast.motion = {0, 1, 0};
+    EXPECT_FALSE(must(world.queries().cast_shape(cast)).has_value());
+    cast.pose.position = {0, 0, 0};
+    EXPECT_EQ(must(world.queries().cast_shape(cast))->fraction, 0);
+}
+
 TEST(Queries, closest_point_is_the_nearest_surface) {
     const RandomScene scene(5);
     Random random(6);

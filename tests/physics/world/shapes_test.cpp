@@ -3,6 +3,11 @@
 // Shapes are replaced, carry the user's data, and come in batches with their bodies.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ctime>
+#include <string>
+#include <vector>
+
 #include "jostle/physics/physics.h"
 #include "state/validate.h"
 #include "state/world_access.h"
@@ -32,6 +37,44 @@ TEST(SetShapes, a_cube_that_becomes_two_balls_rests_on_them) {
         ASSERT_FALSE(fault) << *fault;
     }
     EXPECT_NEAR(world.body(body)->center.y, 0.25, 0.005);
+}
+
+double seconds_to_make(std::size_t count) {
+    std::vector<ShapeDef> shapes(count, {.geometry = Sphere{0.1}});
+    for (std::size_t k = 0; k < count; k++)
+        shapes[k].pose.position = {0.2 * static_cast<double>(k), 0, 0};
+    double best = 1e9;
+    for (int trial = 0; trial < 5; trial++) {
+        World world;
+        const std::clock_t start = std::clock();
+        EXPECT_TRUE(world.create_body({}, shapes).ok());
+        best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return best;
+}
+
+// Four times as many shapes take four times as long, not sixteen.
+TEST(CreateBody, a_body_of_many_shapes_takes_time_in_proportion_to_them) {
+    const double ratio = seconds_to_make(8000) / seconds_to_make(2000);
+    RecordProperty("ratio", std::to_string(ratio));
+    EXPECT_LT(ratio, 8);
+}
+
+// One after the other or all at once: the same body.
+TEST(CreateBody, of_all_its_shapes_it_is_what_it_is_of_one_after_the_other) {
+    World world;
+    const BodyDef def{
+        .pose = {.position = {3, 1, -2}, .rotation = from_rotation_vector({1, 2, 0})}};
+    const ShapeDef shapes[] = {{.geometry = Sphere{0.5}},
+                               {.geometry = Box{{0.5, 1, 0.2}}, .pose = {.position = {1, 0, 0}}}};
+    const BodyId at_once = *world.create_body(def, shapes);
+    const BodyId after = *world.create_body(def, shapes[0]);
+    ASSERT_TRUE(world.create_shape(after, shapes[1]).ok());
+    EXPECT_NEAR(world.body(at_once)->mass, world.body(after)->mass, 1e-9);
+    EXPECT_LT(length(world.body(at_once)->center - world.body(after)->center), 1e-12);
+    EXPECT_EQ(world.shapes_of(at_once).size(), 2u);
+    const auto fault = find_fault(state_of(world));
+    EXPECT_FALSE(fault) << *fault;
 }
 
 TEST(SetShapes, a_bad_one_among_them_changes_nothing_and_is_named) {

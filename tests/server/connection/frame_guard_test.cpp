@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::string_view preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
+constexpr std::string_view client_preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
 enum Type : char { data, headers, priority, reset, settings, push, ping, goaway, window, more };
 constexpr char end_headers = 4, end_stream = 1;
 
@@ -37,7 +37,9 @@ protected:
         }
         return {};
     }
-    void greet() { ASSERT_TRUE(take(std::string(preface) + frame(settings, 0, 0, 36)).ok()); }
+    void greet() {
+        ASSERT_TRUE(take(std::string(client_preface) + frame(settings, 0, 0, 36)).ok());
+    }
 
     Clock::time_point now = Clock::now();
     FrameGuard guard{now};
@@ -70,9 +72,9 @@ TEST_F(FrameGuardTest, what_is_no_http2_is_told_by_its_first_wrong_byte) {
     EXPECT_EQ(take("GET / HTTP/1.1\r\n").error().message, "this is not HTTP/2");
     FrameGuard other(now);
     guard = other;
-    EXPECT_TRUE(take(preface.substr(0, 23)).ok());
+    EXPECT_TRUE(take(client_preface.substr(0, 23)).ok());
     EXPECT_FALSE(guard.has_preface());
-    EXPECT_TRUE(take(preface.substr(23)).ok());
+    EXPECT_TRUE(take(client_preface.substr(23)).ok());
     EXPECT_TRUE(guard.has_preface());
 }
 

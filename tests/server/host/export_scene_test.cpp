@@ -10,11 +10,12 @@
 
 #include "host/hosted_world.h"
 #include "jostle/scenes/catalog.h"
+#include "support/step_time.h"
 
 namespace jostle::server {
 namespace {
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 struct Hosted {
     explicit Hosted(const char* name) : scene(*scenes::find_scene(name)) {}

@@ -9,13 +9,14 @@
 #include "host/hosted_world.h"
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
+#include "support/step_time.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace physics;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 // Does to the world, before and after a step, what a test asks.
 class Maker final : public Module {

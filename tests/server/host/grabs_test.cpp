@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/step_time.h"
+
 namespace jostle::server {
 namespace {
 
 using namespace physics;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 class GrabsTest : public testing::Test {
 protected:

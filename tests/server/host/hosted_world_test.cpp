@@ -8,6 +8,7 @@
 #include "jostle/scenes/catalog.h"
 #include "support/counter.h"
 #include "support/error_of.h"
+#include "support/step_time.h"
 
 namespace jostle::server {
 
@@ -15,7 +16,7 @@ using test::error_of;
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 class HostedWorldTest : public testing::Test {
 protected:

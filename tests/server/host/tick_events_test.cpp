@@ -12,13 +12,14 @@
 
 #include "host/hosted_world.h"
 #include "host/world_host.h"
+#include "support/step_time.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 scenes::SceneDescription floor_alone() {
     scenes::SceneDescription scene;

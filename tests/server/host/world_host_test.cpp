@@ -13,19 +13,13 @@
 #include "host/result_queue.h"
 #include "host/world_directory.h"
 #include "jostle/scenes/catalog.h"
+#include "support/wait_until.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-
-bool wait_until(const std::function<bool()>& condition) {
-    for (const auto end = Clock::now() + 20s; Clock::now() < end;
-         std::this_thread::sleep_for(2ms)) {
-        if (condition()) return true;
-    }
-    return false;
-}
+using test::wait_until;
 
 TEST(WorldHost, ticks_at_its_rate) {
     std::atomic<int> frames{0};

@@ -5,23 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <stdexcept>
 #include <thread>
 
 #include "host/result_queue.h"
 #include "jostle/scenes/catalog.h"
+#include "support/wait_until.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-
-bool wait_until(const std::function<bool()>& condition) {
-    for (const auto end = Clock::now() + 20s; Clock::now() < end; std::this_thread::sleep_for(2ms))
-        if (condition()) return true;
-    return false;
-}
+using test::wait_until;
 
 // The thread sanitizer makes everything slower.
 #ifdef __SANITIZE_THREAD__

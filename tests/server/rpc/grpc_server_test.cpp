@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <thread>
 
@@ -18,12 +17,14 @@
 #include "rpc/query_methods.h"
 #include "rpc/world_methods.h"
 #include "support/counter.h"
+#include "support/wait_until.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
 using client::Client;
+using test::wait_until;
 
 // What a test::Counter told.
 struct Told {
@@ -47,12 +48,6 @@ std::string name_of(const Client& client, std::uint32_t entity) {
             name = at->second.name();
     });
     return name;
-}
-
-bool wait_until(const std::function<bool()>& condition) {
-    for (const auto end = Clock::now() + 10s; Clock::now() < end; std::this_thread::sleep_for(5ms))
-        if (condition()) return true;
-    return false;
 }
 
 // A world whose "counter" tells something else every fifth tick and whose "still" never does.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What takes part in a step: called at stated points of it, in the order in which listeners were
-// added, always on the thread that called World::step().
+// added, on the thread that called World::step() but for sub-steps of those who say that they may
+// be called at once (StepHooks::concurrent).
 //
 // A step calls:
 //     before_step            of every listener
@@ -31,6 +32,10 @@ class World;
 struct StepHooks {
     bool substeps = false;
     bool pre_solve = false;
+    // Calls of before_substep() and after_substep() for different groups may come at once, from
+    // several threads: they share nothing but what they only read. Where all who want sub-steps say
+    // so, groups are smaller, and solved by all threads.
+    bool concurrent = false;
 };
 
 // A body within a step.
@@ -44,8 +49,9 @@ struct MovingBody {
 };
 
 // One sub-step of one group of bodies. How many sub-steps there are depends on the group: the
-// solver works harder on what is tall or unevenly loaded. What touches nothing is a group of its
-// own. Each awake dynamic body is in one group; what sleeps is in none.
+// solver works harder on what is tall or unevenly loaded. Each awake dynamic body is in one group;
+// what sleeps is in none. Bodies that touch or are jointed are in the same group, others may be:
+// the groups follow from the world and the hooks, not from the number of threads.
 class SubstepContext {
 public:
     virtual ~SubstepContext() = default;

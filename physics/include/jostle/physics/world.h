@@ -143,6 +143,8 @@ public:
         BodyId body) const;  // in order of creation; empty for an unknown id
     // Every body in order of index. Reuses `out`, so a caller that keeps it allocates nothing.
     void copy_bodies(std::vector<BodyState>& out) const;
+    // Above the index of every body that there is: for lists by index.
+    std::uint32_t body_index_end() const;
     std::vector<BodyId> bodies() const;
 
     // --- changing what a body or a shape is; each wakes the body ---

@@ -77,7 +77,7 @@ FaceAxis best_face(const BoxPair& p, double size, int cached) {
     return best;
 }
 
-struct EdgeAxis {
+struct BoxEdgeAxis {
     int i = 0, j = 0;  // edge directions of a and b
     Vec3 normal;       // from a to b
     double separation = -1e300;
@@ -86,9 +86,9 @@ struct EdgeAxis {
 // All by the matrix of one box in the other: e_i x v has the components -v[i2] and v[i1] along the
 // axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). What separates by less than
 // the faces does not matter, and most of that shows before the square root.
-EdgeAxis best_edge(const BoxPair& p, double size, double faces) {
+BoxEdgeAxis best_edge(const BoxPair& p, double size, double faces) {
     const double tie = tie_of(size);
-    EdgeAxis best{.separation = faces - 20 * tie};
+    BoxEdgeAxis best{.separation = faces - 20 * tie};
     double sign = 0, scale = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -195,7 +195,7 @@ Manifold face_contact(const Placed& a, const BoxPair& p, int axis, double margin
 }
 
 // Where two edges are nearest to each other, from a's centre.
-Witness edge_witness(const BoxPair& p, const EdgeAxis& edge) {
+Witness edge_witness(const BoxPair& p, const BoxEdgeAxis& edge) {
     // The middle of the edge that reaches furthest along n.
     const auto middle = [](const Vec3* axis, Vec3 half, int along, Vec3 n) {
         Vec3 sum;
@@ -211,7 +211,7 @@ Witness edge_witness(const BoxPair& p, const EdgeAxis& edge) {
 }
 
 // What is not face on face. `edges`: two edges are what is nearest, or overlaps least.
-Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const EdgeAxis& edge,
+Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const BoxEdgeAxis& edge,
                          bool edges, const Convex& a, const Convex& b, double margin) {
     const bool wider = edge.separation > face.separation;
     const double separation = wider ? edge.separation : face.separation;
@@ -234,7 +234,7 @@ Manifold collide_boxes(const Placed& a, const Placed& b, double margin, PairCach
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin)
         return {.normal = normal_of_widest(pair, face), .distance = face.separation};
-    const EdgeAxis edge = best_edge(pair, size, face.separation);
+    const BoxEdgeAxis edge = best_edge(pair, size, face.separation);
     const double separation = maximum(face.separation, edge.separation);
     if (separation > margin) return {.normal = edge.normal, .distance = separation};
 

@@ -47,12 +47,12 @@ Axis best_side(const Outline& of, const Outline& other, int cached, double tie) 
     return best;
 }
 
-struct Nearest {
+struct NearestFeatures {
     double distance2 = 1e300;
     Vec3 on_a, on_b;
 };
 
-void consider(Nearest& best, Vec3 corner, Vec3 from, Vec3 to, bool corner_is_a) {
+void consider(NearestFeatures& best, Vec3 corner, Vec3 from, Vec3 to, bool corner_is_a) {
     const Vec3 d = to - from;
     const double l2 = length_squared(d), t = l2 > 0 ? clamp(dot(corner - from, d) / l2, 0, 1) : 0;
     const Vec3 q = from + d * t;
@@ -64,8 +64,8 @@ void consider(Nearest& best, Vec3 corner, Vec3 from, Vec3 to, bool corner_is_a) 
 }
 
 // Closest points of two outlines that are apart: a corner of one and a side of the other.
-Nearest nearest(const Outline& a, const Outline& b) {
-    Nearest best;
+NearestFeatures nearest(const Outline& a, const Outline& b) {
+    NearestFeatures best;
     for (int k = 0; k < a.count; k++)
         for (int s = 0; s < b.count; s++)
             consider(best, a.corner[k], b.corner[s], end_of(b, s), true);
@@ -147,7 +147,7 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
                 .distance = core - radii};
     if (core > 0 || core < -1e299) {
         // Apart: corners may be nearer to each other than any side says.
-        const Nearest near = nearest(a, b);
+        const NearestFeatures near = nearest(a, b);
         const double d = square_root(near.distance2);
         if (d - radii > margin)
             return {.normal = (near.on_b - near.on_a) / d, .distance = d - radii};

@@ -10,7 +10,6 @@
 #include "foundation/tuning.h"
 #include "geometry/bounds.h"
 #include "geometry/hull_lanes.h"
-#include "geometry/surface.h"
 
 namespace jostle::physics {
 namespace {
@@ -135,6 +134,7 @@ public:
             if (any) return;
             const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                     t.corner[2] - origin_};
+            if (is_apart(t, corner)) return;
             any = gjk(triangle_convex(corner, {}, {}), shape_, {}).distance <= shape_.radius;
         });
         return any;
@@ -167,6 +167,19 @@ public:
     }
 
 private:
+    // Quick: whether the shape is beyond the plane of the triangle, or beside it along the way from
+    // the point of it that is nearest to the middle.
+    bool is_apart(const SurfaceTriangle& t, const Vec3 corner[3]) const {
+        const Vec3 front = normal_of(t);
+        const Vec3 up = dot(middle_ - corner[0], front) < 0 ? -front : front;
+        if (dot(support(shape_, -up) - corner[0], up) > shape_.radius) return true;
+        const Vec3 to = middle_ - nearest_on_triangle(corner, middle_);
+        const double way = length(to);
+        if (way <= 0) return false;
+        const Vec3 n = to * (1 / way);
+        return dot(support(shape_, -n) - middle_, n) + way > shape_.radius;
+    }
+
     // Where a contact point is on its triangle.
     static Vec3 on_ground(const Patch& patch, int k) {
         return patch.points.point[k] - patch.normal * (0.5 * patch.points.gap[k]);
@@ -397,6 +410,14 @@ private:
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
                      const SurfaceWay* way, std::vector<Manifold>& out) {
     SurfacePair(surface, convex, margin, way).collide(out);
+}
+
+Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n) {
+    const Vec3 front = normal_of(triangle);
+    const double up = dot(n, front), side = up < 0 ? -1 : 1;
+    // Along the face it is a border or a ridge, seen from either side.
+    if (absolute(up) < 0.5) return n;
+    return may_act(surface, triangle, front * side, side, at, n) ? n : front * side;
 }
 
 bool overlaps_surface(const Placed& surface, const Placed& convex) {

@@ -9,6 +9,7 @@
 #include "collision/narrowphase/manifold.h"
 #include "collision/narrowphase/surface_way.h"
 #include "geometry/placed.h"
+#include "geometry/surface.h"
 
 namespace jostle::physics {
 
@@ -16,6 +17,10 @@ namespace jostle::physics {
 // `way`: of the shape, if it moves; else null.
 void collide_surface(const Placed& surface, const Placed& convex, double margin,
                      const SurfaceWay* way, std::vector<Manifold>& out);
+
+// The normal of a shape that touches a triangle at a point of it, local, where the shortest way to
+// the shape is along n: that of the face where a seam cannot be felt.
+Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n);
 
 // Whether they share a point: seams count here.
 bool overlaps_surface(const Placed& surface, const Placed& convex);

@@ -5,7 +5,7 @@ namespace jostle::physics {
 namespace {
 
 // Which points of a simplex carry its closest point to the origin, and how much each.
-struct Carrier {
+struct SimplexCarrier {
     int count = 0;
     int which[3] = {};
     double weight[3] = {};
@@ -13,13 +13,13 @@ struct Carrier {
     double distance2 = 1e300;  // m2, of that point from the origin
 };
 
-Carrier measured(const Simplex& s, Carrier c) {
+SimplexCarrier measured(const Simplex& s, SimplexCarrier c) {
     for (int k = 0; k < c.count; k++) c.closest += s.point[c.which[k]].w * c.weight[k];
     c.distance2 = length_squared(c.closest);
     return c;
 }
 
-void keep(Simplex& s, const Carrier& c) {
+void keep(Simplex& s, const SimplexCarrier& c) {
     UninitializedArray<SimplexPoint, 3> point;
     for (int k = 0; k < c.count; k++) point[k] = s.point[c.which[k]];
     for (int k = 0; k < c.count; k++) {
@@ -29,7 +29,7 @@ void keep(Simplex& s, const Carrier& c) {
     s.count = c.count;
 }
 
-Carrier closest_on_segment(const Simplex& s, int i, int j) {
+SimplexCarrier closest_on_segment(const Simplex& s, int i, int j) {
     const Vec3 a = s.point[i].w, ab = s.point[j].w - a;
     const double l2 = length_squared(ab), t = -dot(a, ab);
     if (t <= 0 || l2 == 0) return measured(s, {1, {i}, {1}});
@@ -37,7 +37,7 @@ Carrier closest_on_segment(const Simplex& s, int i, int j) {
     return measured(s, {2, {i, j}, {1 - t / l2, t / l2}});
 }
 
-Carrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
+SimplexCarrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
     const Vec3 a = s.point[i].w, b = s.point[j].w, c = s.point[k].w;
     const Vec3 ab = b - a, ac = c - a, n = cross(ab, ac);
     const double n2 = length_squared(n);
@@ -49,10 +49,10 @@ Carrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
         if (u >= 0 && v >= 0 && w >= 0) return measured(s, {3, {i, j, k}, {u, v, w}});
     }
     // Outside: the nearest of the three edges.
-    Carrier best;
+    SimplexCarrier best;
     const int ends[3][2] = {{i, j}, {j, k}, {k, i}};
     for (const auto& e : ends) {
-        const Carrier edge = closest_on_segment(s, e[0], e[1]);
+        const SimplexCarrier edge = closest_on_segment(s, e[0], e[1]);
         if (edge.distance2 < best.distance2) best = edge;
     }
     return best;
@@ -60,12 +60,12 @@ Carrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
 
 // Nothing carries it when the origin is inside. A flat tetrahedron, as round shapes make them, has
 // no inside: rounding decides on which side of its faces anything lies.
-Carrier closest_on_tetrahedron(const Simplex& s) {
+SimplexCarrier closest_on_tetrahedron(const Simplex& s) {
     static constexpr int face[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
     double longest2 = 0;
     for (int k = 1; k < 4; k++)
         longest2 = maximum(longest2, length_squared(s.point[k].w - s.point[0].w));
-    Carrier best;
+    SimplexCarrier best;
     for (const auto& f : face) {
         const Vec3 a = s.point[f[0]].w, b = s.point[f[1]].w, c = s.point[f[2]].w;
         const Vec3 n = cross(b - a, c - a);
@@ -73,7 +73,7 @@ Carrier closest_on_tetrahedron(const Simplex& s) {
         const double other = dot(n, s.point[f[3]].w - a), origin = -dot(n, a);
         const bool thin = other * other <= 1e-22 * longest2 * longest2 * longest2;
         if (!thin && origin * other > 0) continue;
-        const Carrier part = closest_on_triangle(s, f[0], f[1], f[2]);
+        const SimplexCarrier part = closest_on_triangle(s, f[0], f[1], f[2]);
         if (best.count == 0 || part.distance2 < best.distance2) best = part;
     }
     return best;
@@ -106,7 +106,8 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
         // No point of the difference lies nearer than `along` in the direction of v: the lower
         // bound of the distance, as |v| is the upper.
         const double along = dot(v, w);
-        const bool far = along > 0 && along * along > goal.beyond * goal.beyond * v2;
+        const double stays = along - maximum(0, dot(goal.motion, v));
+        const bool far = stays > 0 && stays * stays > goal.beyond * goal.beyond * v2;
         double missing = 1e-12 * v2;
         if (goal.loose > 0)
             missing = maximum(missing, goal.loose * (v2 - goal.radii * square_root(v2)));
@@ -117,7 +118,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
             s.count--;
             break;
         }
-        Carrier carrier;
+        SimplexCarrier carrier;
         if (s.count == 2)
             carrier = closest_on_segment(s, 0, 1);
         else if (s.count == 3)

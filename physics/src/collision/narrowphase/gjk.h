@@ -34,6 +34,7 @@ struct GjkGoal {
     double beyond = 1e300;  // m: as soon as some direction separates the cores by more
     double loose = 0;       // part that may be missing of the gap between the round shapes
     double radii = 0;       // m, of both around the cores
+    Vec3 motion = {};       // m: how b goes on; `beyond` is asked for all along it
 };
 
 // `hint`: a guess of the direction from a to b; zero: none.

@@ -15,7 +15,7 @@ namespace jostle::physics {
 namespace {
 
 constexpr int rounds = 3;  // of Newton's method
-constexpr int rows = 3;    // a joint
+constexpr int joint_rows = 3;
 
 struct TiedBody {
     std::uint32_t body = none;
@@ -33,9 +33,9 @@ struct TiedJoint {
 };
 
 // What joints tie together by points.
-class TiedGroup {
+class JointedGroup {
 public:
-    TiedGroup(const WorldState& world, std::vector<std::uint8_t>& seen)
+    JointedGroup(const WorldState& world, std::vector<std::uint8_t>& seen)
         : world_(world), seen_(seen) {}
 
     void find(std::uint32_t body, std::span<const std::uint32_t> placed) {
@@ -90,9 +90,10 @@ public:
         std::vector<std::uint8_t> pushed;
         for (const TiedJoint& joint : joints_) ends.push_back(joint.ends);
         for (const TiedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
-        return couple_joints(ends, std::vector<int>(as_index(joints), rows), pushed,
-                             std::int64_t{tuning::direct_work} * joints * rows * rows * rows,
-                             matrix_, couplings_);
+        return couple_joints(
+            ends, std::vector<int>(as_index(joints), joint_rows), pushed,
+            std::int64_t{tuning::direct_work} * joints * joint_rows * joint_rows * joint_rows,
+            matrix_, couplings_);
     }
 
     void take_back() {
@@ -100,7 +101,7 @@ public:
         matrix_.factor();
         std::vector<double> x(as_index(matrix_.rows()));
         for (std::size_t k = 0; k < joints_.size(); k++)
-            for (int axis = 0; axis < rows; axis++)
+            for (int axis = 0; axis < joint_rows; axis++)
                 x[as_index(matrix_.row_of(static_cast<int>(k)) + axis)] = -joints_[k].gap[axis];
         matrix_.solve(x);
         for (TiedBody& body : bodies_) body.push = body.twist = {};
@@ -189,13 +190,13 @@ private:
             const Vec3 at = c.later_b ? later.arm_b : later.arm_a;
             const Vec3 by = c.sooner_b ? sooner.arm_b : sooner.arm_a;
             double* const block = matrix_.values().data() + c.at;
-            for (int column = 0; column < rows; column++) {
+            for (int column = 0; column < joint_rows; column++) {
                 Vec3 unit;
                 unit[column] = 1;
                 const Vec3 moved =
                     unit * body.inverse_mass + cross(body.inverse_inertia * cross(by, unit), at);
-                for (int row = 0; row < rows; row++)
-                    block[row * rows + column] += sign * moved[row];
+                for (int row = 0; row < joint_rows; row++)
+                    block[row * joint_rows + column] += sign * moved[row];
             }
         }
     }
@@ -219,7 +220,7 @@ void close_joints(StepContext& step, std::span<const std::uint32_t> placed) {
         if (world.bodies.cold[body].first_joint == none) continue;
         if (seen.empty()) seen.resize(world.bodies.cold.size());
         if (seen[body] != 0) continue;
-        TiedGroup group(world, seen);
+        JointedGroup group(world, seen);
         group.find(body, placed);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
         for (int round = 0; round < rounds; round++) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stages/finalize/integrate_free.h"
 
+#include <algorithm>
+#include <span>
+
 #include "foundation/check.h"
 #include "foundation/tuning.h"
 
@@ -39,6 +42,35 @@ void advance(const WorldState& world, const SubstepMoment& moment, BodyWarm& now
     now.torque = torque;
 }
 
+// Before a sub-step listeners, too, push where bodies are in its middle: free_motion() then starts
+// where it passes there with the new velocity.
+void listen_to(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake,
+               std::span<BodyWarm> moving, std::size_t first, ListenedGroup& group) {
+    const auto call = [&] {
+        call_listeners(step, moment, awake, moving, static_cast<std::uint32_t>(first), group);
+    };
+    if (moment.after) return call();
+    for (BodyWarm& now : moving) now.center += now.v * (0.5 * moment.h);
+    call();
+    for (BodyWarm& now : moving) now.center -= now.v * (0.5 * moment.h);
+}
+
+// All of them, or chunks of them at once; which are together follows from the awake set alone.
+void listen(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake,
+            std::span<BodyWarm> moving) {
+    const std::size_t chunk =
+        listens_at_once(step.world.listeners) ? std::size_t{tuning::listened_chunk} : moving.size();
+    const std::size_t chunks = (moving.size() + chunk - 1) / chunk;
+    auto& groups = step.scratch.solver.listened_free;
+    if (groups.size() < chunks) groups.resize(chunks);
+    step.team.run_tasks(static_cast<int>(chunks), [&](int number) {
+        const auto k = static_cast<std::size_t>(number);
+        const std::size_t first = k * chunk, count = std::min(chunk, moving.size() - first);
+        listen_to(step, moment, awake.subspan(first, count), moving.subspan(first, count), first,
+                  groups[k]);
+    });
+}
+
 // Dynamic free bodies, all of them sub-step by sub-step. Kinematic ones are left in `others`.
 void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others) {
     WorldState& world = step.world;
@@ -64,19 +96,13 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     const bool listened = has_substep_listeners(world.listeners);
     for (int n = 0; n < count; n++) {
         SubstepMoment moment{n, count, step.dt / count};
-        // Listeners, too, push where bodies are in the middle of the sub-step: free_motion() then
-        // starts where it passes there with the new velocity.
-        if (listened) {
-            for (BodyWarm& now : moving) now.center += now.v * (0.5 * moment.h);
-            call_listeners(step, moment, awake, moving);
-            for (BodyWarm& now : moving) now.center -= now.v * (0.5 * moment.h);
-        }
+        if (listened) listen(step, moment, awake, moving);
         step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
             for (int k = begin; k < end; k++)
                 advance(world, moment, moving[static_cast<std::size_t>(k)]);
         });
         moment.after = true;
-        if (listened) call_listeners(step, moment, awake, moving);
+        if (listened) listen(step, moment, awake, moving);
     }
     step.team.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {

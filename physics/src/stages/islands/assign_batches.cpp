@@ -15,10 +15,10 @@
 namespace jostle::physics {
 namespace {
 
-using Loads = std::array<std::uint32_t, batch_count>;
+using BatchLoads = std::array<std::uint32_t, batch_count>;
 
 struct Work {
-    Loads loads{}, lightest{};           // by batch; the lightest island of each
+    BatchLoads loads{}, lightest{};      // by batch; the lightest island of each
     std::uint32_t all = 0, largest = 0;  // largest: of one island
 };
 
@@ -101,7 +101,7 @@ void assign(WorldState& world, const TiedIslands& tied, const std::vector<std::u
     std::stable_sort(heaviest.begin(), heaviest.end(), [&](std::size_t a, std::size_t b) {
         return groups[a].weight > groups[b].weight;
     });
-    Loads loads{};
+    BatchLoads loads{};
     for (const std::size_t k : heaviest) {
         Group& group = groups[k];
         const std::uint8_t batch = world.islands.islands[group.islands.front()].colour_set.batch;

@@ -227,7 +227,7 @@ std::vector<SolverTask> make_tasks(const StepContext& step) {
     std::vector<SolverTask> tasks;
     // Listeners see the same groups of bodies whatever the threads. With a tolerance batches differ
     // in their sub-steps.
-    const bool any_together = step.team.size() == 1 || has_substep_listeners(step.world.listeners);
+    const bool any_together = step.team.size() == 1 || listens_on_one_thread(step.world.listeners);
     const std::size_t together = any_together && !controls_error(step.world.def) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
@@ -278,8 +278,12 @@ BodyRange range_of(SolverScratch& scratch, std::span<const std::uint32_t> indice
 }
 
 void listen(StepContext& step, const SubstepMoment& moment, const SolverTask& task) {
-    call_listeners(step, moment, step.scratch.solver.bodies.of(task.first, task.last), task.first,
-                   task.last);
+    const BodiesBySet& bodies = step.scratch.solver.bodies;
+    // By sets, however many of them this thread solves together.
+    const std::size_t together = listens_at_once(step.world.listeners) ? 1 : task.last - task.first;
+    for (std::size_t k = task.first; k < task.last; k += together)
+        if (!bodies.of(k, k + together).empty())
+            call_listeners(step, moment, bodies.of(k, k + together), k, k + together);
 }
 
 // Of what was prepared.
@@ -389,7 +393,7 @@ void solve_task(StepContext& step, const SolverTask& task,
 // until all are done. The threads share the colours of a heavier one.
 void solve_tasks(StepContext& step, const std::vector<SolverTask>& tasks) {
     const std::vector<std::uint32_t>& kinematic = step.scratch.solver.kinematic;
-    if (step.team.size() == 1 || has_substep_listeners(step.world.listeners)) {
+    if (step.team.size() == 1 || listens_on_one_thread(step.world.listeners)) {
         for (const SolverTask& task : tasks) solve_task(step, task, kinematic);
         return;
     }

@@ -57,6 +57,12 @@ struct ErrorTrial {
     std::vector<HotBody> bodies;       // as they were after it, in the task's order
 };
 
+// What listeners are shown of a group.
+struct ListenedGroup {
+    std::vector<std::uint32_t> awake;
+    std::vector<BodyId> bodies;
+};
+
 struct SolverScratch {
     HotBodies hot;                         // by hot index
     std::vector<ExternalChange> external;  // by hot index
@@ -74,9 +80,9 @@ struct SolverScratch {
     JointGroupScratch groups;
     std::vector<SpinAxes> spin_axes;         // by hot index
     std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where spin_axes is not world
-    // Of the group of bodies whose sub-step listeners are called for.
-    std::vector<std::uint32_t> listened_awake;
-    std::vector<BodyId> listened;
+    // Groups of bodies whose sub-steps listeners are called for: by the first set; of free bodies.
+    std::array<ListenedGroup, solved_set_count> listened;
+    std::vector<ListenedGroup> listened_free;
     std::vector<std::uint32_t> free_place;  // by awake body: its place among dynamic free ones
 };
 

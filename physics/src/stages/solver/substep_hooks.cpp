@@ -14,8 +14,9 @@ namespace {
 // What both kinds of groups have in common.
 class Substep : public SubstepContext {
 public:
-    Substep(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake)
-        : step_(step), moment_(moment), ids_(step.scratch.solver.listened) {
+    Substep(StepContext& step, const SubstepMoment& moment, std::span<const std::uint32_t> awake,
+            std::vector<BodyId>& ids)
+        : step_(step), moment_(moment), ids_(ids) {
         ids_.clear();
         for (const std::uint32_t index : awake)
             ids_.push_back(body_id(step.world, step.world.bodies.awake[index].body));
@@ -70,9 +71,9 @@ private:
 
 class SolverSubstep final : public Substep {
 public:
-    SolverSubstep(StepContext& step, const SubstepMoment& moment,
-                  std::span<const std::uint32_t> awake, std::size_t first, std::size_t last)
-        : Substep(step, moment, awake), first_(first), last_(last) {}
+    SolverSubstep(StepContext& step, const SubstepMoment& moment, ListenedGroup& group,
+                  std::size_t first, std::size_t last)
+        : Substep(step, moment, group.awake, group.bodies), first_(first), last_(last) {}
 
     bool contains(BodyId id) const override {
         const std::uint32_t at = awake_index(id);
@@ -97,8 +98,9 @@ private:
 class FreeSubstep final : public Substep {
 public:
     FreeSubstep(StepContext& step, const SubstepMoment& moment,
-                std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving)
-        : Substep(step, moment, awake), moving_(moving) {}
+                std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
+                std::uint32_t first_place, std::vector<BodyId>& ids)
+        : Substep(step, moment, awake, ids), moving_(moving), first_place_(first_place) {}
 
     bool contains(BodyId id) const override { return place(id) != none; }
 
@@ -106,7 +108,10 @@ private:
     std::uint32_t place(BodyId id) const {
         const std::uint32_t at = awake_index(id);
         ASSERT(at == none || at < step_.scratch.solver.free_place.size());
-        return at == none ? none : step_.scratch.solver.free_place[at];
+        const std::uint32_t place = at == none ? none : step_.scratch.solver.free_place[at];
+        const bool inside =
+            place != none && place >= first_place_ && place - first_place_ < moving_.size();
+        return inside ? place - first_place_ : none;
     }
     BodyWarm motion(BodyId id) const override { return moving_[place(id)]; }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
@@ -116,7 +121,8 @@ private:
         now.w += world_inverse_inertia(now, cold) * angular_impulse;
     }
 
-    std::vector<BodyWarm>& moving_;
+    std::span<BodyWarm> moving_;
+    std::uint32_t first_place_;
 };
 
 void call(const ListenerStore& listeners, const SubstepMoment& moment, SubstepContext& context) {
@@ -134,17 +140,18 @@ void call(const ListenerStore& listeners, const SubstepMoment& moment, SubstepCo
 
 void call_listeners(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> hot, std::size_t first, std::size_t last) {
-    std::vector<std::uint32_t>& awake = step.scratch.solver.listened_awake;
-    awake.clear();
-    for (const std::uint32_t index : hot) awake.push_back(index - 1);
-    SolverSubstep context(step, moment, awake, first, last);
+    ListenedGroup& group = step.scratch.solver.listened[first];
+    group.awake.clear();
+    for (const std::uint32_t index : hot) group.awake.push_back(index - 1);
+    SolverSubstep context(step, moment, group, first, last);
     call(step.world.listeners, moment, context);
 }
 
 void call_listeners(StepContext& step, const SubstepMoment& moment,
-                    std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving) {
+                    std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
+                    std::uint32_t first_place, ListenedGroup& group) {
     ASSERT(awake.size() == moving.size());
-    FreeSubstep context(step, moment, awake, moving);
+    FreeSubstep context(step, moment, awake, moving, first_place, group.bodies);
     call(step.world.listeners, moment, context);
 }
 

@@ -8,12 +8,20 @@
 #include <span>
 #include <vector>
 
+#include "stages/solver/solver_scratch.h"
 #include "stages/step_context.h"
 
 namespace jostle::physics {
 
 inline bool has_substep_listeners(const ListenerStore& listeners) {
     return listeners.wanted.substeps;
+}
+// Groups are then one a colour set, and chunks of free bodies.
+inline bool listens_at_once(const ListenerStore& listeners) {
+    return listeners.wanted.substeps && listeners.wanted.concurrent;
+}
+inline bool listens_on_one_thread(const ListenerStore& listeners) {
+    return listeners.wanted.substeps && !listeners.wanted.concurrent;
 }
 
 // A sub-step of a group of bodies.
@@ -27,9 +35,11 @@ struct SubstepMoment {
 // hot index; their colour sets are [first, last).
 void call_listeners(StepContext& step, const SubstepMoment& moment,
                     std::span<const std::uint32_t> hot, std::size_t first, std::size_t last);
-// ... of free bodies, by index into `free`; awake indices and how each moves now.
+// ... of free bodies: awake indices and how each moves now; the first one's place among all free
+// ones.
 void call_listeners(StepContext& step, const SubstepMoment& moment,
-                    std::span<const std::uint32_t> awake, std::vector<BodyWarm>& moving);
+                    std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
+                    std::uint32_t first_place, ListenedGroup& group);
 
 // Adds to `found` those whom a field may reach within the step, by their velocity as it begins.
 void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,

@@ -7,15 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "support/near.h"
+#include "support/placed_convex.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
-Convex at(const Geometry& geometry, Vec3 position, Quat rotation = {}) {
-    return convex_of(placed(geometry, {position, rotation}), {});
-}
 Feature feature_of(const Geometry& geometry, Vec3 direction) {
     return feature_along(at(geometry, {}), direction);
 }

@@ -20,7 +20,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-constexpr double margin = 0.05;  // m
+constexpr double look_ahead = 0.05;  // m
 
 // The largest n.x over one convex part, in the world.
 using Part = std::function<double(Vec3 n)>;
@@ -131,13 +131,13 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
         const Transform pose_b{pose_a.position + random.vector(2), random_rotation(random)};
         const Placed pa = placed(a, pose_a), pb = placed(b, pose_b);
         std::vector<PartManifold> manifolds, turned;
-        collide_composite(pa, pb, margin, manifolds);
-        collide_composite(pb, pa, margin, turned);
+        collide_composite(pa, pb, look_ahead, manifolds);
+        collide_composite(pb, pa, look_ahead, turned);
         std::vector<Vec3> normals;
         for (const PartManifold& part : manifolds) normals.push_back(part.manifold.normal);
         for (const PartManifold& part : turned) normals.push_back(-part.manifold.normal);
         const double truth = nearest(parts_of(a, pose_a), parts_of(b, pose_b), normals);
-        if (std::fabs(truth) < 1e-4 || std::fabs(truth - margin) < 1e-4) continue;
+        if (std::fabs(truth) < 1e-4 || std::fabs(truth - look_ahead) < 1e-4) continue;
         EXPECT_EQ(shapes_overlap(pa, pb), truth < 0) << truth;
         EXPECT_EQ(shapes_overlap(pb, pa), truth < 0) << truth;
         EXPECT_EQ(manifolds.empty(), turned.empty());
@@ -151,7 +151,7 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
                 least = std::min(least, part.manifold.gap[k]);
             }
         }
-        if (truth > margin) {
+        if (truth > look_ahead) {
             EXPECT_TRUE(manifolds.empty()) << truth;
             continue;
         }
@@ -188,13 +188,13 @@ TEST(CompositeOracle, boxes_that_lie_along_a_flat_field_are_not_missed) {
         if (!shapes_overlap(ground, lying)) continue;
         touching++;
         std::vector<PartManifold> manifolds;
-        collide_composite(ground, lying, margin, manifolds);
+        collide_composite(ground, lying, look_ahead, manifolds);
         EXPECT_FALSE(manifolds.empty()) << "round " << round;
     }
     EXPECT_GT(touching, 500);
 }
 
-std::vector<std::pair<ShapeKind, ShapeKind>> every_pair() {
+std::vector<std::pair<ShapeKind, ShapeKind>> composite_pairs() {
     std::vector<std::pair<ShapeKind, ShapeKind>> pairs;
     for (const ShapeKind a : {ShapeKind::mesh, ShapeKind::height_field, ShapeKind::compound})
         for (int k = 0; k < shape_kinds; k++) {
@@ -203,7 +203,7 @@ std::vector<std::pair<ShapeKind, ShapeKind>> every_pair() {
         }
     return pairs;
 }
-INSTANTIATE_TEST_SUITE_P(every_pair, CompositeOracle, testing::ValuesIn(every_pair()),
+INSTANTIATE_TEST_SUITE_P(every_pair, CompositeOracle, testing::ValuesIn(composite_pairs()),
                          [](const auto& pair) {
                              std::string name = std::string(kind_name(pair.param.first)) + "_" +
                                                 kind_name(pair.param.second);

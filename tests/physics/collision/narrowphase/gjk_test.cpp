@@ -6,15 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "support/near.h"
+#include "support/placed_convex.h"
 #include "support/random_shapes.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-Convex at(const Geometry& geometry, Vec3 position, Quat rotation = {}) {
-    return convex_of(placed(geometry, {position, rotation}), {});
-}
 
 TEST(Gjk, boxes_corner_to_corner_are_a_diagonal_apart) {
     const Geometry box = Box{{1, 1, 1}};

@@ -6,15 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "support/near.h"
+#include "support/placed_convex.h"
 #include "support/random_shapes.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
-Convex at(const Geometry& geometry, Vec3 position, Quat rotation = {}) {
-    return convex_of(placed(geometry, {position, rotation}), {});
-}
 Penetration between(const Convex& a, const Convex& b) {
     const GjkResult g = gjk(a, b, {});
     EXPECT_EQ(g.distance, 0);

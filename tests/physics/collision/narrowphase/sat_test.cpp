@@ -8,15 +8,13 @@
 #include <algorithm>
 
 #include "support/near.h"
+#include "support/placed_convex.h"
 #include "support/random_shapes.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
-Convex at(const Geometry& geometry, Vec3 position, Quat rotation = {}) {
-    return convex_of(placed(geometry, {position, rotation}), {});
-}
 const Geometry cube = Box{};
 
 TEST(Sat, cubes_half_a_metre_apart_and_a_tenth_deep) {

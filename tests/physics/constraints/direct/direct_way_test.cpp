@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "physics/constraints/direct/small_groups.h"
+#include "support/step_time.h"
 
 namespace jostle::test {
 namespace {
 
-constexpr double dt = 1.0 / 60;
 const Vec3 small{0.004, 0.005, 0.006};
 
 // One body, 1 kg at the origin, that a joint with axes along `frame` ties to the ground.
@@ -28,7 +28,7 @@ DirectGroup floating(const JointKind& kind, Quat frame = {}, Vec3 arm = {}) {
     group.bodies[1].force = {};
     return group;
 }
-void run(DirectGroup& group, double seconds) {
+void advance_for(DirectGroup& group, double seconds) {
     const int steps = static_cast<int>(std::lround(seconds / dt));
     for (int k = 0; k < steps; k++) group.advance(dt, 8);
 }
@@ -39,7 +39,7 @@ TEST(DirectWay, a_slider_runs_down_its_line) {
     const double slope = 0.4;
     const Quat frame = from_axis_angle({0, 1, 0}, 0.5 * pi + slope);  // z along x and down
     DirectGroup group = tied(SliderJoint{}, frame, {0.3, 0.2, -0.1});
-    run(group, 1);
+    advance_for(group, 1);
     const double travel = 0.5 * g * std::sin(slope);
     const Vec3 line = rotate(frame, {0, 0, 1});
     EXPECT_LT(length(group.bodies[1].x - line * travel), 1e-9);
@@ -89,9 +89,9 @@ TEST(DirectWay, a_slider_keeps_momenta_and_energy) {
 
 TEST(DirectWay, a_slider_stops_at_its_limit_and_bears_the_weight) {
     DirectGroup group = tied(SliderJoint{.limit = {true, -0.5, 1}});
-    run(group, 0.3);
+    advance_for(group, 0.3);
     EXPECT_NEAR(group.bodies[1].x.z, -0.5 * g * 0.09, 1e-9);
-    run(group, 0.1);
+    advance_for(group, 0.1);
     EXPECT_NEAR(group.bodies[1].x.z, -0.5, 1e-9);
     EXPECT_LT(length(velocity(group.bodies[1])), 1e-9);
     group.joints[0].force_sum = {};
@@ -101,26 +101,26 @@ TEST(DirectWay, a_slider_stops_at_its_limit_and_bears_the_weight) {
 
 TEST(DirectWay, a_slider_s_motor_gives_its_most_until_it_has_its_speed) {
     DirectGroup group = floating(SliderJoint{.motor = {true, 2, 4}}, z_along_x);
-    run(group, 0.25);
+    advance_for(group, 0.25);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 1, 1e-9);
-    run(group, 0.5);
+    advance_for(group, 0.5);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 2, 1e-9);
 }
 
 TEST(DirectWay, friction_stops_and_holds) {
     DirectGroup group = floating(SliderJoint{.friction_force = 2}, z_along_x);
     group.bodies[1].p = {1, 0, 0};
-    run(group, 0.4);
+    advance_for(group, 0.4);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 0.2, 1e-9);
     EXPECT_NEAR(group.bodies[1].x.x, 0.4 - 0.16, 1e-9);
-    run(group, 0.2);
+    advance_for(group, 0.2);
     EXPECT_NEAR(group.bodies[1].x.x, 0.25, 1e-5);
     EXPECT_LT(length(velocity(group.bodies[1])), 1e-12);
     group.bodies[1].force = {1.9, 0, 0};
-    run(group, 1);
+    advance_for(group, 1);
     EXPECT_NEAR(group.bodies[1].x.x, 0.25, 1e-5);
     group.bodies[1].force = {2.5, 0, 0};
-    run(group, 1);
+    advance_for(group, 1);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 0.5, 1e-3);
 }
 
@@ -128,16 +128,16 @@ TEST(DirectWay, friction_stops_and_holds) {
 TEST(DirectWay, a_motor_works_against_friction) {
     DirectGroup group =
         floating(SliderJoint{.motor = {true, 1, 3}, .friction_force = 1}, z_along_x);
-    run(group, 0.25);
+    advance_for(group, 0.25);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 0.5, 1e-3);
-    run(group, 0.5);
+    advance_for(group, 0.5);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 1, 1e-9);
     // A load that both together do not carry: they push back with all they have.
     group.bodies[1].force = {-5, 0, 0};
-    run(group, 0.5);
+    advance_for(group, 0.5);
     const double before = velocity(group.bodies[1]).x;
     EXPECT_LT(before, 0);
-    run(group, 0.5);
+    advance_for(group, 0.5);
     EXPECT_NEAR(velocity(group.bodies[1]).x - before, -0.5, 1e-9);
 }
 
@@ -248,7 +248,7 @@ TEST(DirectWay, a_universal_joint_turns_as_a_cardan_does) {
     group.joints.push_back(cross_joint);
     group.bodies[1].l = {small.x * 5, 0, 0};
     group.prepare();
-    run(group, 1);
+    advance_for(group, 1);
     const double before = energy(group);
     for (int k = 0; k < 120; k++) {
         group.advance(dt, 8);
@@ -268,10 +268,10 @@ TEST(DirectWay, a_rope_lets_fall_and_catches) {
     group.bodies = {ground(), body_at({0.6, 0, 0}, 1, small)};
     join(group, 0, 1, DistanceJoint{.min_length = 0, .max_length = 1}, {}, {});
     group.prepare();
-    run(group, 0.4);  // taut at a depth of 0.8, after 0.404 s
+    advance_for(group, 0.4);  // taut at a depth of 0.8, after 0.404 s
     EXPECT_NEAR(group.bodies[1].x.z, -0.5 * g * 0.16, 1e-9);
     EXPECT_NEAR(group.bodies[1].x.x, 0.6, 1e-9);
-    run(group, 0.1);
+    advance_for(group, 0.1);
     const double caught = energy(group);  // what pulled at the rope is gone
     EXPECT_NEAR(caught, -g * 0.8 + 0.5 * 2 * g * 0.8 * 0.36, 0.02);
     double most = 0;
@@ -336,7 +336,7 @@ TEST(DirectWay, what_grips_is_reported_whatever_the_step) {
              k == 0 ? Vec3{} : Vec3{0.1, 0, 0}, {-0.1, 0, 0}, about_y);
     }
     group.prepare();
-    run(group, 0.5);
+    advance_for(group, 0.5);
     group.joints[0].torque_sum = {};
     const int before = group.count().energy_steps;
     group.advance(dt, 8);

@@ -7,20 +7,21 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-double energy(Quat q, Vec3 momentum, Vec3 inverse) {
+double turning_energy(Quat q, Vec3 momentum, Vec3 inverse) {
     const Vec3 l = inverse_rotate(q, momentum);
     return 0.5 * dot(scaled(l, inverse), l);
 }
 
-// Dzhanibekov's body for ten minutes: it flips again and again, and its energy does not drift.
+// Dzhanibekov's body for ten minutes: it flips again and again, and its turning_energy does not
+// drift.
 TEST(FreeTurn, keeps_the_energy_of_a_body_that_flips) {
     const Vec3 inverse{1 / 0.1, 1 / 0.2, 1 / 0.28}, momentum{0.001, 1, 0.0028};
     Quat q;
-    const double before = energy(q, momentum, inverse);
+    const double before = turning_energy(q, momentum, inverse);
     double most = 0;
     for (int k = 0; k < 600 * 60; k++) {
         q = free_turn(q, momentum, inverse, 1.0 / 60);
-        most = maximum(most, absolute(energy(q, momentum, inverse) / before - 1));
+        most = maximum(most, absolute(turning_energy(q, momentum, inverse) / before - 1));
     }
     EXPECT_LT(most, 2e-4);
     EXPECT_NEAR(norm_squared(q), 1, 1e-12);

@@ -10,13 +10,12 @@
 #include "state/contact_graph.h"
 #include "state/separation_bounds.h"
 #include "state/world_access.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-constexpr double dt = 1.0 / 60;
 
 struct Choice {
     World& world;

@@ -8,13 +8,12 @@
 #include "state/contact_graph.h"
 #include "state/world_access.h"
 #include "support/near.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-constexpr double dt = 1.0 / 60;
 
 // Something at a height over the floor, and their contact.
 struct OverFloor {

@@ -7,13 +7,12 @@
 
 #include "state/contact_graph.h"
 #include "state/world_access.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-constexpr double dt = 1.0 / 60;
 
 // Two balls of 0.5 m that fly along with each other, 6 m/s apart, and one of them spins.
 TEST(PairMotion, closing_way_is_velocity_and_both_turns) {

@@ -7,13 +7,12 @@
 
 #include "state/world_access.h"
 #include "support/near.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-constexpr double dt = 1.0 / 60;
 
 // One body in flight through one step of gravity.
 struct Flight {

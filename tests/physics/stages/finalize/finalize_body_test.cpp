@@ -9,13 +9,12 @@
 
 #include "stages/step_scratch.h"
 #include "state/world_access.h"
+#include "support/step_time.h"
 #include "support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
-
-constexpr double dt = 1.0 / 60;
 
 // A box of 1 m in a step of its own.
 struct Step {

@@ -37,7 +37,9 @@ namespace jostle::modules {
 
 namespace destruction_detail {
 class BlockFactor;
+struct Again;
 struct Group;
+struct Press;
 // Upon a chunk: at its centre of mass, in the frame of the whole.
 struct Push {
     physics::Vec3 force, torque;  // N, N m
@@ -75,6 +77,10 @@ struct DestructionLimits {
     std::int64_t work_per_step = 40000;
     double debris_life = 0;    // s, 0 to 1e6: loose single chunks vanish after; 0: never
     double debris_volume = 0;  // m^3, 0 to 1e12: of those that are smaller
+    // m^3, 0 to 1e12: loose single chunks that are smaller pass each other, meet all else, and are
+    // not swept. For thousands at once: what does not meet costs next to nothing. Not where a
+    // filter has a group.
+    double passing_volume = 0;
 };
 
 struct DestructibleId {
@@ -86,11 +92,15 @@ struct DestructibleId {
 
 class Destruction : public physics::Module {
 public:
+    Destruction();
+    ~Destruction() override;
+
     std::string_view tag() const override { return "destruction"; }
     void visit(physics::StateVisitor& v) override;
     // Walls of a scene, side by side along x, anchored at their foot: count (0 to 100), spacing
     // (m), width, height, thickness (m), chunks (1 to 2000), seed; x, y, z of the middle of the
-    // first one's foot; density; tensile, shear (Pa), fracture_energy; debris_life, debris_volume.
+    // first one's foot; density; tensile, shear (Pa), fracture_energy; debris_life, debris_volume,
+    // passing_volume.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     // "destruction": of each how many pieces, bonds that hold, bonds that were.
@@ -174,30 +184,6 @@ private:
         physics::ShapeId shape;
         std::uint32_t whole = 0, chunk = 0;
     };
-    // A contact of the last step upon a chunk.
-    struct Press {
-        std::uint32_t whole = 0, chunk = 0;
-        physics::ShapeId own, other;
-        physics::BodyId other_body;
-        physics::Vec3 point, push;  // m; N, world
-        bool impact = false;
-        physics::Vec3 normal;                       // unit, against the chunk
-        double approach = 0, parting = 0, inv = 0;  // m/s; 1/kg of both there
-        double energy = 0;                          // J
-        bool twin = false;   // bonds hold the other one, too: there is a press upon it
-        double paid = 0;     // J, for broken bonds
-        double worst = 0;    // what the worst bond had to bear, as a share of its strength
-        bool free = false;   // nothing static presses on the piece, too
-        physics::Vec3 back;  // N s: what the piece gives back of it
-    };
-    // What got its speed back and is still in touch: that is no new contact.
-    struct Again {
-        std::uint32_t whole = 0, chunk = 0;
-        physics::ShapeId other;
-        physics::BodyId other_body;
-        physics::Vec3 point, normal;  // from the chunk
-        double approach = 0;          // m/s
-    };
     enum class Answer : std::uint8_t { held, broke, no_time };
 
     const Whole* find(DestructibleId id) const;
@@ -226,7 +212,7 @@ private:
     // destruction_crack.cpp: which bonds break.
     void crack_all(const physics::World& world);
     void crack_if_loaded(const physics::World& world, std::uint32_t whole, std::uint32_t piece,
-                         std::span<Press> presses);
+                         std::span<destruction_detail::Press> presses);
     bool crack(Whole& whole, Piece& piece, std::span<const destruction_detail::Push> pushes,
                physics::Vec3 spin, physics::Vec3 gravity, double& energy);
     Answer ask(Whole& whole, const destruction_detail::Group& group, Piece* cached,
@@ -239,9 +225,14 @@ private:
     static std::vector<destruction_detail::Group> parts_of(const Whole& whole,
                                                            const destruction_detail::Group& group);
 
+    // destruction_losses.cpp: what others destroyed.
+    void drop_lost_bodies(const physics::World& world);
+    void drop_lost_chunks(const physics::World& world, Whole& whole, Piece& piece);
+
     // destruction_split.cpp: pieces become bodies.
     void split_all(physics::World& world);
     int split(physics::World& world, Whole& whole, std::size_t piece, int most);
+    bool passes(const Whole& whole, const destruction_detail::Group& group) const;
     physics::Status part(physics::World& world, Whole& whole, std::size_t piece,
                          std::span<const destruction_detail::Group> leaving,
                          const destruction_detail::Group& staying);
@@ -250,26 +241,29 @@ private:
     void push_through(physics::World& world, double dt);
     void agree();
     void mark_knocked();
-    void yield(physics::World& world, std::span<Press> presses, double dt);
-    void let_through(physics::World& world, const Press& press);
-    static void slow_down(physics::World& world, const physics::BodyState& before);
-    static double impulse_of(const Press& press);
-    bool other_yields(const Press& press) const;
-    Piece& piece_of(const Press& press);
+    void note_before(const physics::World& world, physics::BodyId body);
+    const physics::BodyState* velocity_before(physics::BodyId body) const;
+    void settle_grounded(physics::World& world, std::span<destruction_detail::Press> presses,
+                         double dt);
+    static double speed_left(const destruction_detail::Press& press);
+    double speed_back(const physics::World& world, const destruction_detail::Press& press) const;
+    void let_through(physics::World& world, double dt);
+    Piece& piece_of(const destruction_detail::Press& press);
     void drop_debris(physics::World& world, double dt);
 
     DestructionLimits limits_;
     physics::Vec3 gravity_;  // when all were last asked
     std::vector<Whole> wholes_;
-    std::vector<Again> again_;
+    std::vector<destruction_detail::Again> again_;
 
     // Derived, or of one step.
     bool derived_ = false;
     std::vector<Place> places_;  // by shape
-    std::vector<Press> presses_;
+    std::vector<destruction_detail::Press> presses_;
     std::vector<destruction_detail::Push> pushes_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> knocked_;  // bodies, of wholes
     std::vector<physics::BodyState> movers_;  // what got its speed back, before the step
+    std::vector<physics::BodyState> before_;  // what met a chunk, before the step
     std::int64_t work_left_ = 0;
     double worst_ = 0;  // of the piece that was asked last, before anything broke
 };

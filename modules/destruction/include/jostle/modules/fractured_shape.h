@@ -11,6 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,6 +25,7 @@
 namespace jostle::modules {
 
 inline constexpr std::size_t most_chunks = 20000;
+inline constexpr std::size_t most_parts = 1024;
 
 // Places are in the frame of the whole.
 struct FractureChunk {
@@ -57,6 +60,21 @@ physics::Result<FracturedShape> fracture_hull(const physics::ConvexHull& hull,
 // The same of a box about the origin.
 physics::Result<FracturedShape> fracture_box(physics::Vec3 half_extents,
                                              std::span<const physics::Vec3> seeds);
+// For those who wait: called now and then.
+using FractureProgress = std::function<void(std::size_t seeds_done, std::size_t seeds)>;
+
+struct FracturedParts {
+    FracturedShape shape = {};
+    double volume = 0;  // m^3, of the solid: what its parts hold, each place once
+    double lost = 0;  // m^3 of it in splinters, too thin for a hull or of less than a millionth of
+                      // the mean volume: they are left out
+};
+// The same of a solid of several hulls, such as those that a mesh is decomposed into. Cells end
+// where a part ends, and bonds hold them together where parts touch. Where parts overlap the first
+// one has it.
+physics::Result<FracturedParts> fracture_parts(
+    std::span<const std::shared_ptr<const physics::ConvexHull>> parts,
+    std::span<const physics::Vec3> seeds, const FractureProgress& progress = {});
 // A box in nx * ny * nz equal boxes, x fastest.
 physics::Result<FracturedShape> split_box(physics::Vec3 half_extents, int nx, int ny, int nz);
 

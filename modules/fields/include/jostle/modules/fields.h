@@ -26,6 +26,7 @@
 namespace jostle::modules {
 
 namespace fields_detail {
+struct GroupMoment;
 struct Load;
 struct StepMemory;
 }  // namespace fields_detail
@@ -69,7 +70,7 @@ public:
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
-    physics::StepHooks hooks() const override { return {.substeps = true}; }
+    physics::StepHooks hooks() const override { return {.substeps = true, .concurrent = true}; }
     void before_step(physics::World& world, double dt) override;
     void before_substep(physics::SubstepContext& substep) override;
     void after_step(physics::World& world, double dt) override;
@@ -82,8 +83,9 @@ private:
         std::shared_ptr<const UserForce> force;  // follows from the law's name
     };
 
-    void prepare(const physics::SubstepContext& substep, double middle, physics::Vec3 gravity);
-    void act(std::size_t at, fields_detail::Load& load);
+    fields_detail::GroupMoment moment_of(const physics::SubstepContext& substep, double middle,
+                                         physics::Vec3 gravity) const;
+    void act(std::size_t at, fields_detail::GroupMoment& moment, fields_detail::Load& load) const;
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
     Entry* find(FieldKey key);

@@ -29,7 +29,8 @@ struct UserFieldInput {
     std::span<const double> parameters = {};
 };
 // N, at the centre of mass; what is not finite pushes nothing. Depends on nothing but its input,
-// so that all machines agree: no mathematics but jostle/physics/scalar.h.
+// so that all machines agree: no mathematics but jostle/physics/scalar.h. Called from several
+// threads at once.
 using UserForce = std::function<physics::Vec3(const UserFieldInput&)>;
 
 struct UserField {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Cars: any number of them. A car is a chassis body and wheels that are not bodies: each looks for
-// the ground along its suspension once a step, and pushes the chassis in each sub-step by its
-// suspension and its tyre. Springs and dampers, and engine, clutch, gearbox, differentials and
-// brakes are solved implicitly: no stiffness is too stiff.
+// Cars: any number of them. A car is a chassis body and wheels. These are not bodies, unless asked
+// for (WheelCast::body): each looks for the ground along its suspension once a step, and pushes the
+// chassis in each sub-step by its suspension and its tyre. Springs and dampers, and engine, clutch,
+// gearbox, differentials and brakes are solved implicitly: no stiffness is too stiff.
 //
 //     auto vehicles = std::make_unique<Vehicles>();
 //     const CarId car = vehicles->add(world, saloon({.chassis = body})).value();
@@ -85,9 +85,9 @@ public:
     ~Vehicles() override;
 
     // The chassis is dynamic and belongs to no other car. Springs get their stiffness from the mass
-    // that rests on each wheel now.
-    physics::Result<CarId> add(const physics::World& world, const VehicleDef& def);
-    physics::Status remove(CarId car);
+    // that rests on each wheel now. Wheels that are bodies are made where they bear it.
+    physics::Result<CarId> add(physics::World& world, const VehicleDef& def);
+    physics::Status remove(physics::World& world, CarId car);
     std::vector<CarId> cars() const;  // rising
     // Wakes the chassis when they change.
     physics::Status set_controls(physics::World& world, CarId car, const CarControls& controls);
@@ -97,10 +97,12 @@ public:
 
     std::string_view tag() const override { return kind; }
     void visit(physics::StateVisitor& v) override;
-    // Makes a saloon of each body car, car2 ... car16 that is given; all share the numbers: track,
+    // Makes a saloon of each body car, car2 ... car16 that is given, or what `make` says (0 saloon,
+    // 1 tracked, 2 motorcycle, which is always cast by rays); all share the numbers: track,
     // wheel_base, height, radius, width, shortest, longest, frequency, damping, friction,
-    // front_drive, steering_most, anti_roll, power_scale, cast (0 ray, 1 sphere, 2 cylinder);
-    // throttle, brake, steering; pilot_radius and pilot_speed (with pilot_radius a pilot drives).
+    // front_drive, steering_most, anti_roll, power_scale, cast (0 ray, 1 sphere, 2 cylinder, 3
+    // body); throttle, brake, steering; pilot_radius and pilot_speed (with pilot_radius a pilot
+    // drives).
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     // Whoever drives a chassis: axis 0 steers, axis 1 is throttle ahead, and back the brake, and

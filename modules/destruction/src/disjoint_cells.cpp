@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "disjoint_cells.h"
+
+#include "voronoi_cell.h"
+
+namespace jostle::modules::destruction_detail {
+
+using namespace physics;
+
+namespace {
+
+constexpr double sliver_share = 1e-9;   // of the volume
+constexpr double overlap_share = 1e-7;  // of the size: cells that reach less deep only touch
+
+// Whether a plane of the first has all of the second beyond it.
+bool are_apart(const ConvexCell& a, const ConvexCell& b, double slack) {
+    for (const CellFace& face : a.faces) {
+        const double offset = dot(face.normal, face.points[0]) - slack;
+        bool beyond = true;
+        for (const CellFace& other : b.faces)
+            for (const Vec3 p : other.points) beyond = beyond && dot(face.normal, p) >= offset;
+        if (beyond) return true;
+    }
+    return false;
+}
+
+// What of a cell lies outside another one: by each of its faces what is beyond, of the rest.
+void add_outside(std::vector<ConvexCell>& to, const ConvexCell& cell, const ConvexCell& taken,
+                 double size) {
+    if (are_apart(taken, cell, overlap_share * size) ||
+        are_apart(cell, taken, overlap_share * size)) {
+        to.push_back(cell);
+        return;
+    }
+    ConvexCell rest = cell;
+    for (const CellFace& face : taken.faces) {
+        if (rest.empty()) return;
+        const double offset = dot(face.normal, face.points[0]);
+        ConvexCell out = clipped(rest, -face.normal, -offset, outer_face, grain_share * size);
+        if (!out.empty()) to.push_back(std::move(out));
+        rest = clipped(rest, face.normal, offset, outer_face, grain_share * size);
+    }
+}
+
+}  // namespace
+
+std::vector<ConvexCell> disjoint_cells(std::span<const std::shared_ptr<const ConvexHull>> hulls) {
+    std::vector<ConvexCell> whole, cells;
+    double volume = 0, size = 0;
+    for (const auto& hull : hulls) {
+        whole.push_back(cell_of(*hull));
+        volume += hull->volume;
+        size =
+            maximum(size, square_root(furthest_squared(whole.back(), whole[0].faces[0].points[0])));
+    }
+    for (std::size_t k = 0; k < whole.size(); k++) {
+        std::vector<ConvexCell> left = {whole[k]};
+        for (std::size_t i = 0; i < k; i++) {
+            std::vector<ConvexCell> next;
+            for (const ConvexCell& cell : left) add_outside(next, cell, whole[i], size);
+            left = std::move(next);
+        }
+        for (ConvexCell& cell : left)
+            if (k == 0 || left.size() == 1 || mass_of(cell).volume > sliver_share * volume)
+                cells.push_back(std::move(cell));
+    }
+    return cells;
+}
+
+}  // namespace jostle::modules::destruction_detail

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// Hulls that may overlap, as cells that do not.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "convex_cell.h"
+
+namespace jostle::modules::destruction_detail {
+
+// Where hulls overlap the first one has it; what of the others lies outside is cut along its faces.
+// Slivers of less than 1e-9 of the volume are dropped.
+std::vector<ConvexCell> disjoint_cells(
+    std::span<const std::shared_ptr<const physics::ConvexHull>> hulls);
+
+}  // namespace jostle::modules::destruction_detail

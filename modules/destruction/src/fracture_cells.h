@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Solids that are cells, cut by the cells of seeds: chunks, and the bonds between them.
+#pragma once
+
+#include <span>
+
+#include "convex_cell.h"
+#include "jostle/modules/fractured_shape.h"
+
+namespace jostle::modules::destruction_detail {
+
+// An error names the seed whose chunk is too thin for a hull.
+physics::Result<FracturedShape> fracture_cell(const ConvexCell& whole,
+                                              std::span<const physics::Vec3> seeds);
+// Of parts that do not overlap.
+physics::Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
+                                               std::span<const physics::Vec3> seeds,
+                                               const FractureProgress& progress);
+
+}  // namespace jostle::modules::destruction_detail

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// Voronoi cells of seeds, cut out of a convex solid one by one. Each cut between two seeds has the
+// same bits seen from both, so cells fill the solid to rounding.
+#pragma once
+
+#include <span>
+
+#include "convex_cell.h"
+#include "jostle/physics/result.h"
+
+namespace jostle::modules::destruction_detail {
+
+// Of the size: what is nearer to a plane than rounding can tell lies on it.
+inline constexpr double grain_share = 1e-14;
+
+// Finite, none twice, 1 to most_chunks.
+physics::Status check_seeds(std::span<const physics::Vec3> seeds);
+// What of the whole is nearer to this seed than to any other.
+ConvexCell voronoi_cell(const ConvexCell& whole, std::span<const physics::Vec3> seeds,
+                        std::size_t own, double grain);
+// What of the whole is on the own side of one other seed.
+ConvexCell nearer_to(const ConvexCell& whole, std::span<const physics::Vec3> seeds, std::size_t own,
+                     std::uint32_t other, double grain);
+
+}  // namespace jostle::modules::destruction_detail

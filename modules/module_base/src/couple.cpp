@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/couple.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+Result<JointId> couple(World& world, BodyId a, BodyId b) {
+    // A row whose force may be nothing but zero.
+    return world.create_joint({.body_a = a,
+                               .body_b = b,
+                               .kind = VelocityRow{.lower = 0, .upper = 0},
+                               .collide_connected = true});
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "jostle/modules/vehicle_def.h"
+
+namespace jostle::modules::vehicle_detail {
+
+// N s of drag and downforce on what goes at v for a time; implicit in the drag.
+inline physics::Vec3 air_push(const Aerodynamics& air, physics::Vec3 v, physics::Vec3 up,
+                              double mass, double h) {
+    const double speed = length(v), flow = 0.5 * air.density * speed * h;
+    const double drag = flow * air.drag_area;
+    const double press = physics::minimum(flow * speed * air.downforce_area, 100 * mass * h);
+    return v * (-drag / (1 + drag / mass)) - up * press;
+}
+
+}  // namespace jostle::modules::vehicle_detail

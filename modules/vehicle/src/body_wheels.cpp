@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+//
+// The drive line knows no ground: it turns wheels of their own inertia against what resists them.
+// That is learned, as what turned each wheel besides the drive line in the last sub-steps. So the
+// clutch meets the whole car once it has felt it, in some 60 ms, and nothing but the wheel in the
+// air or on ice, and what it does in a sub-step is never more than the wheel bears.
+#include "body_wheels.h"
+
+#include "air.h"
+#include "drive_line.h"
+#include "turn_to.h"
+
+namespace jostle::modules::vehicle_detail {
+
+using namespace physics;
+
+namespace {
+
+constexpr double learns = 0.02;  // s
+
+// x ahead, y up along the suspension, z along the axle, to the right.
+Quat frame_of(const Wheel& wheel) {
+    const Quat level = turn_to({0, 0, 1}, wheel.axle, {0, 1, 0});
+    return turn_to(rotate(level, {0, 1, 0}), -wheel.down, wheel.axle) * level;
+}
+
+double inertia_of(const Wheel& wheel) {
+    return 0.5 * wheel.mass * wheel.radius * wheel.radius;
+}
+
+// 1/kg that the spring of a wheel meets: its own mass, and the chassis along the suspension.
+double inverse_mass_of(const Wheel& wheel, const BodyState& chassis) {
+    const Vec3 arm = apply(chassis.pose, wheel.attachment) - chassis.center;
+    const Vec3 turn = cross(arm, rotate(chassis.pose.rotation, wheel.down));
+    return 1 / wheel.mass + 1 / chassis.mass + dot(turn, inverse(chassis.inertia) * turn);
+}
+
+WheelJoint joint_of(const Wheel& wheel, const WheelRun& run, const BodyState& chassis) {
+    const Suspension& suspension = wheel.suspension;
+    const double inverse_mass = inverse_mass_of(wheel, chassis);
+    const double rate = square_root(run.stiffness * inverse_mass);
+    WheelJoint joint;
+    joint.suspension = {.hertz = rate / (2 * pi),
+                        .damping_ratio = 0.5 * run.damping * inverse_mass / rate};
+    joint.ride = -suspension.longest - suspension.preload / run.stiffness;
+    joint.travel = {true, -suspension.longest, -suspension.shortest};
+    return joint;
+}
+
+// How far its spring is pressed in where it bears what it is made for.
+double sag_of(const Wheel& wheel, double gravity) {
+    const double w = 2 * pi * wheel.suspension.frequency;
+    return clamp(gravity / (w * w), 0, wheel.suspension.longest - wheel.suspension.shortest);
+}
+
+Status make_one(World& world, const BodyState& chassis, const Filter& filter, std::size_t index,
+                Car& car) {
+    const Wheel& wheel = car.def.wheels[index];
+    const double pressed = sag_of(wheel, length(world.gravity()));
+    const Vec3 hub = wheel.attachment + wheel.down * (wheel.suspension.longest - pressed);
+    BodyDef body{.pose = {apply(chassis.pose, hub), chassis.pose.rotation}};
+    body.linear_velocity = chassis.linear_velocity +
+                           cross(chassis.angular_velocity, body.pose.position - chassis.center);
+    body.angular_velocity = chassis.angular_velocity;
+    ShapeDef shape{.geometry = Cylinder{wheel.radius, 0.5 * wheel.width},
+                   .pose = {{}, turn_to({0, 1, 0}, wheel.axle, {1, 0, 0})},
+                   .mass = wheel.mass,
+                   .filter = filter};
+    shape.material.friction = wheel.tyre.friction;
+    shape.material.friction_rule = wheel.tyre.friction_rule;
+    const Result<BodyId> made = world.create_body(body, shape);
+    if (!made.ok()) return made.error();
+    WheelBody& run = car.bodies[index];
+    run.body = *made;
+    const Quat frame = frame_of(wheel);
+    JointDef joint{.body_a = car.def.chassis,
+                   .body_b = *made,
+                   .frame_a = {wheel.attachment, frame},
+                   .frame_b = {{}, frame},
+                   .kind = joint_of(wheel, car.wheels[index], chassis)};
+    const Result<JointId> held = world.create_joint(joint);
+    if (!held.ok()) return held.error();
+    run.joint = *held;
+    return {};
+}
+
+// Wheels meet what the chassis' first shape meets and the car may stand on, and are met as it is.
+Filter filter_of(const World& world, const Car& car) {
+    Filter filter;
+    const std::vector<ShapeId> shapes = world.shapes_of(car.def.chassis);
+    if (!shapes.empty())
+        if (const Result<ShapeState> shape = world.shape(shapes.front()); shape.ok())
+            filter = shape->filter;
+    filter.mask = car.def.ground;
+    return filter;
+}
+
+double spin_of(const MovingBody& wheel, const MovingBody& chassis, Vec3 axle) {
+    return -dot(wheel.angular_velocity - chassis.angular_velocity, axle);
+}
+
+// What turned it since the last sub-step besides the drive line.
+void learn(double spin, double inertia, double h, WheelBody& wheel) {
+    const double resists = (inertia * (spin - wheel.spin) - wheel.pushed) / h;
+    wheel.resists += (resists - wheel.resists) * (h / (h + learns));
+    wheel.spin = spin;
+    wheel.pushed = 0;
+}
+
+// As the drive line sees it.
+SpunWheel spun(const Wheel& made, const WheelBody& wheel) {
+    return {.radius = made.radius,
+            .inertia = inertia_of(made),
+            .share = made.drive_share,
+            .brake = 0,
+            .force = -wheel.resists / made.radius,
+            .slope = 0,
+            .spin = wheel.spin,
+            .answers = 0};
+}
+
+// N that a bar presses a wheel down by; less where it is too stiff for the sub-step.
+double bar_push(const Car& car, std::uint32_t wheel, const std::array<double, wheels_max>& pressed,
+                double h) {
+    double push = 0;
+    for (const AntiRollBar& bar : car.def.anti_roll_bars) {
+        if (bar.left != wheel && bar.right != wheel) continue;
+        const std::uint32_t other = bar.left == wheel ? bar.right : bar.left;
+        const double inverse_mass = 1 / car.def.wheels[wheel].mass + 1 / car.def.wheels[other].mass;
+        const double gives = 1 / (1 + h * h * bar.stiffness * inverse_mass);
+        push += bar.stiffness * gives * (pressed[wheel] - pressed[other]);
+    }
+    return push;
+}
+
+void press_by_bars(SubstepContext& substep, const MovingBody& chassis, const Car& car) {
+    if (car.def.anti_roll_bars.empty()) return;
+    std::array<double, wheels_max> pressed{};
+    for (std::size_t k = 0; k < car.bodies.size(); k++) {
+        if (!substep.contains(car.bodies[k].body)) continue;
+        const Wheel& wheel = car.def.wheels[k];
+        const Vec3 hub = apply(chassis.pose, wheel.attachment),
+                   down = rotate(chassis.pose.rotation, wheel.down);
+        pressed[k] =
+            wheel.suspension.longest - dot(substep.body(car.bodies[k].body).center - hub, down);
+    }
+    for (std::uint32_t k = 0; k < car.bodies.size(); k++) {
+        const BodyId body = car.bodies[k].body;
+        if (!substep.contains(body)) continue;
+        const Vec3 down = rotate(chassis.pose.rotation, car.def.wheels[k].down);
+        const Vec3 push = down * (bar_push(car, k, pressed, substep.h()) * substep.h());
+        const Vec3 at = substep.body(body).center;
+        substep.add_impulse(body, push, at);
+        substep.add_impulse(car.def.chassis, -push, at);
+    }
+}
+
+}  // namespace
+
+Status make_body_wheels(World& world, Car& car) {
+    const Result<BodyState> chassis = world.body(car.def.chassis);
+    if (!chassis.ok()) return chassis.error();
+    const Filter filter = filter_of(world, car);
+    car.bodies.resize(car.wheels.size());
+    for (std::size_t k = 0; k < car.bodies.size(); k++) {
+        Status made = make_one(world, *chassis, filter, k, car);
+        if (made.ok()) continue;
+        destroy_body_wheels(world, car);
+        return made;
+    }
+    return {};
+}
+
+void destroy_body_wheels(World& world, Car& car) {
+    // One that is gone already is no error.
+    for (const WheelBody& wheel : car.bodies)
+        if (world.contains(wheel.body)) static_cast<void>(world.destroy_body(wheel.body));
+    car.bodies.clear();
+}
+
+void steer_and_brake(World& world, Car& car) {
+    for (std::size_t k = 0; k < car.bodies.size(); k++) {
+        const Result<JointState> joint = world.joint(car.bodies[k].joint);
+        if (!joint.ok()) continue;
+        const auto* now = std::get_if<WheelJoint>(&joint->def.kind);
+        if (now == nullptr) continue;
+        const Wheel& wheel = car.def.wheels[k];
+        WheelJoint next = *now;
+        next.steering = -car.steering * wheel.steering_most;
+        next.friction_torque = brake_torque(car, k) +
+                               wheel.tyre.rolling_resistance * car.wheels[k].load * wheel.radius;
+        static_cast<void>(world.set_joint(car.bodies[k].joint, next));
+    }
+}
+
+void turn_body_wheels(SubstepContext& substep, Car& car) {
+    const MovingBody chassis = substep.body(car.def.chassis);
+    const double h = substep.h();
+    SpunWheels wheels;
+    std::array<Vec3, wheels_max> axles;
+    for (std::size_t k = 0; k < car.bodies.size(); k++) {
+        WheelBody& wheel = car.bodies[k];
+        if (substep.contains(wheel.body)) {
+            const MovingBody body = substep.body(wheel.body);
+            axles[k] = rotate(body.pose.rotation, car.def.wheels[k].axle);
+            learn(spin_of(body, chassis, axles[k]), inertia_of(car.def.wheels[k]), h, wheel);
+        }
+        wheels[k] = spun(car.def.wheels[k], wheel);
+    }
+    solve_drive_line(car, h, wheels);
+    for (std::size_t k = 0; k < car.bodies.size(); k++) {
+        WheelBody& wheel = car.bodies[k];
+        if (!substep.contains(wheel.body)) continue;
+        wheel.pushed = wheels[k].inertia * (wheels[k].spin - wheel.spin) - h * wheel.resists;
+        substep.add_angular_impulse(wheel.body, axles[k] * -wheel.pushed);
+        substep.add_angular_impulse(car.def.chassis, axles[k] * wheel.pushed);
+    }
+    press_by_bars(substep, chassis, car);
+    const Vec3 up = rotate(chassis.pose.rotation, {0, 1, 0});
+    substep.add_impulse(car.def.chassis,
+                        air_push(car.def.aerodynamics, chassis.linear_velocity, up, car.mass, h),
+                        chassis.center);
+}
+
+void read_body_wheels(const World& world, double dt, Car& car) {
+    const Result<BodyState> chassis = world.body(car.def.chassis);
+    if (!chassis.ok()) return;
+    const Quat turn = chassis->pose.rotation;
+    car.speed = -dot(chassis->linear_velocity, rotate(turn, {0, 0, 1}));
+    const Vec3 weight = world.gravity();
+    for (std::size_t k = 0; k < car.bodies.size(); k++) {
+        WheelRun& run = car.wheels[k];
+        const Wheel& wheel = car.def.wheels[k];
+        const Result<JointState> joint = world.joint(car.bodies[k].joint);
+        const Result<BodyState> body = world.body(car.bodies[k].body);
+        if (!joint.ok() || !body.ok()) {
+            run.touches = false;
+            run.load = run.ahead = run.aside = 0;
+            continue;
+        }
+        run.travel = maximum(joint->travel + wheel.suspension.longest, 0);
+        const Vec3 axle = rotate(body->pose.rotation, wheel.axle);
+        run.spin = clamp(-dot(body->angular_velocity - chassis->angular_velocity, axle), -1e5, 1e5);
+        run.angle += run.spin * dt;
+        run.angle -= 2 * pi * std::floor(run.angle / (2 * pi));
+        const Vec3 down = rotate(turn, wheel.down);
+        // Of the ground on the wheel, if it keeps its speed.
+        const Vec3 ground = -joint->force - weight * wheel.mass;
+        run.load = maximum(-dot(ground, down), 0);
+        run.ahead = dot(ground, rotate(turn, car.rigs[k].ahead));
+        run.aside = dot(ground, axle);
+        run.friction = wheel.tyre.friction;
+        run.normal = -down;
+        run.point = body->center + down * wheel.radius;
+        const Result<std::vector<BodyId>> touched = world.touching_bodies(car.bodies[k].body);
+        run.touches = touched.ok() && !touched->empty();
+        run.ground = run.touches ? touched->front() : BodyId{};
+    }
+}
+
+}  // namespace jostle::modules::vehicle_detail

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+//
+// For a direction n that leaves the triangle for the shape, the gap along n closes by -m.n a
+// fraction: the shape does not touch before that is used up. That bound costs one support point.
+// Three directions come first: the sides of the triangle's box, its own normal, and the way from
+// its nearest point to the middle of the shape. When the point that is deepest along the normal
+// comes down inside of the triangle the bound is the answer. Only what is left is searched, by
+// conservative advancement: Newton's method on a distance that is convex in the fraction.
+#include "collision/narrowphase/sweep_surface.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "collision/narrowphase/collide_surface.h"
+#include "collision/narrowphase/gjk.h"
+#include "collision/narrowphase/nearest_on_triangle.h"
+#include "foundation/tuning.h"
+#include "geometry/bounds.h"
+#include "geometry/ray.h"
+#include "geometry/surface.h"
+
+namespace jostle::physics {
+namespace {
+
+constexpr double never = 2;
+
+// Triangles are asked for in boxes around parts of the way: a diagonal way's own box would hold a
+// hillside. So long in sizes of the shape, and so many at most.
+constexpr double part_length = 6;
+constexpr double parts_max = 256;
+
+struct Candidate {
+    double enters;  // the fraction before which it is not touched
+    std::uint32_t triangle;
+};
+
+class SurfaceSweep {
+public:
+    SurfaceSweep(const Placed& surface, const Placed& convex, Vec3 motion, double gap)
+        : surface_(surface),
+          // In the surface's frame, seen from where the shape begins.
+          origin_(transposed_times(surface.axes, convex.position - surface.position)),
+          motion_(transposed_times(surface.axes, motion)),
+          local_{convex.geometry, {}, transpose(surface.axes) * convex.axes},
+          shape_(convex_of(local_, {})),
+          box_(grow(bounds_of(local_), 2 * gap)),
+          middle_(middle_of(shape_)),
+          gap_(gap) {}
+
+    std::optional<SurfaceTouch> first() {
+        const Vec3 reach = (box_.high - box_.low) * 0.5, center = (box_.low + box_.high) * 0.5;
+        const Aabb all = bounds_of_surface();
+        const double begin =
+            ray_enters({all.low - reach, all.high + reach}, origin_ + center, motion_, 1);
+        if (begin > 1) return std::nullopt;
+        const double way = length(motion_), size = maximum(length(reach), 1e-300);
+        const double parts = clamp(std::ceil(way / (part_length * size)), 1, parts_max);
+        double part = std::floor(minimum(begin * parts, parts - 1));
+        for (; part < parts && best_.fraction > part / parts; part++)
+            sweep_part(part / parts, (part + 1) / parts);
+        if (best_.fraction > 1) return std::nullopt;
+        if (!best_.settled) find_normal();
+        if (best_.settled) {
+            best_.point = surface_.position + surface_.axes * (best_.point + origin_);
+            best_.normal = surface_.axes * best_.normal;
+        }
+        return best_;
+    }
+
+private:
+    Aabb bounds_of_surface() const {
+        if (const auto* mesh = std::get_if<Mesh>(surface_.geometry)) return mesh->data->bounds;
+        return std::get<HeightField>(*surface_.geometry).data->bounds;
+    }
+
+    void sweep_part(double from, double until) {
+        candidates_.clear();
+        from_ = from;
+        const Vec3 there = origin_ + motion_ * from, on = motion_ * (until - from);
+        const Aabb box{box_.low + there + min(on, Vec3{}), box_.high + there + max(on, Vec3{})};
+        for_each_triangle(*surface_.geometry, box,
+                          [&](const SurfaceTriangle& t) { look(t, until); });
+        std::sort(
+            candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+                return a.enters < b.enters || (a.enters == b.enters && a.triangle < b.triangle);
+            });
+        for (const Candidate& next : candidates_) {
+            if (next.enters >= best_.fraction) return;
+            touch(triangle_of(*surface_.geometry, next.triangle), next.enters,
+                  minimum(until, best_.fraction));
+        }
+    }
+
+    // The fraction before which a gap along n at the start, unit, is not closed. Half a gap is left
+    // to rounding: what lies in the plane of a face that was touched is not touched earlier.
+    double enters_along(double apart, Vec3 n) const {
+        if (apart <= 2 * gap_) return 0;
+        const double speed = -dot(motion_, n);
+        return speed > 0 ? (apart - 0.5 * gap_) / speed : never;
+    }
+
+    // By the triangle's box and its plane.
+    void look(const SurfaceTriangle& t, double until) {
+        const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                t.corner[2] - origin_};
+        const double last = minimum(until, best_.fraction), by_box = enters_box(corner);
+        if (by_box >= last) return;
+        const Vec3 front = normal_of(t);
+        const double height = dot(middle_ - corner[0], front);
+        const Vec3 n = height >= 0 ? front : -front;
+        const double apart = absolute(height) - extent_along(n);
+        const double by_plane = enters_along(apart, n);
+        if (by_plane >= last) return;
+        if (apart > 2 * gap_ && comes_down_inside(t, corner, n, apart, last)) return;
+        candidates_.push_back({maximum(maximum(by_box, by_plane), from_), t.index});
+    }
+    // From the middle against n, unit.
+    double extent_along(Vec3 n) const {
+        const double along = absolute(dot(n, shape_.axes.y));
+        if (shape_.core == Core::cylinder)
+            return shape_.size.x * square_root(maximum(1 - along * along, 0)) +
+                   shape_.size.y * along;
+        if (shape_.core == Core::segment) return shape_.size.y * along + shape_.radius;
+        if (shape_.core == Core::point) return shape_.radius;
+        return dot(middle_ - support(shape_, -n), n) + shape_.radius;
+    }
+    double enters_box(const Vec3 corner[3]) const {
+        const Vec3 low = min(corner[0], min(corner[1], corner[2])),
+                   high = max(corner[0], max(corner[1], corner[2]));
+        double enters = 0;
+        for (int k = 0; k < 3; k++) {
+            // The box of the shape is two gaps larger than the shape.
+            const double apart = maximum(box_.low[k] - high[k], low[k] - box_.high[k]);
+            if (apart <= 0) continue;
+            const double speed = box_.low[k] > high[k] ? -motion_[k] : motion_[k];
+            if (speed <= 0) return never;
+            enters = maximum(enters, apart / speed);
+        }
+        return enters;
+    }
+    // Whether the point that is deepest along the normal of the triangle is inside of it when it
+    // comes to its plane: nothing touches the triangle before.
+    bool comes_down_inside(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 n, double apart,
+                           double last) {
+        const double fraction = (apart - gap_) / -dot(motion_, n);
+        const Vec3 there = support(shape_, -n) - n * shape_.radius + motion_ * fraction;
+        const Vec3 front = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        for (int k = 0; k < 3; k++)
+            if (dot(cross(front, corner[(k + 1) % 3] - corner[k]), there - corner[k]) < 0)
+                return false;
+        if (fraction >= last) return true;
+        best_ = {fraction, true, there - n * gap_, n};
+        touched_ = t.index;
+        return true;
+    }
+
+    void touch(const SurfaceTriangle& t, double at, double last) {
+        const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                t.corner[2] - origin_};
+        Vec3 n;
+        // Where it would be at last most are still beside it.
+        for (const double then : {last, at}) {
+            const Vec3 nearest = nearest_on_triangle(corner, middle_ + motion_ * then);
+            const Vec3 core = nearest_of_core(nearest, then);
+            const Vec3 to =
+                core + motion_ * then - nearest_on_triangle(corner, core + motion_ * then);
+            const double way = length(to);
+            if (way <= 0) break;
+            n = to * (1 / way);
+            const double apart =
+                way - dot(motion_, n) * then - dot(core - middle_, n) - extent_along(n);
+            const double enters = enters_along(apart, n);
+            if (enters >= last) return;
+            at = maximum(at, enters);
+        }
+        advance(t, corner, n, at, last);
+    }
+    // The point of a long shape's axis that is about nearest to a point at that fraction, as it
+    // stands at the start; of other shapes their middle.
+    Vec3 nearest_of_core(Vec3 point, double at) const {
+        if (shape_.core != Core::cylinder && shape_.core != Core::segment) return middle_;
+        const double along = dot(point - middle_ - motion_ * at, shape_.axes.y);
+        return middle_ + shape_.axes.y * clamp(along, -shape_.size.y, shape_.size.y);
+    }
+
+    void advance(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 hint, double at,
+                 double last) {
+        constexpr int rounds_max = 100;
+        const Convex triangle = triangle_convex(corner, {}, {});
+        for (int round = 0; round < rounds_max; round++) {
+            Convex there = shape_;
+            there.position += motion_ * at;
+            const GjkResult g = gjk(triangle, there, hint,
+                                    {.beyond = shape_.radius + 2 * gap_,
+                                     .loose = tuning::loose_gap,
+                                     .radii = shape_.radius,
+                                     .motion = motion_ * (last - at)});
+            const double apart = g.distance - shape_.radius;
+            if (apart <= 2 * gap_) break;
+            hint = g.normal;
+            const double speed = -dot(motion_, g.normal);
+            if (speed <= 0) return;
+            const double next = at + (apart - gap_) / speed;
+            if (next >= last) return;
+            // Shorter than rounding can tell.
+            if (next <= at) break;
+            at = next;
+        }
+        best_ = {at, false, {}, {}};
+        touched_ = t.index;
+        hint_ = hint;
+    }
+
+    // Of an edge or a corner that was touched, or a face that was not come down on. What was in the
+    // shape at the start has none.
+    void find_normal() {
+        const SurfaceTriangle t = triangle_of(*surface_.geometry, touched_);
+        const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                t.corner[2] - origin_};
+        Convex there = shape_;
+        there.position += motion_ * best_.fraction;
+        const GjkResult g = gjk(triangle_convex(corner, {}, {}), there, hint_);
+        if (g.distance <= shape_.radius) return;
+        best_.settled = true;
+        best_.point = g.on_a;
+        best_.normal = acting_normal(*surface_.geometry, t, g.on_a + origin_, g.normal);
+    }
+
+    const Placed& surface_;
+    Vec3 origin_, motion_;
+    Placed local_;
+    Convex shape_;
+    Aabb box_;
+    Vec3 middle_;
+    double gap_, from_ = 0;
+    SurfaceTouch best_{never, false, {}, {}};
+    std::uint32_t touched_ = 0;
+    Vec3 hint_;
+    std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+std::optional<SurfaceTouch> sweep_to_surface(const Placed& surface, const Placed& convex,
+                                             Vec3 motion, double gap) {
+    return SurfaceSweep(surface, convex, motion, gap).first();
+}
+
+}  // namespace jostle::physics

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+//
+// Hard hits on things of all kinds: no energy comes from nowhere, nothing falls through the floor.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "jostle/modules/seed_patterns.h"
+#include "walls.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+struct Hit {
+    const char* name;
+    SeedPattern pattern;
+    int chunks;
+    BondMaterial bonds;
+    double density, speed, rate;  // kg/m^3, m/s, Hz
+    bool stacked;                 // another wall stands on it, loose
+    Vec3 half{2, 1, 0.2};
+};
+
+constexpr BondMaterial clay{
+    .young = 1e9, .tensile = 2e5, .shear = 3e5, .compressive = 2e6, .fracture_energy = 20};
+constexpr BondMaterial glass{
+    .young = 7e10, .tensile = 4e7, .shear = 4e7, .compressive = 1e9, .fracture_energy = 8};
+
+// Of the ball's energy, what there is too much at worst; the lowest that anything gets.
+struct Outcome {
+    double gain = 0, lowest = 0;
+};
+
+Outcome outcome_of(const Hit& hit) {
+    Stage stage;
+    World& world = stage.world;
+    world
+        .create_body({.type = BodyType::static_body, .pose = {.position = {0, -0.5, 0}}},
+                     {.geometry = Box{{60, 0.5, 60}}})
+        .value();
+    const SeedPlan plan{
+        .pattern = hit.pattern, .count = hit.chunks, .center = Vec3{0, 0.3 * hit.half.y, 0}};
+    FracturedShape shape =
+        fracture_box(hit.half, planned_seeds({-hit.half, hit.half}, plan).value()).value();
+    DestructibleDef def{.density = hit.density, .bonds = hit.bonds};
+    if (hit.stacked) {
+        def.pose.position.y = 3 * hit.half.y + 0.003;
+        stage.add(shape, def);
+    }
+    anchor(shape, {0, -1, 0}, hit.half.y * (1 - 1e-6));
+    def.pose.position.y = hit.half.y + 0.001;
+    stage.add(shape, def);
+    // Bodies that rest on top.
+    const double top = hit.half.y * (hit.stacked ? 4 : 2) + 0.01;
+    for (const double x : {-1.0, 0.0, 1.0})
+        world
+            .create_body({.pose = {.position = {x, top + 0.25, 0}}},
+                         {.geometry = Box{{0.2, 0.25, 0.2}}})
+            .value();
+    const int second = static_cast<int>(hit.rate);
+    stage.step(second / 2, 1 / hit.rate);
+    const auto energy = [&] {
+        const WorldSummary sum = world.summary();
+        return sum.kinetic_energy + sum.potential_energy;
+    };
+    // What is anchored weighs once it is loose.
+    const double volume = 8 * hit.half.x * hit.half.y * hit.half.z;
+    const double start = energy() + hit.density * volume * 9.81 * hit.half.y;
+    const double before = energy();
+    stage.ball({0.2, 1.2 * hit.half.y, -hit.half.z - 0.6}, {0, 0, hit.speed});
+    const double brought = energy() - before;
+    Outcome outcome;
+    for (int k = 0; k < 2 * second; k++) {
+        stage.step(1, 1 / hit.rate);
+        const double now = energy();
+        EXPECT_TRUE(std::isfinite(now)) << hit.name;
+        outcome.gain = std::max(outcome.gain, (now - start - brought) / brought);
+        for (const BodyId id : world.bodies()) {
+            const Vec3 at = world.body(id)->center;
+            if (std::abs(at.x) < 58 && std::abs(at.z) < 58 &&
+                world.body(id)->type == BodyType::dynamic)
+                outcome.lowest = std::min(outcome.lowest, at.y);
+        }
+    }
+    return outcome;
+}
+
+TEST(DestructionViolence, no_energy_comes_from_nowhere_and_nothing_falls_through_the_floor) {
+    const BondMaterial concrete;
+    const Hit hits[] = {
+        // What strikes many small chunks at once was thrown out of the wall faster than it came.
+        {"chunks of four decades",
+         SeedPattern::radial,
+         150,
+         concrete,
+         2400,
+         20,
+         60,
+         false,
+         {2, 1.5, 0.15}},
+        {"wall on wall, clustered", SeedPattern::clustered, 80, clay, 2400, 40, 60, true},
+        {"at 120 Hz", SeedPattern::uniform, 100, concrete, 2400, 20, 120, false, {2, 1.5, 0.15}},
+        {"at 240 Hz", SeedPattern::uniform, 100, concrete, 2400, 20, 240, false, {2, 1.5, 0.15}},
+        {"30 Hz, 300 m/s", SeedPattern::clustered, 80, clay, 2400, 300, 30, true},
+        {"thin glass", SeedPattern::radial, 100, glass, 2500, 100, 60, false, {1, 0.6, 0.005}},
+    };
+    for (const Hit& hit : hits) {
+        const Outcome outcome = outcome_of(hit);
+        RecordProperty(hit.name, std::to_string(outcome.gain));
+        // At 240 Hz 0.068 was seen, elsewhere 0.015 at most.
+        EXPECT_LT(outcome.gain, hit.rate > 200 ? 0.08 : 0.03) << hit.name;
+        EXPECT_GT(outcome.lowest, -0.05) << hit.name;
+    }
+}
+
+}  // namespace
+}  // namespace jostle::modules

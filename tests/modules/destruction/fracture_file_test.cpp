@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/fracture_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "walls.h"
+
+namespace jostle::modules {
+namespace {
+
+using namespace physics;
+
+std::vector<std::byte> bytes_of(const FracturedShape& shape) {
+    return write_fracture(shape).value();
+}
+
+// With the checksum of what is in it.
+std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
+    const std::uint64_t sum = fracture_checksum(std::span(bytes).subspan(fracture_head_bytes));
+    std::memcpy(bytes.data() + 12, &sum, sizeof sum);
+    return bytes;
+}
+
+std::string complaint(const std::vector<std::byte>& bytes) {
+    const auto read = read_fracture(bytes);
+    return read.ok() ? std::string() : read.error().message;
+}
+
+TEST(FractureFile, what_was_written_is_read_bit_by_bit) {
+    FracturedShape boxes = split_box({1, 0.5, 0.25}, 3, 2, 1).value();
+    anchor(boxes, {0, -1, 0}, 0.499);
+    for (const FracturedShape& shape : {wall(60), boxes}) {
+        const FracturedShape read = read_fracture(bytes_of(shape)).value();
+        ASSERT_EQ(read.chunks.size(), shape.chunks.size());
+        ASSERT_EQ(read.bonds.size(), shape.bonds.size());
+        for (std::size_t k = 0; k < read.chunks.size(); k++) {
+            EXPECT_EQ(read.chunks[k].volume, shape.chunks[k].volume);
+            EXPECT_EQ(read.chunks[k].center, shape.chunks[k].center);
+            EXPECT_EQ(read.chunks[k].unit_inertia, shape.chunks[k].unit_inertia);
+            EXPECT_EQ(read.chunks[k].anchored, shape.chunks[k].anchored);
+        }
+        for (std::size_t k = 0; k < read.bonds.size(); k++)
+            EXPECT_EQ(std::memcmp(&read.bonds[k], &shape.bonds[k], sizeof(FractureBond)), 0);
+        EXPECT_EQ(bytes_of(read), bytes_of(shape));
+        Stage stage;
+        stage.add(read, standing());
+        stage.step(3);
+    }
+}
+
+TEST(FractureFile, what_is_wrong_is_named) {
+    const FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
+    const std::vector<std::byte> whole = bytes_of(shape);
+    EXPECT_EQ(complaint({}), "it is no fracture file: jostle-fracture makes one");
+    std::vector<std::byte> bytes = whole;
+    bytes[8] = std::byte{7};
+    EXPECT_EQ(complaint(bytes),
+              "it is of version 7; this program reads 1: make it anew with jostle-fracture");
+    bytes = whole;
+    bytes.back() ^= std::byte{1};
+    EXPECT_EQ(complaint(bytes), "its checksum is wrong: it was damaged or cut short");
+    bytes = whole;
+    bytes[fracture_head_bytes + 3] = std::byte{0x7f};
+    EXPECT_EQ(complaint(sealed(bytes)),
+              "it says that it has 2130706434 chunks and 1 bonds, and is too short for them, or "
+              "too many");
+    bytes = whole;
+    bytes.push_back({});
+    EXPECT_EQ(complaint(sealed(bytes)), "1 bytes are left at its end");
+    FracturedShape wrong = shape;
+    wrong.chunks[1].volume *= 1.1;
+    EXPECT_EQ(complaint(bytes_of(wrong)), "chunks[1]: its volume is not that of its geometry");
+    wrong = shape;
+    wrong.chunks[0].center.y = 3;
+    EXPECT_EQ(complaint(bytes_of(wrong)), "chunks[0]: its centre of mass is outside of it");
+    wrong = shape;
+    wrong.chunks[0].unit_inertia = diagonal({1, 1, -1});
+    EXPECT_EQ(complaint(bytes_of(wrong)), "chunks[0]: its inertia is that of no solid of its size");
+    wrong = shape;
+    wrong.chunks[1].geometry = Sphere{1};
+    EXPECT_EQ(write_fracture(wrong).error().message, "chunks[1] is neither a box nor a hull");
+    wrong.bonds[0].area = std::nan("");
+    EXPECT_FALSE(write_fracture(wrong).ok());
+}
+
+// Any byte may be anything, with a checksum that says so: refused, or a shape that can be added.
+TEST(FractureFile, hostile_bytes_are_refused_or_can_be_added) {
+    const std::vector<std::byte> whole = bytes_of(wall(4));
+    int refused = 0, added = 0;
+    for (std::size_t at = fracture_head_bytes; at < whole.size(); at++) {
+        for (const std::byte flip : {std::byte{0xff}, std::byte{0x40}, std::byte{1}}) {
+            std::vector<std::byte> bytes = whole;
+            bytes[at] ^= flip;
+            const auto read = read_fracture(sealed(bytes));
+            refused += !read.ok();
+            if (!read.ok() || at % 7 != 0) continue;
+            Stage stage;
+            const auto id = stage.destruction->add(stage.world, *read, standing());
+            EXPECT_TRUE(id.ok()) << id.error().message;
+            static_cast<void>(stage.world.step(1.0 / 60).ok());
+            added++;
+        }
+        if (at % 11 == 0) {
+            std::vector<std::byte> cut(whole.begin(),
+                                       whole.begin() + static_cast<std::ptrdiff_t>(at));
+            cut.resize(std::max(cut.size(), fracture_head_bytes + 8));
+            EXPECT_FALSE(read_fracture(sealed(cut)).ok());
+        }
+    }
+    RecordProperty("refused", refused);
+    RecordProperty("added", added);
+    EXPECT_GT(refused, 1000);
+    EXPECT_GT(added, 100);
+}
+
+}  // namespace
+}  // namespace jostle::modules

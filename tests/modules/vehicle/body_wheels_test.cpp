@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+//
+// Wheels that are bodies on the solver's wheel joints: what holds for wheels that look for the
+// ground holds for them, by Coulomb's law where the others have a tyre.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+VehicleDef with_bodies(BodyId chassis) {
+    VehicleDef def = plain_saloon(chassis);
+    def.cast = modules::WheelCast::body;
+    return def;
+}
+
+constexpr double wheel_mass = 20, whole_mass = car_mass + 4 * wheel_mass;
+
+TEST(BodyWheels, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
+    double worst = 0;
+    for (const double frequency : {1.0, 1.5, 3.0}) {
+        TestCar of;
+        VehicleDef def = with_bodies(of.chassis);
+        for (auto& wheel : def.wheels) wheel.suspension.frequency = frequency;
+        of.add(def);
+        of.drive(15);
+        for (const auto& wheel : of.state().wheels) {
+            const double expected = car_mass * gravity / (4 * wheel.stiffness);
+            worst = std::max(worst, std::abs(wheel.travel / expected - 1));
+            EXPECT_TRUE(wheel.touches);
+            EXPECT_NEAR(wheel.load, whole_mass * gravity / 4, 0.001 * whole_mass * gravity);
+        }
+    }
+    RecordProperty("sag_off_percent", std::to_string(100 * worst));
+    EXPECT_LT(worst, 0.001);
+}
+
+TEST(BodyWheels, a_preload_is_borne_before_the_spring_gives) {
+    TestCar of;
+    VehicleDef def = with_bodies(of.chassis);
+    for (auto& wheel : def.wheels) wheel.suspension.preload = 2000;
+    of.add(def);
+    of.drive(15);
+    const auto wheel = of.state().wheels[0];
+    const double expected = (car_mass * gravity / 4 - 2000) / wheel.stiffness;
+    EXPECT_NEAR(wheel.travel, expected, 0.001 * expected);
+}
+
+TEST(BodyWheels, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
+    double worst = 0;
+    for (const double speed : {10.0, 20.0, 30.0}) {
+        TestCar of({}, {0, 0, -speed});
+        of.add(with_bodies(of.chassis));
+        roll_off(of, 2);
+        const double v = of.speed();
+        const Vec3 start = of.body().center;
+        of.set({.brake = 1, .gear = 0});
+        // Then it rocks back on wheels that are locked to it.
+        double furthest = 0;
+        for (int k = 0; k < static_cast<int>(60 * (v / gravity + 3)); k++) {
+            of.drive(step_time);
+            furthest = std::max(furthest, start.z - of.body().center.z);
+        }
+        EXPECT_LT(of.speed(), 1e-3);
+        const double expected = v * v / (2 * gravity);
+        worst = std::max(worst, std::abs(furthest / expected - 1));
+    }
+    RecordProperty("stop_off_percent", std::to_string(100 * worst));
+    EXPECT_LT(worst, 0.005);
+}
+
+TEST(BodyWheels, top_speed_is_where_power_meets_drag) {
+    TestCar of({}, {0, 0, -30});
+    VehicleDef def = with_bodies(of.chassis);
+    def.engine.curve = {{0, 200}};
+    def.engine.most = 1000;
+    def.gearbox = {.automatic = false, .ahead = {1}};
+    def.aerodynamics = {.drag_area = 2.5};
+    of.add(def);
+    of.set({.throttle = 1, .gear = 1});
+    of.drive(120);
+    // T i n / R = rho / 2 A v^2
+    const double push = 200 * 3.7 * 0.95 / 0.33;
+    const double expected = std::sqrt(push / (0.5 * 1.2 * 2.5));
+    RecordProperty("top_speed_off_percent", std::to_string(100 * (of.speed() / expected - 1)));
+    EXPECT_NEAR(of.speed(), expected, 0.01 * expected);
+}
+
+// a = T i / R over the car and what spins with it.
+TEST(BodyWheels, the_engine_moves_the_whole_car) {
+    TestCar of({}, {0, 0, -15});
+    VehicleDef def = with_bodies(of.chassis);
+    def.engine.curve = {{0, 200}};
+    def.engine.most = 5000;
+    def.gearbox = {.automatic = false, .ahead = {2}, .efficiency = 1};
+    of.add(def);
+    of.set({.throttle = 1, .gear = 1});
+    of.drive(3);
+    const double before = of.speed();
+    of.drive(2);
+    const double ratio = 2 * 3.7, r2 = 0.33 * 0.33;
+    const double spins = 4 * 0.5 * wheel_mass + 0.2 * ratio * ratio / r2;
+    const double expected = 200 * ratio / 0.33 / (whole_mass + spins);
+    const double a = (of.speed() - before) / 2;
+    RecordProperty("acceleration_off_percent", std::to_string(100 * (a / expected - 1)));
+    EXPECT_NEAR(a, expected, 0.01 * expected);
+}
+
+TEST(BodyWheels, a_parked_car_does_not_creep_on_a_hill) {
+    TestCar of({.gravity = {0, -gravity * std::cos(0.4), gravity * std::sin(0.4)}});
+    of.add(with_bodies(of.chassis));
+    of.set({.brake = 1, .gear = 0});
+    of.drive(5);
+    const Vec3 start = of.body().center;
+    of.drive(60);
+    RecordProperty("creep_mm", std::to_string(1000 * length(of.body().center - start)));
+    EXPECT_LT(length(of.body().center - start), 1e-3);
+}
+
+TEST(BodyWheels, an_anti_roll_bar_lessens_roll_as_its_stiffness_says) {
+    const auto roll = [](double bar) {
+        TestCar of({.gravity = {3, -gravity, 0}});
+        VehicleDef def = with_bodies(of.chassis);
+        def.anti_roll_bars = {{0, 1, bar}, {2, 3, bar}};
+        of.add(def);
+        of.set({.hand_brake = 1, .gear = 0});
+        of.drive(10);
+        const auto wheels = of.state().wheels;
+        return std::pair{wheels[1].travel - wheels[0].travel, wheels[0].stiffness};
+    };
+    const auto [free, k] = roll(0);
+    const auto [barred, same] = roll(20'000);
+    const double t2 = 1.6 * 1.6, lean = car_mass * gravity * 0.34;
+    const double expected = (k * t2 - lean) / ((k + 2 * 20'000) * t2 - lean);
+    RecordProperty("roll_share_off_percent", std::to_string(100 * (barred / free / expected - 1)));
+    EXPECT_NEAR(barred / free, expected, 0.03 * expected);
+}
+
+// Engine and brakes are inside: they turn nothing about the whole.
+TEST(BodyWheels, in_the_air_the_whole_keeps_its_momentum) {
+    TestCar of({.gravity = {}});
+    of.world.set_pose(of.chassis, {.position = {0, 50, 0}}).expect();
+    of.add(with_bodies(of.chassis));
+    of.set({.throttle = 1});
+    of.drive(1);
+    of.set({.brake = 1, .steering = 1});
+    of.drive(1);
+    const WorldSummary summary = of.world.summary();
+    EXPECT_LT(length(summary.linear_momentum), 1e-4);
+    EXPECT_LT(length(summary.angular_momentum), 1);
+    of.set({.throttle = 1, .clutch = 0});
+    of.drive(1);
+    EXPECT_GT(of.state().wheels[2].spin, 10);
+}
+
+TEST(BodyWheels, full_throttle_on_ice_spins_the_driven_wheels_only) {
+    TestCar of;
+    VehicleDef def = with_bodies(of.chassis);
+    for (auto& wheel : def.wheels) wheel.tyre.friction = 0.02;
+    of.add(def);
+    of.drive(1);
+    of.set({.throttle = 1});
+    of.drive(3);
+    const CarState state = of.state();
+    EXPECT_GT(state.wheels[2].spin * 0.33, 5 * of.speed());
+    EXPECT_NEAR(state.wheels[0].spin * 0.33, state.speed, 0.2 + 0.1 * state.speed);
+    // mu g of the driven half, with some load transferred.
+    EXPECT_LT(of.speed(), 0.14 * gravity * 3);
+}
+
+TEST(BodyWheels, it_climbs_a_kerb_of_half_its_wheels_radius) {
+    TestCar of({}, {0, 0, -4});
+    of.world
+        .create_body({.type = BodyType::static_body, .pose = {.position = {0, 0, -55}}},
+                     {.geometry = Box{{5, 0.16, 50}}, .material = {.friction = 1}})
+        .value();
+    of.add(with_bodies(of.chassis));
+    of.set({.throttle = 0.5});
+    of.drive(4);
+    EXPECT_GT(of.body().center.y, 0.7);
+    EXPECT_LT(of.body().center.z, -6);
+}
+
+TEST(BodyWheels, a_wheel_that_is_lost_is_missed_and_the_others_drive_on) {
+    TestCar of;
+    of.add(with_bodies(of.chassis));
+    of.drive(1);
+    const std::size_t bodies = of.world.bodies().size();
+    ASSERT_EQ(bodies, 6u) << "ground, chassis and four wheels";
+    const BodyId wheel = of.world.joint(of.world.joints_of(of.chassis)[0])->def.body_b;
+    of.world.destroy_body(wheel).expect();
+    of.set({.throttle = 0.5});
+    of.drive(4);
+    EXPECT_GT(of.speed(), 3);
+    EXPECT_FALSE(of.state().wheels[0].touches);
+    EXPECT_EQ(of.state().wheels[0].load, 0);
+}
+
+TEST(BodyWheels, they_go_with_the_car_and_with_its_chassis) {
+    TestCar of;
+    of.add(with_bodies(of.chassis));
+    of.drive(0.5);
+    of.vehicles->remove(of.world, of.car).expect();
+    EXPECT_EQ(of.world.bodies().size(), 2u);
+    of.add(with_bodies(of.chassis));
+    EXPECT_EQ(of.world.bodies().size(), 6u);
+    of.world.destroy_body(of.chassis).expect();
+    of.drive(step_time);
+    EXPECT_EQ(of.world.bodies().size(), 1u);
+}
+
+TEST(BodyWheels, a_parked_car_sleeps_and_its_controls_wake_it) {
+    TestCar of;
+    of.world = World();
+    of.world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
+    of.chassis = add_chassis(of.world, {0, 0.67, 0});
+    auto made = std::make_unique<Vehicles>();
+    of.vehicles = made.get();
+    of.world.add_module(std::move(made)).expect();
+    of.add(with_bodies(of.chassis));
+    of.set({.brake = 1, .gear = 0});
+    of.drive(6);
+    EXPECT_FALSE(of.body().awake);
+    of.set({.throttle = 1});
+    of.drive(2);
+    EXPECT_GT(of.speed(), 3);
+}
+
+TEST(BodyWheels, those_of_a_two_wheeler_are_refused) {
+    TestCar of;
+    VehicleDef def = modules::motorcycle({.chassis = of.chassis});
+    def.cast = modules::WheelCast::body;
+    const auto car = of.vehicles->add(of.world, def);
+    ASSERT_FALSE(car.ok());
+    EXPECT_NE(car.error().message.find("balance.on"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace jostle::test

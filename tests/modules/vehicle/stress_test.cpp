@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+//
+// What cars are not made for: whatever happens, without throttle the energy never grows and
+// everything stays finite. Springs keep what they are pressed by, which the sum of energies does
+// not know.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "test_car.h"
+
+namespace jostle::test {
+namespace {
+
+using modules::WheelCast;
+
+struct StressedCar : TestCar {
+    double fastest = 0, gained = 0;  // m/s, J above the start
+
+    explicit StressedCar(Vec3 velocity = {}) : TestCar({}, velocity) {}
+    void put(Vec3 position, Quat rotation = {}) {
+        world.set_pose(chassis, {position, normalized(rotation)}).expect();
+    }
+    VehicleDef plain(WheelCast cast) const {
+        VehicleDef def = plain_saloon(chassis);
+        def.cast = cast;
+        return def;
+    }
+    void roll(WheelCast cast) {
+        add(plain(cast));
+        set({.gear = 0});
+    }
+    double energy() const {
+        const WorldSummary summary = world.summary();
+        return summary.kinetic_energy + summary.potential_energy;
+    }
+    void watch(double seconds, double dt = step_time) {
+        const double start = energy();
+        for (int k = 0; k < static_cast<int>(seconds / dt); k++) {
+            world.step(dt).expect();
+            gained = std::max(gained, energy() - start);
+            fastest = std::max(fastest, speed());
+            ASSERT_TRUE(std::isfinite(energy()));
+        }
+    }
+    BodyId box(Vec3 position, Vec3 half, double mass, BodyType type = BodyType::dynamic) {
+        return world
+            .create_body({.type = type, .pose = {.position = position}},
+                         {.geometry = Box{half}, .material = {.friction = 1}, .mass = mass})
+            .value();
+    }
+};
+
+// J that springs hold of a car of 1,500 kg at rest, and a little.
+constexpr double springs = 4 * 0.5 * 33'300 * 0.11 * 0.11 + 60;
+
+class Stress : public testing::TestWithParam<WheelCast> {};
+
+TEST_P(Stress, a_jump_off_a_ramp_at_40_metres_a_second) {
+    StressedCar of({0, 0, -40});
+    const BodyId ramp = of.box({0, 0, -30}, {5, 0.2, 8}, 0, BodyType::static_body);
+    of.world.set_pose(ramp, {{0, 0, -30}, normalized(Quat{0.15, 0, 0, 1})}).expect();
+    of.roll(GetParam());
+    of.watch(10);
+    EXPECT_LT(of.gained, springs);
+    EXPECT_LT(of.fastest, 40.5);
+}
+
+TEST_P(Stress, a_landing_on_one_wheel) {
+    StressedCar of;
+    of.put({0, 4, 0}, {0.25, 0, 0.3, 1});
+    of.roll(GetParam());
+    of.watch(10);
+    EXPECT_LT(of.gained, springs);
+    EXPECT_LT(of.fastest, std::sqrt(2 * gravity * 4) + 0.5);
+    EXPECT_GT(rotate(of.body().pose.rotation, {0, 1, 0}).y, 0.99) << "on its wheels again";
+}
+
+TEST_P(Stress, on_its_roof) {
+    StressedCar of;
+    of.put({0, 1, 0}, {0, 0, 1, 0});
+    of.add(of.plain(GetParam()));
+    of.set({.throttle = 1});
+    of.watch(3);
+    EXPECT_LT(of.speed(), 0.3) << "wheels in the air drive nothing";
+    EXPECT_LT(of.fastest, std::sqrt(2 * gravity));
+}
+
+TEST_P(Stress, on_a_loose_trailer_and_on_a_moving_platform) {
+    StressedCar loose;
+    loose.box({0, 1, 0}, {1.5, 0.2, 4}, 3000);
+    loose.put({0, 1.9, 0});
+    loose.roll(GetParam());
+    loose.watch(8);
+    EXPECT_LT(loose.gained, springs);
+    EXPECT_LT(loose.speed(), 0.3);
+
+    StressedCar carried;
+    const BodyId platform = carried.box({0, 1, 0}, {3, 0.2, 6}, 0, BodyType::kinematic);
+    carried.world.set_velocity(platform, {5, 0, 0}, {}).expect();
+    carried.put({0, 1.9, 0});
+    carried.add(carried.plain(GetParam()));
+    carried.set({.brake = 1, .gear = 0});
+    carried.watch(8);
+    EXPECT_NEAR(carried.body().linear_velocity.x, 5, 0.01);
+    EXPECT_LT(carried.fastest, 6.5);
+}
+
+TEST_P(Stress, against_a_hundred_tonnes_and_under_them) {
+    StressedCar against({0, 0, -20});
+    against.box({0, 2, -30}, {2, 2, 2}, 1e5);
+    against.roll(GetParam());
+    against.watch(8);
+    EXPECT_LT(against.gained, springs);
+    EXPECT_LT(against.fastest, 20.1);
+    EXPECT_LT(against.speed(), 1);
+
+    StressedCar under;
+    under.box({0, 4, 0}, {1, 1, 1}, 1e5);
+    under.roll(GetParam());
+    under.watch(8);
+    EXPECT_LT(under.gained, 0.01 * 1e5 * gravity);
+    EXPECT_LT(under.fastest, 12);
+}
+
+TEST_P(Stress, at_30_and_at_240_steps_a_second) {
+    for (const double dt : {1.0 / 30, 1.0 / 240}) {
+        StressedCar of({0, 0, -20});
+        of.roll(GetParam());
+        of.watch(3, dt);
+        EXPECT_LT(of.gained, springs);
+        EXPECT_GT(of.speed(), 19);
+        of.set({.brake = 1, .gear = 0});
+        of.watch(6, dt);
+        EXPECT_LT(of.speed(), 0.01);
+    }
+}
+
+TEST_P(Stress, on_wheels_of_a_decimetre_and_of_a_metre) {
+    for (const double radius : {0.1, 1.0}) {
+        StressedCar of({0, 0, -10});
+        of.put({0, radius + 0.34, 0});
+        VehicleDef def = of.plain(GetParam());
+        for (auto& wheel : def.wheels) {
+            wheel.radius = radius;
+            wheel.width = 0.6 * radius;
+            wheel.inertia = 0.5 * wheel.mass * radius * radius;
+        }
+        of.add(def);
+        of.set({.gear = 0});
+        of.watch(3);
+        EXPECT_LT(of.gained, springs);
+        EXPECT_NEAR(of.body().center.y, radius + 0.34, 0.01);
+        of.set({.brake = 1, .gear = 0});
+        of.watch(6);
+        EXPECT_LT(of.speed(), 0.01);
+    }
+}
+
+TEST_P(Stress, of_a_hundred_kilograms_and_of_thirty_tonnes) {
+    for (const double mass : {100.0, 30'000.0}) {
+        StressedCar of({0, 0, -10});
+        of.world.set_mass(of.chassis, mass).expect();
+        VehicleDef def = of.plain(GetParam());
+        for (auto& wheel : def.wheels) wheel.brake_torque = 10 * mass;
+        of.add(def);
+        of.set({.gear = 0});
+        of.watch(3);
+        EXPECT_LT(of.gained, springs * mass / car_mass + 60);
+        of.set({.brake = 1, .gear = 0});
+        of.watch(6);
+        EXPECT_LT(of.speed(), 0.01);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Casts, Stress,
+                         testing::Values(WheelCast::ray, WheelCast::sphere, WheelCast::cylinder,
+                                         WheelCast::body));
+
+}  // namespace
+}  // namespace jostle::test

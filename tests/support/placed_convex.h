@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// A shape where a test wants it, as GJK and SAT see it. For tests that look into physics/src.
+#pragma once
+
+#include "geometry/placed.h"
+#include "geometry/support.h"
+
+namespace jostle::test {
+
+inline physics::Convex at(const physics::Geometry& geometry, physics::Vec3 position,
+                          physics::Quat rotation = {}) {
+    return physics::convex_of(physics::placed(geometry, {position, rotation}), {});
+}
+
+}  // namespace jostle::test

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Waits for what other threads do.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+namespace jostle::test {
+
+// Whether it came true within 20 s.
+inline bool wait_until(const std::function<bool()>& condition) {
+    using namespace std::chrono_literals;
+    using Clock = std::chrono::steady_clock;
+    for (const auto end = Clock::now() + 20s; Clock::now() < end; std::this_thread::sleep_for(2ms))
+        if (condition()) return true;
+    return false;
+}
+
+}  // namespace jostle::test

@@ -34,7 +34,7 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3& value, double limit);
     void flag(const char* name, bool& value);
-    void later(const char* name, double& value, double low, double high) {
+    void later(const char* name, double& value, double low, double high, int) {
         number(name, value, low, high);
     }
     void drive(const char* name, physics::RotationDrive& drive);
@@ -71,7 +71,7 @@ public:
                  double low, double high);
     void vector(const char* name, physics::Vec3 value, double limit);
     void flag(const char* name, bool value);
-    void later(const char* name, double value, double low, double high) {
+    void later(const char* name, double value, double low, double high, int) {
         number(name, value, low, high);
     }
     void drive(const char* name, const physics::RotationDrive& drive);

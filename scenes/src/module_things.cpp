@@ -44,7 +44,7 @@ double number_of(const Message& m, const FieldDescriptor& field) {
         case FieldDescriptor::CPPTYPE_UINT32:
             return get.GetUInt32(m, &field);
         case FieldDescriptor::CPPTYPE_ENUM:
-            return get.GetEnumValue(m, &field);
+            return get.GetEnumValue(m, &field) - 1;  // 0 is UNSPECIFIED
         default:
             return get.GetDouble(m, &field);
     }
@@ -58,7 +58,7 @@ void set_number(Message& m, const FieldDescriptor& field, double value) {
         case FieldDescriptor::CPPTYPE_UINT32:
             return set.SetUInt32(&m, &field, static_cast<std::uint32_t>(value));
         case FieldDescriptor::CPPTYPE_ENUM:
-            return set.SetEnumValue(&m, &field, static_cast<int>(value));
+            return set.SetEnumValue(&m, &field, static_cast<int>(value) + 1);
         default:
             return set.SetDouble(&m, &field, value);
     }
@@ -100,11 +100,10 @@ private:
             return;
         }
         const v1::SettingRange range = range_of(field);
-        double value = number_of(m, field);
+        const double value = number_of(m, field);
         if (const auto* known = field.enum_type();
-            known && !known->FindValueByNumber(static_cast<int>(value)))
-            in_.note(path, "is " + std::to_string(static_cast<int>(value)) +
-                               ", which is none of its values");
+            known && (value < 0 || !known->FindValueByNumber(static_cast<int>(value) + 1)))
+            in_.note(path, "is none of the values of " + known->name());
         thing_.settings[name] = in_.number(path, value, range.low(), range.high());
     }
     void read_vector(const v1::Vec3& v, const FieldDescriptor& field, const std::string& path,

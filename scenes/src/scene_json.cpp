@@ -206,9 +206,8 @@ private:
 
     std::optional<std::string> check_enum(const json& value, const FieldDescriptor& field) {
         std::string names;
-        for (int i = 0; i < field.enum_type()->value_count(); i++) {
+        for (int i = 1; i < field.enum_type()->value_count(); i++) {
             const auto& choice = *field.enum_type()->value(i);
-            if (choice.name().ends_with("_UNSPECIFIED")) continue;  // is said by saying nothing
             if (value.is_string() && value.get<std::string>() == choice.name()) return {};
             // A second name for the same number is an older file's: read, not offered.
             if (field.enum_type()->FindValueByNumber(choice.number()) == &choice)

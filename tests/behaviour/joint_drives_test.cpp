@@ -76,6 +76,39 @@ TEST(Drive, has_no_more_than_its_torque) {
     }
 }
 
+// A spring that may pull with I rad/s^2 at most, about a hinge or a six-dof's lone turn.
+TEST(Drive, a_spring_about_an_axis_has_no_more_than_its_torque) {
+    for (const bool hinge : {true, false}) {
+        World world = make_world({.gravity = {}});
+        const BodyId body = ball_body(world);
+        const double inertia = state_of(world, body).inertia.z.z;
+        SixDofJoint six;
+        six.axes->turn_z = {.free = true, .spring = {5, 1}, .spring_at = 3, .spring_most = inertia};
+        const HingeJoint about{.spring = {5, 1}, .spring_angle = 3, .spring_max_torque = inertia};
+        const JointId joint = join(world, body, hinge ? JointKind(about) : JointKind(six));
+        run(world, 1);
+        EXPECT_NEAR(state_of(world, body).angular_velocity.z, 1, 0.01);
+        EXPECT_NEAR(must(world.joint(joint)).torque.z, inertia, 0.01 * inertia);
+    }
+}
+
+// 1 m/s^2 at most; without a bound the spring is there in a moment.
+TEST(Drive, a_spring_along_a_slider_has_no_more_than_its_force) {
+    for (const bool bounded : {true, false}) {
+        World world = make_world({.gravity = {}});
+        const BodyId body = ball_body(world);
+        const double mass = state_of(world, body).mass;
+        join(world, body,
+             SliderJoint{
+                 .spring = {5, 1}, .spring_travel = 2, .spring_max_force = bounded ? mass : 0});
+        run(world, 1);
+        if (bounded)
+            EXPECT_NEAR(state_of(world, body).linear_velocity.z, 1, 0.01);
+        else
+            EXPECT_NEAR(state_of(world, body).pose.position.z, 2, 1e-3);
+    }
+}
+
 // The cone stops what the drive would turn too far.
 TEST(Drive, stays_within_the_cone) {
     World world = make_world({.gravity = {}});
@@ -98,6 +131,18 @@ TEST(BallFriction, takes_away_spin_by_its_torque) {
     EXPECT_TRUE(near(state_of(world, body).angular_velocity, Vec3{0, 1.8, 2.4}, 0.01));
     run(world, 2);
     EXPECT_LT(length(state_of(world, body).angular_velocity), 1e-4);
+}
+
+TEST(Drive, the_bound_of_a_spring_is_saved) {
+    World world = make_world();
+    const JointId joint =
+        join(world, ball_body(world), HingeJoint{.spring = {1, 1}, .spring_max_torque = 7});
+    World loaded = must(load(save(world)));
+    EXPECT_EQ(std::get<HingeJoint>(must(loaded.joint(joint)).def.kind).spring_max_torque, 7);
+    EXPECT_EQ(state_hash(loaded), state_hash(world));
+    loaded.set_joint(joint, HingeJoint{.spring = {1, 1}}).expect();
+    EXPECT_NE(state_hash(loaded), state_hash(world));
+    EXPECT_FALSE(world.set_joint(joint, HingeJoint{.spring_max_torque = -1}).ok());
 }
 
 TEST(Drive, goes_on_after_a_load) {

@@ -144,11 +144,11 @@ TEST(ModuleThings, every_field_is_a_setting_that_its_module_knows) {
                     continue;
                 for (const bool high : {false, true}) {
                     const auto& range = field.options().GetExtension(v1::range);
-                    const bool is_flag =
-                        field.cpp_type() != google::protobuf::FieldDescriptor::CPPTYPE_DOUBLE &&
-                        !field.options().HasExtension(v1::range);
+                    const bool counts = !field.options().HasExtension(v1::range);
+                    const double last =
+                        field.enum_type() ? field.enum_type()->value_count() - 2 : 1;
                     const double value =
-                        is_flag ? (high ? 1 : 0) : (high ? range.high() : range.low());
+                        counts ? (high ? last : 0) : (high ? range.high() : range.low());
                     const std::string named = field.options().GetExtension(v1::setting);
                     const std::string name = named.empty() ? field.name() : named;
                     physics::World world;

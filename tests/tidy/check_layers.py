@@ -31,6 +31,7 @@ FLOORS = {
     "modules/fields": [PUBLIC, "modules/module_base"],
     "modules/character": [PUBLIC, "modules/module_base"],
     "modules/ragdoll": [PUBLIC, "modules/module_base"],
+    "modules/ragdoll_gltf": [PUBLIC, "modules/ragdoll"],
     "modules/vehicle": [PUBLIC, "modules/module_base"],
     "modules/destruction": [PUBLIC, "modules/module_base"],
     "proto/wire": [],

@@ -200,14 +200,14 @@ Result<FracturedParts> fracture_cells(std::span<const ConvexCell> parts,
             Result<FractureChunk> chunk = chunk_of(cut.cell, mass);
             if (!chunk.ok() && parts.size() == 1)
                 return invalid_argument("seeds[" + std::to_string(seed) +
-                               "]: its chunk is too thin: " + chunk.error().message);
+                                        "]: its chunk is too thin: " + chunk.error().message);
             if (!chunk.ok() || mass.volume < least_volume) {
                 made.lost += mass.volume;
                 continue;
             }
             if (cuts.size() == most_chunks)
                 return invalid_argument("there are more than " + std::to_string(most_chunks) +
-                               " chunks; give fewer seeds or parts");
+                                        " chunks; give fewer seeds or parts");
             made.shape.chunks.push_back(std::move(*chunk));
             cuts.push_back(std::move(cut));
         }

@@ -18,7 +18,8 @@ namespace {
 Status check_extents(Vec3 e) {
     for (int k = 0; k < 3; k++)
         if (!(e[k] >= min_shape_size && e[k] <= max_shape_size))
-            return invalid_argument("half_extents are not within the sizes of shapes, 1e-4 to 1e4 m");
+            return invalid_argument(
+                "half_extents are not within the sizes of shapes, 1e-4 to 1e4 m");
     return {};
 }
 
@@ -77,7 +78,7 @@ Result<FracturedParts> fracture_parts(std::span<const std::shared_ptr<const Conv
                                       const FractureProgress& progress) {
     if (parts.empty() || parts.size() > most_parts)
         return invalid_argument("there are " + std::to_string(parts.size()) + " parts; give 1 to " +
-                       std::to_string(most_parts));
+                                std::to_string(most_parts));
     for (std::size_t k = 0; k < parts.size(); k++)
         if (!parts[k]) return invalid_argument("parts[" + std::to_string(k) + "] is null");
     const std::vector<ConvexCell> cells = disjoint_cells(parts);
@@ -88,7 +89,8 @@ Result<FracturedShape> split_box(Vec3 e, int nx, int ny, int nz) {
     if (Status s = check_extents(e); !s.ok()) return s.error();
     const int counts[3] = {nx, ny, nz};
     for (const int count : counts)
-        if (count < 1 || count > 1000) return invalid_argument("a number of boxes is not 1 to 1000");
+        if (count < 1 || count > 1000)
+            return invalid_argument("a number of boxes is not 1 to 1000");
     if (static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) >
         most_chunks)
         return invalid_argument("there are more than " + std::to_string(most_chunks) + " boxes");

@@ -25,7 +25,7 @@ Status check(const Aabb& bounds, const SeedPlan& plan) {
     }
     if (plan.count < 1 || plan.count > static_cast<int>(most_chunks))
         return invalid_argument("count is " + std::to_string(plan.count) + "; give 1 to " +
-                       std::to_string(most_chunks));
+                                std::to_string(most_chunks));
     if (plan.center && !(is_finite(*plan.center) && length_squared(*plan.center) < 1e8))
         return invalid_argument("center is not finite or beyond 10 km");
     if (!(plan.spread >= 1e-3 && plan.spread <= 1))
@@ -75,9 +75,9 @@ Result<std::vector<Vec3>> strewn(const Aabb& bounds, const SeedPlan& plan,
     const auto count = static_cast<std::size_t>(plan.count);
     for (std::size_t tries = 0; seeds.size() < count; tries++) {
         if (tries == most_tries * count)
-            return invalid_argument("of " + std::to_string(tries) + " places only " +
-                           std::to_string(seeds.size()) +
-                           " are inside: the solid is too thin for its bounds, or center is far");
+            return invalid_argument(
+                "of " + std::to_string(tries) + " places only " + std::to_string(seeds.size()) +
+                " are inside: the solid is too thin for its bounds, or center is far");
         const Vec3 p = plan.pattern == SeedPattern::uniform
                            ? anywhere(bounds, state)
                            : in_cluster(bounds, plan, center, state);

@@ -51,10 +51,11 @@ private:
 Status check_seeds(std::span<const Vec3> seeds) {
     if (seeds.empty() || seeds.size() > most_chunks)
         return invalid_argument("there are " + std::to_string(seeds.size()) + " seeds; give 1 to " +
-                       std::to_string(most_chunks));
+                                std::to_string(most_chunks));
     for (std::size_t k = 0; k < seeds.size(); k++)
         if (!is_finite(seeds[k]) || !(length_squared(seeds[k]) < 1e8))
-            return invalid_argument("seeds[" + std::to_string(k) + "] is not finite or beyond 10 km");
+            return invalid_argument("seeds[" + std::to_string(k) +
+                                    "] is not finite or beyond 10 km");
     std::vector<std::size_t> order(seeds.size());
     for (std::size_t k = 0; k < order.size(); k++) order[k] = k;
     std::sort(order.begin(), order.end(),
@@ -62,7 +63,7 @@ Status check_seeds(std::span<const Vec3> seeds) {
     for (std::size_t k = 1; k < order.size(); k++)
         if (seeds[order[k]] == seeds[order[k - 1]])
             return invalid_argument("seeds[" + std::to_string(std::max(order[k], order[k - 1])) +
-                           "] is there twice");
+                                    "] is there twice");
     return {};
 }
 

@@ -30,9 +30,10 @@ Vec3 rate_of(Quat before, Quat wanted, double dt) {
 }
 
 // A damped spring lags behind what moves by 2 zeta / omega, and holds a target for a whole step,
-// whose middle is half a step before the pose at its end.
-double lead_of(const Muscle& muscle, double dt) {
-    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt;
+// whose middle is half a step before the pose at its end. The solver's springs are implicit, and
+// are solved before and after a sub-step's motion: that damps like two sub-steps more.
+double lead_of(const Muscle& muscle, double dt, int substeps) {
+    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + 2 * dt / substeps;
 }
 
 BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& place) {
@@ -72,15 +73,18 @@ Ragdolls::Link Ragdolls::link_of(const JointKind& kind) {
 // With what pulls it to a target as strongly as told.
 JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
     const Link& link = bone.link;
-    const bool pulls = strength > 0 && bone.muscle.hertz > 0;
+    const double most = bone.muscle.max_torque * strength;
+    const bool pulls = most > 0 && bone.muscle.hertz > 0;
     // Stiffness goes with the square of the frequency.
     const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) : 0,
                              bone.muscle.damping_ratio};
-    const RotationDrive drive{spring, pulls ? target : Quat{}, bone.muscle.max_torque * strength};
+    const RotationDrive drive{spring, pulls ? target : Quat{}, most};
     const JointLimit limit{link.limited, link.lower, link.upper};
     if (link.kind == LinkKind::hinge)
-        return HingeJoint{
-            .limit = limit, .spring = spring, .spring_angle = pulls ? turn_about_z(target) : 0};
+        return HingeJoint{.limit = limit,
+                          .spring = spring,
+                          .spring_angle = pulls ? turn_about_z(target) : 0,
+                          .spring_max_torque = pulls ? most : 0};
     if (link.kind == LinkKind::cone_twist)
         return ConeTwistJoint{link.swing, limit, link.friction, drive};
     return BallJoint{drive, link.friction};
@@ -285,14 +289,31 @@ Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
 }
 
 // A figure that lost a bone or a joint is no figure any more: what is left falls as it may.
-void Ragdolls::drop_if_broken(const World& world, Figure& figure) {
+void Ragdolls::drop_if_broken(World& world, Figure& figure) {
     const bool whole = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
         const bool joined = b.parent >= 0 && figure.mode != RagdollMode::kinematic;
         return world.contains(b.body) && (!joined || world.contains(b.joint));
     });
-    if (whole) return;
+    if (!whole) let_go(world, figure);
+}
+
+// What is left of it stays, limp.
+void Ragdolls::let_go(World& world, Figure& figure) {
+    for (const Bone& bone : figure.bones)
+        if (world.contains(bone.joint))
+            static_cast<void>(world.set_joint(bone.joint, kind_of(bone, 0, {})).ok());
     figure.alive = false;
     figure.bones.clear();
+}
+
+void Ragdolls::after_step(World& world, double) {
+    const std::span<const BodyId> lost = world.events().quarantined;
+    if (lost.empty()) return;
+    for (Figure& figure : figures_)
+        if (std::any_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& bone) {
+                return std::find(lost.begin(), lost.end(), bone.body) != lost.end();
+            }))
+            let_go(world, figure);
 }
 
 // Kinematic: to where the pose puts each bone at the end of the step.
@@ -318,15 +339,16 @@ void Ragdolls::lead(World& world, Figure& figure, double dt) {
 void Ragdolls::pull(World& world, Figure& figure, double dt) {
     const bool blends = figure.blended < figure.blend;
     const double part = blends ? figure.blended / figure.blend : 1;
+    const int substeps = world.substeps();
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
         const double strength = figure.mode == RagdollMode::powered ? bone.strength * part : 0;
         const Quat turn = blends ? between(bone.from, bone.wanted, part) : bone.wanted;
         Quat target = turn;
         if (bone.muscle.hertz > 0)
-            target =
-                from_rotation_vector(rate_of(bone.before, turn, dt) * lead_of(bone.muscle, dt)) *
-                turn;
+            target = from_rotation_vector(rate_of(bone.before, turn, dt) *
+                                          lead_of(bone.muscle, dt, substeps)) *
+                     turn;
         bone.before = turn;
         const JointKind kind = kind_of(bone, strength, normalized(target));
         static_cast<void>(world.set_joint(bone.joint, kind).ok());

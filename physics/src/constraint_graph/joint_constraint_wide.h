@@ -31,7 +31,8 @@ struct alignas(32) JointAngularWide {
     float frame_a[4][8], frame_b[4][8];   // x y z w, in the world
     float angular[3][8], friction[3][8];  // impulses as `point`, N m s
     float torque[3][8];                   // N m s over the step so far, world axes
-    float drive[4][8], drive_most[8];     // x y z w, from the target to b; N m s in a sub-step
+    float drive[4][8];                    // x y z w, from the target to b
+    float drive_most[8];                  // of it or a hinge's spring, N m s in a sub-step
     float lower[8], upper[8], swing[8], spring[8], motor[8];  // impulses along the kind's own rows
     float lower_at[8], upper_at[8];                           // limits, rad or m
     float swing_at[8], spring_at[8];                          // rad; rad or m
@@ -57,7 +58,8 @@ struct alignas(32) VelocityRowWide {
 struct alignas(32) JointAxisWide {
     float lower[8], upper[8], spring[8], motor[8], friction[8];  // impulses of a sub-step
     float lower_at[8], upper_at[8], spring_at[8];                // m or rad
-    float motor_speed[8], motor_most[8], friction_most[8];       // the latter of a sub-step
+    float motor_speed[8];                                        // m/s or rad/s
+    float motor_most[8], friction_most[8], spring_most[8];       // impulses of a sub-step
     SoftRow soft;
 };
 struct alignas(32) JointAxesWide {

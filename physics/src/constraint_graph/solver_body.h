@@ -24,10 +24,10 @@ struct alignas(64) HotBody {
     float inverse_spin;  // 1/(kg m^2) when the inertia is isotropic; row 2 is then not read
     // row 1: motion since the start of the step; read by every contact pass, written once per
     // sub-step
-    float dp[3];   // m
-    float dr[3];   // rad, rotation vector
-    float free_z;  // 0 when it cannot move along z, else 1
-    float unused;
+    float dp[3];        // m
+    float dr[3];        // rad, rotation vector
+    float free_z;       // 0 when it cannot move along z, else 1
+    float spins_along;  // 1: joints find w and inertia in axes that turn with it (SpinAxes::body)
     // row 2: inverse inertia in world axes, constant over the step (SpinAxes: solver_scratch.h)
     float inertia[6];  // xx yy zz xy xz yz
     float free_x, free_y;

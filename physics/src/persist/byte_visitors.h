@@ -21,7 +21,7 @@
 
 namespace jostle::physics {
 
-inline constexpr std::uint32_t saved_world_version = 15;
+inline constexpr std::uint32_t saved_world_version = 16;
 
 struct Saver {
     static constexpr bool kLoading = false;

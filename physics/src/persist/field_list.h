@@ -228,15 +228,15 @@ struct JointFieldList {
         v.leave();
     }
     void flag(const char* name, bool& x) { v.field(name, x); }
-    void later(const char* name, double& x, double low, double high) {
-        v.optional(name, x, 12);
+    void later(const char* name, double& x, double low, double high, std::uint32_t since) {
+        v.optional(name, x, since);
         if constexpr (V::kLoading)
             if (!(x >= low && x <= high)) v.fail(name, "is out of range");
     }
     // What is not driven is one number, a zero.
     void drive(const char* name, RotationDrive& drive) {
         v.enter(name);
-        later("hertz", drive.spring.hertz, 0, 1e4);
+        later("hertz", drive.spring.hertz, 0, 1e4, 12);
         if (drive.spring.hertz > 0) {
             number("damping_ratio", drive.spring.damping_ratio, 0, 1e4);
             visit(v, "target", drive.target);

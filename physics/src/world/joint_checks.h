@@ -24,7 +24,7 @@ public:
                  double low, double high);
     void vector(const char* name, Vec3 value, double limit);
     void flag(const char*, bool) {}
-    void later(const char* name, double value, double low, double high) {
+    void later(const char* name, double value, double low, double high, int) {
         number(name, value, low, high);
     }
     void drive(const char* name, const RotationDrive& drive);

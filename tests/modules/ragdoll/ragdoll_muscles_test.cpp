@@ -34,22 +34,22 @@ TEST(RagdollMuscles, a_held_arm_sags_by_its_weight_over_the_stiffness) {
 
 // No more than its greatest torque: an arm that is too heavy falls.
 TEST(RagdollMuscles, a_muscle_gives_way_to_more_than_its_greatest_torque) {
-    for (const double share : {0.9, 1.1}) {
-        Stage stage;
-        const double weight = 8 * 9.81 * 0.2;
-        const RagdollId id =
-            stage.add(arm(BallJoint{}, {.hertz = 20, .max_torque = share * weight}));
-        stage.ragdolls->set_mode(stage.world, id, RagdollMode::powered).expect();
-        for (int k = 0; k < 60; k++) stage.step();
-        if (share < 1)
-            EXPECT_LT(stage.angle(id, 1), -0.5);
-        else
-            EXPECT_GT(stage.angle(id, 1), -0.05);
-    }
+    for (const JointKind& joint : {JointKind(BallJoint{}), JointKind(HingeJoint{})})
+        for (const double share : {0.9, 1.1}) {
+            Stage stage;
+            const double weight = 8 * 9.81 * 0.2;
+            const RagdollId id = stage.add(arm(joint, {.hertz = 20, .max_torque = share * weight}));
+            stage.ragdolls->set_mode(stage.world, id, RagdollMode::powered).expect();
+            for (int k = 0; k < 60; k++) stage.step();
+            if (share < 1)
+                EXPECT_LT(stage.angle(id, 1), -0.5) << kind_name(joint);
+            else
+                EXPECT_GT(stage.angle(id, 1), -0.05) << kind_name(joint);
+        }
 }
 
-// A pose that swings by 0.5 rad once a second is followed in amplitude and phase: by hinges, which
-// are solved at once, to 0.002 rad; by balls, whose muscle and point take turns, to 4 ms.
+// A pose that swings by 0.5 rad once a second is followed in amplitude and phase, by hinges and by
+// balls.
 TEST(RagdollMuscles, a_pose_of_one_hertz_is_followed) {
     for (const bool hinge : {false, true}) {
         Stage stage({.gravity = {}});
@@ -70,8 +70,8 @@ TEST(RagdollMuscles, a_pose_of_one_hertz_is_followed) {
                        std::to_string(std::abs(ratio)));
         RecordProperty(hinge ? "hinge_phase_rad" : "ball_phase_rad",
                        std::to_string(std::arg(ratio)));
-        EXPECT_NEAR(std::abs(ratio), 1, 0.02) << "hinge " << hinge;
-        EXPECT_NEAR(std::arg(ratio), 0, hinge ? 0.004 : 0.03) << "hinge " << hinge;
+        EXPECT_NEAR(std::abs(ratio), 1, 0.01) << "hinge " << hinge;
+        EXPECT_NEAR(std::arg(ratio), 0, 0.004) << "hinge " << hinge;
     }
 }
 
@@ -88,11 +88,11 @@ TEST(RagdollMuscles, half_the_strength_is_half_as_stiff) {
     EXPECT_NEAR(sag[1] / sag[0], 2, 0.02);
 }
 
-// Figures thrown at the floor at 10 m/s, six ways round: how far joints are bent further than they
+// Figures thrown at the floor at 10 m/s, 24 ways round: how far joints are bent further than they
 // go, and come apart, at the worst moment.
 TEST(RagdollMuscles, limits_hold_at_impacts) {
     double worst = 0, gap = 0;
-    for (int turn = 0; turn < 6; turn++) {
+    for (int turn = 0; turn < 24; turn++) {
         Stage stage;
         stage.floor();
         const RagdollId id = stage.add(
@@ -120,8 +120,8 @@ TEST(RagdollMuscles, limits_hold_at_impacts) {
     }
     RecordProperty("degrees_beyond", std::to_string(worst * 180 / pi));
     RecordProperty("gap_mm", std::to_string(gap * 1000));
-    EXPECT_LT(worst * 180 / pi, 4);
-    EXPECT_LT(gap, 0.012);
+    EXPECT_LT(worst * 180 / pi, 9);
+    EXPECT_LT(gap, 0.006);
 }
 
 }  // namespace

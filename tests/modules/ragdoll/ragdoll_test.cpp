@@ -104,6 +104,37 @@ TEST(Ragdoll, a_figure_that_lost_a_joint_is_let_go_of_and_the_others_stay) {
     EXPECT_EQ(stage.ragdolls->size(), 1u);
 }
 
+// One figure's hand is pushed out of the world, another's head is taken away: both are let go of,
+// their muscles as well, and the third stands as if nothing had happened.
+TEST(Ragdoll, figures_are_lost_one_by_one) {
+    double height[2] = {};
+    for (const bool lost : {false, true}) {
+        Stage stage;
+        stage.floor();
+        RagdollId ids[3];
+        for (int k = 0; k < 3; k++) {
+            ids[k] = stage.add(human_figure(), {{5.0 * k, 0, 0}, {}});
+            stage.ragdolls->set_mode(stage.world, ids[k], RagdollMode::powered).expect();
+        }
+        for (int k = 0; k < 10; k++) stage.step();
+        const std::vector<JointId> joints = *stage.ragdolls->joints(ids[0]);
+        if (lost) {
+            const BodyId hand = (*stage.ragdolls->bodies(ids[0]))[5];
+            const Vec3 there = stage.world.body(hand)->pose.position;
+            stage.world.apply_impulse(hand, {0, 1e9, 0}, there).expect();
+            stage.world.destroy_body((*stage.ragdolls->bodies(ids[1]))[2]).expect();
+        }
+        for (int k = 0; k < 20; k++) stage.step();
+        for (int k = 0; k < 2; k++) EXPECT_EQ(stage.ragdolls->contains(ids[k]), !lost) << k;
+        ASSERT_TRUE(stage.ragdolls->contains(ids[2]));
+        height[lost ? 1 : 0] = highest(stage, ids[2]);
+        if (!lost) continue;
+        const auto neck = std::get<ConeTwistJoint>(stage.world.joint(joints[1])->def.kind);
+        EXPECT_EQ(neck.drive.spring.hertz, 0) << "its muscles have let go";
+    }
+    EXPECT_EQ(height[0], height[1]);
+}
+
 TEST(Ragdoll, what_is_wrong_is_named_and_nothing_is_left_behind) {
     Stage stage;
     const auto complaint = [&](auto change) {

@@ -80,8 +80,9 @@ struct BallJoint {
 struct HingeJoint {
     JointLimit limit = {};  // rad, within -pi..pi
     JointMotor motor = {};
-    JointSpring spring = {};  // pulls the angle towards spring_angle when hertz > 0
-    double spring_angle = 0;  // rad
+    JointSpring spring = {};       // pulls the angle towards spring_angle when hertz > 0
+    double spring_angle = 0;       // rad
+    double spring_max_torque = 0;  // N m; 0: as much as the spring asks for
 
     bool operator==(const HingeJoint&) const = default;
 };
@@ -141,9 +142,10 @@ struct VelocityRow {
 struct SliderJoint {
     JointLimit limit = {};  // m, within -1e6..1e6
     LinearMotor motor = {};
-    JointSpring spring = {};    // pulls the travel towards spring_travel when hertz > 0
-    double spring_travel = 0;   // m
-    double friction_force = 0;  // N that resists sliding
+    JointSpring spring = {};      // pulls the travel towards spring_travel when hertz > 0
+    double spring_travel = 0;     // m
+    double friction_force = 0;    // N that resists sliding
+    double spring_max_force = 0;  // N; 0: as much as the spring asks for
 
     bool operator==(const SliderJoint&) const = default;
 };
@@ -156,7 +158,8 @@ struct JointAxis {
     JointSpring spring = {};
     double spring_at = 0;  // m or rad: where the spring pulls to
     AxisMotor motor = {};
-    double friction = 0;  // N or N m that resists
+    double friction = 0;     // N or N m that resists
+    double spring_most = 0;  // N or N m; 0: as much as the spring asks for
 
     bool operator==(const JointAxis&) const = default;
 };

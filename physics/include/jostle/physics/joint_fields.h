@@ -13,13 +13,15 @@
 // A visitor v takes names as messages spell them, and ranges in the units of joint_defs.h:
 //     v.number(name, x, low, high)
 //     v.ordered(name, x, name, y, low, high)    two numbers, x <= y
-//     v.later(name, x, low, high)               a number that saved worlds before version 12 lack,
-//     0 v.drive(name, x)                          a RotationDrive, likewise v.vector(name, x,
-//     limit)                  each component at most that in size v.flag(name, x) v.points(name, x,
-//     least, most, limit)     so many vectors, each unlike the one before v.limit(name, x, low,
-//     high)  v.spring(name, x) v.motor(name, x)                          a JointMotor, LinearMotor
-//     or AxisMotor v.axis(name, x, low, high)                a JointAxis; the range is that of its
-//     values
+//     v.later(name, x, low, high, version)      a number, 0 in saved worlds before that version
+//     v.drive(name, x)                          a RotationDrive, none before version 12
+//     v.vector(name, x, limit)                  each component at most that in size
+//     v.flag(name, x)
+//     v.points(name, x, least, most, limit)     so many vectors, each unlike the one before
+//     v.limit(name, x, low, high)
+//     v.spring(name, x)
+//     v.motor(name, x)                          a JointMotor, LinearMotor or AxisMotor
+//     v.axis(name, x, low, high)                a JointAxis; the range is that of its values
 #pragma once
 
 #include <type_traits>
@@ -58,6 +60,7 @@ void visit_axis(auto& v, auto& axis, double low, double high) {
     v.number("spring_at", axis.spring_at, low, high);
     v.motor("motor", axis.motor);
     v.number("friction", axis.friction, 0, 1e12);
+    v.later("spring_most", axis.spring_most, 0, 1e12, 16);
 }
 
 // The order of fields is that of saved worlds: docs/format_changes.md has a line for each change.
@@ -69,7 +72,7 @@ struct JointFields<BallJoint> {
     static constexpr const char* name = "ball";
     static void visit(auto& v, auto& ball) {
         v.drive("drive", ball.drive);
-        v.later("friction_torque", ball.friction_torque, 0, 1e12);
+        v.later("friction_torque", ball.friction_torque, 0, 1e12, 12);
     }
 };
 
@@ -81,6 +84,7 @@ struct JointFields<HingeJoint> {
         v.motor("motor", hinge.motor);
         v.spring("spring", hinge.spring);
         v.number("spring_angle", hinge.spring_angle, -pi, pi);
+        v.later("spring_max_torque", hinge.spring_max_torque, 0, 1e12, 16);
     }
 };
 
@@ -139,6 +143,7 @@ struct JointFields<SliderJoint> {
         v.spring("spring", slider.spring);
         v.number("spring_travel", slider.spring_travel, -1e6, 1e6);
         v.number("friction_force", slider.friction_force, 0, 1e12);
+        v.later("spring_max_force", slider.spring_max_force, 0, 1e12, 16);
     }
 };
 

@@ -29,7 +29,8 @@ enum class JointSolver : std::uint8_t {
     //   above that ceiling, and for nets of more than 2048 joints;
     //   where a listener of sub-steps is there, or a body has exactly one locked turn;
     //   for gears, racks, pulleys, paths, grabs and velocity rows, orientations that are driven,
-    //   balls and cone-twists that rub, springy fixed joints and ropes of no length;
+    //   springs with a greatest force or torque, balls and cone-twists that rub, springy fixed
+    //   joints and ropes of no length;
     //   beside contacts, for all but the points of balls, hinges, cone-twists and rigid fixed
     //   joints.
     // What the continuous stage does to joints that an impact parted is not asked.

@@ -174,16 +174,22 @@ void set_up_kind(DirectJoint& j, const auto& kind, const DirectEnd& a, const Dir
         ASSERT(!supported(JointKind(kind)));  // never called: it has no rows here
 }
 
+bool supported(const SixDofAxes& axes) {
+    bool something = false;
+    for (const JointAxis* axis :
+         {&axes.x, &axes.y, &axes.z, &axes.turn_x, &axes.turn_y, &axes.turn_z}) {
+        if (axis->spring_most > 0) return false;
+        something |= !axis->free || does_something(*axis);
+    }
+    return something;
+}
+
 }  // namespace
 
 bool supported(const JointKind& kind) {
-    if (const auto* six = std::get_if<SixDofJoint>(&kind)) {
-        const SixDofAxes& axes = *six->axes;
-        for (const JointAxis* axis :
-             {&axes.x, &axes.y, &axes.z, &axes.turn_x, &axes.turn_y, &axes.turn_z})
-            if (!axis->free || does_something(*axis)) return true;
-        return false;
-    }
+    if (const auto* six = std::get_if<SixDofJoint>(&kind)) return supported(*six->axes);
+    if (const auto* hinge = std::get_if<HingeJoint>(&kind)) return hinge->spring_max_torque == 0;
+    if (const auto* slider = std::get_if<SliderJoint>(&kind)) return slider->spring_max_force == 0;
     if (const auto* ball = std::get_if<BallJoint>(&kind))
         return ball->drive.spring.hertz == 0 && ball->friction_torque == 0;
     if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
@@ -191,8 +197,7 @@ bool supported(const JointKind& kind) {
     if (const auto* fixed = std::get_if<FixedJoint>(&kind))
         return fixed->linear.hertz == 0 && fixed->angular.hertz == 0;
     if (const auto* distance = std::get_if<DistanceJoint>(&kind)) return distance->max_length > 0;
-    return std::holds_alternative<HingeJoint>(kind) || std::holds_alternative<SliderJoint>(kind) ||
-           std::holds_alternative<WheelJoint>(kind);
+    return std::holds_alternative<WheelJoint>(kind);
 }
 
 void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const DirectEnd& b) {

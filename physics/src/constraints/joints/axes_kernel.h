@@ -139,7 +139,8 @@ struct AxesKernel {
         if (uses == 0) return;
         const WideRow<kAngular> row(pair, direction);
         if ((uses & uses_spring) != 0)
-            spring_row(pair, row, spring_of<kRelax>(t.soft), at - load(t.spring_at), t.spring);
+            spring_row(pair, row, spring_of<kRelax>(t.soft), at - load(t.spring_at),
+                       load(t.spring_most), t.spring);
         if ((uses & uses_friction) != 0)
             motor_row(pair, row, splat(0), load(t.friction_most), t.friction);
         if ((uses & uses_motor) != 0)

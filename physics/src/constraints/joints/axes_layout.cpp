@@ -39,7 +39,8 @@ AxesLayout layout_of(const SliderJoint& slider) {
                       .spring = slider.spring,
                       .spring_at = slider.spring_travel,
                       .motor = {slider.motor.enabled, slider.motor.speed, slider.motor.max_force},
-                      .friction = slider.friction_force};
+                      .friction = slider.friction_force,
+                      .spring_most = slider.spring_max_force};
     layout.slots[2] = 0;
     return layout;
 }

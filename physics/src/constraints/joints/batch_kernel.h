@@ -57,6 +57,10 @@ JOSTLE_INLINE Wide3 implicit_turn(const BatchBody& body) {
     return select(load(body.stiff) > splat(0), -w, Wide3{splat(0), splat(0), splat(0)});
 }
 
+// In which a body's spin is kept.
+JOSTLE_INLINE WideQuat axes_of(const BatchBody& body) {
+    return turned_axes(load(body.spins_along), load4(body.rotation));
+}
 // Velocities to what the points allow. Soft passes: and take away what they are apart.
 template <BatchPass kPass>
 void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step) {
@@ -67,7 +71,8 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         Wide state[8];
         load_rows(rows, 0, state);
         store3(body.v, {state[0], state[1], state[2]});
-        store3(body.w, {state[3], state[4], state[5]});
+        const Wide3 spin{state[3], state[4], state[5]};
+        store3(body.w, body.any_along ? rotate(axes_of(body), spin) : spin);
         if constexpr (kPass == BatchPass::first) {
             const Wide3 change = implicit_turn(body);
             store3(body.turned, change);
@@ -118,6 +123,7 @@ void solve_batch(const BatchView& batch, HotBody* bodies, const JointStep& step)
         const Wide3 v{mass.x * p.x, mass.y * p.y, mass.z * p.z};
         Wide3 w = load_symmetric(body.inverse_inertia) * load3(body.w);
         if constexpr (kPass == BatchPass::first) w = w + load3(body.turned);
+        if (body.any_along) w = rotate(conjugate(axes_of(body)), w);
         alignas(32) float nobody[sizeof(HotBody) / sizeof(float)];
         float* to[8];
         for (int lane = 0; lane < 8; lane++)

@@ -93,9 +93,14 @@ JOSTLE_INLINE void load_motion(BatchBody& body, const HotBody* bodies) {
     load_rows(rows, 8, motion);
     load_rows(rows, 16, inertia);
     store3(body.inverse_mass, {state[6] * inertia[6], state[6] * inertia[7], state[6] * motion[6]});
-    for (int k = 0; k < 6; k++) store(body.inverse_inertia[k], inertia[k]);
     store3(body.moved, {motion[0], motion[1], motion[2]});
     const WideQuat q = from_rotation_vector({motion[3], motion[4], motion[5]});
+    WideSymmetric i{inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
+    store(body.spins_along, motion[7]);
+    body.any_along = lane_bits(motion[7] > splat(0)) != 0;
+    if (body.any_along) i = turned_by(turned_axes(motion[7], q), i);
+    const Wide parts[6] = {i.xx, i.yy, i.zz, i.xy, i.xz, i.yz};
+    for (int k = 0; k < 6; k++) store(body.inverse_inertia[k], parts[k]);
     store(body.rotation[0], q.x);
     store(body.rotation[1], q.y);
     store(body.rotation[2], q.z);

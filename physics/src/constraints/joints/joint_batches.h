@@ -53,10 +53,12 @@ struct alignas(32) BatchBody {
     float inverse_mass[3][8], inverse_inertia[6][8];  // as HotBody's
     float rotation[4][8];                             // since the step began
     float moved[3][8];                                // likewise, m
+    float spins_along[8];                             // as HotBody's
     float v[3][8], w[3][8];                           // while solving; then what changed them
     float stiffness[6][8];  // of what the joints bear, as the body turns: N m s / rad
     float stiff[8];         // 1: too stiff for the sub-step; `inverse_inertia` knows of it
     float turned[3][8];     // rad/s: what that did
+    bool any_along;         // some lanes' spins_along is 1
 };
 struct alignas(32) WideValue {
     float lane[8];

@@ -47,7 +47,7 @@ JOSTLE_INLINE void rub(JointPair& pair, JointAngularWide& t, Wide3& friction) {
 // A spring towards an orientation, of at most so much torque. The error is the turn from there to
 // where b is, the shorter way round.
 template <bool kRelax>
-JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impulse) {
+JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impulse, Wide3& point) {
     const WideQuat q = pair.b.rotation * load4(t.drive) * conjugate(pair.a.rotation);
     const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
     const Wide3 axis = Wide3{q.x, q.y, q.z} * sign;
@@ -56,13 +56,32 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
     const Wide scale =
         select(turned, splat(2) * arc_tangent(sine, q.w * sign) / select(turned, sine, splat(1)),
                splat(2));
-    JointPair tried = pair;
-    Wide3 wanted = impulse;
-    hold_rotation(tried, spring_of<kRelax>(t.spring_soft), axis * scale, wanted);
+    // The point answers at once (HeldRow), to a turn about each axis of the world.
+    const Wide one = splat(1), zero = splat(0);
+    const Wide3 units[] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    const WideSymmetric points = pair.point_matrix(), own = pair.turn_matrix();
+    Wide3 parts[3], back[3];
+    for (int k = 0; k < 3; k++) {
+        parts[k] = pair.parted_by(units[k]);
+        back[k] = solve3(points, parts[k]);
+    }
+    const WideSoft s = spring_of<kRelax>(t.spring_soft);
+    const auto held = [&](int i, int k, Wide m) {
+        return (m - dot(parts[i], back[k])) * s.velocity_scale + m * s.impulse_scale;
+    };
+    const WideSymmetric matrix{held(0, 0, own.xx), held(1, 1, own.yy), held(2, 2, own.zz),
+                               held(0, 1, own.xy), held(0, 2, own.xz), held(1, 2, own.yz)};
+    const Wide3 want = pair.spin() * s.velocity_scale + axis * (scale * s.position_rate) +
+                       (own * impulse) * s.impulse_scale;
+    Wide3 wanted = impulse - solve3(matrix, want);
     const Wide size = root(dot(wanted, wanted)), most = load(t.drive_most);
     const WideMask strong = size > most;
     wanted = wanted * select(strong, most / select(strong, size, splat(1)), splat(1));
-    pair.apply_angular(wanted - impulse);
+    const Wide3 change = wanted - impulse;
+    const Wide3 answer = -(back[0] * change.x + back[1] * change.y + back[2] * change.z);
+    pair.apply_angular(change);
+    pair.push(answer);
+    point = point + answer;
     impulse = wanted;
     pair.keep(t.angular, impulse);
 }
@@ -82,9 +101,9 @@ struct JointKernel<DrivenBall> {
                                          JointConstraintWide& block, JointAngularWide& t,
                                          unsigned uses) {
         Wide3 driven = pair.to_world(t.angular), friction = pair.to_world(t.friction);
-        if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven);
-        if ((uses & uses_motor) != 0) rub(pair, t, friction);
         Wide3 point = pair.to_world(block.point);
+        if ((uses & uses_drive) != 0) drive_turn<kRelax>(pair, t, driven, point);
+        if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
         return {point, driven + friction};
@@ -110,14 +129,15 @@ struct JointKernel<HingeJoint> {
         const WideQuat frame_a = pair.a.rotation * load4(t.frame_a);
         const WideQuat frame_b = pair.b.rotation * load4(t.frame_b);
         const Wide3 axis = z_axis(frame_a);
+        Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
         if ((uses & ~uses_batch) != 0) {
-            const WideRow<true> row(pair, axis);
+            const HeldRow row(pair, axis, point);
             const Wide3 x = x_axis(frame_b);
             const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
             // The weakest first: what must hold has the last word.
             if ((uses & uses_spring) != 0)
                 spring_row(pair, row, spring_of<kRelax>(t.spring_soft), angle - load(t.spring_at),
-                           t.spring);
+                           load(t.drive_most), t.spring);
             if ((uses & uses_motor) != 0)
                 motor_row(pair, row, load(t.motor_speed), load(t.motor_most), t.motor);
             if ((uses & uses_limit) != 0) {
@@ -125,7 +145,6 @@ struct JointKernel<HingeJoint> {
                 limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - angle, t.upper);
             }
         }
-        Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
         hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), angular);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(t.angular, angular);
@@ -172,7 +191,7 @@ struct JointKernel<ConeTwistJoint> {
         Wide3 driven{splat(0), splat(0), splat(0)};
         if ((uses & uses_drive) != 0) {
             driven = pair.to_world(t.angular);
-            drive_turn<kRelax>(pair, t, driven);
+            drive_turn<kRelax>(pair, t, driven, point);
         }
         if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_limit) != 0) {
@@ -180,13 +199,13 @@ struct JointKernel<ConeTwistJoint> {
             // Of q and of -q, which are the same turn, the one less than half.
             const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
             const Wide twist = splat(2) * arc_tangent(q.x * sign, q.w * sign);
-            const WideRow<true> row(pair, axes.twist);
+            const HeldRow row(pair, axes.twist, point);
             limit_row<kRelax>(pair, step, row, 1, twist - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - twist, t.upper);
         }
         const Wide swing = arc_tangent(axes.sine, axes.cosine);
-        limit_row<kRelax>(pair, step, WideRow<true>(pair, axes.swing), -1, load(t.swing_at) - swing,
-                          t.swing);
+        limit_row<kRelax>(pair, step, HeldRow(pair, axes.swing, point), -1,
+                          load(t.swing_at) - swing, t.swing);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);
         pair.keep(block.point, point);
         const Wide3 total = axes.total(t, friction);
@@ -255,7 +274,7 @@ struct JointKernel<DistanceJoint> {
         // A rod is a spring as stiff as the sub-step can carry, a row that pulls and pushes.
         if ((uses & uses_spring) != 0)
             spring_row(pair, row, soft_or_rigid<kRelax>(step, t.spring_soft),
-                       now - load(t.spring_at), t.spring);
+                       now - load(t.spring_at), splat(1e30f), t.spring);
         if ((uses & uses_limit) != 0) {
             limit_row<kRelax>(pair, step, row, 1, now - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - now, t.upper);

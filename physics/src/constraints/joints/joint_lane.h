@@ -46,6 +46,11 @@ inline Softness spring_or(const JointSpring& spring, double h, const Softness& o
     return spring.hertz > 0 ? physics::spring(spring.hertz, spring.damping_ratio, h) : other;
 }
 
+// Of a spring in a sub-step, N s or N m s.
+inline double strongest(double most, double h) {
+    return most > 0 ? most * h : double{never};
+}
+
 // What is switched off keeps no impulse.
 inline double kept(bool enabled, double impulse) {
     return enabled ? impulse : 0;

@@ -33,6 +33,22 @@ JOSTLE_INLINE WideSymmetric operator+(const WideSymmetric& a, const WideSymmetri
 JOSTLE_INLINE Wide3 operator*(const WideSymmetric& m, Wide3 v) {
     return {dot({m.xx, m.xy, m.xz}, v), dot({m.xy, m.yy, m.yz}, v), dot({m.xz, m.yz, m.zz}, v)};
 }
+// q m q^T.
+JOSTLE_INLINE WideSymmetric turned_by(WideQuat q, const WideSymmetric& m) {
+    const Wide3 x = x_axis(q), y = y_axis(q), z = z_axis(q);
+    const Wide3 u = x * m.xx + y * m.xy + z * m.xz, v = x * m.xy + y * m.yy + z * m.yz,
+                w = x * m.xz + y * m.yz + z * m.zz;
+    return {u.x * x.x + v.x * y.x + w.x * z.x, u.y * x.y + v.y * y.y + w.y * z.y,
+            u.z * x.z + v.z * y.z + w.z * z.z, u.x * x.y + v.x * y.y + w.x * z.y,
+            u.x * x.z + v.x * y.z + w.x * z.z, u.y * x.z + v.y * y.z + w.y * z.z};
+}
+// How the axes in which a body's spin is kept have turned since the start of the step.
+JOSTLE_INLINE WideQuat turned_axes(Wide spins_along, WideQuat rotation) {
+    const WideMask along = spins_along > splat(0);
+    const Wide none = splat(0);
+    return {select(along, rotation.x, none), select(along, rotation.y, none),
+            select(along, rotation.z, none), select(along, rotation.w, splat(1))};
+}
 // [r]x m [r]x^T: what an impulse at arm r does to the velocity there, by way of the spin.
 JOSTLE_INLINE WideSymmetric across(const WideSymmetric& m, Wide3 r) {
     const Wide3 x = m * Wide3{splat(0), r.z, -r.y};  // m (r x e_x)
@@ -70,6 +86,8 @@ struct JointSide {
     Wide3 turned;       // the same as a rotation vector
     Wide3 arm;          // of the anchor, now
     Wide3 swept;        // how the anchor moved by that turn
+    bool any_along;     // some keep their spin in axes that turn with them
+    WideQuat along;     // how those have turned
 
     JOSTLE_INLINE void load_from(const HotBody* bodies, const std::int32_t* index,
                                  const float (*start_arm)[8]) {
@@ -85,13 +103,20 @@ struct JointSide {
         inverse_inertia = {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]};
         turned = {motion[3], motion[4], motion[5]};
         rotation = from_rotation_vector(turned);
+        any_along = lane_bits(motion[7] > splat(0)) != 0;
+        if (any_along) {
+            along = turned_axes(motion[7], rotation);
+            w = rotate(along, w);
+            inverse_inertia = turned_by(along, inverse_inertia);
+        }
         const Wide3 start = load3(start_arm);
         swept = rotated_by(rotation, start);
         arm = start + swept;
     }
     JOSTLE_INLINE void store_to() {
         state[0] = v.x, state[1] = v.y, state[2] = v.z;
-        state[3] = w.x, state[4] = w.y, state[5] = w.z;
+        const Wide3 spin = any_along ? rotate(conjugate(along), w) : w;
+        state[3] = spin.x, state[4] = spin.y, state[5] = spin.z;
         // What joints cannot push may be in several blocks at once: nothing is written to it.
         alignas(32) float nobody[8];
         float* to[8];
@@ -164,6 +189,10 @@ struct JointPair {
     }
     JOSTLE_INLINE WideSymmetric turn_matrix() const {
         return a.inverse_inertia + b.inverse_inertia;
+    }
+    // How a turn parts the anchors.
+    JOSTLE_INLINE Wide3 parted_by(Wide3 turn) const {
+        return cross(b.inverse_inertia * turn, b.arm) + cross(a.inverse_inertia * turn, a.arm);
     }
 };
 
@@ -249,6 +278,7 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
 // One degree of freedom: an angle about an axis, or a length along a line.
 template <bool kAngular>
 struct WideRow {
+    static constexpr bool angular = kAngular;
     Wide3 direction;
     Wide response;  // one over what an impulse does to the speed; 0 where it does nothing
 
@@ -267,15 +297,41 @@ struct WideRow {
     }
 };
 
+// An angle about an axis of bodies that a point holds together: the point answers at once. What
+// takes turns with it would have to push as often as the bodies' inertia about the point is larger
+// than their own.
+struct HeldRow {
+    static constexpr bool angular = true;
+    Wide3 direction, back;  // of the turn; of the point's answer
+    Wide response;
+    Wide own;  // what an impulse would do to the speed without the point
+    Wide3& point;
+
+    JOSTLE_INLINE HeldRow(const JointPair& pair, Wide3 axis, Wide3& impulse)
+        : direction(axis), point(impulse) {
+        const Wide3 parts = pair.parted_by(axis);
+        back = solve3(pair.point_matrix(), parts);
+        own = dot(axis, pair.turn_matrix() * axis);
+        response = inverse_above(own - dot(parts, back), own * splat(1e-4f));
+    }
+    JOSTLE_INLINE Wide speed(const JointPair& pair) const { return dot(direction, pair.spin()); }
+    JOSTLE_INLINE void apply(JointPair& pair, Wide impulse) const {
+        const Wide3 answer = -(back * impulse);
+        pair.apply_angular(direction * impulse);
+        pair.push(answer);
+        point = point + answer;
+    }
+};
+
 // `left`: how much there is before the limit; negative: beyond it. `sign` times the row's
 // direction is that in which the impulse, which is kept, may push (>= 0).
-template <bool kRelax, bool kAngular>
-JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideRow<kAngular>& row,
-                             float sign, Wide left, float* kept) {
+template <bool kRelax, class Row>
+JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& row, float sign,
+                             Wide left, float* kept) {
     const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
-    const Wide most = kAngular ? s.push_spin : s.push_speed, push = left * s.position_rate;
+    const Wide most = Row::angular ? s.push_spin : s.push_speed, push = left * s.position_rate;
     const WideMask over = push < -most_push(s, most), soft = ~free & ~over;
     const Wide before = load(kept);
     const Wide toward = row.speed(pair) * splat(sign);
@@ -287,24 +343,38 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const WideR
     store(kept, now);
 }
 
-// Pulls the row's value `error` to zero.
+// Pulls the row's value `error` to zero with at most `strongest` per sub-step.
 template <bool kAngular>
 JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
-                              Wide error, float* kept) {
+                              Wide error, Wide strongest, float* kept) {
     const Wide before = load(kept);
     const Wide most = kAngular ? s.push_spin : s.push_speed, push = error * s.position_rate;
     const WideMask over = absolute(push) > most_push(s, most);
     const Wide want = row.speed(pair) * select(over, splat(1), s.velocity_scale) +
                       select(over, max(min(push, most), -most), push);
-    const Wide d = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
-    store(kept, before + d);
+    const Wide wished = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
+    const Wide now = max(min(before + wished, strongest), -strongest);
+    const Wide d = select(absolute(before + wished) > strongest, now - before, wished);
+    store(kept, now);
     row.apply(pair, d);
 }
 
+// The same of a row whose point answers: as stiff as it would be without.
+JOSTLE_INLINE void spring_row(JointPair& pair, const HeldRow& row, const WideSoft& s, Wide error,
+                              Wide strongest, float* kept) {
+    const Wide before = load(kept);
+    const Wide soft = row.own * s.impulse_scale;
+    const Wide want = row.speed(pair) * s.velocity_scale + error * s.position_rate + soft * before;
+    const Wide held = inverse_above(row.response, splat(0));
+    const Wide wished = before - want * inverse_above(held * s.velocity_scale + soft, splat(0));
+    const Wide now = max(min(wished, strongest), -strongest);
+    store(kept, now);
+    row.apply(pair, now - before);
+}
+
 // Drives the row's speed to the target with at most `most` per sub-step.
-template <bool kAngular>
-JOSTLE_INLINE void motor_row(JointPair& pair, const WideRow<kAngular>& row, Wide speed, Wide most,
-                             float* kept) {
+template <class Row>
+JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most, float* kept) {
     const Wide before = load(kept);
     const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);
     row.apply(pair, now - before);

@@ -61,12 +61,15 @@ struct JointRowWriter {
         for (JointRowPart& part : upper.parts)
             part.linear = -part.linear, part.angular = -part.angular;
     }
-    void spring(const JointRow& row, const JointSpring& spring, double error) {
+    void spring(const JointRow& row, const JointSpring& spring, double error, double most = 0) {
         if (spring.hertz == 0) return;
         JointRow& added = add(row);
         added.role = RowRole::spring;
         added.spring = spring;
         added.error = error;
+        if (most == 0) return;
+        added.lower = -most;
+        added.upper = most;
     }
     void motor(const JointRow& row, bool enabled, double speed, double most) {
         if (!enabled) return;
@@ -129,7 +132,7 @@ struct JointRowWriter {
         const Mat3 fa = to_matrix(a.frame), fb = to_matrix(b.frame);
         const JointRow axis = about(RowRole::turn, 2, fa.z);
         const double angle = hinge_angle(a.frame, b.frame);
-        spring(axis, kind.spring, angle - kind.spring_angle);
+        spring(axis, kind.spring, angle - kind.spring_angle, kind.spring_max_torque);
         motor(axis, kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
         limits(axis, kind.limit, angle);
         const Vec3 off = cross(fa.z, fb.z);
@@ -242,7 +245,7 @@ struct JointRowWriter {
             const JointRow row = row_of(k);
             const double value = value_of(k);
             friction(row, axis.friction);
-            spring(row, axis.spring, value - axis.spring_at);
+            spring(row, axis.spring, value - axis.spring_at, axis.spring_most);
             motor(row, axis.motor.enabled, axis.motor.speed, axis.motor.most);
             limits(row, axis.limit, value);
         }

@@ -34,6 +34,7 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
     lane.put(to.upper, kept(limited, impulses[AxisImpulses::upper]));
     lane.put(to.soft, sprung ? spring_or(axis.spring, h, {}) : switched_off);
     lane.put(to.spring_at, axis.spring_at);
+    lane.put(to.spring_most, strongest(axis.spring_most, h));
     lane.put(to.spring, kept(sprung, impulses[AxisImpulses::spring_impulse]));
     lane.put(to.motor_speed, axis.motor.speed);
     lane.put(to.motor_most, driven ? axis.motor.most * h : 0);

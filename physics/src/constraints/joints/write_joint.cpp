@@ -49,7 +49,7 @@ struct Parts {
     void drive(const RotationDrive& drive) {
         const bool driven = drive.spring.hertz > 0;
         lane.put(t.spring_soft, driven ? spring_or(drive.spring, h, {}) : switched_off);
-        lane.put(t.drive_most, driven ? minimum(drive.max_torque * h, 1e30) : 0);
+        lane.put(t.drive_most, driven ? drive.max_torque * h : 0);
         if (!driven) return;
         lane.put(t.drive, b.frame * conjugate(a.frame * unit(drive.target)));
         uses |= uses_drive;
@@ -63,6 +63,7 @@ struct Parts {
         frames();
         limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
         spring(kind.spring.hertz > 0, spring_or(kind.spring, h, {}), kind.spring_angle);
+        lane.put(t.drive_most, strongest(kind.spring_max_torque, h));
         motor(kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
     }
     void operator()(const ConeTwistJoint& kind) {

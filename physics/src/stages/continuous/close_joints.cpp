@@ -20,6 +20,7 @@ constexpr int joint_rows = 3;
 struct TiedBody {
     std::uint32_t body = none;
     bool held = false;
+    bool placed = false;  // held by that alone
     Vec3 center, start;
     Quat rotation;
     Mat3 axes, inverse_inertia;
@@ -124,19 +125,45 @@ public:
         }
     }
 
-    void place(WorldState& world, double dt) const {
-        for (const TiedBody& body : bodies_) {
-            if (body.held) continue;
-            const BodyCold& cold = world.bodies.cold[body.body];
-            const Vec3 way = body.center - body.start;
-            const double most = 0.5 * cold.inner_radius, far = length(way);
-            const Vec3 center = far > most ? body.start + way * (most / far) : body.center;
-            if (far < close_enough()) continue;
-            place_elsewhere(world, body.body, center, body.rotation, dt);
+    // False if something is left. Ends that are far apart may not come together in so few rounds:
+    // then nobody moves.
+    bool close() {
+        const std::vector<TiedBody> before = bodies_;
+        const double left = widest();
+        for (int round = 0; round < rounds; round++) {
+            take_back();
+            if (widest() < close_enough()) break;
         }
+        hold_what_went_far();
+        if (widest() > left) bodies_ = before;
+        return widest() < close_enough();
+    }
+    // What the others could not do those do that impacts have placed.
+    void close_with_placed() {
+        for (TiedBody& body : bodies_)
+            if (body.placed) body.held = false;
+        if (prepare()) close();
+    }
+
+    void place(WorldState& world, double dt) const {
+        for (const TiedBody& body : bodies_)
+            if (length(body.center - body.start) >= close_enough())
+                place_elsewhere(world, body.body, body.center, body.rotation, dt);
     }
 
 private:
+    // Those that went as far as they may stay there.
+    void hold_what_went_far() {
+        for (TiedBody& body : bodies_) {
+            if (body.held) continue;
+            const double most = 0.5 * world_.bodies.cold[body.body].inner_radius;
+            const Vec3 way = body.center - body.start;
+            const double far = length(way);
+            if (far <= most) continue;
+            body.center = body.start + way * (most / far);
+            body.held = true;
+        }
+    }
     void turn(TiedBody& body) const {
         body.axes = to_matrix(body.rotation);
         body.inverse_inertia =
@@ -155,8 +182,9 @@ private:
             to.center = to.start = warm.center;
             to.rotation = warm.rotation;
             to.held = cold.type != BodyType::dynamic || cold.set != BodySet::awake ||
-                      cold.asleep_in_place || cold.locks != 0 ||
-                      std::binary_search(placed.begin(), placed.end(), body);
+                      cold.asleep_in_place || cold.locks != 0;
+            to.placed = !to.held && std::binary_search(placed.begin(), placed.end(), body);
+            to.held |= to.placed;
             to.inverse_mass = cold.inverse_mass;
             turn(to);
         } else {
@@ -223,10 +251,7 @@ void close_joints(StepContext& step, std::span<const std::uint32_t> placed) {
         JointedGroup group(world, seen);
         group.find(body, placed);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
-        for (int round = 0; round < rounds; round++) {
-            group.take_back();
-            if (group.widest() < group.close_enough()) break;
-        }
+        if (!group.close()) group.close_with_placed();
         group.place(world, step.dt);
     }
 }

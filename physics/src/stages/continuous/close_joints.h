@@ -13,10 +13,10 @@
 
 namespace jostle::physics {
 
-// `placed`: bodies that impacts have placed, which stay where they are; so does what cannot be
-// pushed. Writes: poses of bodies that joints tie to them. A body goes back by no more than half of
-// its thinnest shape's inner radius: so nothing passes through anything; what is left is the
-// solver's.
+// `placed`: bodies that impacts have placed, which stay where they are as long as the others can
+// close the joints; what cannot be pushed stays in any case. Writes: poses of bodies that joints
+// tie to them. A body goes back by no more than half of its thinnest shape's inner radius: so
+// nothing passes through anything; what is left is the solver's.
 void close_joints(StepContext& step, std::span<const std::uint32_t> placed);
 
 }  // namespace jostle::physics

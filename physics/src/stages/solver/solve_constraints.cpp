@@ -139,10 +139,12 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
                                                : SpinAxes::world_by_substeps;
     if (gyroscopic) {
         const std::optional<PrincipalRatios> bend = principal_ratios(cold);
-        scratch.gyroscopic[index + 1] = {warm.axes, warm.rotation, warm.rotation,
-                                         bend ? bend->factors : Vec3{}, bend.has_value()};
+        scratch.gyroscopic[index + 1] = {
+            warm.axes,       warm.rotation, warm.rotation, {}, bend ? bend->factors : Vec3{},
+            bend.has_value()};
     }
     hot = {};
+    hot.spins_along = gyroscopic && touched && cold.first_joint != none ? 1 : 0;
     external = {};
     for (float& keep : external.keep) keep = 1;
     put(hot.v, warm.v, warm.w);
@@ -172,31 +174,68 @@ void prepare_body(const StepContext& step, double h, std::uint32_t index) {
     put(external.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);
 }
 
-// Euler's equations for one sub-step, before advance(), which adds h w to the rotation vector.
-void integrate_gyroscopic(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t index,
-                          double h) {
-    HotBody& hot = scratch.hot[index + 1];
-    GyroscopicBody& g = scratch.gyroscopic[index + 1];
-    const BodyCold& cold = bodies.cold[bodies.awake[index].body];
-    const Vec3 before = to_vec3(hot.w), start = transposed_times(g.axes, before);
-    const EulerStep step =
-        g.principal ? euler_step(PrincipalRatios{g.bend}, start, h) : euler_step(cold, start, h);
-    Vec3 change = g.axes * (step.w - start);
-    if (scratch.spin_axes[index + 1] == SpinAxes::world_by_substeps) {
-        const Vec3 mean = before + change * 0.5;
-        g.now = normalized(g.now * step.rotation);
-        g.axes = to_matrix(g.now);
-        put_inertia(hot, g.axes * cold.inverse_inertia * transpose(g.axes));
-        const Vec3 w = g.axes * step.w;
-        change = w - before;
-        const Vec3 turn =
-            rotation_vector_between(g.start, g.now, to_vec3(hot.dr) + mean * h) - w * h;
-        for (int k = 0; k < 3; k++) hot.dr[k] = as_float(turn[k]);
-    }
-    // Not an impulse: it counts among what acts without contacts.
+EulerStep euler_step_of(const BodyStore& bodies, const GyroscopicBody& g, std::uint32_t hot_index,
+                        Vec3 start, double h) {
+    return g.principal ? euler_step(PrincipalRatios{g.bend}, start, h)
+                       : euler_step(bodies.cold[bodies.awake[hot_index - 1].body], start, h);
+}
+// Not an impulse: it counts among what acts without contacts.
+void add_spin(HotBody& hot, Vec3 change) {
     for (int k = 0; k < 3; k++) {
         hot.w[k] += as_float(change[k]);
         hot.free[3 + k] += as_float(change[k]);
+    }
+}
+
+// Euler's equations for one sub-step, before advance(), which adds h w to the rotation vector.
+void turn_free(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t hot_index, double h) {
+    HotBody& hot = scratch.hot[hot_index];
+    const GyroscopicBody& g = scratch.gyroscopic[hot_index];
+    const Vec3 start = transposed_times(g.axes, to_vec3(hot.w));
+    add_spin(hot, g.axes * (euler_step_of(bodies, g, hot_index, start, h).w - start));
+}
+// The second half of what begin_gyroscopic() began: now the spin is what joints allow, and turns
+// the body to where it goes exactly.
+void turn_jointed(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t hot_index,
+                  double h) {
+    HotBody& hot = scratch.hot[hot_index];
+    GyroscopicBody& g = scratch.gyroscopic[hot_index];
+    const Vec3 mean = to_vec3(hot.w), own = transposed_times(g.axes, mean);
+    g.now = normalized(g.now * from_rotation_vector(own * h));
+    if (scratch.spin_axes[hot_index] == SpinAxes::world_by_substeps) {
+        const BodyCold& cold = bodies.cold[bodies.awake[hot_index - 1].body];
+        g.axes = to_matrix(g.now);
+        put_inertia(hot, g.axes * cold.inverse_inertia * transpose(g.axes));
+    }
+    const Vec3 w = g.axes * (own + g.half_change);
+    const Vec3 turn = rotation_vector_between(g.start, g.now, to_vec3(hot.dr) + mean * h) - w * h;
+    for (int k = 0; k < 3; k++) hot.dr[k] = as_float(turn[k]);
+    add_spin(hot, w - mean);
+}
+
+// Of bodies that joints hold, half of the gyroscopic change of a sub-step before their points are
+// solved for the last time: what those allow is the mean spin of the sub-step.
+void begin_gyroscopic(StepContext& step, std::span<const std::uint32_t> jointed, double h) {
+    SolverScratch& scratch = step.scratch.solver;
+    for (const std::uint32_t index : jointed) {
+        if (scratch.spin_axes[index] == SpinAxes::world) continue;
+        HotBody& hot = scratch.hot[index];
+        GyroscopicBody& g = scratch.gyroscopic[index];
+        const Vec3 start = transposed_times(g.axes, to_vec3(hot.w));
+        const EulerStep change = euler_step_of(step.world.bodies, g, index, start, h);
+        g.half_change = (change.w - start) * 0.5;
+        add_spin(hot, g.axes * g.half_change);
+    }
+}
+void integrate_gyroscopic(StepContext& step, std::span<const std::uint32_t> bodies, double h) {
+    SolverScratch& scratch = step.scratch.solver;
+    for (const std::uint32_t hot : bodies) {
+        if (scratch.spin_axes[hot] == SpinAxes::world) continue;
+        const BodyStore& all = step.world.bodies;
+        if (all.cold[all.awake[hot - 1].body].first_joint != none)
+            turn_jointed(all, scratch, hot, h);
+        else
+            turn_free(all, scratch, hot, h);
     }
 }
 
@@ -313,11 +352,10 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         solve_joints(step, joints, h);
         solve_joint_batches(step, joints, h, false);
         solve(contacts);
+        begin_gyroscopic(step, joints.bodies, h);
         solve_joint_batches(step, joints, h, true);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
-            for (const std::uint32_t hot : some)
-                if (scratch.spin_axes[hot] != SpinAxes::world)
-                    integrate_gyroscopic(step.world.bodies, scratch, hot - 1, h);
+            integrate_gyroscopic(step, some, h);
             kernel.advance(range_of(scratch, some), set.h);
         });
         kernel.advance(range_of(scratch, kinematic), set.h);

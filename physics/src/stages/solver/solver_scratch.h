@@ -29,15 +29,17 @@ enum class SpinAxes : std::uint8_t {
     world_by_substeps,
     // A gyroscopic body with contacts: the frame in which it stood as the step began and which
     // turns with it. There the inertia is constant, and contacts know it from the start of the step
-    // alone: seen with another one, what they do to a thin body would be far too much.
+    // alone: seen with another one, what they do to a thin body would be far too much. Joints turn
+    // its spin and its inertia to the world's axes and back (HotBody::spins_along).
     body,
 };
 
 // A body that turns far in a step, and not evenly: what each sub-step needs of it.
 struct GyroscopicBody {
-    Mat3 axes;        // of the body: at the start of the step; by sub-steps: now
-    Quat start, now;  // its rotation; by sub-steps
-    Vec3 bend;        // PrincipalRatios, if its axes are the principal ones
+    Mat3 axes;         // of the body: at the start of the step; by sub-steps: now
+    Quat start, now;   // its rotation; now: of what joints hold
+    Vec3 half_change;  // rad/s, in its axes: of a sub-step, of what joints hold
+    Vec3 bend;         // PrincipalRatios, if its axes are the principal ones
     bool principal = false;
 };
 

@@ -87,6 +87,8 @@ public:
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     void before_step(physics::World& world, double dt) override;
+    // Lets go of figures of which a body was quarantined: those alone, and all their muscles.
+    void after_step(physics::World& world, double dt) override;
 
     // Stands it there, limp, with its pose at rest. All or nothing. An error names the bone.
     physics::Result<RagdollId> add(physics::World& world, const RagdollDef& def,
@@ -151,7 +153,8 @@ private:
     static physics::JointKind kind_of(const Bone& bone, double strength, physics::Quat target);
     static physics::Status join(physics::World& world, Figure& figure);
     static void part(physics::World& world, Figure& figure);
-    static void drop_if_broken(const physics::World& world, Figure& figure);
+    static void drop_if_broken(physics::World& world, Figure& figure);
+    static void let_go(physics::World& world, Figure& figure);
     static void lead(physics::World& world, Figure& figure, double dt);
     static void pull(physics::World& world, Figure& figure, double dt);
     static void visit(physics::StateVisitor& v, Figure& figure);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace jostle::modules::gltf {
+
+// RFC 4648 with or without padding; nothing if it is not that.
+std::optional<std::vector<std::byte>> from_base64(std::string_view text);
+
+}  // namespace jostle::modules::gltf

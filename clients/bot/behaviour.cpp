@@ -10,6 +10,10 @@ namespace {
 constexpr double yard = 9;    // m from the middle that bots use
 constexpr double range = 40;  // ... and those that drive
 constexpr double pi = 3.14159265358979;
+constexpr double forever = 1e18;  // s
+// Of those that race: rad at full lock and m between axles, about, and m off its circle at which a
+// car goes straight back.
+constexpr double full_lock = 0.6, wheel_base = 2.7, strays = 10;
 
 // An axis of Controls (jostle/physics/module.h) in thousandths.
 std::int32_t axis(double value) {
@@ -72,6 +76,7 @@ std::vector<v1::Input> Behaviour::act(double seconds, const client::WorldView& w
     if (line_.behaviour == "builder") build(out, world, client_id);
     if (line_.behaviour == "drive" && take_wheel(out, world, seconds)) drive(out, world);
     if (line_.behaviour == "walk" && take_wheel(out, world, seconds)) walk(out, world);
+    if (line_.behaviour == "race" && take_wheel(out, world, seconds)) race(out, world, seconds);
     return out;
 }
 
@@ -187,7 +192,9 @@ bool Behaviour::take_wheel(std::vector<v1::Input>& out, const client::WorldView&
     driven_ = 0;
     if (drivable.empty()) return false;
     driven_ = drivable[static_cast<std::size_t>(random(0, static_cast<double>(drivable.size())))];
-    change_at_ = seconds + value("change");
+    change_at_ = line_.values.contains("change") ? seconds + value("change") : forever;
+    laps_.begin();
+    raced_at_ = -1;
     out.emplace_back().mutable_possess()->set_entity(driven_);
     return true;
 }
@@ -209,6 +216,30 @@ void Behaviour::drive(std::vector<v1::Input>& out, const client::WorldView& worl
     v1::ControlInput& control = *out.emplace_back().mutable_control();
     control.add_axes(axis(steer));
     control.add_axes(axis(random(0.3, 1)));
+}
+
+// Along the circle's tangent, and towards the circle where it is off it.
+void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world, double seconds) {
+    const auto pose = world.pose_of(driven_);
+    if (!pose) return;
+    const auto [x, y, z] = pose->position;
+    laps_.see(seconds, x, z);
+    const double since = seconds - raced_at_;
+    const double speed =
+        raced_at_ < 0 || since <= 0 ? 0 : std::hypot(x - raced_[0], z - raced_[2]) / since;
+    raced_ = pose->position;
+    raced_at_ = seconds;
+    const double away = std::max(1.0, std::hypot(x, z));
+    const double off = std::clamp((away - value("radius")) / strays, -1.0, 1.0);
+    const double course_x = z / away - off * x / away, course_z = -x / away - off * z / away;
+    const auto& q = pose->rotation;
+    const double ahead_x = -2 * (q[0] * q[2] + q[3] * q[1]),
+                 ahead_z = -1 + 2 * (q[0] * q[0] + q[1] * q[1]);
+    const double left = std::atan2(ahead_z * course_x - ahead_x * course_z,
+                                   ahead_x * course_x + ahead_z * course_z);
+    v1::ControlInput& control = *out.emplace_back().mutable_control();
+    control.add_axes(axis(-(left + wheel_base / value("radius")) / full_lock));
+    control.add_axes(axis(0.15 + 0.3 * (value("speed") - speed)));
 }
 
 void Behaviour::walk(std::vector<v1::Input>& out, const client::WorldView& world) {

@@ -9,6 +9,7 @@
 #include <deque>
 #include <vector>
 
+#include "bot/lap_counter.h"
 #include "bot/script.h"
 #include "jostle/client/world_view.h"
 
@@ -21,6 +22,8 @@ public:
     // At that many seconds since the bot began. `client_id` tells which bodies are its own.
     std::vector<v1::Input> act(double seconds, const client::WorldView& world,
                                std::uint32_t client_id);
+    // Of one that races.
+    const std::vector<Lap>& laps() const { return laps_.laps(); }
 
 private:
     double random(double low, double high);
@@ -39,6 +42,7 @@ private:
     bool take_wheel(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);
     void drive(std::vector<v1::Input>& out, const client::WorldView& world);
     void walk(std::vector<v1::Input>& out, const client::WorldView& world);
+    void race(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);
     // Deletes its oldest body when it has `keep` of them; true when there is room for one more.
     bool make_room(std::vector<v1::Input>& out, const std::vector<std::uint32_t>& mine);
 
@@ -50,6 +54,9 @@ private:
     std::array<double, 3> held_at_{};
     std::uint32_t driven_ = 0;
     double change_at_ = 0;  // s
+    LapCounter laps_;
+    std::array<double, 3> raced_{};  // where it was, m ...
+    double raced_at_ = -1;           // ... and when, s; < 0: nowhere yet
     int built_ = 0;
     std::array<double, 2> site_{};
     std::uint32_t color_;

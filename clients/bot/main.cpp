@@ -28,6 +28,7 @@ A script has one behaviour a line: NAME weight=N key=value ... ; # begins a comm
   drag     carries things about           period=3
   drive    steers what can be driven      period=0.2 change=20
   walk     goes about on foot, and jumps  period=0.5 change=20
+  race     drives round the middle, counts laps  period=0.1 radius=45 speed=16
   watch    sends nothing
 Without a script each bot does one of these.
 
@@ -79,6 +80,26 @@ std::string to_lines(const jostle::v1::Events& events) {
     return lines;
 }
 
+// One line per lap: "bot 1: lap 2 in 17.9 s, 44.2 to 46.0 m from the middle".
+class LapReport {
+public:
+    std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Player>>& players) {
+        told_.resize(players.size());
+        std::string lines;
+        for (std::size_t i = 0; i < players.size(); i++)
+            for (const auto& laps = players[i]->laps(); told_[i] < laps.size(); told_[i]++) {
+                const jostle::bots::Lap& lap = laps[told_[i]];
+                lines += "bot " + std::to_string(i + 1) + ": lap " + std::to_string(told_[i] + 1) +
+                         " in " + number(lap.seconds) + " s, " + number(lap.nearest) + " to " +
+                         number(lap.furthest) + " m from the middle\n";
+            }
+        return lines;
+    }
+
+private:
+    std::vector<std::size_t> told_;  // of each bot
+};
+
 int play(const Flags& flags, const jostle::client::Security& security,
          const jostle::bots::Script& script) {
     jostle::client::Loop loop;
@@ -97,12 +118,14 @@ int play(const Flags& flags, const jostle::client::Security& security,
     auto next_line = began + std::chrono::seconds(1);
     const bool live = isatty(STDOUT_FILENO) != 0 && !flags.events;
     std::string last_error;
+    LapReport laps;
     while (!stop && (flags.seconds <= 0 ||
                      Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
         const auto now = Clock::now();
         for (const auto& player : players) player->think(now);
         for (const auto& events : players.front()->client().take_events())
             std::fputs(to_lines(events).c_str(), stdout);
+        std::fputs(laps.new_lines(players).c_str(), stdout);
         if (now >= next_line) {
             next_line = now + std::chrono::seconds(1);
             int connected = 0;

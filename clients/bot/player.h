@@ -17,6 +17,7 @@ public:
 
     void think(client::Clock::time_point now);
     client::Client& client() { return *client_; }
+    const std::vector<Lap>& laps() const { return behaviour_.laps(); }
 
 private:
     std::shared_ptr<client::Client> client_;

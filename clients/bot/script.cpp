@@ -23,6 +23,7 @@ const std::vector<Known>& known() {
         {"drag", {{"period", 3}}},
         {"drive", {{"period", 0.2}, {"change", 20}}},
         {"walk", {{"period", 0.5}, {"change", 20}}},
+        {"race", {{"period", 0.1}, {"radius", 45}, {"speed", 16}}},
         {"watch", {}},
     };
     return list;
@@ -67,6 +68,8 @@ Result<ScriptLine> parse_line(const std::string& text) {
     }
     if (line.values.contains("period") && line.values["period"] < 0.05)
         return invalid_argument("period must be at least 0.05 s");
+    if (line.values.contains("radius") && line.values["radius"] < 4)
+        return invalid_argument("radius must be at least 4 m");
     if (line.values.contains("size") && !(line.values["size"] >= 0.05 && line.values["size"] <= 2))
         return invalid_argument("size must be from 0.05 to 2 m");
     return line;

@@ -14,10 +14,11 @@
 //     builder  period=1 keep=8 size=0.3   stacks boxes of `size` m; at most `keep` at a time
 //     drag     period=3                   carries something about for half of each period
 //     drive    period=0.2 change=20       takes something that can be driven and steers it about;
-//     every
-//                                         `change` s something else
-//     walk     period=0.5 change=20       the same on foot: looks where it goes, and jumps now and
-//     then watch                               sends nothing
+//                                         every `change` s something else
+//     walk     period=0.5 change=20       the same on foot: looks where it goes, jumps now and then
+//     race     period=0.1 radius=45 speed=16   drives one thing round the middle of the world, to
+//                                         the left, `radius` m from it at `speed` m/s
+//     watch                               sends nothing
 #pragma once
 
 #include <map>

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "hovercraft.h"
+#include "jostle/modules/boats.h"
 #include "jostle/modules/character.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
@@ -27,6 +28,7 @@ void register_catalog_modules() {
     static std::once_flag once;
     std::call_once(once, [] {
         make_known<examples::Hovercraft>("hovercraft");
+        make_known<modules::Boats>("boat");
         make_known<modules::Characters>("character");
         make_known<modules::Destruction>("destruction");
         make_known<modules::Fields>("fields");

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "jostle/modules/blast.h"
+#include "jostle/modules/destruction.h"
 
 namespace jostle::server {
 
@@ -20,6 +21,8 @@ constexpr double pushed_speed_max = 50;  // m/s
 constexpr double pushed_spin_max = 60;   // rad/s
 // N s/m^2 for each m/s: a crate of a metre and 1000 kg/m^3 gets about that speed.
 constexpr double blast_strength = 1000;
+// m for each m of its radius and m/s: so near, walls that can break do.
+constexpr double blast_breaks = 1.0 / 60;
 // Shapes that overlap a body that is to be spawned. Bodies in one place make pairs with the square
 // of their number.
 constexpr std::size_t crowd_max = 40;
@@ -123,6 +126,8 @@ struct Apply {
                                                  .points = 32,
                                                  .most_speed = 2 * c.speed});
         if (!pushes.ok()) return from_solver(pushes.error());
+        if (auto* walls = dynamic_cast<modules::Destruction*>(state.world.module("destruction")))
+            walls->break_near(state.world, c.center, blast_breaks * c.radius * c.speed);
         Status status;
         for (const modules::BlastPush& p : *pushes) {
             const Status pushed =

@@ -50,7 +50,7 @@ FLOORS = {
     "server/identity": ["server/base", "server/config"],
     "server/tls": ["server/base", "server/config"],
     "server/connection": ["server/base", "server/config", "server/telemetry", "server/tls", PUBLIC],
-    "server/host": ["modules/fields", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
+    "server/host": ["modules/destruction", "modules/fields", "server/base", "server/telemetry", "server/config", "server/identity", "server/tls", PUBLIC, "scenes/include"],
     "server/session": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", PUBLIC],
     "server/replication": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", PUBLIC, "proto/wire"],
     "server/protocol": ["server/base", "server/telemetry", "server/config", "server/identity", "server/tls", "server/host", "server/session", "server/replication", PUBLIC, "proto/wire", "scenes/include", "generated"],

@@ -43,6 +43,8 @@ export class DrawnPoses {
   poses = new Float64Array(0);
   count = 0;
   source: PoseFrame | undefined;
+  /** s past the frame that it is drawn from; mostly a little before it. */
+  seconds = 0;
 
   update(frames: FrameBuffer, serverUs: number): void {
     const pair = frames.around(serverUs);
@@ -54,6 +56,7 @@ export class DrawnPoses {
     const { a, b } = pair;
     this.resize(b.entities.length);
     this.source = b;
+    this.seconds = Math.min(EXTRAPOLATE_US, serverUs - b.serverUs) / 1e6;
     const width = b.serverUs - a.serverUs;
     const most = width > 0 ? 1 + EXTRAPOLATE_US / width : 1;
     const t = width > 0 ? Math.min(most, Math.max(0, (serverUs - a.serverUs) / width)) : 1;

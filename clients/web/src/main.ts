@@ -4,21 +4,27 @@ import * as THREE from 'three';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
+import type { Entity } from './gen/jostle/v1/play_pb';
 import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
-import { DRAWN_KINDS, ModuleView } from './module_view';
+import { clearWay, topAt } from './pick';
+import { NO_CHANNELS } from './channels';
+import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
 import { DebugPanel } from './panels/debug';
+import { drawArrows, DriverPanel, offerWords } from './panels/driver';
 import { EventsPanel } from './panels/events';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
 import { postToServer, Queries } from './queries';
+import type { UnitKind } from './shape_parts';
 import { takeToken } from './token';
 import { SceneView } from './scene_view';
 import { readoutWords, thingName } from './thing_names';
 import { TOOLS, Tools, type Tool } from './tools';
+import { heightAt } from './water';
 import './style.css';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
@@ -59,6 +65,8 @@ const told: Events = {
   },
   entityList: (entities) => {
     view.setEntities(entities, connection.welcome?.clientId ?? 0);
+    drivable = [...entities.values()].filter((entity) => entity.drivable);
+    entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.forget();
   },
   stats: (stats) => statsPanel.update(stats),
@@ -71,6 +79,9 @@ const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
+let drivable: Entity[] = [];
+let entitiesChanged = false;
+let framedWorld: string | undefined; // whose whole the camera was turned to
 const tools = new Tools(
   canvas,
   camera,
@@ -83,10 +94,11 @@ const tools = new Tools(
   },
   (entity) => {
     if (!connection.entities.get(entity)?.drivable) return toasts.say('nobody can drive that');
-    driving.take(entity);
-    toasts.say('W A S D or arrows, space, shift, Q and E, or a gamepad; Esc lets go');
+    takeWheel(entity);
   },
+  (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
 );
+const driverPanel = new DriverPanel(byId('driver'), takeWheel, () => driving.letGo());
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
@@ -174,17 +186,81 @@ function headingOf(pose: ArrayLike<number>): number {
   return Math.atan2(2 * (x * z + w * y), 1 - 2 * (x * x + y * y));
 }
 
+function takeWheel(entity: number): void {
+  driving.take(entity);
+  camera.settle(moduleView.steeringOf(entity)?.distance ?? 8);
+}
+
 let pictureAt = performance.now();
 function drive(): void {
   const now = performance.now();
-  const seconds = Math.min(0.1, (now - pictureAt) / 1000);
+  const seconds = Math.min(0.5, (now - pictureAt) / 1000);
   pictureAt = now;
   if (driving.entity === 0) return;
   const pad: Pad | undefined = navigator.getGamepads().find((one) => one !== null && one.mapping === 'standard') ?? undefined;
   driving.update(pad, lookOf(camera.camera.getWorldDirection(new THREE.Vector3())), now);
   const pose = view.poseOf(driving.entity);
-  // What has no wheels looks where the camera looks: then the camera is the pointer's.
-  if (pose) camera.follow(pose, connection.entities.get(driving.entity)?.mass ? headingOf(pose) : undefined, seconds);
+  if (!pose) return;
+  // Who goes where the camera looks leaves the camera to the pointer.
+  const behind = moduleView.steeringOf(driving.entity)?.camera !== 'free';
+  camera.follow(pose, behind ? headingOf(pose) : undefined, seconds);
+}
+
+/** Of who walks, who goes near walls. */
+function clearDistance(): number {
+  if (driving.entity === 0 || moduleView.steeringOf(driving.entity)?.camera !== 'free') return Infinity;
+  return clearWay(view, camera.controls.target, camera.camera.position, driving.entity);
+}
+
+/** A world that is new to us is seen as a whole at first. */
+function frameWorld(): void {
+  const world = connection.welcome?.worldId;
+  if (connection.state !== 'playing' || world === framedWorld || drawn.count === 0) return;
+  framedWorld = world;
+  camera.frame(view.outline());
+  // Not under a hill.
+  const { position } = camera.camera;
+  const ground = topAt(view, position.x, position.z);
+  if (ground !== undefined) position.y = Math.max(position.y, ground + 3);
+}
+
+/** What modules tell with the frame that is drawn. */
+function shownNow(): Shown {
+  const { frame = 0, channels = NO_CHANNELS } = drawn.source ?? {};
+  const { channels: kinds = [], tickHz = 60 } = connection.welcome ?? {};
+  return { frame, channels, later: drawn.seconds, kinds, tickHz };
+}
+
+function drawModules(shown: Shown): void {
+  moduleView.debug = debugPanel.on.fields;
+  moduleView.update(shown, {
+    nowMs: performance.now(),
+    around: camera.controls.target,
+    poseOf: (entity) => view.poseOf(entity),
+    entityOf: (entity) => connection.entities.get(entity),
+    decorate: (solids) => {
+      if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, drivable, (entity) => view.poseOf(entity), performance.now());
+    },
+  });
+}
+
+function dressBodies(shown: Shown): void {
+  const colors = moduleView.dress(shown, entitiesChanged, connection.entities);
+  entitiesChanged = false;
+  if (colors) view.dress(colors);
+}
+
+function tellDriver(): void {
+  driverPanel.update(
+    {
+      choosing: tools.tool === 'drive',
+      driven: connection.entities.get(driving.entity),
+      keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
+      words: moduleView.drivenWords(driving.entity),
+      general: moduleView.words() || offerWords(drivable),
+    },
+    drivable,
+  );
 }
 
 function resize(): void {
@@ -199,18 +275,19 @@ if (innerWidth < 700) byId('stats').hidden = true;
 
 renderer.setAnimationLoop(() => {
   camera.controls.update();
-  const shownUs = connection.clock.serverUs(nowUs()) - connection.delay.us;
-  if (connection.clock.ready) drawn.update(connection.frames, shownUs);
+  if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
+  const shown = shownNow();
+  dressBodies(shown);
   view.update(drawn);
-  const { frame = 0, channels = [], serverUs = shownUs } = drawn.source ?? {};
-  const { channels: kinds = [], tickHz = 60 } = connection.welcome ?? {};
-  moduleView.update({ frame, channels, later: (shownUs - serverUs) / 1e6, kinds, tickHz }, (entity) => view.poseOf(entity));
+  frameWorld();
+  drawModules(shown);
+  tellDriver();
   debugPanel.update();
   eventsPanel.update();
   hitMarks.update(performance.now());
   drive();
   view.lightUp(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
-  renderer.render(view.scene, camera.camera);
+  camera.within(clearDistance(), () => renderer.render(view.scene, camera.camera));
   statsPanel.pictureDrawn();
 });
 
@@ -243,6 +320,17 @@ Object.defineProperty(window, 'jostle', {
     parts: () => view.partCounts(),
     /** How many lines modules have drawn in this picture. */
     moduleLines: () => moduleView.lines.count / 2,
+    /** How many solid things modules have drawn. */
+    moduleSolids: () => moduleView.solids.count,
+    /** Where one of them is: 16 numbers, by columns. */
+    solid: (kind: UnitKind, number: number) => [...moduleView.solids.matrixOf(kind, number).elements],
+    /** How high each water that is drawn stands over a place, in m. */
+    waters: (x: number, z: number) => moduleView.water.drawn.map((look) => heightAt(look, x, z)),
+    drivable: () => drivable.map(({ id }) => id),
+    /** Whom this page drives; 0: nobody. */
+    get driven() {
+      return driving.entity;
+    },
     nameOf: (id: number) => connection.entities.get(id)?.name,
     pose: (id: number) => {
       const pose = view.poseOf(id);

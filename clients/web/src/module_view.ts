@@ -1,17 +1,35 @@
-// Draws what modules tell. Only kinds that have a drawer are asked for.
+// Draws what modules tell, and says who can be driven and how. Only kinds that have a drawer are asked for.
 
 import type * as THREE from 'three';
-import type { Channels } from './channels';
-import type { Drawer, Drawing } from './drawers/drawer';
-import { drawHovercraft } from './drawers/hovercraft';
-import { drawVehicle } from './drawers/vehicle';
+import { BlastMarks } from './blast_marks';
+import type { Channel, Channels } from './channels';
+import { boats } from './drawers/boat';
+import { characters } from './drawers/character';
+import { destructibles } from './drawers/destruction';
+import type { Drawer, Drawing, Steering, Told } from './drawers/drawer';
+import { fields, waves } from './drawers/fields';
+import { hovercraft } from './drawers/hovercraft';
+import { ragdolls } from './drawers/ragdoll';
+import { vehicles } from './drawers/vehicle';
+import type { Entity } from './gen/jostle/v1/play_pb';
+import { Solids } from './solids';
 import { VertexBuffer } from './vertex_buffer';
+import { Water } from './water';
 
 /** By kind: a new one is a file in drawers/ and a line here. */
 const DRAWERS: ReadonlyMap<string, Drawer> = new Map([
-  ['hovercraft', drawHovercraft],
-  ['vehicle', drawVehicle],
+  ['boat', boats],
+  ['character', characters],
+  ['destruction', destructibles],
+  ['fields', fields],
+  ['fields.waves', waves],
+  ['hovercraft', hovercraft],
+  ['ragdoll', ragdolls],
+  ['vehicle', vehicles],
 ]);
+
+/** Kinds that can be drawn. */
+export const DRAWN_KINDS: readonly string[] = [...DRAWERS.keys()];
 
 /** What is shown of what modules tell. */
 export interface Shown {
@@ -22,30 +40,107 @@ export interface Shown {
   readonly tickHz: number;
 }
 
-/** Kinds that can be drawn. */
-export const DRAWN_KINDS: readonly string[] = [...DRAWERS.keys()];
+/** Of the moment that a picture shows. */
+export interface Moment extends Pick<Drawing, 'nowMs' | 'around' | 'poseOf' | 'entityOf'> {
+  /** What else is to be drawn, that no module tells. */
+  decorate?(solids: Solids): void;
+}
+
+/** What is told of one kind, and who draws it. */
+interface Part {
+  readonly drawer: Drawer;
+  readonly told: readonly Told[];
+}
 
 export class ModuleView {
   readonly lines = VertexBuffer.lines(0.9);
+  readonly solids: Solids;
+  readonly water: Water;
+  readonly blasts: BlastMarks;
+  debug = false;
+  private parts: readonly Part[] = [];
+  private dressed: readonly Channel[] = [];
 
   constructor(
     scene: THREE.Scene,
     private readonly drawers = DRAWERS,
   ) {
     scene.add(this.lines.object);
+    this.solids = new Solids(scene);
+    this.water = new Water(scene);
+    this.blasts = new BlastMarks(scene);
   }
 
   /** Once a picture, after the bodies were put where they are. */
-  update(shown: Shown, poseOf: Drawing['poseOf']): void {
-    if (shown.channels.length === 0 && this.lines.count === 0) return;
-    this.lines.begin();
-    const drawing: Drawing = { lines: this.lines, poseOf };
-    for (const { kind, entity, values } of shown.channels) {
-      const { name, divisor } = shown.kinds[kind] ?? { name: '', divisor: 1 };
+  update(shown: Shown, moment: Moment): void {
+    this.parts = this.partsOf(shown, shown.channels);
+    const { lines, solids, water, blasts, debug } = this;
+    for (const buffer of [lines, solids, water]) buffer.begin();
+    const drawing: Drawing = { ...moment, lines, solids, water, blasts, debug };
+    for (const { drawer, told } of this.parts) drawer.draw?.(told, drawing);
+    moment.decorate?.(solids);
+    for (const buffer of [lines, solids, water]) buffer.end();
+    blasts.update(moment.nowMs);
+  }
+
+  /** Colours for bodies that have none; nothing when they are as they were. `changed`: other bodies are there than before. */
+  dress(shown: Shown, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
+    const dressing = shown.channels.filter(({ kind }) => this.drawerOf(shown, kind)?.dress);
+    // Frames share channels that did not change.
+    const same = dressing.length === this.dressed.length && dressing.every((channel, k) => channel === this.dressed[k]);
+    if (same && !changed) return undefined;
+    this.dressed = dressing;
+    const colors = new Map<number, number>();
+    for (const { drawer, told } of this.partsOf(shown, dressing))
+      for (const [entity, color] of drawer.dress?.(told, entities) ?? []) colors.set(entity, color);
+    return colors;
+  }
+
+  /** How an entity is driven; nothing when no module that we know has it. */
+  steeringOf(entity: number): Steering | undefined {
+    return this.atWheel(entity)?.steering;
+  }
+
+  /** What the driver of that entity wants to know. */
+  drivenWords(entity: number): string {
+    const { steering, told } = this.atWheel(entity) ?? {};
+    return (told && steering?.words?.(told)) ?? '';
+  }
+
+  /** What everybody wants to know. */
+  words(): string {
+    return this.parts
+      .map(({ drawer, told }) => drawer.words?.(told) ?? '')
+      .filter((words) => words !== '')
+      .join(' · ');
+  }
+
+  private drawerOf({ kinds }: Shown, kind: number): Drawer | undefined {
+    return this.drawers.get(kinds[kind]?.name ?? '');
+  }
+
+  /** Of some of its channels, which are in order of their kinds. */
+  private partsOf(shown: Shown, channels: Channels): Part[] {
+    const told = new Map<number, Told[]>();
+    for (const { kind, entity, values } of channels) {
       // A kind is told in tick 1 and every `divisor` ticks from there.
-      const ticks = (shown.frame - 1) % Math.max(divisor, 1);
-      this.drawers.get(name)?.({ entity, values, seconds: ticks / shown.tickHz + shown.later }, drawing);
+      const ticks = (shown.frame - 1) % Math.max(shown.kinds[kind]?.divisor ?? 1, 1);
+      const seconds = ticks / shown.tickHz + shown.later;
+      const ofKind = told.get(kind);
+      if (ofKind) ofKind.push({ entity, values, seconds });
+      else told.set(kind, [{ entity, values, seconds }]);
     }
-    this.lines.end();
+    return [...told].flatMap(([kind, ofKind]) => {
+      const drawer = this.drawerOf(shown, kind);
+      return drawer ? [{ drawer, told: ofKind }] : [];
+    });
+  }
+
+  private atWheel(entity: number): { steering: Steering; told: Told } | undefined {
+    for (const { drawer, told } of this.parts) {
+      const one = drawer.steering && told.find((of) => of.entity === entity);
+      if (drawer.steering && one) return { steering: drawer.steering, told: one };
+    }
+    return undefined;
   }
 }

@@ -30,6 +30,27 @@ export function pickDrawn(view: SceneView, raycaster: THREE.Raycaster): Pick | u
   return undefined;
 }
 
+const CLOSEST = 1.2; // m
+const OFF_WALL = 0.25; // m
+
+/** How far one can go from a place towards another until something stands in the way that stays where it is. `but`: no matter. */
+export function clearWay(view: SceneView, from: THREE.Vector3, to: THREE.Vector3, but: number): number {
+  const way = to.clone().sub(from);
+  const raycaster = new THREE.Raycaster(from, way.clone().normalize(), 0, way.length());
+  for (const hit of raycaster.intersectObjects(view.objects, false)) {
+    if (hit.instanceId === undefined) continue;
+    const { entity } = view.ownerAt(hit.object, hit.instanceId);
+    if (entity !== 0 && entity !== but && !view.loosePoseOf(entity)) return Math.max(CLOSEST, hit.distance - OFF_WALL);
+  }
+  return Infinity;
+}
+
+/** How high what is drawn reaches at a place; undefined: nothing is there. */
+export function topAt(view: SceneView, x: number, z: number): number | undefined {
+  const down = new THREE.Raycaster(new THREE.Vector3(x, REACH, z), new THREE.Vector3(0, -1, 0), 0, 2 * REACH);
+  return pickDrawn(view, down)?.point.y;
+}
+
 /** In the server's world; undefined when the server does not say. */
 export async function pickAsked(
   queries: Queries,

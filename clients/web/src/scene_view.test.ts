@@ -105,3 +105,25 @@ it('islands tint what can move, sleep turns it blue, and both go again', () => {
   view.markAsleep(false);
   expect(colors()).toEqual([awake, asleep, fixed]);
 });
+
+it('dresses bodies that have no colour of their own, and outlines all but ground', () => {
+  const view = new SceneView();
+  const box = (id: number, half: number, color?: number) =>
+    create(EntitySchema, {
+      id,
+      mass: 1,
+      color,
+      shapes: [{ kind: { case: 'box', value: { halfExtents: { x: half, y: 1, z: half } } } }],
+    });
+  view.setEntities(new Map([[1, box(1, 100)], [2, box(2, 1)], [3, box(3, 1, 0x123456)]]), 0);
+  view.dress(new Map([[2, 0xabcdef], [3, 0xabcdef]]));
+  const frames = new FrameBuffer();
+  const at = (id: number, x: number) => ({ id, position: [512 * x, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false });
+  frames.add({ frame: 1, entities: [at(1, 0), at(2, 5), at(3, -3)] }, 0, spec);
+  const drawn = new DrawnPoses();
+  drawn.update(frames, 0);
+  view.update(drawn);
+  expect([view.colorOf(2), view.colorOf(3)]).toEqual([0xabcdef, 0x123456]);
+  const { min, max } = view.outline();
+  expect([min.x, max.x]).toEqual([-4, 6]);
+});

@@ -38,6 +38,7 @@ const HORIZON = new THREE.Color(0x3b4c5e);
 const ABOVE = new THREE.Color(0x0e141c);
 const SUN = new THREE.Vector3(18, 30, 12).normalize().multiplyScalar(60); // m from what is looked at
 const SHADOW_PIXELS = 2048;
+const GROUND_WIDE = 45; // m: what is as wide is stood on, not looked at
 const OWN_GEOMETRY_ROOM = 8; // instances; grows
 const FLAT_GROUND: readonly Kind[] = ['plane', 'slab']; // casts no shadow
 
@@ -56,6 +57,7 @@ export class SceneView {
   private readonly sun = new THREE.DirectionalLight(0xfff1dc, 2.7);
   private shadowReach = 0;
   private tints: ReadonlyMap<number, number> | undefined;
+  private dresses: ReadonlyMap<number, number> = new Map();
   private asleepMarked = false;
 
   constructor() {
@@ -188,7 +190,8 @@ export class SceneView {
     for (const { instances, slot } of shown.parts) instances.paint(slot, color);
   }
 
-  private colorNow({ entity, color: own }: Shown): number {
+  private colorNow({ entity, color }: Shown): number {
+    const own = entity.color ?? this.dresses.get(entity.id) ?? color;
     if (!this.tints || entity.mass <= 0) return own;
     return this.tints.get(entity.id) ?? NO_ISLAND;
   }
@@ -202,6 +205,13 @@ export class SceneView {
       if (!before || !tints || before.get(id) !== tints.get(id)) shown.asleep = undefined; // painted with the next picture
   }
 
+  /** Colours for bodies that have none of their own. */
+  dress(colors: ReadonlyMap<number, number>): void {
+    const before = this.dresses;
+    this.dresses = colors;
+    for (const [id, shown] of this.shown) if (before.get(id) !== colors.get(id)) shown.asleep = undefined; // painted with the next picture
+  }
+
   /** Debug view: whether who sleeps stands out. */
   markAsleep(marked: boolean): void {
     if (this.asleepMarked === marked) return;
@@ -213,6 +223,23 @@ export class SceneView {
   poseOf(id: number): Float64Array | undefined {
     const pose = this.shown.get(id)?.pose;
     return pose && !Number.isNaN(pose[0]!) ? pose : undefined;
+  }
+
+  /** A box round what is there to be seen: all but ground and what hangs far away from the rest. */
+  outline(): THREE.Box3 {
+    const around = new THREE.Box3();
+    const part = new THREE.Box3();
+    for (const { parts, pose } of this.shown.values()) {
+      if (Number.isNaN(pose[0]!)) continue;
+      for (const { instances, slot } of parts) {
+        instances.mesh.geometry.boundingBox ?? instances.mesh.geometry.computeBoundingBox();
+        instances.mesh.getMatrixAt(slot, partMatrix);
+        part.copy(instances.mesh.geometry.boundingBox!).applyMatrix4(partMatrix);
+        const wide = Math.max(part.max.x - part.min.x, part.max.z - part.min.z);
+        if (wide < GROUND_WIDE) around.union(part);
+      }
+    }
+    return around;
   }
 
   /** The same, of what can move. */

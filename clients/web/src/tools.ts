@@ -23,6 +23,7 @@ export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] =
 ];
 
 const THROW_SPEED = 18; // m/s
+const BLAST_RADIUS = 6; // m
 const CLICK_PIXELS = 6; // a pointer that moved less was a click
 const WAITS_MS = 150; // for the server's answer, after a click and while hovering; then what is drawn counts
 const HOVER_MS = 100;
@@ -58,6 +59,8 @@ export class Tools {
     /** What is under the pointer now. */
     private readonly over: (hit: Pick | undefined) => void,
     private readonly takeWheel: (entity: number) => void,
+    /** Something goes off. */
+    private readonly flash: (x: number, y: number, z: number, radius: number) => void,
   ) {
     canvas.addEventListener('pointerdown', (event) => this.down(event), { capture: true });
     canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -182,7 +185,8 @@ export class Tools {
       case 'capsule':
         return this.spawn(hit, 0.6, { case: 'capsule', value: { radius: 0.22, halfLength: 0.35 } });
       case 'explode':
-        return this.send({ case: 'explode', value: { center: xyz(hit.point), radius: 6, speed: 12 } });
+        this.flash(...hit.point.toArray(), BLAST_RADIUS);
+        return this.send({ case: 'explode', value: { center: xyz(hit.point), radius: BLAST_RADIUS, speed: 12 } });
       case 'delete':
         return this.send({ case: 'delete', value: { entity: hit.entity } });
       case 'drive':

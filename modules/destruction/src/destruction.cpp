@@ -114,14 +114,25 @@ Result<std::size_t> Destruction::break_near(const World& world, DestructibleId i
     if (!is_finite(center) || !(radius >= 0 && radius <= 1e7))
         return Error{ErrorCode::invalid_argument,
                      "center is not finite, or radius is not 0 to 1e7 m"};
+    return break_near(world, *whole, center, radius);
+}
+
+std::size_t Destruction::break_near(const World& world, Vec3 center, double radius) {
+    std::size_t count = 0;
+    for (Whole& whole : wholes_)
+        if (whole.alive) count += break_near(world, whole, center, radius);
+    return count;
+}
+
+std::size_t Destruction::break_near(const World& world, Whole& whole, Vec3 center, double radius) {
     derive();
     std::size_t count = 0;
-    for (Piece& piece : whole->pieces) {
+    for (Piece& piece : whole.pieces) {
         const Result<BodyState> body = world.body(piece.body);
         if (!body.ok()) continue;
         const Vec3 here = apply_inverse(body->pose, center) + piece.origin;
         for (const std::uint32_t k : piece.bonds) {
-            Bond& bond = whole->bonds[k];
+            Bond& bond = whole.bonds[k];
             if (length_squared(bond.face.center - here) > radius * radius) continue;
             bond.broken = true;
             piece.cut = true;

@@ -146,6 +146,19 @@ TEST_F(HostedWorldTest, an_explosion_pushes_away_what_is_in_reach) {
     EXPECT_NEAR(find(step(60), near)->pose.position.x - before, 9.4, 0.6);
 }
 
+TEST_F(HostedWorldTest, an_explosion_breaks_what_can_break_near_by) {
+    world = HostedWorld::create(*scenes::find_scene("demolition"), {}, 1).value();
+    const std::size_t whole = step(2).entities.size();
+    const auto explode = [&](physics::Vec3 center) {
+        return apply(1, ExplodeCommand{.center = center, .radius = 6, .speed = 12}).status.ok();
+    };
+    // Pieces come off 1.2 m round it: of the wall at x = 7, whose front is at z = -5.8.
+    EXPECT_TRUE(explode({7, 2, -3}));
+    EXPECT_EQ(step(2).entities.size(), whole) << "2.8 m in front of it";
+    EXPECT_TRUE(explode({7, 2, -5.8}));
+    EXPECT_GT(step(2).entities.size(), whole + 10);
+}
+
 TEST(HostedWorld, a_world_with_more_modules_than_clients_take_is_not_hosted) {
     scenes::SceneDescription scene = *scenes::find_scene("stack");
     scene.modules.resize(65);

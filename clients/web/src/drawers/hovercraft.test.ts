@@ -1,7 +1,8 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { VertexBuffer } from '../vertex_buffer';
-import { drawHovercraft, readThrusters } from './hovercraft';
+import { withValue } from '../testing/golden_modules';
+import { testDrawing } from '../testing/test_drawing';
+import { hovercraft, readThrusters } from './hovercraft';
 
 // Written by hand: thrusters at the corners of 2 by 2 m, half a metre below the origin. The first has a ray of 4 m and full thrust, the
 // last none of either.
@@ -16,10 +17,10 @@ const VALUES = new Int32Array([
 ]);
 
 const drawn = (values: Int32Array, pose: number[] | undefined) => {
-  const lines = VertexBuffer.lines(1);
-  lines.begin();
   let asked = 0;
-  drawHovercraft({ entity: 258, values, seconds: 0 }, { lines, poseOf: (entity) => ((asked = entity), pose) });
+  const drawing = testDrawing((entity) => ((asked = entity), pose));
+  const { lines } = drawing;
+  hovercraft.draw!([{ entity: 258, values, seconds: 0 }], drawing);
   lines.end();
   const points = lines.object.geometry.getAttribute('position');
   const colors = lines.object.geometry.getAttribute('color');
@@ -61,6 +62,7 @@ describe('hovercraft', () => {
     const pose = [0, 0, 0, 0, 0, 0, 1];
     for (let size = 0; size < VALUES.length; size++) expect(drawn(VALUES.slice(0, size), pose).count).toBe(0);
     expect(drawn(new Int32Array([...VALUES, 0]), pose).count).toBe(0);
+    expect(drawn(withValue(VALUES, 4, 256), pose).count).toBe(0);
     expect(drawn(VALUES, undefined).count).toBe(0);
   });
 });

@@ -2,11 +2,10 @@
 // layout.
 
 import * as THREE from 'three';
-import type { Drawer } from './drawer';
+import type { Drawer, Drawing, Told } from './drawer';
+import { ValueReader } from './value_reader';
 
 const THRUSTERS = 4;
-const THRUSTER_VALUES = 5;
-const STEPS = 65535;
 const FARTHEST = 2; // m, of a thruster from the craft's origin, along each axis
 const LONGEST_RAY = 4; // m
 
@@ -21,12 +20,17 @@ export interface Thruster {
 
 /** Nothing unless the numbers are exactly a hovercraft. */
 export function readThrusters(values: Int32Array): Thruster[] | undefined {
-  if (values.length !== THRUSTERS * THRUSTER_VALUES) return undefined;
-  return Array.from({ length: THRUSTERS }, (_, k): Thruster => {
-    const at = k * THRUSTER_VALUES;
-    const along = (axis: number) => (values[at + axis]! / STEPS) * 2 * FARTHEST - FARTHEST;
-    return { position: [along(0), along(1), along(2)], ray: (values[at + 3]! / STEPS) * LONGEST_RAY, thrust: values[at + 4]! / 255 };
-  });
+  const reader = new ValueReader(values);
+  const along = () => reader.quantized(-FARTHEST, FARTHEST, 16);
+  const thrusters = Array.from(
+    { length: THRUSTERS },
+    (): Thruster => ({
+      position: [along(), along(), along()],
+      ray: reader.quantized(0, LONGEST_RAY, 16),
+      thrust: reader.quantized(0, 1, 8),
+    }),
+  );
+  return reader.failed || reader.left > 0 ? undefined : thrusters;
 }
 
 const from = new THREE.Vector3();
@@ -35,7 +39,7 @@ const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const color = new THREE.Color();
 
-export const drawHovercraft: Drawer = ({ entity, values }, { lines, poseOf }) => {
+function drawHovercraft({ entity, values }: Told, { lines, poseOf }: Pick<Drawing, 'lines' | 'poseOf'>): void {
   const thrusters = readThrusters(values);
   const pose = poseOf(entity);
   if (!thrusters || !pose) return;
@@ -50,4 +54,11 @@ export const drawHovercraft: Drawer = ({ entity, values }, { lines, poseOf }) =>
       lines.vertex(end.x, end.y, end.z, color);
     }
   }
+}
+
+export const hovercraft: Drawer = {
+  draw(told, drawing) {
+    for (const one of told) drawHovercraft(one, drawing);
+  },
+  steering: { keys: 'W S ahead and back · A D turn', camera: 'behind', distance: 9 },
 };

@@ -1,10 +1,14 @@
+import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { VertexBuffer } from '../vertex_buffer';
-import { drawVehicle, readCar } from './vehicle';
+import { withValue } from '../testing/golden_modules';
+import { testDrawing } from '../testing/test_drawing';
+import { readCar, vehicles } from './vehicle';
 
 // Written by hand: second gear, one wheel of half a metre, a quarter of a metre wide, at the origin of the chassis but a metre ahead; it
 // touches, slides, has turned by a quarter and steers by nothing.
 const CAR = new Int32Array([2, 128, 64, 64, 0x7fff, 0x7fff, 0x6fff, 3, 0x4000, 0x7fff, 0x7fff]);
+const SPIN = 9; // its place
+const told = (values: Int32Array, seconds = 0) => ({ entity: 7, values, seconds });
 
 describe('vehicle', () => {
   it('is read as the module writes it', () => {
@@ -18,20 +22,35 @@ describe('vehicle', () => {
     expect(wheel!.angle).toBeCloseTo(Math.PI / 2, 3);
     expect(wheel!.steering).toBeCloseTo(0, 3);
   });
-  it('is nothing when numbers are missing', () => {
+  it('is nothing when numbers are missing or beyond their steps', () => {
     for (let end = 3; end < CAR.length; end++) expect(readCar(CAR.subarray(0, end))).toBeUndefined();
     expect(readCar(new Int32Array())).toBeUndefined();
+    for (const step of [-1, 0x10000]) expect(readCar(withValue(CAR, SPIN, step))).toBeUndefined();
   });
-  it('is drawn as two rims with spokes, where the chassis is', () => {
-    const lines = VertexBuffer.lines(1);
-    lines.begin();
-    drawVehicle({ entity: 7, values: CAR, seconds: 0 }, { lines, poseOf: (entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined) });
-    lines.end();
-    expect(lines.count).toBe(2 * (16 + 4) * 2);
-    const points = lines.object.geometry.getAttribute('position');
-    for (let k = 0; k < lines.count; k++) {
-      expect(Math.abs(points.getX(k) - 10)).toBeCloseTo(0.125, 2);
-      expect(Math.hypot(points.getY(k), points.getZ(k) + 1)).toBeLessThan(0.52);
-    }
+  it('is drawn as wheels that have turned and steer, where the chassis is', () => {
+    const drawing = testDrawing((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
+    vehicles.draw!([told(CAR)], drawing);
+    const { solids } = drawing;
+    expect(solids.countOf('cylinder')).toBe(2); // tyre and rim
+    const tyre = solids.matrixOf('cylinder', 0);
+    const at = new THREE.Vector3().setFromMatrixPosition(tyre);
+    expect(at.distanceTo(new THREE.Vector3(10, 0, -1))).toBeLessThan(0.01);
+    // Its axis is the chassis's x, and what was its top looks ahead, after a quarter of a turn.
+    const axis = new THREE.Vector3(0, 1, 0).transformDirection(tyre);
+    expect(Math.abs(axis.x)).toBeCloseTo(1, 3);
+    const spoke = solids.matrixOf('box', 0);
+    expect(new THREE.Vector3(0, 1, 0).transformDirection(spoke).z).toBeCloseTo(-1, 3);
+  });
+  it('rolls on between ticks', () => {
+    const spun = withValue(CAR, SPIN, 36044); // 40 rad/s
+    const drawing = testDrawing();
+    vehicles.draw!([told(spun, Math.PI / 80)], drawing);
+    // A quarter more: the top is behind the hub's height again, upside down.
+    expect(new THREE.Vector3(0, 1, 0).transformDirection(drawing.solids.matrixOf('box', 0)).y).toBeCloseTo(-1, 2);
+  });
+  it('says how fast and in which gear', () => {
+    expect(vehicles.steering!.words!(told(CAR))).toBe('0 km/h · gear 2');
+    expect(vehicles.steering!.words!(told(withValue(CAR, 0, -1)))).toBe('0 km/h · reverse');
+    expect(vehicles.steering!.words!(told(CAR.subarray(0, 5)))).toBe('');
   });
 });

@@ -1,17 +1,15 @@
-// The module "vehicle": each wheel as two rims and its spokes, redder where the tyre slides. vehicle.h has the layout.
+// The module "vehicle": wheels, which are no bodies, and redder where the tyre slides. vehicle.h has the layout.
 
 import * as THREE from 'three';
-import type { Drawer } from './drawer';
+import type { Drawer, Drawing } from './drawer';
+import { ValueReader } from './value_reader';
 
-const HEAD_VALUES = 2;
-const WHEEL_VALUES = 9;
-const STEPS = 65535;
 const FARTHEST = 8; // m, of a wheel from the chassis's origin, along each axis
-const SIDES = 16;
-const SPOKES = 4;
 
-const RUBBER = new THREE.Color(0x2b2d42);
-const SLIDING = new THREE.Color(0xef476f);
+const RUBBER = new THREE.Color(0x15161a);
+const SLIDING = new THREE.Color(0x7a1f2e);
+const RIM = new THREE.Color(0xc9ced6);
+const SPOKE = new THREE.Color(0x3a3f4a);
 
 export interface Wheel {
   radius: number; // m
@@ -20,63 +18,89 @@ export interface Wheel {
   touches: boolean;
   slides: boolean;
   angle: number; // rad that it has turned
+  spin: number; // rad/s
   steering: number; // rad, to the right
 }
 export interface Car {
-  gear: number;
+  gear: number; // -1 reverse, 0 neutral
+  engine: number; // 0 to 1 of its most
   wheels: Wheel[];
+}
+
+function readWheel(reader: ValueReader): Wheel {
+  const radius = reader.quantized(0, 2, 8);
+  const width = reader.quantized(0, 1, 8);
+  const along = () => reader.quantized(-FARTHEST, FARTHEST, 16);
+  const center: Wheel['center'] = [along(), along(), along()];
+  const bits = reader.value();
+  return {
+    radius,
+    width,
+    center,
+    touches: (bits & 1) !== 0,
+    slides: (bits & 2) !== 0,
+    angle: reader.quantized(0, 2 * Math.PI, 16),
+    spin: reader.quantized(-400, 400, 16),
+    steering: reader.quantized(-Math.PI / 2, Math.PI / 2, 16),
+  };
 }
 
 /** Nothing unless the numbers are exactly a car. */
 export function readCar(values: Int32Array): Car | undefined {
-  if (values.length < HEAD_VALUES || (values.length - HEAD_VALUES) % WHEEL_VALUES !== 0) return undefined;
-  const car: Car = { gear: values[0]!, wheels: [] };
-  for (let at = HEAD_VALUES; at < values.length; at += WHEEL_VALUES) {
-    const part = (k: number) => values[at + k]! / STEPS;
-    const along = (axis: number) => (2 * part(2 + axis) - 1) * FARTHEST;
-    car.wheels.push({
-      radius: (values[at]! / 255) * 2,
-      width: values[at + 1]! / 255,
-      center: [along(0), along(1), along(2)],
-      touches: (values[at + 5]! & 1) !== 0,
-      slides: (values[at + 5]! & 2) !== 0,
-      angle: part(6) * 2 * Math.PI,
-      steering: (part(8) - 0.5) * Math.PI,
-    });
-  }
-  return car;
+  const reader = new ValueReader(values);
+  const car: Car = { gear: reader.value(), engine: reader.quantized(0, 1, 8), wheels: [] };
+  while (reader.left > 0 && !reader.failed) car.wheels.push(readWheel(reader));
+  return reader.failed ? undefined : car;
 }
 
 const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
-const point = new THREE.Vector3();
-const UP = new THREE.Vector3(0, 1, 0);
+const center = new THREE.Vector3();
+const turn = new THREE.Quaternion();
+const part = new THREE.Quaternion();
+const size = new THREE.Vector3();
+const X = new THREE.Vector3(1, 0, 0);
+const Y = new THREE.Vector3(0, 1, 0);
+const LYING = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), -Math.PI / 2); // a cylinder's axis from y to x
 
-export const drawVehicle: Drawer = ({ entity, values }, { lines, poseOf }) => {
-  const car = readCar(values);
-  const pose = poseOf(entity);
-  if (!car || !pose) return;
-  origin.set(pose[0]!, pose[1]!, pose[2]!);
-  rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
-  for (const wheel of car.wheels) {
-    const color = wheel.slides ? SLIDING : RUBBER;
-    const center = new THREE.Vector3(...wheel.center);
-    const vertex = (side: number, part: number, reach: number) => {
-      // Ahead is -z: a wheel that rolls ahead turns from the top towards -z.
-      const turn = 2 * Math.PI * part + wheel.angle;
-      point.set(side * 0.5 * wheel.width, reach * Math.cos(turn), -reach * Math.sin(turn));
-      point.applyAxisAngle(UP, -wheel.steering).add(center).applyQuaternion(rotation).add(origin);
-      lines.vertex(point.x, point.y, point.z, color);
-    };
-    for (const side of [-1, 1]) {
-      for (let k = 0; k < SIDES; k++) {
-        vertex(side, k / SIDES, wheel.radius);
-        vertex(side, (k + 1) / SIDES, wheel.radius);
-      }
-      for (let k = 0; k < SPOKES; k++) {
-        vertex(side, k / SPOKES, 0);
-        vertex(side, k / SPOKES, wheel.radius);
-      }
+function drawWheel(wheel: Wheel, seconds: number, { solids }: Drawing): void {
+  center.set(...wheel.center).applyQuaternion(rotation).add(origin);
+  // Ahead is -z: a wheel that rolls ahead turns from the top towards -z.
+  turn.copy(rotation);
+  turn.multiply(part.setFromAxisAngle(Y, -wheel.steering));
+  turn.multiply(part.setFromAxisAngle(X, -(wheel.angle + wheel.spin * seconds)));
+  const half = 0.5 * wheel.width;
+  const across = part.copy(turn).multiply(LYING);
+  solids.add('cylinder', center, across, size.set(wheel.radius, half, wheel.radius), wheel.slides ? SLIDING : RUBBER);
+  solids.add('cylinder', center, across, size.set(0.64 * wheel.radius, 1.03 * half, 0.64 * wheel.radius), RIM);
+  solids.add('box', center, turn, size.set(1.08 * half, 0.6 * wheel.radius, 0.09 * wheel.radius), SPOKE);
+  solids.add('box', center, turn, size.set(1.08 * half, 0.09 * wheel.radius, 0.6 * wheel.radius), SPOKE);
+}
+
+function speedOf({ wheels }: Car): number {
+  return wheels.length === 0 ? 0 : wheels.reduce((sum, { spin, radius }) => sum + spin * radius, 0) / wheels.length;
+}
+
+export const vehicles: Drawer = {
+  draw(told, drawing) {
+    for (const { entity, values, seconds } of told) {
+      const car = readCar(values);
+      const pose = drawing.poseOf(entity);
+      if (!car || !pose) continue;
+      origin.set(pose[0]!, pose[1]!, pose[2]!);
+      rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
+      for (const wheel of car.wheels) drawWheel(wheel, seconds, drawing);
     }
-  }
+  },
+  steering: {
+    keys: 'W throttle · S brake, then reverse · A D steer · space hand brake · E Q gears of a manual gearbox',
+    camera: 'behind',
+    distance: 8,
+    words({ values }) {
+      const car = readCar(values);
+      if (!car) return '';
+      const gear = car.gear < 0 ? 'reverse' : car.gear === 0 ? 'neutral' : `gear ${car.gear}`;
+      return `${Math.abs(3.6 * speedOf(car)).toFixed(0)} km/h · ${gear}`;
+    },
+  },
 };

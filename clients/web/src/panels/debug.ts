@@ -9,13 +9,15 @@ import type { SceneView } from '../scene_view';
 const EVERY_MS = 200;
 const MISSES = 2;
 
-type Toggle = keyof DebugWishes | 'sleep';
+type Toggle = keyof DebugWishes | 'sleep' | 'fields';
+const NOT_ASKED: readonly Toggle[] = ['sleep', 'fields']; // snapshots tell
 const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
   { toggle: 'contacts', label: 'Contacts', hint: 'Points and normals: red presses, blue is near; the longer, the harder' },
   { toggle: 'islands', label: 'Islands', hint: 'Bodies that hang together have one colour' },
   { toggle: 'sleep', label: 'Sleep', hint: 'Bodies that sleep are blue' },
   { toggle: 'bounds', label: 'Bounds', hint: 'The box around each shape' },
   { toggle: 'joints', label: 'Joints', hint: 'From body to anchor to body' },
+  { toggle: 'fields', label: 'Fields', hint: 'Wind as arrows, rings round what attracts' },
   { toggle: 'broadPhase', label: 'Broad phase', hint: 'Cells, or branches of the tree' },
 ];
 
@@ -27,6 +29,7 @@ export class DebugPanel {
     bounds: false,
     joints: false,
     broadPhase: false,
+    fields: false,
   };
   private missed = 0;
   private readonly note = document.createElement('p');
@@ -60,7 +63,7 @@ export class DebugPanel {
   }
 
   private get asksServer(): boolean {
-    return TOGGLES.some(({ toggle }) => toggle !== 'sleep' && this.on[toggle]);
+    return TOGGLES.some(({ toggle }) => !NOT_ASKED.includes(toggle) && this.on[toggle]);
   }
 
   private toggled(): void {

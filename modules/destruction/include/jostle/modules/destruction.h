@@ -125,6 +125,9 @@ public:
     physics::Result<std::size_t> break_near(const physics::World& world, DestructibleId id,
                                             physics::Vec3 center, double radius);
 
+    // ... of all of them.
+    std::size_t break_near(const physics::World& world, physics::Vec3 center, double radius);
+
     bool contains(DestructibleId id) const { return find(id) != nullptr; }
     std::size_t size() const;
     physics::Result<std::vector<physics::BodyId>> bodies(DestructibleId id) const;
@@ -186,6 +189,8 @@ private:
     const Whole* find(DestructibleId id) const;
     Whole* find(DestructibleId id);
     static physics::Error unknown(DestructibleId id);
+    std::size_t break_near(const physics::World& world, Whole& whole, physics::Vec3 center,
+                           double radius);
     static void visit(physics::StateVisitor& v, Whole& whole);
     void visit_limits(physics::StateVisitor& v);
     static void check_whole(physics::StateVisitor& v, const Whole& whole);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "bot/lap_counter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jostle::bots {
+
+void LapCounter::see(double seconds, double x, double z) {
+    if (!seen_) began_ = seconds;
+    if (seen_) turned_ += std::atan2(x_ * z - z_ * x, x_ * x + z_ * z);
+    seen_ = true;
+    x_ = x, z_ = z;
+    const double away = std::hypot(x, z);
+    lap_.nearest = std::min(lap_.nearest, away);
+    lap_.furthest = std::max(lap_.furthest, away);
+    constexpr double whole = 2 * 3.14159265358979;
+    if (std::abs(turned_) < whole) return;
+    lap_.seconds = seconds - began_;
+    laps_.push_back(lap_);
+    turned_ -= turned_ < 0 ? -whole : whole;
+    began_ = seconds;
+    lap_ = {};
+}
+
+}  // namespace jostle::bots

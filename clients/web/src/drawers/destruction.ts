@@ -1,0 +1,45 @@
+// The module "destruction": stone and brick for what may break, each piece in a shade of its own, and how much of it still holds.
+// destruction.h has the layout.
+
+import * as THREE from 'three';
+import { isOfModule, type Drawer } from './drawer';
+import { ValueReader } from './value_reader';
+
+export interface Whole {
+  pieces: number;
+  bonds: number; // that hold
+  bondsAtFirst: number;
+}
+
+/** Nothing unless the numbers are exactly what destructibles tell. */
+export function readWholes(values: Int32Array): Whole[] | undefined {
+  const reader = new ValueReader(values);
+  const wholes: Whole[] = [];
+  while (reader.left > 0) wholes.push({ pieces: reader.value(), bonds: reader.value(), bondsAtFirst: reader.value() });
+  return reader.failed ? undefined : wholes;
+}
+
+const GOLDEN = 0.618034; // neighbours in number are far apart in shade
+const shade = new THREE.Color();
+
+function stone(id: number): number {
+  const turn = (id * GOLDEN) % 1;
+  return shade.setHSL(0.045 + 0.035 * turn, 0.3 + 0.16 * ((id * GOLDEN * 7) % 1), 0.48 + 0.16 * turn).getHex();
+}
+
+export const destructibles: Drawer = {
+  dress(_told, entities) {
+    const colors = new Map<number, number>();
+    for (const entity of entities.values())
+      if (isOfModule(entity) && entity.shapes.length > 0 && entity.shapes.every(({ kind }) => kind.case === 'hull'))
+        colors.set(entity.id, stone(entity.id));
+    return colors;
+  },
+  words(told) {
+    const wholes = told.flatMap(({ values }) => readWholes(values) ?? []);
+    if (wholes.length === 0) return '';
+    const sum = (of: keyof Whole) => wholes.reduce((total, whole) => total + whole[of], 0);
+    const held = sum('bondsAtFirst') > 0 ? (100 * sum('bonds')) / sum('bondsAtFirst') : 100;
+    return `${wholes.length} ${wholes.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(held)} % of the bonds hold`;
+  },
+};

@@ -1,0 +1,35 @@
+// The numbers of a channel, in their order; they are foreign. Past the end all is zero and `failed` is set.
+
+const word = new DataView(new ArrayBuffer(4));
+
+export class ValueReader {
+  failed = false;
+  private at = 0;
+
+  constructor(private readonly values: Int32Array) {}
+
+  get left(): number {
+    return this.values.length - this.at;
+  }
+  value(): number {
+    if (this.left > 0) return this.values[this.at++]!;
+    this.failed = true;
+    return 0;
+  }
+  /** A number that was rounded to 2^bits even steps from low to high; what is none of them fails. */
+  quantized(low: number, high: number, bits: number): number {
+    const step = this.value();
+    const last = 2 ** bits - 1;
+    if (step >= 0 && step <= last) return low + (step / last) * (high - low);
+    this.failed = true;
+    return low;
+  }
+  /** A float that came as its four bytes; what is no number fails. */
+  f32(): number {
+    word.setInt32(0, this.value());
+    const value = word.getFloat32(0);
+    if (Number.isFinite(value)) return value;
+    this.failed = true;
+    return 0;
+  }
+}

@@ -1,0 +1,25 @@
+import { create } from '@bufbuild/protobuf';
+import * as THREE from 'three';
+import { expect, it } from 'vitest';
+import { EntitySchema } from '../gen/jostle/v1/play_pb';
+import { Solids } from '../solids';
+import { drawArrows, offerWords } from './driver';
+
+const car = (id: number, name: string) => create(EntitySchema, { id, name, drivable: true });
+
+it('says what can be driven', () => {
+  expect(offerWords([])).toBe('');
+  expect(offerWords([car(3, 'digger')])).toBe('Press 8 to drive digger');
+  expect(offerWords([car(3, 'car'), car(4, 'car2')])).toBe('Press 8 to drive one of 2');
+});
+
+it('puts an arrow over each that is there', () => {
+  const solids = new Solids(new THREE.Scene());
+  solids.begin();
+  drawArrows(solids, [car(3, 'car'), car(4, 'car2')], (id) => (id === 3 ? [10, 1, 0, 0, 0, 0, 1] : undefined), 0);
+  solids.end();
+  expect(solids.count).toBe(1);
+  const at = new THREE.Vector3().setFromMatrixPosition(solids.matrixOf('cone', 0));
+  expect([at.x, at.z]).toEqual([10, 0]);
+  expect(at.y).toBeGreaterThan(3);
+});

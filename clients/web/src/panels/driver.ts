@@ -1,0 +1,101 @@
+// The line on driving: what can be driven here, how to take its wheel, what the keys do, how fast it goes. Arrows stand over what
+// can be driven while one may choose.
+
+import * as THREE from 'three';
+import type { Entity } from '../gen/jostle/v1/play_pb';
+import type { Solids } from '../solids';
+import { thingName } from '../thing_names';
+
+const CHOICES_MAX = 12;
+const ARROW = new THREE.Color(0xffd166);
+const ARROW_HEIGHT = 2.4; // m over what it stands on
+const DOWNWARDS = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI);
+
+export interface DriverNews {
+  choosing: boolean; // the tool is chosen
+  driven: Entity | undefined;
+  keys: string; // of what is driven
+  words: string; // on what is driven
+  general: string; // of the world
+}
+
+export class DriverPanel {
+  private readonly line = document.createElement('p');
+  private readonly keys = document.createElement('p');
+  private readonly choices = document.createElement('p');
+  private shown = '';
+  private offered = '';
+
+  constructor(
+    private readonly panel: HTMLElement,
+    private readonly take: (entity: number) => void,
+    private readonly letGo: () => void,
+  ) {
+    this.keys.className = 'keys';
+    panel.append(this.line, this.keys, this.choices);
+  }
+
+  /** Once a picture: touches the page only when something is to be said anew. */
+  update(news: DriverNews, drivable: readonly Entity[]): void {
+    const { choosing, driven, keys, words, general } = news;
+    this.panel.hidden = !choosing && !driven && general === '';
+    if (this.panel.hidden) return;
+    const told = driven
+      ? `You drive ${thingName(driven, driven.id)}${words && ` · ${words}`}`
+      : choosing
+        ? drivable.length > 0
+          ? 'Click what stands under an arrow, or choose:'
+          : 'Nothing in this world can be driven'
+        : general;
+    const under = driven ? `${keys || 'W A S D or arrows, space, shift, E and Q'} · gamepad · Esc lets go` : '';
+    if (this.shown !== told + under) {
+      this.shown = told + under;
+      this.line.textContent = told;
+      this.keys.textContent = under;
+    }
+    this.offer(driven || !choosing ? [] : drivable.slice(0, CHOICES_MAX), driven !== undefined);
+  }
+
+  private offer(choices: readonly Entity[], drives: boolean): void {
+    const offered = `${drives} ${choices.map(({ id }) => id).join()}`;
+    if (this.offered === offered) return;
+    this.offered = offered;
+    const button = (label: string, click: () => void) => {
+      const made = document.createElement('button');
+      made.type = 'button';
+      made.textContent = label;
+      made.onclick = () => {
+        made.blur(); // keys drive from now on
+        click();
+      };
+      return made;
+    };
+    this.choices.replaceChildren(
+      ...choices.map(({ id, name }) => button(name || `${id}`, () => this.take(id))),
+      ...(drives ? [button('Let go', () => this.letGo())] : []),
+    );
+  }
+}
+
+/** An invitation. */
+export function offerWords(drivable: readonly Entity[]): string {
+  if (drivable.length === 0) return '';
+  return drivable.length === 1 ? `Press 8 to drive ${thingName(drivable[0], drivable[0]!.id)}` : `Press 8 to drive one of ${drivable.length}`;
+}
+
+const place = new THREE.Vector3();
+const size = new THREE.Vector3(0.28, 0.45, 0.28);
+
+/** An arrow over each; they bob. */
+export function drawArrows(
+  solids: Solids,
+  drivable: readonly Entity[],
+  poseOf: (entity: number) => ArrayLike<number> | undefined,
+  nowMs: number,
+): void {
+  const bob = 0.15 * Math.sin(nowMs / 250);
+  for (const { id } of drivable) {
+    const pose = poseOf(id);
+    if (pose) solids.add('cone', place.set(pose[0]!, pose[1]! + ARROW_HEIGHT + bob, pose[2]!), DOWNWARDS, size, ARROW);
+  }
+}

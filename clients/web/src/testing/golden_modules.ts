@@ -1,0 +1,27 @@
+// What each module told in its golden world, for tests of drawers; tests/modules/golden keeps it and has the layout.
+
+import { readFileSync } from 'node:fs';
+import { expect } from 'vitest';
+import type { Told } from '../drawers/drawer';
+
+/** The channels of one of its kinds: a place in its channels(). */
+export function goldenModule(tag: string, kind = 0): Told[] {
+  const bytes = readFileSync(new URL(`../../../../proto/golden_modules/${tag}.bin`, import.meta.url));
+  let at = 0;
+  const i32 = () => bytes.readInt32LE((at += 4) - 4);
+  const channels = Array.from({ length: i32() }, () => {
+    const [ofKind, entity, length] = [i32(), i32(), i32()];
+    return { ofKind, entity: entity!, values: Int32Array.from({ length: length! }, i32), seconds: 0 };
+  });
+  expect(at).toBe(bytes.length);
+  return channels.filter(({ ofKind }) => ofKind === kind).map(({ entity, values, seconds }) => ({ entity, values, seconds }));
+}
+
+/** What a reader must refuse: numbers that end early, and one too many. */
+export function* broken(values: Int32Array): Iterable<Int32Array> {
+  for (let end = 0; end < values.length; end++) yield values.subarray(0, end);
+  yield new Int32Array([...values, 0]);
+}
+
+/** The same numbers but for one. */
+export const withValue = (values: Int32Array, at: number, value: number) => values.map((old, k) => (k === at ? value : old));

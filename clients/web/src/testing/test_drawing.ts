@@ -1,0 +1,39 @@
+// For tests: somewhere to draw, with bodies where one wants them.
+
+import * as THREE from 'three';
+import type { Entity } from '../gen/jostle/v1/play_pb';
+import { Solids } from '../solids';
+import { VertexBuffer } from '../vertex_buffer';
+import { Water } from '../water';
+import type { Drawing } from '../drawers/drawer';
+
+export interface TestDrawing extends Drawing {
+  readonly flashes: number[][];
+}
+
+/** Begun. All bodies are at `pose`, or where it says. */
+export function testDrawing(
+  pose: number[] | ((entity: number) => number[] | undefined) = [0, 0, 0, 0, 0, 0, 1],
+  entities: ReadonlyMap<number, Entity> = new Map(),
+  more: Partial<Drawing> = {},
+): TestDrawing {
+  const scene = new THREE.Scene();
+  const flashes: number[][] = [];
+  const drawing: TestDrawing = {
+    lines: VertexBuffer.lines(1),
+    solids: new Solids(scene),
+    water: new Water(scene),
+    blasts: { add: (...mark: number[]) => void flashes.push(mark) },
+    flashes,
+    nowMs: 0,
+    around: { x: 0, y: 0, z: 0 },
+    debug: false,
+    poseOf: typeof pose === 'function' ? pose : () => pose,
+    entityOf: (entity) => entities.get(entity),
+    ...more,
+  };
+  drawing.lines.begin();
+  drawing.solids.begin();
+  drawing.water.begin();
+  return drawing;
+}

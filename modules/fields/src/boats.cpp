@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/boats.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "jostle/modules/fields.h"
+#include "jostle/modules/settings.h"
+#include "jostle/modules/volume.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+constexpr double rudder_rate = 2.5;   // 1/s of full rudder
+constexpr double astern_share = 0.5;  // of the thrust
+constexpr double screw_reach = 8;     // m
+constexpr double keel_half = 0.7;     // of how far astern the screw is: where its two ends push
+
+struct Range {
+    const char* name;
+    double BoatDef::*value;
+    double low, high;
+};
+constexpr Range ranges[] = {{"thrust", &BoatDef::thrust, 0, 1e7},
+                            {"top_speed", &BoatDef::top_speed, 0.1, 100},
+                            {"rudder_most", &BoatDef::rudder_most, 0, 1.2},
+                            {"keel", &BoatDef::keel, 0, 1e6}};
+
+Error invalid(std::string message) {
+    return {ErrorCode::invalid_argument, std::move(message)};
+}
+
+Status check(const World& world, const BoatDef& def) {
+    const Result<BodyState> hull = world.body(def.hull);
+    if (!hull.ok()) return invalid("hull is no body");
+    if (hull->type != BodyType::dynamic) return invalid("hull is not dynamic");
+    if (!is_finite(def.screw) || length(def.screw) > screw_reach)
+        return invalid("screw is further than 8 m from the hull's origin");
+    for (const Range& range : ranges)
+        if (!(def.*range.value >= range.low && def.*range.value <= range.high))
+            return invalid(std::string(range.name) + " is out of its range");
+    return {};
+}
+
+// N s upon the hull at the screw.
+Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, double rudder,
+               double h) {
+    const Vec3 ahead = rotate(hull.pose.rotation, {0, 0, -1});
+    const double along = dot(hull.linear_velocity, ahead);
+    // The screw's blades meet the water at less of an angle the faster it comes.
+    const double slip = clamp(1 - (throttle < 0 ? -along : along) / def.top_speed, 0, 1);
+    const double force = def.thrust * throttle * slip * (throttle < 0 ? astern_share : 1);
+    // A stern that is pushed to the left turns the bow to the right.
+    const SinCos turn = sin_cos(rudder * def.rudder_most);
+    return rotate(hull.pose.rotation, {-turn.sin, 0, -turn.cos}) * (force * h);
+}
+
+// N s at a point of the keel, which turns what runs along the hull as a wing does: at most until
+// nothing goes aside.
+Vec3 keel_of(const BoatDef& def, const MovingBody& hull, Vec3 velocity, double h) {
+    const Vec3 right = rotate(hull.pose.rotation, {1, 0, 0});
+    const double aside = dot(velocity, right);
+    const double wanted = 0.5 * def.keel * length(velocity) * absolute(aside) * h;
+    const double most = 0.1 * hull.mass * absolute(aside);
+    return right * (minimum(wanted, most) * (aside < 0 ? 1 : -1));
+}
+
+}  // namespace
+
+const Boats::Boat* Boats::find(BodyId hull) const {
+    const auto found =
+        std::ranges::find_if(boats_, [&](const Boat& b) { return b.def.hull == hull; });
+    return found == boats_.end() ? nullptr : &*found;
+}
+
+Boats::Boat* Boats::find(BodyId hull) {
+    return const_cast<Boat*>(std::as_const(*this).find(hull));
+}
+
+Status Boats::add(const World& world, const BoatDef& def) {
+    if (Status good = check(world, def); !good.ok()) return good;
+    if (find(def.hull) != nullptr) return invalid("hull is a boat already");
+    if (boats_.size() == most)
+        return Error{ErrorCode::resource_exhausted, "there are 256 boats, the most allowed"};
+    boats_.push_back({.def = def});
+    return {};
+}
+
+Status Boats::steer(World& world, BodyId hull, double throttle, double rudder) {
+    Boat* boat = find(hull);
+    if (boat == nullptr) return Error{ErrorCode::not_found, "that body is no boat"};
+    if (!(absolute(throttle) <= 1 && absolute(rudder) <= 1))
+        return invalid("throttle and rudder must be from -1 to 1");
+    boat->throttle = throttle;
+    boat->rudder_held = rudder;
+    return world.wake(hull);
+}
+
+std::vector<Boats::State> Boats::states() const {
+    std::vector<State> states;
+    for (const Boat& boat : boats_)
+        states.push_back({boat.def.hull, boat.throttle, boat.rudder, boat.wet});
+    return states;
+}
+
+void Boats::visit(StateVisitor& v) {
+    v.all("boats", boats_, [&](Boat& boat) {
+        v.field("hull", boat.def.hull);
+        bounded(v, "screw", boat.def.screw, screw_reach);
+        for (const Range& range : ranges)
+            bounded(v, range.name, boat.def.*range.value, range.low, range.high);
+        bounded(v, "throttle", boat.throttle, -1, 1);
+        bounded(v, "rudder_held", boat.rudder_held, -1, 1);
+        bounded(v, "rudder", boat.rudder, -1, 1);
+        v.field("wet", boat.wet);
+    });
+    if (v.loading() && boats_.size() > most) v.fail("boats", "are more than 256");
+}
+
+Status Boats::configure(World& world, const ModuleSettings& given) {
+    BoatDef def;
+    SettingsReader settings(given);
+    settings.number("screw_y", def.screw.y, -5, 5);
+    settings.number("screw_z", def.screw.z, -5, 5);
+    for (const Range& range : ranges)
+        settings.number(range.name, def.*range.value, range.low, range.high);
+    for (const auto& [name, body] : given.bodies) settings.body(name, def.hull);
+    if (Status read = settings.finish(); !read.ok()) return read;
+    for (const auto& [name, body] : given.bodies) {
+        def.hull = body;
+        if (Status added = add(world, def); !added.ok())
+            return Error{added.error().code, name + ": " + added.error().message};
+    }
+    return {};
+}
+
+void Boats::control(World& world, BodyId body, const Controls& controls) {
+    // Axes are within their range, and the body may be gone: then the boat ends in the next step.
+    static_cast<void>(steer(world, body, controls.axes[1], controls.axes[0]));
+}
+
+void Boats::before_step(World& world, double dt) {
+    std::erase_if(boats_, [&](const Boat& boat) { return !world.contains(boat.def.hull); });
+    waters_.clear();
+    if (const auto* fields = dynamic_cast<const Fields*>(world.module("fields")))
+        for (const FieldKey key : fields->fields())
+            if (const auto field = fields->field(key);
+                field.ok() && std::holds_alternative<Waves>(field->law))
+                waters_.push_back(*field);
+    for (Boat& boat : boats_) {
+        boat.rudder += clamp(boat.rudder_held - boat.rudder, -rudder_rate * dt, rudder_rate * dt);
+        if (boat.throttle != 0) static_cast<void>(world.wake(boat.def.hull));
+    }
+}
+
+bool Boats::in_water(const SubstepContext& substep, Vec3 point) const {
+    const double gravity = -substep.world().gravity().y;
+    return std::ranges::any_of(waters_, [&](const VolumeField& water) {
+        return holds(water.volume, point) &&
+               water_at(std::get<Waves>(water.law), gravity, point, substep.time()).height >
+                   point.y;
+    });
+}
+
+void Boats::before_substep(SubstepContext& substep) {
+    for (Boat& boat : boats_) {
+        if (!substep.contains(boat.def.hull)) continue;
+        if (substep.index() == 0) boat.wet = false;
+        const MovingBody hull = substep.body(boat.def.hull);
+        const Vec3 screw = apply(hull.pose, boat.def.screw);
+        if (!in_water(substep, screw)) continue;
+        boat.wet = true;
+        for (const double end : {-keel_half, keel_half}) {
+            const Vec3 at =
+                hull.center + rotate(hull.pose.rotation, {0, 0, end * boat.def.screw.z});
+            substep.add_impulse(
+                hull.id, keel_of(boat.def, hull, substep.velocity_at(hull.id, at), substep.h()),
+                at);
+        }
+        if (boat.throttle != 0)
+            substep.add_impulse(
+                hull.id, thrust_of(boat.def, hull, boat.throttle, boat.rudder, substep.h()), screw);
+    }
+}
+
+void Boats::publish(const World&, ChannelWriter& channels) const {
+    for (const Boat& boat : boats_) {
+        if (!channels.begin(0, boat.def.hull)) continue;
+        const Vec3 screw = boat.def.screw;
+        for (const double x : {screw.x, screw.y, screw.z})
+            channels.quantized(x, -screw_reach, screw_reach, 16);
+        channels.quantized(boat.throttle, -1, 1, 8);
+        channels.quantized(boat.rudder, -1, 1, 8);
+        channels.value(boat.wet ? 1 : 0);
+    }
+}
+
+}  // namespace jostle::modules

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// The committed golden channels are what modules tell today. clients/web reads the same.
+#include "modules/golden/golden_modules.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace jostle::modules {
+
+TEST(GoldenModules, committed_files_are_what_modules_tell_today) {
+    if (arithmetic() != Arithmetic::fused)
+        GTEST_SKIP() << "a portable build rounds otherwise: a number may be a step beside";
+    for (const GoldenModule& module : golden_modules()) {
+        std::ifstream in(GOLDEN_FOLDER "/" + module.tag + ".bin", std::ios::binary);
+        ASSERT_TRUE(in) << module.tag;
+        const std::string text((std::istreambuf_iterator<char>(in)), {});
+        const std::vector<std::byte> bytes = file_bytes(module.channels);
+        ASSERT_EQ(text.size(), bytes.size()) << module.tag;
+        for (std::size_t i = 0; i < text.size(); i++)
+            ASSERT_EQ(static_cast<std::byte>(text[i]), bytes[i])
+                << module.tag << " byte " << i
+                << "; if its layout was meant to change, run golden_modules proto/golden_modules";
+    }
+}
+
+// Numbers by the layouts that the headers state: of a boat, three characters, two walls, two waves,
+// wind with an attraction and a blast, two figures, a car.
+TEST(GoldenModules, are_as_long_as_their_layouts_say) {
+    const std::vector<std::vector<std::size_t>> sizes = {
+        {6}, {4, 4, 4}, {2 * 3}, {3 + 2 * 5, 1 + (1 + 4) + (1 + 3) + 4}, {1, 1}, {2 + 4 * 9}};
+    const std::vector<GoldenModule> modules = golden_modules();
+    ASSERT_EQ(modules.size(), sizes.size());
+    for (std::size_t k = 0; k < modules.size(); k++) {
+        std::vector<std::size_t> told;
+        for (const auto& channel : modules[k].channels) told.push_back(channel.values.size());
+        EXPECT_EQ(told, sizes[k]) << modules[k].tag;
+    }
+}
+
+}  // namespace jostle::modules

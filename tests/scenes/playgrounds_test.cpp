@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes that somebody plays, played by the sticks that a client would hold: laps of the race
+// track, the course of the parkour to its flag, a boat out of the harbour, a digger into a wall.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "jostle/physics/module.h"
+#include "jostle/scenes/catalog.h"
+
+namespace jostle::scenes {
+namespace {
+
+using namespace physics;
+
+constexpr double dt = 1.0 / 60;
+
+struct Played {
+    SceneDescription scene;
+    BuiltScene built;
+
+    explicit Played(const char* name) : Played(*find_scene(name)) {}
+    explicit Played(SceneDescription described)
+        : scene(std::move(described)), built(std::move(*build_scene(scene))) {}
+
+    BodyId named(const std::string& name) const {
+        for (std::size_t k = 0; k < scene.bodies.size(); k++)
+            if (scene.bodies[k].name == name) return built.bodies[k];
+        ADD_FAILURE() << "there is no body " << name;
+        return {};
+    }
+    BodyState state(const std::string& name) const { return *built.world.body(named(name)); }
+    void hold(const char* module, const std::string& body, const Controls& controls) {
+        Module* driven = built.world.module(module);
+        ASSERT_NE(driven, nullptr);
+        ASSERT_TRUE(driven->takes_controls(named(body))) << body;
+        driven->control(built.world, named(body), controls);
+    }
+    void run(double seconds) {
+        for (int step = 0; step < std::lround(seconds / dt); step++)
+            ASSERT_TRUE(built.world.step(dt).ok());
+    }
+};
+
+Controls sticks(double right, double ahead, double look = 0, std::uint32_t buttons = 0) {
+    Controls controls;
+    controls.axes[0] = right, controls.axes[1] = ahead, controls.axes[3] = look;
+    controls.buttons = buttons;
+    return controls;
+}
+
+// Seconds until it has gone once round the y axis, to the left; < 0: it left the road, or a minute
+// was not enough.
+double lap_time(Played& track, const std::string& car) {
+    double turned = 0;
+    Vec3 before = track.state(car).center;
+    for (int step = 1; step <= 60 * 60; step++) {
+        if (!track.built.world.step(dt).ok()) return -1;
+        const Vec3 now = track.state(car).center;
+        const double radius = std::hypot(now.x, now.z);
+        if (radius < 37 || radius > 53) return -1;
+        turned +=
+            std::atan2(before.x * now.z - before.z * now.x, before.x * now.x + before.z * now.z);
+        before = now;
+        if (turned <= -2 * pi) return step * dt;
+    }
+    return -1;
+}
+
+// Ring of 45 m at 16 m/s: 17.7 s, and what it takes to get there from standing.
+TEST(RaceTrack, a_pilot_drives_a_lap_on_the_road) {
+    Played track("race_track");
+    const double seconds = lap_time(track, "car");
+    RecordProperty("lap_seconds", std::to_string(seconds));
+    EXPECT_GT(seconds, 17.7);
+    EXPECT_LT(seconds, 22);
+    for (const char* other : {"car2", "car3", "car4", "car5", "car6"}) {
+        const Vec3 at = track.state(other).center;
+        EXPECT_GT(std::hypot(at.x, at.z), 37) << other;
+        EXPECT_LT(std::hypot(at.x, at.z), 53) << other;
+    }
+}
+
+TEST(RaceTrack, a_car_at_full_speed_skids_at_full_lock_and_stays_on_its_wheels) {
+    // Nothing in its way.
+    SceneDescription open = *find_scene("race_track");
+    for (SceneBody& body : open.bodies)
+        if (body.name == "tree" || body.name == "tyre") {
+            body.body.type = BodyType::static_body;
+            body.body.pose.position.y -= 100;
+        }
+    Played track(std::move(open));
+    track.hold("vehicle", "car", sticks(0, 1));
+    track.run(5);
+    EXPECT_GT(length(track.state("car").linear_velocity), 18);
+    track.hold("vehicle", "car", sticks(-1, 1));
+    double lowest = 1;
+    for (int step = 0; step < 60 * 5; step++) {
+        ASSERT_TRUE(track.built.world.step(dt).ok());
+        lowest = std::min(lowest, rotate(track.state("car").pose.rotation, {0, 1, 0}).y);
+    }
+    EXPECT_GT(lowest, 0.7);
+}
+
+// Up the stairs, over the gaps with a leap each, along the beam, to the flag.
+TEST(Parkour, can_be_walked_to_its_flag) {
+    Played parkour("parkour");
+    const Vec3 way[] = {{0, 0, -5},     {0, 0, -12},   {16, 0, -12},
+                        {17, 0, -11.2}, {17, 0, -2.5}, {17.75, 0, 0.8}};
+    const double edges[] = {2, 5, 8.5, 12.5};  // x where gaps begin
+    double seconds = 0;
+    for (const Vec3 mark : way)
+        for (double left = 1; left > 0.4; seconds += dt) {
+            const Vec3 at = parkour.state("walker2").center;
+            const double x = mark.x - at.x, z = mark.z - at.z;
+            left = std::hypot(x, z);
+            ASSERT_LT(seconds, 60) << "on its way to " << mark.x << ", " << mark.z << " it is at "
+                                   << at.x << ", " << at.y << ", " << at.z;
+            const bool leaps = std::ranges::any_of(
+                edges, [&](double edge) { return std::abs(edge - 0.3 - at.x) < 0.2; });
+            parkour.hold("character", "walker2",
+                         sticks(0, std::min(0.6, left), std::atan2(-x, -z) / pi, leaps ? 1 : 0));
+            parkour.run(dt);
+        }
+    RecordProperty("seconds", std::to_string(seconds));
+    EXPECT_NEAR(parkour.state("walker2").center.y, 2.2 + 0.9, 0.15);
+    EXPECT_LT(seconds, 30);
+}
+
+TEST(Harbour, a_boat_leaves_it_upright_and_comes_round) {
+    Played harbour("harbour");
+    harbour.run(2);
+    const Vec3 moored = harbour.state("boat").center;
+    harbour.hold("boat", "boat", sticks(0, 1));
+    harbour.run(6);
+    const Vec3 out = harbour.state("boat").center;
+    EXPECT_GT(out.z - moored.z, 9);
+    harbour.hold("boat", "boat", sticks(1, 1));
+    double lowest = 1;
+    for (int step = 0; step < 60 * 5; step++) {
+        harbour.run(dt);
+        lowest = std::min(lowest, rotate(harbour.state("boat").pose.rotation, {0, 1, 0}).y);
+    }
+    EXPECT_GT(lowest, 0.6);
+    // It lay with its bow to +z; to the right of that is -x.
+    const Vec3 ahead = rotate(harbour.state("boat").pose.rotation, {0, 0, -1});
+    EXPECT_LT(ahead.z, 0.9);
+    RecordProperty("lowest_up", std::to_string(lowest));
+}
+
+TEST(Harbour, everything_still_floats_after_ten_seconds) {
+    Played harbour("harbour");
+    harbour.run(10);
+    for (std::size_t k = 0; k < harbour.scene.bodies.size(); k++) {
+        const BodyState body = *harbour.built.world.body(harbour.built.bodies[k]);
+        if (body.type != BodyType::dynamic) continue;
+        EXPECT_GT(body.center.y, -1.2) << harbour.scene.bodies[k].name;
+    }
+}
+
+TEST(Demolition, a_digger_rams_a_wall_to_pieces) {
+    Played yard("demolition");
+    yard.run(1);
+    const Vec3 began = yard.state("digger").center;
+    const auto bodies = [&] {
+        std::vector<BodyState> all;
+        yard.built.world.copy_bodies(all);
+        return all.size();
+    };
+    const std::size_t before = bodies();
+    yard.hold("vehicle", "digger", sticks(0, 1));
+    yard.run(5);
+    EXPECT_GT(bodies(), before + 60);
+    EXPECT_LT(yard.state("digger").center.z, began.z - 11);
+}
+
+TEST(RagdollStairs, most_figures_come_down) {
+    Played stairs("ragdoll_stairs");
+    stairs.run(10);
+    std::vector<BodyState> all;
+    stairs.built.world.copy_bodies(all);
+    int below = 0, bones = 0;
+    for (const BodyState& body : all) {
+        if (body.type != BodyType::dynamic) continue;
+        bones++;
+        below += body.center.y < 4.8 ? 1 : 0;
+    }
+    EXPECT_EQ(bones, 12 * 11);
+    EXPECT_GT(below, bones / 2);
+}
+
+}  // namespace
+}  // namespace jostle::scenes

@@ -22,7 +22,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double never = 2;
+constexpr double beyond_reach = 2;
 
 // Triangles are asked for in boxes around parts of the way: a diagonal way's own box would hold a
 // hillside. So long in sizes of the shape, and so many at most.
@@ -96,7 +96,7 @@ private:
     double enters_along(double apart, Vec3 n) const {
         if (apart <= 2 * gap_) return 0;
         const double speed = -dot(motion_, n);
-        return speed > 0 ? (apart - 0.5 * gap_) / speed : never;
+        return speed > 0 ? (apart - 0.5 * gap_) / speed : beyond_reach;
     }
 
     // By the triangle's box and its plane.
@@ -133,7 +133,7 @@ private:
             const double apart = maximum(box_.low[k] - high[k], low[k] - box_.high[k]);
             if (apart <= 0) continue;
             const double speed = box_.low[k] > high[k] ? -motion_[k] : motion_[k];
-            if (speed <= 0) return never;
+            if (speed <= 0) return beyond_reach;
             enters = maximum(enters, apart / speed);
         }
         return enters;
@@ -233,7 +233,7 @@ private:
     Aabb box_;
     Vec3 middle_;
     double gap_, from_ = 0;
-    SurfaceTouch best_{never, false, {}, {}};
+    SurfaceTouch best_{beyond_reach, false, {}, {}};
     std::uint32_t touched_ = 0;
     Vec3 hint_;
     std::vector<Candidate> candidates_;

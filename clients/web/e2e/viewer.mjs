@@ -69,6 +69,7 @@ try {
   const ports = await until('the server writes its ports', () => existsSync(portFile) && JSON.parse(readFileSync(portFile, 'utf8')));
   browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  page.setDefaultTimeout(PATIENCE_S * 1000);
   const post = (path, message) =>
     fetch(`http://127.0.0.1:${ports.http}${path}`, {
       method: 'POST',
@@ -116,7 +117,7 @@ try {
   const before = await page.evaluate((id) => window.jostle.pose(id), box);
   const at = await page.evaluate((id) => window.jostle.screen(id), box);
   await page.mouse.move(at.x, at.y);
-  const readout = await until('the line on what is under the pointer', () => page.locator('#readout:not([hidden])').textContent({ timeout: 30_000 }));
+  const readout = await until('the line on what is under the pointer', () => page.locator('#readout:not([hidden])').textContent());
   expect(readout.startsWith(`tower · id ${box} · box · `), `under the pointer: ${readout}`);
   if (servesQueries) {
     await until('the server answers the ray of the pointer', () => raysAnswered > 0);

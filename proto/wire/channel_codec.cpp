@@ -140,7 +140,7 @@ private:
     std::uint64_t next_entity_ = 0;
 };
 
-Error corrupt(const std::string& what) {
+Error bad_channels(const std::string& what) {
     return {ErrorCode::corrupt_data, "channels: " + what};
 }
 std::string name_of(const Channel& channel) {
@@ -155,14 +155,14 @@ Result<ChannelValues> read_values(BitReader& bits, std::size_t count,
     std::uint64_t k = 0;
     while (k < count) {
         k += bits.exp_golomb(run_order);
-        if (k > count) return corrupt("a run of equal values goes past the end");
+        if (k > count) return bad_channels("a run of equal values goes past the end");
         if (k == count) break;
         const std::uint64_t size = bits.exp_golomb(spread.order());
-        if (size >= 0xffffffffu) return corrupt("a difference beyond 32 bits");
+        if (size >= 0xffffffffu) return bad_channels("a difference beyond 32 bits");
         spread.saw(size);
         std::int32_t& value = (*values)[k++];
         value = sum(value, static_cast<std::int32_t>(un_zig_zag(size + 1)));
-        if (bits.past_end()) return corrupt("the bytes end early");
+        if (bits.past_end()) return bad_channels("the bytes end early");
     }
     return ChannelValues(std::move(values));
 }
@@ -172,15 +172,15 @@ Status read_change(BitReader& bits, Channel& channel, const Channel* base) {
     const std::uint64_t change = bits.bits(change_bits);
     channel.values = nullptr;
     if (change == static_cast<std::uint64_t>(Change::ended))
-        return base ? Status() : corrupt(name_of(channel) + " ended, but was not there");
+        return base ? Status() : bad_channels(name_of(channel) + " ended, but was not there");
     if (change > static_cast<std::uint64_t>(Change::ended))
-        return corrupt(name_of(channel) + " changes in a way that is not known");
+        return bad_channels(name_of(channel) + " changes in a way that is not known");
     const bool told = change == static_cast<std::uint64_t>(Change::length);
-    if (!told && !base) return corrupt(name_of(channel) + " changed, but was not there");
+    if (!told && !base) return bad_channels(name_of(channel) + " changed, but was not there");
     const std::uint64_t count = told ? bits.exp_golomb(length_order) : base->values->size();
     if (count > channel_values_max)
-        return corrupt(name_of(channel) + " has more than " + std::to_string(channel_values_max) +
-                       " values");
+        return bad_channels(name_of(channel) + " has more than " +
+                            std::to_string(channel_values_max) + " values");
     Result<ChannelValues> values =
         read_values(bits, static_cast<std::size_t>(count), base ? base->values.get() : nullptr);
     if (!values.ok()) return values.error();
@@ -192,9 +192,9 @@ Status check_sizes(const Channels& channels) {
     std::size_t values = 0;
     for (const Channel& channel : channels) values += channel.values->size();
     if (channels.size() > channels_max)
-        return corrupt("more than " + std::to_string(channels_max) + " of them");
+        return bad_channels("more than " + std::to_string(channels_max) + " of them");
     if (values > frame_values_max)
-        return corrupt("more than " + std::to_string(frame_values_max) + " values");
+        return bad_channels("more than " + std::to_string(frame_values_max) + " values");
     return {};
 }
 
@@ -234,18 +234,18 @@ Result<ReadChannels> read_channels(std::span<const std::byte> bytes, const Chann
     auto b = base.begin();
     for (std::uint64_t i = 0; i < count; i++) {
         Channel channel;
-        if (!place.read(bits, channel)) return corrupt("a kind or an entity out of range");
+        if (!place.read(bits, channel)) return bad_channels("a kind or an entity out of range");
         for (; b != base.end() && key_of(*b) < key_of(channel); ++b) channels.push_back(*b);
         const bool known = b != base.end() && key_of(*b) == key_of(channel);
         if (Status s = read_change(bits, channel, known ? &*b : nullptr); !s.ok()) return s.error();
         if (known) ++b;
         digest.add(channel, !channel.values);
         if (channel.values) channels.push_back(std::move(channel));
-        if (bits.past_end()) return corrupt("the bytes end early");
+        if (bits.past_end()) return bad_channels("the bytes end early");
         if (Status s = check_sizes(channels); i % 256 == 255 && !s.ok()) return s.error();
     }
     channels.insert(channels.end(), b, base.end());
-    if (!bits.at_clean_end()) return corrupt("there are bytes after the end");
+    if (!bits.at_clean_end()) return bad_channels("there are bytes after the end");
     if (Status s = check_sizes(channels); !s.ok()) return s.error();
     return ReadChannels{std::move(channels), digest.crc()};
 }
@@ -254,7 +254,7 @@ Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t
                                  const Channels& base) {
     Result<ReadChannels> read = read_channels(bytes, base);
     if (!read.ok()) return read.error();
-    if (read->crc != crc) return corrupt("the CRC does not match");
+    if (read->crc != crc) return bad_channels("the CRC does not match");
     return std::move(read->channels);
 }
 

@@ -11,13 +11,14 @@
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/snapshot.h"
 #include "jostle/scenes/catalog.h"
+#include "support/step_time.h"
 
 namespace jostle::scenes {
 namespace {
 
 using namespace physics;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 void ride(World& world, int seconds) {
     for (int step = 0; step < 60 * seconds; step++) ASSERT_TRUE(world.step(dt).ok());

@@ -9,13 +9,14 @@
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/scene.pb.h"
 #include "scenes/turntable.h"
+#include "support/step_time.h"
 
 namespace jostle::scenes {
 namespace {
 
 using test::Turntable;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 // The disc is the second of its name.
 std::string turntable(const std::string& module) {

@@ -11,13 +11,14 @@
 
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
+#include "support/step_time.h"
 
 namespace jostle::scenes {
 namespace {
 
 using namespace physics;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 struct Played {
     SceneDescription scene;

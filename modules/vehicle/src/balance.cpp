@@ -25,10 +25,11 @@ using namespace physics;
 
 namespace {
 
-constexpr double slowest = 0.5;         // m/s that the steering counts with
-constexpr double slow = 15, fast = 30;  // m/s between which the two ways to steer are mixed
-constexpr double damps_swing = 0.025;   // s
-constexpr double held = 0.85;           // of friction that a rider uses
+constexpr double slowest = 0.5;  // m/s that the steering counts with
+constexpr double mixes_from = 15,
+                 mixes_to = 30;        // m/s between which the two ways to steer are mixed
+constexpr double damps_swing = 0.025;  // s
+constexpr double rider_share = 0.85;   // of friction that a rider uses
 
 double axle_distance(const VehicleDef& def) {
     return maximum(absolute(def.wheels.back().attachment.z - def.wheels.front().attachment.z), 0.1);
@@ -51,7 +52,7 @@ double least_friction(const Car& car) {
 double wanted_lean(const Car& car) {
     const double v = maximum(car.speed, slowest);
     const double locked = v * v * full_lock(car.def) / axle_distance(car.def) / car.lean.weight;
-    const double most = arc_tangent(held * minimum(least_friction(car), locked), 1);
+    const double most = arc_tangent(rider_share * minimum(least_friction(car), locked), 1);
     return clamp(car.controls.steering * car.def.balance.lean_most, -most, most);
 }
 
@@ -77,7 +78,7 @@ Aside wanted_aside(const Car& car) {
 // rad that the front wheel slips while the tyre, as a brush (tyre.h), bears a share of friction:
 // share = 1 - (1 - c / (3 mu) slip)^3.
 double slip_for(double share, double friction, double stiffness) {
-    const double left = 1 - minimum(absolute(share), held);
+    const double left = 1 - minimum(absolute(share), rider_share);
     double root = 1 - (1 - left) / 3;
     for (int round = 0; round < 4; round++) root -= (root * root * root - left) / (3 * root * root);
     const double slip = 3 * friction / stiffness * (1 - root);
@@ -100,7 +101,7 @@ double angle_by_slip(const Car& car, const Aside& aside) {
     const double friction = maximum(least_friction(car), 0.01);
     const double share = aside.wanted / (friction * car.lean.weight);
     // Its swing about the upright axis is damped: only what turns it along the way shall be left.
-    const double swings = car.lean.turn - aside.wanted / maximum(car.speed, slow);
+    const double swings = car.lean.turn - aside.wanted / maximum(car.speed, mixes_from);
     return car.lean.course - damps_swing * swings +
            slip_for(share, friction, car.def.wheels.front().tyre.cornering_stiffness);
 }
@@ -145,7 +146,7 @@ double balance_steering(const Car& car, double dt) {
     if (!car.lean.touching) return car.steering;
     const double share = feet_share(car), lock = full_lock(car.def);
     const Aside aside = wanted_aside(car);
-    const double by_slip = clamp((car.speed - slow) / (fast - slow), 0, 1);
+    const double by_slip = clamp((car.speed - mixes_from) / (mixes_to - mixes_from), 0, 1);
     double angle = 0;
     if (by_slip < 1) angle += (1 - by_slip) * angle_by_way(car, aside, dt);
     if (by_slip > 0) angle += by_slip * angle_by_slip(car, aside);
@@ -174,7 +175,7 @@ Vec3 balance_by_feet(const Frame& frame, const Car& car) {
 double rider_brake(const Car& car, std::size_t wheel, double asked) {
     if (!car.def.balance.on || absolute(car.speed) < slowest) return asked;
     const WheelRun& run = car.wheels[wheel];
-    const double grip = held * run.friction * run.load;
+    const double grip = rider_share * run.friction * run.load;
     const double ahead = square_root(maximum(grip * grip - run.aside * run.aside, 0));
     const double weight = car.mass * car.lean.weight;
     const double stays = clamp(car.wheels.back().load / weight / 0.15, 0, 1);

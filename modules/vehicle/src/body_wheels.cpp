@@ -16,7 +16,7 @@ using namespace physics;
 
 namespace {
 
-constexpr double learns = 0.02;  // s
+constexpr double learns_drag = 0.02;  // s
 
 // x ahead, y up along the suspension, z along the axle, to the right.
 Quat frame_of(const Wheel& wheel) {
@@ -102,7 +102,7 @@ double spin_of(const MovingBody& wheel, const MovingBody& chassis, Vec3 axle) {
 // What turned it since the last sub-step besides the drive line.
 void learn(double spin, double inertia, double h, WheelBody& wheel) {
     const double resists = (inertia * (spin - wheel.spin) - wheel.pushed) / h;
-    wheel.resists += (resists - wheel.resists) * (h / (h + learns));
+    wheel.resists += (resists - wheel.resists) * (h / (h + learns_drag));
     wheel.spin = spin;
     wheel.pushed = 0;
 }

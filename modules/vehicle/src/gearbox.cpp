@@ -9,7 +9,7 @@ using namespace physics;
 
 namespace {
 
-constexpr double slow = 1.5;  // m/s below which an automatic changes its direction
+constexpr double reverses_below = 1.5;  // m/s below which an automatic changes its direction
 
 void shift(Car& car, std::int32_t gear) {
     if (gear == car.gear) return;
@@ -36,7 +36,7 @@ double up_at(const Car& car) {
 
 std::int32_t next_ahead(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
-    if (car.gear < 1) return absolute(car.speed) < slow || car.speed > 0 ? 1 : 0;
+    if (car.gear < 1) return absolute(car.speed) < reverses_below || car.speed > 0 ? 1 : 0;
     const auto top = static_cast<std::int32_t>(gearbox.ahead.size());
     if (car.engine_speed < gearbox.down_at && car.gear > 1) {
         // Slow wheels have let the clutch go: straight to where it takes again.
@@ -52,7 +52,7 @@ std::int32_t wanted(const Car& car) {
     const auto top = static_cast<std::int32_t>(car.def.gearbox.ahead.size());
     if (!car.def.gearbox.automatic) return asked > top ? top : asked;
     if (asked == 0) return 0;
-    if (asked < 0) return car.speed < slow ? -1 : 0;
+    if (asked < 0) return car.speed < reverses_below ? -1 : 0;
     if (car.pause_left > 0 && car.gear > 0) return car.gear;
     return next_ahead(car);
 }

@@ -78,7 +78,9 @@ TEST(GltfFaults, numbers_are_named) {
     EXPECT_EQ(complaint([](GltfSkeleton& s) { s.json["accessors"][1]["componentType"] = 9; }),
               "accessors[1].componentType is none of glTF's");
     EXPECT_EQ(complaint([](GltfSkeleton&) {}, {.scale = 0}), "scale must be from 1e-4 to 1e4 m");
-    EXPECT_EQ(complaint([](GltfSkeleton&) {}, {.bones = {{.name = "head", .lower = 1}}}),
+    GltfFigureOptions crossed;
+    crossed.bones = {{.name = "head", .lower = 1}};
+    EXPECT_EQ(complaint([](GltfSkeleton&) {}, crossed),
               "bones[0] (head): lower and upper must be from -pi to pi, the lower first");
 }
 

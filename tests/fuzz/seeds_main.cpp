@@ -24,6 +24,7 @@
 #include "jostle/v1/play.pb.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
+#include "modules/ragdoll_gltf/gltf_skeleton.h"
 #include "protocol/client_link.h"
 #include "support/tokens.h"
 #include "wire/channel_motion.h"
@@ -299,6 +300,22 @@ void write_geometry(const fs::path& folder) {
     terrain.add(field + std::string("\0\0\1\0\0\0\0\0\0", 9));
 }
 
+// Kinds of the first byte: tests/fuzz/gltf_skeleton.cpp. Without a mesh it is small.
+void write_skeletons(const fs::path& folder) {
+    Seeds skeletons(folder, "gltf_skeleton");
+    const auto add = [&](char kind, const std::vector<std::byte>& file) {
+        skeletons.add(kind + std::string(reinterpret_cast<const char*>(file.data()), file.size()));
+    };
+    modules::GltfSkeleton skeleton;
+    add('1', skeleton.with_buffer_beside());
+    for (const char* part : {"meshes", "accessors", "bufferViews"}) skeleton.json.erase(part);
+    skeleton.json["skins"][0].erase("inverseBindMatrices");
+    skeleton.json["nodes"].erase(skeleton.json["nodes"].size() - 1);  // which shows the mesh
+    skeleton.buffer = "none";
+    add('0', skeleton.gltf());
+    add('0', skeleton.glb());
+}
+
 // ---- text and requests ----
 
 void write_text(const fs::path& folder) {
@@ -442,8 +459,8 @@ int main(int count, char** arguments) {
     }
     using namespace jostle::fuzz;
     const fs::path folder = arguments[1];
-    for (const auto write : {write_play, write_frames, write_scenes, write_geometry, write_text,
-                             write_requests, write_http2})
+    for (const auto write : {write_play, write_frames, write_scenes, write_geometry,
+                             write_skeletons, write_text, write_requests, write_http2})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

@@ -5,23 +5,36 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 namespace jostle::modules {
+namespace {
+
+// All of a file is numbers of 32 bits.
+std::vector<std::int32_t> numbers_of(std::string_view bytes) {
+    std::vector<std::int32_t> numbers(bytes.size() / 4);
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * 4);
+    return numbers;
+}
 
 TEST(GoldenModules, committed_files_are_what_modules_tell_today) {
-    if (arithmetic() != Arithmetic::fused)
-        GTEST_SKIP() << "a portable build rounds otherwise: a number may be a step beside";
+    // A portable build rounds otherwise, so what is told may be the step beside.
+    const std::int64_t beside = arithmetic() == Arithmetic::fused ? 0 : 1;
     for (const GoldenModule& module : golden_modules()) {
         std::ifstream in(GOLDEN_FOLDER "/" + module.tag + ".bin", std::ios::binary);
         ASSERT_TRUE(in) << module.tag;
         const std::string text((std::istreambuf_iterator<char>(in)), {});
         const std::vector<std::byte> bytes = file_bytes(module.channels);
         ASSERT_EQ(text.size(), bytes.size()) << module.tag;
-        for (std::size_t i = 0; i < text.size(); i++)
-            ASSERT_EQ(static_cast<std::byte>(text[i]), bytes[i])
-                << module.tag << " byte " << i
+        const auto golden = numbers_of(text);
+        const auto told = numbers_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        for (std::size_t i = 0; i < golden.size(); i++)
+            ASSERT_LE(std::abs(std::int64_t{told[i]} - golden[i]), beside)
+                << module.tag << " number " << i << ": " << told[i] << ", not " << golden[i]
                 << "; if its layout was meant to change, run golden_modules proto/golden_modules";
     }
 }
@@ -40,4 +53,5 @@ TEST(GoldenModules, are_as_long_as_their_layouts_say) {
     }
 }
 
+}  // namespace
 }  // namespace jostle::modules

@@ -85,4 +85,26 @@ inline void roll_off(TestCar& of, double seconds = 2) {
     of.drive(seconds);
 }
 
+// How much less a car rolls with bars, by how much less it should: 1 is right. Gravity that leans
+// stands for a bend at a steady roll angle.
+inline double roll_with_bars(VehicleDef (*make)(BodyId), double seconds) {
+    constexpr double bar = 20'000;
+    const auto roll = [&](double stiffness) {
+        TestCar of({.gravity = {3, -gravity, 0}});
+        VehicleDef def = make(of.chassis);
+        def.anti_roll_bars = {AntiRollBar{0, 1, stiffness}, AntiRollBar{2, 3, stiffness}};
+        of.add(def);
+        of.set({.hand_brake = 1, .gear = 0});
+        of.drive(seconds);
+        const auto wheels = of.state().wheels;
+        return std::pair{wheels[1].travel - wheels[0].travel, wheels[0].stiffness};
+    };
+    const auto [free, k] = roll(0);
+    const auto [barred, same] = roll(bar);
+    // The moment meets k t^2, with bars (k + 2 bar) t^2, less what the chassis leans over its
+    // wheels: m g times the suspension's length.
+    const double t2 = 1.6 * 1.6, lean = car_mass * gravity * 0.34;
+    return barred / free / ((k * t2 - lean) / ((k + 2 * bar) * t2 - lean));
+}
+
 }  // namespace jostle::test

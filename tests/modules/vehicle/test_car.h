@@ -92,7 +92,7 @@ inline double roll_with_bars(VehicleDef (*make)(BodyId), double seconds) {
     const auto roll = [&](double stiffness) {
         TestCar of({.gravity = {3, -gravity, 0}});
         VehicleDef def = make(of.chassis);
-        def.anti_roll_bars = {AntiRollBar{0, 1, stiffness}, AntiRollBar{2, 3, stiffness}};
+        def.anti_roll_bars = {{0, 1, stiffness}, {2, 3, stiffness}};
         of.add(def);
         of.set({.hand_brake = 1, .gear = 0});
         of.drive(seconds);

@@ -195,7 +195,7 @@ TEST_F(HostedWorldTest, every_frame_shows_every_body_where_it_is) {
     std::vector<physics::BodyState> bodies;
     int still = 0, asleep = 0;
     for (tick = 2; tick < 900; tick++) {
-        if (tick % 150 == 3) balls.push_back(spawn(1 + tick % 3, 3));
+        if (tick % 150 == 3) balls.push_back(spawn(1 + tick / 150, 3));
         if (tick == 700) apply(1, DeleteCommand{balls.front()});
         if (tick == 600) apply(2, ExplodeCommand{.center = {0, 0.5, 0}, .radius = 6, .speed = 4});
         ASSERT_TRUE(world.step(dt, tick).ok());

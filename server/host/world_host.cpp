@@ -273,6 +273,8 @@ void WorldHost::measure(Frame& frame, Clock::time_point began) {
 
 void WorldHost::publish(std::shared_ptr<Frame> frame) {
     FramePtr old;  // freed outside the lock
+    const std::uint32_t events = frame->events->count;
+    bool news = frame->changed_at == frame->tick || !batch_.empty();
     {
         const std::lock_guard lock(frame_mutex_);
         old = std::exchange(frame_, std::move(frame));
@@ -280,7 +282,8 @@ void WorldHost::publish(std::shared_ptr<Frame> frame) {
     // After the frame: who hears that a body was spawned finds it there.
     for (std::size_t i = 0; i < batch_.size(); i++)
         if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
-    if (settings_.on_frame) settings_.on_frame();
+    news = news || events != old->events->count;
+    if (news && settings_.on_frame) settings_.on_frame();
 }
 
 }  // namespace jostle::server

@@ -48,7 +48,7 @@ public:
     // A message could not be read or made by a fault of ours: nothing is sent any more.
     void on_fault(Clock::time_point now);
     // The next message to write. Nothing: call again when a message arrived, a world has a new
-    // frame or 20 ms passed. When nobody called for half a second, this process or its machine
+    // frame or 50 ms passed. When nobody called for half a second, this process or its machine
     // stood still, and that was not the client's silence.
     std::optional<OutMessage> take_message(Clock::time_point now);
     // The transport cannot write yet: a frame that comes and goes meanwhile counts as skipped.

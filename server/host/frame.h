@@ -27,6 +27,7 @@ struct EntityDescription {
     std::string name;
     double mass = 0;        // kg
     bool drivable = false;  // a module lets somebody drive it
+    double reach = 0;       // m from its origin to its furthest corner; infinite for planes
 };
 
 // In rising order of id. A new one is made only when something appears or goes, so equal pointers

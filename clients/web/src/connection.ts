@@ -2,7 +2,8 @@
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
-import { baseFrames, DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
+import { baseFrames } from './base_frames';
+import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
 import { Delay } from './interpolate';
 import { LargeShapes } from './large_shapes';

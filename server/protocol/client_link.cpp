@@ -29,6 +29,8 @@ constexpr std::size_t results_max = 4096;
 // A client that asks for absolute snapshots again and again costs its own bandwidth; more than this
 // helps nobody.
 constexpr auto keyframe_period = 250ms;
+// Entities told at once to who sees a part of a world, and about how many bytes one takes.
+constexpr std::size_t roster_part_max = 64, entity_bytes = 48;
 // A client that has been told and still sends this many times its rate is cut off.
 constexpr int flood_factor = 5;
 constexpr auto rate_notice_period = 1s;
@@ -165,7 +167,7 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     const Result<ClientId> client = context_.sessions.enter(world->id(), network_of(peer_.address));
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
-    feed_ = context_.feeds.feed_of(world);
+    feed_ = context_.feeds.feed_of(world, context_.config.stream.cell_m);
     result_queue_ = std::make_shared<ResultQueue>();
     const int divider = divider_of(world->hz(), hello.snapshot_hz);
     // A client may acknowledge each snapshot by itself, whatever the world's rate.
@@ -173,6 +175,10 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
     limits_.messages_per_second += world->hz() / divider;
     admission_.emplace(limits_, hello.spectator, now);
     flow_.emplace(context_.config.stream, world->hz(), divider);
+    if (hello.interest || hello.max_kbps != 0) {
+        sight_.emplace(hello.max_kbps * 125.0);
+        if (hello.interest) sight_->look_at(*hello.interest);
+    }
     if (hello.events) {
         wants_events_ = true;
         world->add_event_listener();
@@ -192,7 +198,8 @@ void ClientLink::enter(const std::shared_ptr<WorldHost>& world, const Hello& hel
          .server_time_us = to_us(now),
          .epoch_us = world->epoch_us(),
          .gravity = world->gravity(),
-         .channels = world->channel_kinds()}));
+         .channels = world->channel_kinds(),
+         .cells = sight_.has_value()}));
     snapshot_due_ = true;  // the first one goes out at once
     watch_.entered({.id = client_,
                     .name = hello.name,
@@ -244,10 +251,19 @@ void ClientLink::on_message(const Ack& ack, Clock::time_point now) {
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
+    if (sight_) sight_->reset();
 }
 
 void ClientLink::on_message(const Ping& ping, Clock::time_point now) {
     send(encode_pong(ping.client_time_us, to_us(now)));
+}
+
+void ClientLink::on_message(const Interest& interest, Clock::time_point now) {
+    if (!sight_)
+        return refuse(Error{ErrorCode::failed_precondition,
+                            "an interest in a stream without one; name the first in the hello"},
+                      now);
+    sight_->look_at(interest);
 }
 
 void ClientLink::on_message(const Leave&, Clock::time_point now) {
@@ -409,7 +425,7 @@ void ClientLink::on_frame(const Frame& frame, Clock::time_point now) {
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
 bool ClientLink::has_news(const Frame& frame, Clock::time_point now) const {
-    return frame.changed_at > baselines_.last() || !results_.empty() ||
+    return frame.changed_at > baselines_.last() || more_to_tell_ || !results_.empty() ||
            (wants_events_ && event_cursor_ < frame.events->count) ||
            now - last_snapshot_ >= from_seconds(1 / context_.config.stream.heartbeats_per_second);
 }
@@ -468,12 +484,16 @@ std::string ClientLink::take_events(const Frame& frame) {
 // Shapes before the bodies that have them, each once in a stream.
 void ClientLink::tell_entities(const std::shared_ptr<const EntityList>& entities) {
     const auto messages = feed_->entity_list_change(entity_list_, entities);
-    for (const auto& geometry : messages->geometry) {
+    push(*messages);
+    entity_list_ = entities;
+}
+
+void ClientLink::push(const RosterMessages& messages) {
+    for (const auto& geometry : messages.geometry) {
         if (!told_geometry_.insert(geometry->id).second) continue;
         for (const SharedBytes& part : geometry->messages) waiting_.push_back({{}, part});
     }
-    for (const SharedBytes& roster : messages->rosters) waiting_.push_back({{}, roster});
-    entity_list_ = entities;
+    for (const SharedBytes& roster : messages.rosters) waiting_.push_back({{}, roster});
 }
 
 // A change of the entity list comes before the first snapshot that needs it, so when there is one
@@ -482,14 +502,87 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
     if (!snapshot_due_) return std::nullopt;
     const FramePtr frame = feed_->host().frame();
     if (frame->tick <= baselines_.last()) return std::nullopt;
+    if (sight_) return take_part(frame, now);
     if (frame->entity_list != entity_list_) {
         tell_entities(frame->entity_list);
         if (!waiting_.empty()) return next_message(now);
     }
-    SharedBytes shared =
-        feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_);
-    const std::string more = take_stats(frame, now) + take_events(*frame);
-    OutMessage message{encode_snapshot_head(own_part(), more, shared->size()), std::move(shared)};
+    return snapshot_of(frame, now, {}, {});
+}
+
+// The part of the frame that the client sees and can be told of now. A cell comes after the rosters
+// of all that is in it, and so not before the next snapshot.
+OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
+    if (frame->entity_list != entity_list_) tell_removed(frame->entity_list);
+    std::vector<SharedBytes> cells;
+    const CellFeed::Cells there = feed_->cells_of(frame);
+    more_to_tell_ = false;
+    for (const auto& part : sight_->wanted(feed_->cells(), *there, frame->tick, now)) {
+        if (part.new_members && !tell_members(*part.state.content)) {
+            more_to_tell_ = true;
+            continue;
+        }
+        SharedBytes bytes = feed_->cells().encoding(part.state, part.bases, codec_);
+        if (!sight_->affords(bytes->size(), part.fresh)) {
+            more_to_tell_ = true;
+            break;
+        }
+        sight_->spend(bytes->size(), part.fresh);
+        sight_->on_sent(part, frame->tick);
+        cells.push_back(std::move(bytes));
+    }
+    const std::vector<CellId> left = sight_->take_left();
+    std::string fields = left.empty() ? std::string() : encode_cells_left_field(left);
+    OutMessage message = snapshot_of(frame, now, std::move(fields), std::move(cells));
+    sight_->spend(message.head.size() + message.shared->size(), false);
+    return message;
+}
+
+// Of what is in the cell and not known yet, as much as there is budget for. True: all was known.
+bool ClientLink::tell_members(const wire::QuantizedFrame& cell) {
+    EntityList fresh;
+    bool all = true;
+    for (const wire::EntityState& entity : cell.entities) {
+        if (entity.id < known_entities_.size() && known_entities_[entity.id]) continue;
+        all = false;
+        if (fresh.size() == roster_part_max || !sight_->affords(fresh.size() * entity_bytes, true))
+            break;
+        const auto at = std::ranges::lower_bound(*entity_list_, entity.id, {},
+                                                 [](const auto& known) { return known->id; });
+        if (at != entity_list_->end() && (*at)->id == entity.id) fresh.push_back(*at);
+    }
+    if (fresh.empty()) return all;
+    const RosterMessages messages = feed_->roster_of(fresh);
+    push(messages);
+    for (const SharedBytes& roster : messages.rosters) sight_->spend(roster->size(), true);
+    for (const auto& entity : fresh) {
+        if (known_entities_.size() <= entity->id) known_entities_.resize(entity->id + 1, false);
+        known_entities_[entity->id] = true;
+    }
+    return all;
+}
+
+// Who is gone, of those that this client knows.
+void ClientLink::tell_removed(const std::shared_ptr<const EntityList>& entities) {
+    if (entity_list_) {
+        std::vector<EntityId> gone;
+        for (const EntityId id : feed_->entity_list_change(entity_list_, entities)->removed)
+            if (id < known_entities_.size() && known_entities_[id]) gone.push_back(id);
+        if (!gone.empty()) waiting_.push_back({encode_removed(gone), nullptr});
+        for (const EntityId id : gone) known_entities_[id] = false;
+    }
+    entity_list_ = entities;
+}
+
+OutMessage ClientLink::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
+                                   std::vector<SharedBytes> cells) {
+    std::size_t cells_bytes = 0;
+    for (const SharedBytes& cell : cells) cells_bytes += cell->size();
+    SharedBytes shared = feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick),
+                                                     channel_kinds_, !sight_);
+    more += take_stats(frame, now) + take_events(*frame);
+    OutMessage message{encode_snapshot_head(own_part(), more, shared->size() + cells_bytes),
+                       std::move(shared), std::move(cells)};
     watch_.answered(results_);
     results_.clear();
     snapshot_due_ = false;

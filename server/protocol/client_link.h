@@ -27,6 +27,7 @@
 #include "protocol/play_context.h"
 #include "protocol/server_message.h"
 #include "replication/baseline_tracker.h"
+#include "replication/interest_view.h"
 #include "session/admission.h"
 #include "session/flow_control.h"
 
@@ -67,6 +68,7 @@ private:
     void on_message(const Ack& ack, Clock::time_point now);
     void on_message(const Ping& ping, Clock::time_point now);
     void on_message(const Leave& leave, Clock::time_point now);
+    void on_message(const Interest& interest, Clock::time_point now);
 
     Result<std::shared_ptr<WorldHost>> find_world(const std::string& wanted) const;
     Result<std::shared_ptr<WorldHost>> let_in(const Hello& hello);
@@ -87,6 +89,12 @@ private:
 
     std::optional<OutMessage> next_message(Clock::time_point now);
     std::optional<OutMessage> take_snapshot(Clock::time_point now);
+    OutMessage take_part(const FramePtr& frame, Clock::time_point now);
+    OutMessage snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
+                           std::vector<SharedBytes> cells);
+    bool tell_members(const wire::QuantizedFrame& cell);
+    void tell_removed(const std::shared_ptr<const EntityList>& entities);
+    void push(const RosterMessages& messages);
     bool has_news(const Frame& frame, Clock::time_point now) const;
     Private own_part();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
@@ -121,6 +129,10 @@ private:
     Private told_;  // the numbers that were told last
 
     BaselineTracker baselines_;
+    wire::Codec codec_ = wire::Codec::bits;
+    std::optional<InterestView> sight_;  // nothing: it is told of all of the world
+    std::vector<bool> known_entities_;   // by id: what it was told of, when it has a sight
+    bool more_to_tell_ = false;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> told_geometry_;          // likewise: large shapes, by id
     std::uint64_t channel_kinds_ = 0;                // that it understands, a bit each

@@ -13,12 +13,14 @@
 
 #include "host/command.h"
 #include "jostle/base/result.h"
+#include "replication/interest_view.h"
 
 namespace jostle::server {
 
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
 inline constexpr int hello_channels_max = 64;
+inline constexpr std::uint32_t hello_kbps_min = 16;
 
 struct Hello {
     std::uint32_t protocol = 0;
@@ -28,6 +30,8 @@ struct Hello {
     bool events = false;
     std::string token;
     std::vector<std::string> channels;  // names of kinds; "*": all
+    std::uint32_t max_kbps = 0;         // 0: no bound
+    std::optional<Interest> interest;
 };
 struct Ack {
     std::uint32_t frame = 0;
@@ -44,7 +48,7 @@ struct Ping {
 };
 struct Leave {};
 
-using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave>;
+using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave, Interest>;
 
 // The bytes of one ClientMessage. An error refuses the whole message.
 Result<ClientMessage> decode_client_message(std::string_view bytes);

@@ -105,11 +105,19 @@ private:
 
 RosterMessages roster_messages(const EntityList& from, const EntityList& to,
                                GeometryTable& geometry) {
-    const Difference difference = difference_of(from, to);
+    Difference difference = difference_of(from, to);
     RosterWriter writer(geometry);
     for (const EntityId id : difference.removed) writer.remove(id);
     for (const auto& entity : difference.added) writer.add(*entity);
-    return writer.take();
+    RosterMessages messages = writer.take();
+    messages.removed = std::move(difference.removed);
+    return messages;
+}
+
+std::string encode_removed(std::span<const EntityId> entities) {
+    v1::ServerMessage message;
+    message.mutable_roster()->mutable_removed()->Add(entities.begin(), entities.end());
+    return message.SerializeAsString();
 }
 
 }  // namespace jostle::server

@@ -70,6 +70,7 @@ std::string encode_welcome(const Welcome& from) {
     quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
     welcome.set_server_time_us(from.server_time_us);
     welcome.set_epoch_us(from.epoch_us);
+    welcome.set_cells(from.cells);
     write_vector(*welcome.mutable_gravity(), from.gravity);
     for (const physics::ChannelKind& kind : from.channels) {
         v1::ChannelKind& to = *welcome.add_channels();
@@ -132,6 +133,23 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
         snapshot.set_channels_crc(told.crc);
     }
     return snapshot.SerializeAsString();
+}
+
+std::string encode_cell_field(const EncodedCell& from) {
+    v1::Snapshot fields;
+    v1::CellPart& cell = *fields.add_cells();
+    cell.set_cell(from.id);
+    cell.set_number(from.number);
+    cell.set_bases(wire::encode_base_frames(from.number, from.bases));
+    cell.set_packed(from.packed.data(), from.packed.size());
+    cell.set_crc(from.crc);
+    return fields.SerializeAsString();
+}
+
+std::string encode_cells_left_field(std::span<const CellId> cells) {
+    v1::Snapshot fields;
+    fields.mutable_cells_left()->Add(cells.begin(), cells.end());
+    return fields.SerializeAsString();
 }
 
 namespace {

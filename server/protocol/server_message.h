@@ -11,6 +11,7 @@
 
 #include "host/command.h"
 #include "host/frame.h"
+#include "replication/cell_feed.h"
 #include "replication/snapshot_cache.h"
 
 namespace jostle::server {
@@ -26,6 +27,7 @@ struct Welcome {
     std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
     std::vector<physics::ChannelKind> channels;
+    bool cells = false;
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 
@@ -54,6 +56,9 @@ std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
 
 // The fields of jostle.v1.Snapshot that all clients share.
 std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
+// A field of jostle.v1.Snapshot that all clients share who see the cell.
+std::string encode_cell_field(const EncodedCell& cell);
+std::string encode_cells_left_field(std::span<const CellId> cells);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
 // client's own field and `more` fields.
 std::string encode_snapshot_head(const Private& own, std::string_view more,

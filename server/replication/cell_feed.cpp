@@ -11,10 +11,11 @@ namespace jostle::server {
 CellFeed::CellFeed(double cell_m, const wire::QuantSpec& spec, Serialize serialize)
     : spec_(spec), serialize_(std::move(serialize)), grid_(cell_m, spec) {}
 
-CellFeed::Cells CellFeed::cells(const FramePtr& frame, const wire::QuantizedFrame& quantized) {
+CellFeed::Cells CellFeed::cells(const FramePtr& frame,
+                                const std::function<wire::QuantizedFrame()>& quantized) {
     const std::lock_guard lock(mutex_);
     if (frame->tick <= tick_) return cells_;
-    CellGrid::Cells now = grid_.split(quantized, *frame->entity_list);
+    CellGrid::Cells now = grid_.split(quantized(), *frame->entity_list);
     for (auto& [id, history] : histories_)
         if (!now.contains(id)) now[id].frame = frame->tick;
     for (auto& [id, content] : now) add(id, std::move(content), frame->tick);
@@ -32,8 +33,14 @@ void CellFeed::add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick
     if (!history.states.empty() && history.states.back().content->entities == content.entities)
         return;
     const std::uint32_t crc = wire::frame_crc(content);
-    history.states.push_back(
-        {cell, tick, std::make_shared<const wire::QuantizedFrame>(std::move(content)), crc});
+    const bool same_members =
+        !history.states.empty() &&
+        std::ranges::equal(history.states.back().content->entities, content.entities, {},
+                           &wire::EntityState::id, &wire::EntityState::id);
+    const std::uint32_t members = same_members ? history.states.back().members : tick;
+    history.states.push_back({cell, tick, members,
+                              std::make_shared<const wire::QuantizedFrame>(std::move(content)),
+                              crc});
     if (history.states.size() > states_kept) history.states.pop_front();
     history.encodings.clear();
 }
@@ -57,16 +64,18 @@ SharedBytes CellFeed::encoding(const CellState& state, wire::BaseFrames bases, w
 SharedBytes CellFeed::encode(const History& history, const CellState& state, wire::BaseFrames bases,
                              wire::Codec codec) const {
     const wire::QuantizedFrame* base = bases.base != 0 ? find(history, bases.base) : nullptr;
-    const wire::QuantizedFrame* base2 = base && bases.base2 != 0 ? find(history, bases.base2) : nullptr;
-    const wire::QuantizedFrame* base3 = base2 && bases.base3 != 0 ? find(history, bases.base3) : nullptr;
+    const wire::QuantizedFrame* base2 =
+        base && bases.base2 != 0 ? find(history, bases.base2) : nullptr;
+    const wire::QuantizedFrame* base3 =
+        base2 && bases.base3 != 0 ? find(history, bases.base3) : nullptr;
     const wire::BaseFrames used{base ? bases.base : 0, base2 ? bases.base2 : 0,
                                 base3 ? bases.base3 : 0};
-    return std::make_shared<const std::string>(
-        serialize_({.id = state.id,
-                    .number = state.number,
-                    .bases = used,
-                    .packed = wire::encode_frame(*state.content, {base, base2, base3}, spec_, codec),
-                    .crc = state.crc}));
+    return std::make_shared<const std::string>(serialize_(
+        {.id = state.id,
+         .number = state.number,
+         .bases = used,
+         .packed = wire::encode_frame(*state.content, {base, base2, base3}, spec_, codec),
+         .crc = state.crc}));
 }
 
 }  // namespace jostle::server

@@ -20,7 +20,8 @@ namespace jostle::server {
 
 struct CellState {
     CellId id = everywhere;
-    std::uint32_t number = 0;  // the tick in which it became so
+    std::uint32_t number = 0;   // the tick in which it became so
+    std::uint32_t members = 0;  // the tick in which somebody came or went last
     std::shared_ptr<const wire::QuantizedFrame> content;
     std::uint32_t crc = 0;
 };
@@ -44,7 +45,8 @@ public:
     // In rising order of id; those that were not empty once stay.
     using Cells = std::shared_ptr<const std::vector<CellState>>;
     // The cells of a frame; of the newest one that was asked for, when it is newer.
-    Cells cells(const FramePtr& frame, const wire::QuantizedFrame& quantized);
+    // `quantized` is asked only for a new frame.
+    Cells cells(const FramePtr& frame, const std::function<wire::QuantizedFrame()>& quantized);
     // Bases that are gone are left out. Never null.
     SharedBytes encoding(const CellState& state, wire::BaseFrames bases, wire::Codec codec);
 

@@ -7,11 +7,9 @@
 namespace jostle::server {
 namespace {
 
-constexpr double bucket_s = 0.05;      // of the rate, held at most
-constexpr double fresh_share = 0.5;    // of the rate
-constexpr double leave_share = 0.25;   // of a cell beyond the radius before it is left
-constexpr std::size_t client_ring = 32;     // states of a cell that a client keeps (WIRE.md)
-constexpr std::uint32_t oldest_base = 200;  // ticks; the codec takes 254 between two states
+constexpr double bucket_s = 0.05;     // of the rate, held at most
+constexpr double fresh_share = 0.5;   // of the rate
+constexpr double leave_share = 0.25;  // of a cell beyond the radius before it is left
 // Without a budget: what is new still comes in pieces, with motion between them.
 constexpr double fresh_bytes_per_second = 4e6;
 
@@ -65,7 +63,7 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
         const auto known = known_.find(cell.id);
         if (known == known_.end()) {
             if (distance <= interest_.radius_m && !cell.content->entities.empty())
-                ranked.push_back({-distance, {cell, {}, true}});
+                ranked.push_back({-distance, {cell, {}, true, true}});
             continue;
         }
         if (distance > interest_.radius_m + leave_share * feed.cell_m()) {
@@ -74,9 +72,11 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
             continue;
         }
         const std::uint32_t waited = tick - known->second.sent_tick;
-        if (cell.number == known->second.numbers.back() || waited < interval(distance)) continue;
+        if (cell.number == known->second.states.last() || waited < interval(distance)) continue;
         const double near = 1 + distance / feed.cell_m();
-        ranked.push_back({waited / near, {cell, bases_for(known->second, cell.number), false}});
+        ranked.push_back({waited / near,
+                          {cell, known->second.states.bases_for(cell.number), false,
+                           cell.members != known->second.members}});
     }
     std::ranges::stable_sort(ranked, std::ranges::greater{}, &Ranked::rank);
     std::vector<Wanted> parts;
@@ -85,27 +85,11 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
     return parts;
 }
 
-// As BaselineTracker chooses them among frames.
-wire::BaseFrames InterestView::bases_for(const Known& known, std::uint32_t number) const {
-    wire::BaseFrames bases;
-    if (number - known.numbers.back() > oldest_base) return bases;
-    bases.base = known.numbers.back();
-    const std::uint32_t apart = (number - bases.base + 1) / 2;
-    const auto older = [&](std::uint32_t before) -> std::uint32_t {
-        for (auto at = known.numbers.rbegin(); at != known.numbers.rend(); ++at)
-            if (*at + apart <= before) return before - *at > oldest_base ? 0 : *at;
-        return 0;
-    };
-    bases.base2 = older(bases.base);
-    if (bases.base2 != 0) bases.base3 = older(bases.base2);
-    return bases;
-}
-
 void InterestView::on_sent(const Wanted& part, std::uint32_t tick) {
     Known& known = known_[part.state.id];
-    known.numbers.push_back(part.state.number);
-    if (known.numbers.size() > client_ring) known.numbers.pop_front();
+    known.states.on_sent(part.state.number);
     known.sent_tick = tick;
+    known.members = part.state.members;
 }
 
 }  // namespace jostle::server

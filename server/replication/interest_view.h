@@ -11,12 +11,13 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "base/clock.h"
+#include "replication/baseline_tracker.h"
 #include "replication/cell_feed.h"
 
 namespace jostle::server {
@@ -37,7 +38,8 @@ public:
     struct Wanted {
         CellState state;
         wire::BaseFrames bases;
-        bool fresh = false;  // the client does not know the cell
+        bool fresh = false;        // the client does not know the cell
+        bool new_members = false;  // somebody is in it who was not when it was sent last
     };
     // What should go out in that tick, in the order in which it should; refills the budget.
     std::vector<Wanted> wanted(const CellFeed& feed, const std::vector<CellState>& cells,
@@ -53,11 +55,11 @@ public:
 
 private:
     struct Known {
-        std::deque<std::uint32_t> numbers;  // of the states sent, rising
+        BaselineTracker states;  // by their numbers
         std::uint32_t sent_tick = 0;
+        std::uint32_t members = 0;  // CellState::members as of then
     };
     void refill(Clock::time_point now);
-    wire::BaseFrames bases_for(const Known& known, std::uint32_t number) const;
     std::uint32_t interval(double distance_m) const;
 
     const double rate_;  // bytes a second

@@ -9,7 +9,7 @@
 namespace jostle::server {
 namespace {
 
-wire::EntityState quantized(const EntityPose& e, const wire::QuantSpec& spec) {
+wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spec) {
     const auto& p = e.pose.position;
     const auto& q = e.pose.rotation;
     return wire::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
@@ -70,13 +70,13 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before) const {
         changed = true;
         auto to = entry.quantized.entities.begin() +
                   static_cast<std::ptrdiff_t>(b * PoseList::block_size);
-        for (const EntityPose& pose : *blocks[b]) *to++ = quantized(pose, spec_);
+        for (const EntityPose& pose : *blocks[b]) *to++ = quantized_pose(pose, spec_);
     }
     if (changed) entry.crc = wire::frame_crc(entry.quantized);
 }
 
 SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames bases,
-                                    std::uint64_t kinds) {
+                                    std::uint64_t kinds, bool poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
     // Each base makes sense only with the one before it, in falling order.
@@ -85,24 +85,24 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaseFrames base
     const Entry* base3 = base2 && bases.base3 < bases.base2 ? find(bases.base3) : nullptr;
     const wire::BaseFrames used{base ? bases.base : 0, base2 ? bases.base2 : 0,
                                 base3 ? bases.base3 : 0};
-    if (const auto made = entry.encodings.find({used, kinds}); made != entry.encodings.end())
+    if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
     wire::PackedChannels channels;
     if (kinds != 0)
         channels =
             wire::encode_channels(entry.channels, base ? base->channels : wire::Channels{}, kinds);
     // Where nothing of them changed it is what those get who asked for none.
-    SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds}];
+    SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds, poses}];
     if (!bytes)
         bytes = std::make_shared<const std::string>(
             serialize_({.frame = frame->tick,
                         .bases = used,
-                        .packed = packed(entry, used),
-                        .crc = entry.crc,
+                        .packed = poses ? packed(entry, used) : std::vector<std::byte>(),
+                        .crc = poses ? entry.crc : 0,
                         .late_us = frame->late_us,
                         .still = base ? still_ticks(*frame, *base->frame) : 0,
                         .channels = std::move(channels)}));
-    return entry.encodings[{used, kinds}] = bytes;
+    return entry.encodings[{used, kinds, poses}] = bytes;
 }
 
 const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaseFrames& bases) {
@@ -116,6 +116,11 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::Ba
         entry.quantized, {poses(bases.base), poses(bases.base2), poses(bases.base3)}, spec_);
     made_++;
     return at->second;
+}
+
+wire::QuantizedFrame SnapshotCache::quantized(const FramePtr& frame) {
+    const std::lock_guard lock(mutex_);
+    return entry_of(frame).quantized;
 }
 
 bool SnapshotCache::holds(std::uint32_t frame) const {

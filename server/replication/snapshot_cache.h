@@ -44,8 +44,11 @@ public:
 
     // The frame against those bases; bases that fell off the ring are left out, and without a first
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
-    // Never null.
-    SharedBytes encoding(const FramePtr& frame, wire::BaseFrames bases, std::uint64_t kinds = 0);
+    // Without `poses` only what else is told of a frame: for who is told of cells. Never null.
+    SharedBytes encoding(const FramePtr& frame, wire::BaseFrames bases, std::uint64_t kinds = 0,
+                         bool poses = true);
+    // The frame's entities as integers.
+    wire::QuantizedFrame quantized(const FramePtr& frame);
     // Whether the frame can still be a base.
     bool holds(std::uint32_t frame) const;
 
@@ -58,6 +61,7 @@ private:
     struct Asked {
         wire::BaseFrames bases;
         std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
+        bool poses = true;
 
         auto operator<=>(const Asked&) const = default;
     };

@@ -525,6 +525,7 @@ OutMessage ClientLink::take_part(const FramePtr& frame, Clock::time_point now) {
         SharedBytes bytes = feed_->cells().encoding(part.state, part.bases, codec_);
         if (!sight_->affords(bytes->size(), part.fresh)) {
             more_to_tell_ = true;
+            if (part.fresh) continue;
             break;
         }
         sight_->spend(bytes->size(), part.fresh);

@@ -7,9 +7,10 @@
 namespace jostle::server {
 namespace {
 
-constexpr double bucket_s = 0.05;     // of the rate, held at most
-constexpr double fresh_share = 0.5;   // of the rate
-constexpr double leave_share = 0.25;  // of a cell beyond the radius before it is left
+constexpr double bucket_s = 0.05;      // of the rate, held at most
+constexpr double fresh_share = 0.5;    // of the rate
+constexpr double leave_share = 0.25;   // of a cell beyond the radius before it is left
+constexpr double first_of_all = 1e12;  // rank of what is new, for as long as its quota lasts
 // Without a budget: what is new still comes in pieces, with motion between them.
 constexpr double fresh_bytes_per_second = 4e6;
 
@@ -63,7 +64,7 @@ std::vector<InterestView::Wanted> InterestView::wanted(const CellFeed& feed,
         const auto known = known_.find(cell.id);
         if (known == known_.end()) {
             if (distance <= interest_.radius_m && !cell.content->entities.empty())
-                ranked.push_back({-distance, {cell, {}, true, true}});
+                ranked.push_back({first_of_all - distance, {cell, {}, true, true}});
             continue;
         }
         if (distance > interest_.radius_m + leave_share * feed.cell_m()) {

@@ -41,7 +41,8 @@ public:
         bool fresh = false;        // the client does not know the cell
         bool new_members = false;  // somebody is in it who was not when it was sent last
     };
-    // What should go out in that tick, in the order in which it should; refills the budget.
+    // What should go out in that tick, in the order in which it should: what is new, then what is
+    // known. Of each as much as affords() lets. Refills the budget.
     std::vector<Wanted> wanted(const CellFeed& feed, const std::vector<CellState>& cells,
                                std::uint32_t tick, Clock::time_point now);
     // Whether so many bytes may go out now.

@@ -40,10 +40,10 @@ void Client::read(const std::function<void(const WorldView&)>& reader) const {
     reader(state_->conversation.view());
 }
 
-std::vector<SmoothPose> Client::interpolated(Clock::time_point now) const {
+std::vector<SmoothPose> Client::interpolated(Clock::time_point now) {
     const auto lock = locked(*state_);
-    const Conversation& c = state_->conversation;
-    return c.buffer().sample(c.clock().server_us(now), c.view().spec());
+    Conversation& c = state_->conversation;
+    return c.buffer().sample(static_cast<std::int64_t>(to_us(now)), c.view().spec());
 }
 
 std::vector<v1::InputResult> Client::take_results() {

@@ -104,12 +104,12 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     need_keyframe_ = false;
     ack_due_ = true;
     stats_.snapshots++;
-    if (!clock_.ready() || snapshot.server_time_us() > latest_time_us) return;
-    const std::int64_t arrived = clock_.server_us(now);
+    if (snapshot.server_time_us() > latest_time_us) return;
     const auto server_us = static_cast<std::int64_t>(snapshot.server_time_us());
-    buffer_.add(view_.frame(), server_us, arrived);
-    if (ages_ms_.size() < ages_max)
-        ages_ms_.push_back(static_cast<float>(static_cast<double>(arrived - server_us) / 1000));
+    buffer_.add(view_.frame(), server_us, static_cast<std::int64_t>(to_us(now)));
+    if (!clock_.ready() || ages_ms_.size() >= ages_max) return;
+    const auto age_us = static_cast<double>(clock_.server_us(now) - server_us);
+    ages_ms_.push_back(static_cast<float>(age_us / 1000));
 }
 
 void Conversation::on_results(const v1::InputResults& results) {

@@ -38,7 +38,7 @@ public:
 
     const WorldView& view() const { return view_; }
     const ClockSync& clock() const { return clock_; }
-    const InterpolationBuffer& buffer() const { return buffer_; }
+    InterpolationBuffer& buffer() { return buffer_; }
     const ClientOptions& options() const { return options_; }
     const ClientStats& stats() const { return stats_; }
     const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }

@@ -4,8 +4,8 @@ import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/p
 import { ClockSync, nowUs } from './clock';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { Delay } from './interpolate';
 import { LargeShapes } from './large_shapes';
+import { RenderClock } from './render_clock';
 import { decodeChannels } from './channels';
 import {
   AckSchema,
@@ -63,7 +63,7 @@ export const openSocket = (url: string) => new WebSocket(url) as unknown as Sock
 export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
-  readonly delay = new Delay();
+  readonly renderClock = new RenderClock();
   readonly entities = new Map<number, Entity>();
   welcome: Welcome | undefined;
   bytesReceived = 0;
@@ -244,7 +244,7 @@ export class Connection {
       return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
     }
     this.frames.clear();
-    this.delay.reset();
+    this.renderClock.reset();
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
@@ -281,11 +281,9 @@ export class Connection {
       this.frames.add(frame, serverUs, this.spec, channels);
       this.needKeyframe = false;
       this.snapshots++;
-      if (this.clock.ready) {
-        const arrived = this.clock.serverUs(nowUs());
-        this.delay.add(serverUs, arrived);
-        this.ageMs = (arrived - serverUs) / 1000;
-      }
+      const arrived = nowUs();
+      this.renderClock.onFrame(serverUs, arrived);
+      if (this.clock.ready) this.ageMs = (this.clock.serverUs(arrived) - serverUs) / 1000;
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       if (!this.needKeyframe) this.decodeErrors++;

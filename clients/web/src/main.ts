@@ -126,9 +126,7 @@ function websocketUrl(): string {
 /** How far the picture is behind the newest that the server told. */
 function pictureBehindMs(): number {
   const newest = connection.frames.newest;
-  if (!newest || !connection.clock.ready) return 0;
-  const drawnUs = connection.clock.serverUs(nowUs()) - connection.delay.us;
-  return Math.max(0, (newest.serverUs - drawnUs) / 1000);
+  return newest ? Math.max(0, (newest.serverUs - connection.renderClock.shownUs) / 1000) : 0;
 }
 
 function choose(tool: Tool): void {
@@ -275,7 +273,8 @@ if (innerWidth < 700) byId('stats').hidden = true;
 
 renderer.setAnimationLoop(() => {
   camera.controls.update();
-  if (connection.clock.ready) drawn.update(connection.frames, connection.clock.serverUs(nowUs()) - connection.delay.us);
+  const now = nowUs();
+  drawn.update(connection.frames, connection.renderClock.advance(now), now);
   const shown = shownNow();
   dressBodies(shown);
   view.update(drawn);

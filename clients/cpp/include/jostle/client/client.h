@@ -43,8 +43,8 @@ public:
     // Calls reader(view) under the client's lock. The reader keeps no reference and calls nothing
     // of this client.
     void read(const std::function<void(const WorldView&)>& reader) const;
-    // Poses to draw now: InterpolationBuffer::sample().
-    std::vector<SmoothPose> interpolated(Clock::time_point now) const;
+    // Poses to draw now: InterpolationBuffer::sample(). Once a picture, with times that rise.
+    std::vector<SmoothPose> interpolated(Clock::time_point now);
     // Since the last call; of more than 4096 the oldest are gone.
     std::vector<v1::InputResult> take_results();
     // What happened since the last call, one entry per tick in which something did, in order. Of

@@ -1,6 +1,7 @@
 // Starts the parts and runs the picture loop.
 
 import * as THREE from 'three';
+import { overLink } from './bad_link';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
@@ -9,6 +10,7 @@ import { Driving, lookOf, type Pad } from './driving';
 import { DebugView } from './debug_view';
 import { DrawnPoses } from './interpolate';
 import { HitMarks } from './hit_marks';
+import { linkOf } from './link_conditioner';
 import { clearWay, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { DRAWN_KINDS, ModuleView, type Shown } from './module_view';
@@ -74,7 +76,9 @@ const told: Events = {
   refused: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };
-const connection = new Connection(websocketUrl(), told, openSocket, token, DRAWN_KINDS);
+// ?delay=80&jitter=20&stalls=250: as over a bad link.
+const badLink = linkOf(location.search);
+const connection = new Connection(websocketUrl(), told, badLink ? overLink(openSocket, badLink) : openSocket, token, DRAWN_KINDS);
 const statsPanel = new StatsPanel(byId('stats'), connection);
 const queries = new Queries(() => (connection.state === 'playing' ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');

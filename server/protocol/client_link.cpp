@@ -33,6 +33,7 @@ constexpr auto keyframe_period = 250ms;
 constexpr auto results_period = 50ms;
 // A client that has been told and still sends this many times its rate is cut off.
 constexpr int flood_factor = 5;
+constexpr std::int64_t margin_us_max = 1'000'000'000;  // a tick that a client names may be any
 constexpr auto rate_notice_period = 1s;
 
 // Every n-th tick, so that no more than `wanted` snapshots a second are sent.
@@ -218,24 +219,29 @@ void ClientLink::on_message(const InputBatch& batch, Clock::time_point now) {
     if (batch.ack) on_message(*batch.ack, now);
     client_time_us_ = batch.client_time_us;
     std::uint32_t sequence = batch.first_sequence;
-    for (const Result<Action>& input : batch.inputs) push_input(sequence++, input, now);
+    for (std::size_t k = 0; k < batch.inputs.size(); k++)
+        push_input(sequence++, batch.inputs[k], batch.ticks[k], now);
 }
 
 // What came before is neither applied nor answered again.
-void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input,
+void ClientLink::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
-    if (Status status = try_push(sequence, input, now); !status.ok())
+    if (Status status = try_push(sequence, input, tick, now); !status.ok())
         results_.push_back({.sequence = sequence, .status = std::move(status), .tick = seen_tick_});
 }
 
-Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input,
+Status ClientLink::try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                             Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
-    if (!feed_->host().push(
-            {.client = client_, .sequence = sequence, .action = *input, .reply = result_queue_}))
+    if (!feed_->host().push({.client = client_,
+                             .sequence = sequence,
+                             .action = *input,
+                             .reply = result_queue_,
+                             .received = now,
+                             .tick = tick}))
         return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
     return {};
 }
@@ -419,6 +425,9 @@ std::optional<OutMessage> ClientLink::take_results(Clock::time_point now) {
     last_results_ = now;
     for (const InputResult& result : results_) {
         answered_sequence_ = std::max(answered_sequence_, result.sequence);
+        if (result.margin_us)
+            input_margin_us_ = static_cast<std::int32_t>(
+                std::clamp(*result.margin_us, -margin_us_max, margin_us_max));
     }
     watch_.answered(results_);
     OutMessage message{encode_input_results(results_), nullptr};
@@ -486,7 +495,8 @@ std::optional<OutMessage> ClientLink::take_snapshot(Clock::time_point now) {
         feed_->snapshots().encoding(frame, baselines_.bases_for(frame->tick), channel_kinds_);
     const Private own{.input_sequence = answered_sequence_,
                       .echo_client_time_us = client_time_us_,
-                      .snapshots_skipped = flow_->skipped() + skipped_waiting_};
+                      .snapshots_skipped = flow_->skipped() + skipped_waiting_,
+                      .input_margin_us = input_margin_us_};
     snapshot_due_ = false;
     seen_tick_ = std::max(seen_tick_, frame->tick);
     baselines_.on_sent(frame->tick);

@@ -72,8 +72,10 @@ private:
     Result<std::shared_ptr<WorldHost>> let_in_by_ticket(const Hello& hello);
     Status may_play(const Hello& hello, const Identity& who, const WorldHost& world) const;
     void enter(const std::shared_ptr<WorldHost>& world, const Hello& hello, Clock::time_point now);
-    void push_input(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
-    Status try_push(std::uint32_t sequence, const Result<Action>& input, Clock::time_point now);
+    void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                    Clock::time_point now);
+    Status try_push(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
+                    Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void forgive_pause(Clock::time_point now);
@@ -114,6 +116,7 @@ private:
     std::vector<InputResult> results_;  // to be told
     std::uint32_t last_sequence_ = 0;   // received
     std::uint32_t answered_sequence_ = 0;
+    std::int32_t input_margin_us_ = 0;  // of the newest of these that a world saw
     std::uint32_t client_time_us_ = 0;
     int dropped_ = 0;  // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_results_{}, last_stats_{};

@@ -153,6 +153,7 @@ std::string encode_snapshot_head(const Private& from, std::size_t shared_bytes) 
     own.set_input_sequence(from.input_sequence);
     own.set_echo_client_time_us(from.echo_client_time_us);
     own.set_snapshots_skipped(from.snapshots_skipped);
+    own.set_input_margin_us(from.input_margin_us);
     return encode_head(v1::ServerMessage::kSnapshotFieldNumber, fields, shared_bytes);
 }
 

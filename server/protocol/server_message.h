@@ -48,6 +48,7 @@ struct Private {
     std::uint32_t input_sequence = 0;
     std::uint32_t echo_client_time_us = 0;
     std::uint32_t snapshots_skipped = 0;
+    std::int32_t input_margin_us = 0;
 };
 
 // The fields of jostle.v1.Snapshot that all clients share.

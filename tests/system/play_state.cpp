@@ -116,6 +116,7 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     snapshot_bytes += snapshot.packed().size();
     keyframes += snapshot.base_frame() == 0;
     skipped = snapshot.own().snapshots_skipped();
+    input_margin_us = snapshot.own().input_margin_us();
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 
     const auto base_of = [&](std::uint32_t frame) {

@@ -53,6 +53,7 @@ void Conversation::receive(const std::string& bytes, Clock::time_point now) {
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
             view_.begin(message_.welcome());
+            input_clock_.begin(message_.welcome().tick_hz());
             stats_.connected = true;
             stats_.client_id = message_.welcome().client_id();
             break;
@@ -107,9 +108,20 @@ void Conversation::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     if (snapshot.server_time_us() > latest_time_us) return;
     const auto server_us = static_cast<std::int64_t>(snapshot.server_time_us());
     buffer_.add(view_.frame(), server_us, static_cast<std::int64_t>(to_us(now)));
-    if (!clock_.ready() || ages_ms_.size() >= ages_max) return;
+    if (!clock_.ready()) return;
+    steer_inputs(snapshot, now);
+    if (ages_ms_.size() >= ages_max) return;
     const auto age_us = static_cast<double>(clock_.server_us(now) - server_us);
     ages_ms_.push_back(static_cast<float>(age_us / 1000));
+}
+
+void Conversation::steer_inputs(const v1::Snapshot& snapshot, Clock::time_point now) {
+    const auto ago_us = static_cast<double>(clock_.server_us(now) -
+                                            static_cast<std::int64_t>(snapshot.server_time_us()));
+    input_clock_.on_frame(snapshot.frame(), ago_us, 1000 * clock_.rtt_ms() / 2,
+                          static_cast<std::int64_t>(to_us(now)));
+    input_clock_.on_margin(snapshot.own().input_sequence(), snapshot.own().input_margin_us());
+    stats_.input_margin_ms = input_clock_.margin_ms();
 }
 
 void Conversation::on_results(const v1::InputResults& results) {
@@ -161,6 +173,7 @@ std::string Conversation::take_inputs(Clock::time_point now) {
         next_unsent_++;
         stats_.inputs_sent++;
     }
+    input_clock_.sent(next_unsent_ - 1);
     put_ack(*batch.mutable_ack());
     batch.set_client_time_us(static_cast<std::uint32_t>(to_us(now)));
     last_batch_ = now;

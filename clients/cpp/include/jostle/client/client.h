@@ -37,6 +37,10 @@ public:
     // a second. Numbers begin anew with each connection: what was not sent before a reconnect is
     // sent after it under a new number.
     std::uint32_t send(v1::Input input);
+    // For inputs that name their tick: where the InputClock is, in ticks, and the next whole one. 0
+    // before it is known.
+    double input_position(Clock::time_point now);
+    std::uint32_t input_tick(Clock::time_point now);
     // Sends what is queued and says goodbye: the stream ends in order.
     void leave();
 

@@ -4,6 +4,7 @@ import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/p
 import { ClockSync, nowUs } from './clock';
 import { DecodeError, decodeFrame, frameCrc, isSound, type QuantSpec } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
+import { InputClock } from './input_clock';
 import { LargeShapes } from './large_shapes';
 import { RenderClock } from './render_clock';
 import { decodeChannels } from './channels';
@@ -64,6 +65,7 @@ export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
   readonly renderClock = new RenderClock();
+  readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
   welcome: Welcome | undefined;
   bytesReceived = 0;
@@ -245,6 +247,7 @@ export class Connection {
     }
     this.frames.clear();
     this.renderClock.reset();
+    this.inputClock.begin(welcome.tickHz);
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
@@ -283,7 +286,12 @@ export class Connection {
       this.snapshots++;
       const arrived = nowUs();
       this.renderClock.onFrame(serverUs, arrived);
-      if (this.clock.ready) this.ageMs = (this.clock.serverUs(arrived) - serverUs) / 1000;
+      if (this.clock.ready) {
+        const agoUs = this.clock.serverUs(arrived) - serverUs;
+        this.ageMs = agoUs / 1000;
+        this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
+        this.inputClock.onMargin(s.own?.inputSequence ?? 0, s.own?.inputMarginUs ?? 0);
+      }
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       if (!this.needKeyframe) this.decodeErrors++;
@@ -315,6 +323,7 @@ export class Connection {
       const inputs = this.inputs.splice(0, INPUTS_PER_BATCH);
       const firstSequence = this.nextSequence;
       this.nextSequence += inputs.length;
+      this.inputClock.sent(this.nextSequence - 1);
       const clientTimeUs = Math.floor(now) % 2 ** 32;
       this.sendMessage({ case: 'input', value: { firstSequence, inputs, ack: this.ack(), clientTimeUs } });
     } else if (this.ackDue) {

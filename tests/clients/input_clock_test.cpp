@@ -83,6 +83,9 @@ TEST(InputClock, settles_within_a_tick_of_its_target_and_few_inputs_are_late) {
     stream.late = stream.told = 0;
     stream.run(60, 50'000);
     EXPECT_NEAR(stream.clock.margin_ms(), stream.clock.target_ms(), tick_us / 1000);
+    RecordProperty("margin_ms", std::to_string(stream.clock.margin_ms()));
+    RecordProperty("target_ms", std::to_string(stream.clock.target_ms()));
+    RecordProperty("late_share", std::to_string(1.0 * stream.late / stream.told));
     EXPECT_LT(stream.clock.target_ms(), 45) << "a tick and four times the jitter";
     EXPECT_LT(stream.late, 0.01 * stream.told);
     EXPECT_EQ(stream.clock.jumps(), 0);

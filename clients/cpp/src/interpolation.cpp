@@ -61,10 +61,16 @@ void InterpolationBuffer::clear() {
 }
 
 void InterpolationBuffer::add(const wire::QuantizedFrame& frame, std::int64_t server_us,
-                              std::int64_t arrived_us) {
+                              std::int64_t arrived_us, bool after_rest) {
     if (!frames_.empty() && server_us <= frames_.back().server_us) return;
-    clock_.on_frame(server_us, arrived_us);
+    clock_.on_frame(server_us, arrived_us, after_rest);
     frames_.push_back({frame, server_us});
+    if (frames_.size() > frames_max) frames_.pop_front();
+}
+
+void InterpolationBuffer::hold(std::int64_t server_us) {
+    if (frames_.empty() || server_us <= frames_.back().server_us) return;
+    frames_.push_back({frames_.back().frame, server_us});
     if (frames_.size() > frames_max) frames_.pop_front();
 }
 

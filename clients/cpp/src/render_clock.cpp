@@ -26,14 +26,15 @@ double share_of(std::vector<double>& values, double share) {
 
 }  // namespace
 
-void RenderClock::on_frame(std::int64_t server_us, std::int64_t arrived_us) {
+void RenderClock::on_frame(std::int64_t server_us, std::int64_t arrived_us, bool after_rest) {
     const bool first = arrivals_.empty();
     if (!first && server_us <= newest_us_) return;
     const auto interval = static_cast<double>(first ? 0 : server_us - newest_us_);
     const double gap = static_cast<double>(first ? 0 : arrived_us - arrived_us_);
-    silence_ended_ = gap > silence_us || (silence_ended_ && gap < at_once_share * interval);
+    silence_ended_ =
+        (gap > silence_us && !after_rest) || (silence_ended_ && gap < at_once_share * interval);
     arrivals_.push_back({static_cast<double>(arrived_us - server_us), interval,
-                         !first && interval < rest_us && !silence_ended_});
+                         !first && !after_rest && interval < rest_us && !silence_ended_});
     if (arrivals_.size() > arrivals_max) arrivals_.pop_front();
     newest_us_ = server_us;
     arrived_us_ = arrived_us;

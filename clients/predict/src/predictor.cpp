@@ -151,6 +151,7 @@ struct Predictor::Impl {
     void add_fixed(const WorldView& view);
     bool change_members(const WorldView& view, const std::map<std::uint32_t, Told>& near,
                         std::uint32_t frame);
+    double seconds_of(const Told& before, std::uint32_t frame) const;
     Motion measured(std::uint32_t id, const Told& now, std::uint32_t frame);
     Motion put_right(std::uint32_t id, const Told& now, std::uint32_t frame);
     void start(const WorldView& view, const std::map<std::uint32_t, Told>& near);
@@ -200,12 +201,18 @@ void Predictor::Impl::add_fixed(const WorldView& view) {
     }
 }
 
+// How long a body moved since the frame before. While nothing moves no frames are sent, so that
+// what rested then began with this one.
+double Predictor::Impl::seconds_of(const Told& before, std::uint32_t frame) const {
+    return (before.at_rest ? 1 : frame - newest_frame) * tick_s;
+}
+
 // Of one that is new here: what it did since the frame before.
 Motion Predictor::Impl::measured(std::uint32_t id, const Told& now, std::uint32_t frame) {
     Motion motion{.pose = now.pose};
     const auto before = told.find(id);
     if (now.at_rest || before == told.end() || frame <= newest_frame) return motion;
-    const double seconds = (frame - newest_frame) * tick_s;
+    const double seconds = seconds_of(before->second, frame);
     const Transform& was = before->second.pose;
     motion.linear = (now.pose.position - was.position) * (1 / seconds);
     motion.angular = turn_between(was.rotation, now.pose.rotation) * (1 / seconds);
@@ -221,7 +228,7 @@ Motion Predictor::Impl::put_right(std::uint32_t id, const Told& now, std::uint32
     const auto was = told.find(id);
     if (before && was != told.end() && before->motions.contains(id) && frame > newest_frame) {
         const Transform& from = before->motions.at(id).pose;
-        const double seconds = (frame - newest_frame) * tick_s;
+        const double seconds = seconds_of(was->second, frame);
         const Vec3 more =
             (now.pose.position - was->second.pose.position) - (guess.pose.position - from.position);
         const Vec3 turned = turn_between(was->second.pose.rotation, now.pose.rotation) -

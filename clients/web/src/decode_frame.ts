@@ -32,6 +32,28 @@ export interface Bases {
 
 export class DecodeError extends Error {}
 
+const NO_BASE = 255;
+
+/** The numbers of base, base2 and base3, 0: none, of Snapshot.bases. */
+export function baseFrames(frame: number, bases: number): [number, number, number] {
+  const found: [number, number, number] = [0, 0, 0];
+  if (bases === 0) return found;
+  let distance = bases & 255;
+  const second = (bases >>> 8) & 255;
+  const third = bases >>> 16;
+  if (distance === 0 || distance === NO_BASE || third > NO_BASE || (second === NO_BASE && third !== 0))
+    throw new DecodeError(`frame ${frame}: bases ${bases} are no distances of 1 to 254`);
+  let at = frame;
+  for (const [k, told] of [distance, second, third].entries()) {
+    if (told === NO_BASE) break;
+    distance = told || distance;
+    at -= distance;
+    if (at <= 0) throw new DecodeError(`frame ${frame}: bases ${bases} lie before the first frame`);
+    found[k] = at;
+  }
+  return found;
+}
+
 /** Whether the arithmetic below is exact with this quantisation (WIRE.md). */
 export function isSound({ unitsPerMeter: u, rotationComponent: m }: QuantSpec): boolean {
   return Number.isInteger(u) && u >= 1 && u <= 65536 && Number.isInteger(m) && m >= 1 && m <= 16383;

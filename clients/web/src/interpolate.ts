@@ -44,9 +44,10 @@ class Moment {
     if (!pair) return;
     const { a, b } = pair;
     this.makeRoom();
-    const width = b.serverUs - a.serverUs;
+    const left = a.heldUntilUs ?? a.serverUs;
+    const width = b.serverUs - left;
     const most = width > 0 ? 1 + EXTRAPOLATE_US / width : 1;
-    const t = width > 0 ? Math.min(most, Math.max(0, (serverUs - a.serverUs) / width)) : 1;
+    const t = width > 0 ? Math.min(most, Math.max(0, (serverUs - left) / width)) : 1;
     let from = 0;
     for (let i = 0; i < this.count; i++) {
       const entity = b.entities[i]!;
@@ -115,7 +116,7 @@ function jumpedSince(frames: FrameBuffer, id: number, serverUs: number): boolean
     const [a, b] = [list[k - 1]!, list[k]!];
     const i = indexIn(a, id);
     const j = indexIn(b, id);
-    if (i >= 0 && j >= 0 && isJump(a.poses, i * POSE_FLOATS, b.poses, j * POSE_FLOATS, b.serverUs - a.serverUs)) return true;
+    if (i >= 0 && j >= 0 && isJump(a.poses, i * POSE_FLOATS, b.poses, j * POSE_FLOATS, b.serverUs - (a.heldUntilUs ?? a.serverUs))) return true;
   }
   return false;
 }

@@ -47,14 +47,17 @@ export class RenderClock {
   shownUs = 0;
   speed = 1; // over the last picture
 
-  /** A frame arrived: when its tick was due, on the server's clock, and when it came, on ours. */
-  onFrame(serverUs: number, arrivedUs: number): void {
+  /**
+   * A frame arrived: when its tick was due, on the server's clock, and when it came, on ours. After a rest no frames were sent, so
+   * how long that was tells nothing of the rhythm.
+   */
+  onFrame(serverUs: number, arrivedUs: number, afterRest = false): void {
     const first = this.arrivals === 0;
     if (!first && serverUs <= this.newest) return;
     const interval = first ? 0 : serverUs - this.newest;
     const gap = first ? 0 : arrivedUs - this.arrived;
-    this.silenceEnded = gap > SILENCE_US || (this.silenceEnded && gap < AT_ONCE_SHARE * interval);
-    const inRhythm = !first && interval < REST_US && !this.silenceEnded;
+    this.silenceEnded = (gap > SILENCE_US && !afterRest) || (this.silenceEnded && gap < AT_ONCE_SHARE * interval);
+    const inRhythm = !first && !afterRest && interval < REST_US && !this.silenceEnded;
     const at = this.arrivals++ % ARRIVALS_MAX;
     this.lateness[at] = arrivedUs - serverUs;
     this.intervals[at] = inRhythm ? interval : 0;

@@ -143,7 +143,7 @@ struct Yard {
         told.snapshot.set_frame(server_tick);
         told.snapshot.set_packed(packed.data(), packed.size());
         told.snapshot.set_crc(wire::frame_crc(frame));
-        told.snapshot.set_server_time_us(static_cast<std::uint64_t>(due));
+        told.snapshot.set_late_us(due - std::llround(server_tick * 1e6 / 60));
         told.snapshot.mutable_own()->set_input_sequence(applied);
         told.snapshot.mutable_own()->set_input_margin_us(margin_us);
         falling.push_back(std::move(told));
@@ -155,7 +155,7 @@ struct Yard {
             const Told told = std::move(falling.front());
             falling.pop_front();
             ASSERT_TRUE(view.apply(told.snapshot).ok());
-            const auto due = static_cast<std::int64_t>(told.snapshot.server_time_us());
+            const std::int64_t due = view.times_of(told.snapshot).due_us;
             buffer.add(view.frame(), due, us);
             clock.on_frame(view.frame().frame, static_cast<double>(us - due), 55'000, us);
             clock.on_margin(told.snapshot.own().input_sequence(),

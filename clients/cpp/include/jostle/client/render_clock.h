@@ -15,8 +15,9 @@ namespace jostle::client {
 class RenderClock {
 public:
     // A frame arrived: when its tick was due, on the server's clock, and when it came, on ours; in
-    // microseconds. One that is not newer than the last is left out.
-    void on_frame(std::int64_t server_us, std::int64_t arrived_us);
+    // microseconds. One that is not newer than the last is left out. After a rest no frames were
+    // sent, so how long that was tells nothing of the rhythm.
+    void on_frame(std::int64_t server_us, std::int64_t arrived_us, bool after_rest = false);
 
     // A picture is drawn: what it shows, on the server's clock. now_us is on our clock; when it did
     // not rise, nothing changes. 0 before the first frame.

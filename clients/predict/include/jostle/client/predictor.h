@@ -33,8 +33,10 @@ struct PredictorOptions {
     double near_m = 3;             // how far from the body others are foreseen, between origins
     std::size_t near_max = 32;     // of these the nearest
     std::size_t fixed_max = 1000;  // bodies that stand still or move on rails; the first by id
-    std::uint32_t ticks_max = 30;  // further than this beyond the newest frame nothing is foreseen
-    int substeps = 8;              // as the server's world
+    // Further than this beyond the newest frame nothing is foreseen. A world in which nothing moves
+    // sends a frame a second.
+    std::uint32_t ticks_max = 120;
+    int substeps = 8;  // as the server's world
 };
 
 class Predictor {

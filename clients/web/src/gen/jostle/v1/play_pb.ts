@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UinwEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkSEAoIY2hhbm5lbHMYCSADKAkiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKXAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SAASDAoEdGljaxgPIAEoDUIGCgRraW5kIuYBCgpTcGF3bklucHV0Eh8KBXNoYXBlGAEgASgLMhAuam9zdGxlLnYxLlNoYXBlEiEKCHBvc2l0aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YAyABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoFY29sb3IYBiABKAdIAIgBAUIICgZfY29sb3IiYAoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMyI7CglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMiLAoJRHJhZ0lucHV0Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIg4KDFJlbGVhc2VJbnB1dCIdCgtEZWxldGVJbnB1dBIOCgZlbnRpdHkYASABKA0iTgoMRXhwbG9kZUlucHV0Eh8KBmNlbnRlchgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoARINCgVzcGVlZBgDIAEoASIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iKwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgiHgoEUGluZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBiIHCgVMZWF2ZSKBAwoNU2VydmVyTWVzc2FnZRIlCgd3ZWxjb21lGAEgASgLMhIuam9zdGxlLnYxLldlbGNvbWVIABIjCgZyb3N0ZXIYAiABKAsyES5qb3N0bGUudjEuUm9zdGVySAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIwCg1pbnB1dF9yZXN1bHRzGAQgASgLMhcuam9zdGxlLnYxLklucHV0UmVzdWx0c0gAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiYKBXN0YXRzGAYgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHNIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASIwoGZXZlbnRzGAggASgLMhEuam9zdGxlLnYxLkV2ZW50c0gAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2UikwIKB1dlbGNvbWUSEQoJY2xpZW50X2lkGAEgASgNEhAKCHdvcmxkX2lkGAIgASgJEhIKCndvcmxkX25hbWUYAyABKAkSDAoEdGljaxgEIAEoDRIPCgd0aWNrX2h6GAUgASgBEhMKC3NuYXBzaG90X2h6GAYgASgNEhIKCmFja193aW5kb3cYByABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJFCgxHZW9tZXRyeVBhcnQSCgoCaWQYASABKAYSDAoEcGFydBgCIAEoDRINCgVwYXJ0cxgDIAEoDRIMCgRkYXRhGAQgASgMIjsKBlJvc3RlchIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSK0AQoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhAKCGRyaXZhYmxlGAggASgIQggKBl9jb2xvciLkAQoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEgoKYmFzZV9mcmFtZRgCIAEoDRITCgtiYXNlMl9mcmFtZRgDIAEoDRITCgtiYXNlM19mcmFtZRgEIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHEhYKDnNlcnZlcl90aW1lX3VzGAcgASgGEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxIfCgNvd24YDyABKAsyEi5qb3N0bGUudjEuUHJpdmF0ZUoECAgQCVIHbW9kdWxlcyJyCgdQcml2YXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SFwoPaW5wdXRfbWFyZ2luX3VzGAcgASgRIjcKDElucHV0UmVzdWx0cxInCgdyZXN1bHRzGAEgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0InIKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkiNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiKrAQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCSI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIWChJDSEFOTkVMX0ZPUk1fRklFTEQQAxIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEKqMBCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBSq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIsgBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAQgkKB21lc3NhZ2UinwEKBUhlbGxvEhAKCHByb3RvY29sGAEgASgNEg0KBXdvcmxkGAIgASgJEg4KBnRpY2tldBgDIAEoCRIMCgRuYW1lGAQgASgJEhMKC3NuYXBzaG90X2h6GAUgASgNEhEKCXNwZWN0YXRvchgGIAEoCBIOCgZldmVudHMYByABKAgSDQoFdG9rZW4YCCABKAkSEAoIY2hhbm5lbHMYCSADKAkiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByKXAwoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SAASDAoEdGljaxgPIAEoDUIGCgRraW5kIuYBCgpTcGF3bklucHV0Eh8KBXNoYXBlGAEgASgLMhAuam9zdGxlLnYxLlNoYXBlEiEKCHBvc2l0aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YAyABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoFY29sb3IYBiABKAdIAIgBAUIICgZfY29sb3IiYAoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMyI7CglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMiLAoJRHJhZ0lucHV0Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIg4KDFJlbGVhc2VJbnB1dCIdCgtEZWxldGVJbnB1dBIOCgZlbnRpdHkYASABKA0iTgoMRXhwbG9kZUlucHV0Eh8KBmNlbnRlchgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoARINCgVzcGVlZBgDIAEoASIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iKwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgiHgoEUGluZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBiIHCgVMZWF2ZSKyAgoNU2VydmVyTWVzc2FnZRIlCgd3ZWxjb21lGAEgASgLMhIuam9zdGxlLnYxLldlbGNvbWVIABIjCgZyb3N0ZXIYAiABKAsyES5qb3N0bGUudjEuUm9zdGVySAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASKwoIZ2VvbWV0cnkYCSABKAsyFy5qb3N0bGUudjEuR2VvbWV0cnlQYXJ0SABCCQoHbWVzc2FnZUoECAQQBUoECAYQB0oECAgQCVINaW5wdXRfcmVzdWx0c1IFc3RhdHNSBmV2ZW50cyK1AgoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBiJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJFCgxHZW9tZXRyeVBhcnQSCgoCaWQYASABKAYSDAoEcGFydBgCIAEoDRINCgVwYXJ0cxgDIAEoDRIMCgRkYXRhGAQgASgMIjsKBlJvc3RlchIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSK0AQoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhAKCGRyaXZhYmxlGAggASgIQggKBl9jb2xvciLIAgoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SDQoFYmFzZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxINCgVzdGlsbBgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSHwoDb3duGA8gASgLMhIuam9zdGxlLnYxLlByaXZhdGVKBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMimwEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoESJyCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFgoSQ0hBTk5FTF9GT1JNX0ZJRUxEEAMSFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCqjAQoJSW5wdXRDb2RlEhoKFklOUFVUX0NPREVfVU5TUEVDSUZJRUQQABIWChJJTlBVVF9DT0RFX0FQUExJRUQQARIWChJJTlBVVF9DT0RFX0lOVkFMSUQQAhIYChRJTlBVVF9DT0RFX05PVF9GT1VORBADEhoKFklOUFVUX0NPREVfTk9UX0FMTE9XRUQQBBIUChBJTlBVVF9DT0RFX0xJTUlUEAUqtwEKCk5vdGljZUNvZGUSGwoXTk9USUNFX0NPREVfVU5TUEVDSUZJRUQQABIYChROT1RJQ0VfQ09ERV9EUkFJTklORxABEhwKGE5PVElDRV9DT0RFX1dPUkxEX0NMT1NFRBACEhcKE05PVElDRV9DT0RFX1JFRlVTRUQQAxIaChZOT1RJQ0VfQ09ERV9SQVRFX0xJTUlUEAQSHwobTk9USUNFX0NPREVfV09STERfUkVTVEFSVEVEEAUyTQoLUGxheVNlcnZpY2USPgoEUGxheRIYLmpvc3RsZS52MS5DbGllbnRNZXNzYWdlGhguam9zdGxlLnYxLlNlcnZlck1lc3NhZ2UoATABYgZwcm90bzM", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -582,34 +582,16 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
     case: "snapshot";
   } | {
     /**
-     * @generated from field: jostle.v1.InputResults input_results = 4;
-     */
-    value: InputResults;
-    case: "inputResults";
-  } | {
-    /**
      * @generated from field: jostle.v1.Pong pong = 5;
      */
     value: Pong;
     case: "pong";
   } | {
     /**
-     * @generated from field: jostle.v1.WorldStats stats = 6;
-     */
-    value: WorldStats;
-    case: "stats";
-  } | {
-    /**
      * @generated from field: jostle.v1.Notice notice = 7;
      */
     value: Notice;
     case: "notice";
-  } | {
-    /**
-     * @generated from field: jostle.v1.Events events = 8;
-     */
-    value: Events;
-    case: "events";
   } | {
     /**
      * @generated from field: jostle.v1.GeometryPart geometry = 9;
@@ -690,6 +672,20 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
    * @generated from field: repeated jostle.v1.ChannelKind channels = 11;
    */
   channels: ChannelKind[];
+
+  /**
+   * a client acknowledges the newest snapshot when so many ms have passed since it last did
+   *
+   * @generated from field: uint32 ack_ms = 13;
+   */
+  ackMs: number;
+
+  /**
+   * on the server's monotonic clock: when tick 0 would have been due
+   *
+   * @generated from field: fixed64 epoch_us = 14;
+   */
+  epochUs: bigint;
 };
 
 /**
@@ -887,6 +883,8 @@ export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 22);
 
 /**
+ * All that a client is told of a tick, in one message.
+ *
  * @generated from message jostle.v1.Snapshot
  */
 export type Snapshot = Message<"jostle.v1.Snapshot"> & {
@@ -898,25 +896,11 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   frame: number;
 
   /**
-   * 0: absolute
+   * how far back the frames are that this one is told against (WIRE.md, "A frame"); 0: absolute
    *
-   * @generated from field: uint32 base_frame = 2;
+   * @generated from field: uint32 bases = 2;
    */
-  baseFrame: number;
-
-  /**
-   * 0: none
-   *
-   * @generated from field: uint32 base2_frame = 3;
-   */
-  base2Frame: number;
-
-  /**
-   * 0: none
-   *
-   * @generated from field: uint32 base3_frame = 4;
-   */
-  base3Frame: number;
+  bases: number;
 
   /**
    * @generated from field: bytes packed = 5;
@@ -931,14 +915,14 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   crc: number;
 
   /**
-   * when the tick was due, on the server's monotonic clock
+   * When the tick was due, beside Welcome.epoch_us + frame / tick_hz: ticks are left out when the server falls behind.
    *
-   * @generated from field: fixed64 server_time_us = 7;
+   * @generated from field: sint64 late_us = 7;
    */
-  serverTimeUs: bigint;
+  lateUs: bigint;
 
   /**
-   * what changed of what modules tell, against base_frame (WIRE.md); empty: nothing
+   * what changed of what modules tell, against the first base (WIRE.md); empty: nothing
    *
    * @generated from field: bytes channels = 9;
    */
@@ -952,7 +936,28 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   channelsCrc: number;
 
   /**
-   * what only this client gets; all the fields above are shared bytes
+   * For so many ticks after the first base nothing moved, and no snapshots were sent. Who interpolates shows the base until then.
+   *
+   * @generated from field: uint32 still = 11;
+   */
+  still: number;
+
+  /**
+   * now and then
+   *
+   * @generated from field: jostle.v1.WorldStats stats = 12;
+   */
+  stats?: WorldStats | undefined;
+
+  /**
+   * for who asked: of ticks up to this one
+   *
+   * @generated from field: repeated jostle.v1.Events events = 13;
+   */
+  events: Events[];
+
+  /**
+   * what only this client gets; all others are shared bytes
    *
    * @generated from field: jostle.v1.Private own = 15;
    */
@@ -971,28 +976,36 @@ export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
  */
 export type Private = Message<"jostle.v1.Private"> & {
   /**
-   * last input that was applied or refused
+   * last input that was applied or refused; 0: as it was
    *
    * @generated from field: uint32 input_sequence = 1;
    */
   inputSequence: number;
 
   /**
-   * of the newest InputBatch
+   * of the newest InputBatch; 0: there was none since the last snapshot
    *
    * @generated from field: fixed32 echo_client_time_us = 2;
    */
   echoClientTimeUs: number;
 
   /**
-   * so far, because of the window or a pending write
+   * so far, because of the window or a pending write; 0: as it was
    *
    * @generated from field: uint32 snapshots_skipped = 3;
    */
   snapshotsSkipped: number;
 
   /**
-   * of the input that input_sequence names: how long before the tick that it was meant for was due it
+   * of inputs, each told once
+   *
+   * @generated from field: repeated jostle.v1.InputResult results = 4;
+   */
+  results: InputResult[];
+
+  /**
+   * How long before the tick that it was meant for was due the newest of these inputs came; negative: after. Of one that was meant for
+   * the next tick: how long it waited. 0: none was applied since the last snapshot.
    *
    * @generated from field: sint32 input_margin_us = 7;
    */
@@ -1005,23 +1018,6 @@ export type Private = Message<"jostle.v1.Private"> & {
  */
 export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 24);
-
-/**
- * @generated from message jostle.v1.InputResults
- */
-export type InputResults = Message<"jostle.v1.InputResults"> & {
-  /**
-   * @generated from field: repeated jostle.v1.InputResult results = 1;
-   */
-  results: InputResult[];
-};
-
-/**
- * Describes the message jostle.v1.InputResults.
- * Use `create(InputResultsSchema)` to create a new message.
- */
-export const InputResultsSchema: GenMessage<InputResults> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1064,7 +1060,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * @generated from message jostle.v1.Pong
@@ -1086,10 +1082,10 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
- * At most ten times a second (a setting of the server), when nothing else is waiting to be sent.
+ * Twice a second, or as often as the server's settings say.
  *
  * @generated from message jostle.v1.WorldStats
  */
@@ -1161,7 +1157,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1183,10 +1179,10 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
- * What happened in one tick, between entities. Sent only to clients that asked, and only when something did; sorted by
+ * What happened in one tick, between entities. Told only to clients that asked, and only when something did; sorted by
  * the entities. A client that is too slow for them misses whole ticks, never parts of one: `missed` counts them.
  *
  * @generated from message jostle.v1.Events
@@ -1262,7 +1258,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -1312,7 +1308,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -1336,7 +1332,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -1372,7 +1368,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * What the numbers are, for those who show them without knowing the module.

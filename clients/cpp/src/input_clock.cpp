@@ -84,7 +84,8 @@ double InputClock::position(std::int64_t now_us) {
 }
 
 std::uint32_t InputClock::tick(std::int64_t now_us) {
-    return static_cast<std::uint32_t>(std::ceil(std::max(0.0, position(now_us))));
+    // A server may say anything of its time.
+    return static_cast<std::uint32_t>(std::ceil(std::clamp(position(now_us), 0.0, 4294967295.0)));
 }
 
 }  // namespace jostle::client

@@ -117,6 +117,6 @@ export class InputClock {
 
   /** The tick that an input of now is meant for: the next whole one. */
   tick(nowUs: number): number {
-    return Math.ceil(Math.max(0, this.position(nowUs)));
+    return Math.ceil(Math.min(2 ** 32 - 1, Math.max(0, this.position(nowUs)))); // a server may say anything of its time
   }
 }
